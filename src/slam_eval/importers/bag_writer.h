@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+#include <rosbag/bag.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "progress.h"
+
+namespace slam::eval {
+
+/// Holds an import's messages, and writes them in stamp order as one rosbag.
+///
+/// Messages of equal stamp are written in the order they were added; the messages of a log's start
+/// (addFirst) come before all others, at the earliest stamp. The receive time is the stamp.
+class BagWriter {
+ public:
+  /// A message that has no stamp of its own, e.g. the name of the robot file.
+  template <class Message>
+  void addFirst(const std::string& topic, const Message& message) {
+    first_.push_back({ros::Time(), writer(topic, message)});
+  }
+
+  /// A message like the one above, with a header that takes the earliest stamp.
+  template <class Message>
+  void addFirstStamped(const std::string& topic, Message message) {
+    first_.push_back({ros::Time(), [topic, message](rosbag::Bag& bag, const ros::Time& t) mutable {
+                        message.header.stamp = t;
+                        bag.write(topic, t, message);
+                      }});
+  }
+
+  template <class Message>
+  void add(const std::string& topic, const Message& message) {
+    entries_.push_back({message.header.stamp, writer(topic, message)});
+  }
+
+  /// Number of messages added.
+  std::size_t size() const { return first_.size() + entries_.size(); }
+
+  /// From the first to the last stamp [s].
+  double duration() const;
+
+  /// Writes PATH.part and renames it to PATH when it is complete: there is never a half bag.
+  /// @throw UsageError no messages or PATH's folder is not there; ImportError writing failed
+  void write(const std::string& path, Progress& progress);
+
+ private:
+  using Writer = std::function<void(rosbag::Bag&, const ros::Time&)>;
+  struct Entry {
+    ros::Time stamp;
+    Writer write;
+  };
+
+  template <class Message>
+  static Writer writer(const std::string& topic, const Message& message) {
+    return [topic, message](rosbag::Bag& bag, const ros::Time& t) { bag.write(topic, t, message); };
+  }
+
+  void writeMessages(rosbag::Bag& bag, Progress& progress) const;
+
+  std::vector<Entry> first_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace slam::eval

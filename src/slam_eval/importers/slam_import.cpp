@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+#include <vector>
+
+#include "import_error.h"
+#include "importer.h"
+
+namespace {
+
+using slam::eval::BagWriter;
+using slam::eval::Importer;
+using slam::eval::Progress;
+
+int runImport(Importer& importer, const std::string& output) {
+  Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1);
+  BagWriter bag;
+  const std::string summary = importer.import(bag, progress);
+  bag.write(output, progress);
+  std::printf("%s: %zu messages, %.1f s. %s\n", output.c_str(), bag.size(), bag.duration(),
+              summary.c_str());
+  return 0;
+}
+
+int fail(const std::exception& error, int code) {
+  std::cerr << "slam_import: " << error.what() << std::endl;
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file size limit then shows as a write error, like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App app("Turns foreign logs into bags of the SLAM product line.", "slam_import");
+  app.require_subcommand(1);
+  std::vector<std::unique_ptr<Importer>> importers;
+  importers.push_back(slam::eval::makeMrclamImporter());
+  std::string output;
+  std::vector<CLI::App*> commands;
+  for (const auto& importer : importers) {
+    CLI::App* command = app.add_subcommand(importer->name(), importer->description());
+    importer->addOptions(*command);
+    command->add_option("OUT.bag", output, "the bag to write")->required();
+    commands.push_back(command);
+  }
+  try {
+    app.parse(argc, argv);
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      if (commands[i]->parsed()) return runImport(*importers[i], output);
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const slam::eval::UsageError& error) {
+    return fail(error, 2);
+  } catch (const std::exception& error) {
+    return fail(error, 1);
+  }
+  return 2;
+}
