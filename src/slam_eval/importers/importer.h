@@ -39,5 +39,6 @@ class Importer {
 };
 
 std::unique_ptr<Importer> makeMrclamImporter();
+std::unique_ptr<Importer> makeRawlogImporter();
 
 }  // namespace slam::eval

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::vector<std::unique_ptr<Importer>> importers;
   importers.push_back(slam::eval::makeMrclamImporter());
+  importers.push_back(slam::eval::makeRawlogImporter());
   std::string output;
   std::vector<CLI::App*> commands;
   for (const auto& importer : importers) {

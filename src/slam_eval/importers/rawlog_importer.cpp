@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <slam_msgs/LandmarkObservationArray.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "importer.h"
+#include "messages.h"
+#include "rawlog_log.h"
+#include "rawlog_truth.h"
+
+namespace slam::eval {
+
+namespace {
+
+nav_msgs::Odometry toMessage(const RawlogLog::Odometry& odometry) {
+  nav_msgs::Odometry message = makeOdometry(odometry.stamp);
+  message.pose.pose = toPose(odometry.x, odometry.y, odometry.theta);
+  message.twist.twist.linear.x = odometry.vx;
+  message.twist.twist.linear.y = odometry.vy;
+  message.twist.twist.angular.z = odometry.omega;
+  return message;
+}
+
+slam_msgs::LandmarkObservationArray toMessage(const RawlogLog::Sighting& sighting,
+                                              std::uint64_t sequence) {
+  slam_msgs::LandmarkObservationArray message;
+  message.header.stamp = toTime(sighting.stamp);
+  message.header.frame_id = sighting.sensor;
+  message.sequence = sequence;
+  message.sensor_pose.x = sighting.x;
+  message.sensor_pose.y = sighting.y;
+  message.sensor_pose.theta = sighting.theta;
+  for (const RawlogLog::Reading& reading : sighting.readings) {
+    slam_msgs::LandmarkObservation observation;
+    observation.id = reading.id;
+    observation.range = reading.range;
+    observation.bearing = reading.bearing;
+    std::copy(reading.covariance.begin(), reading.covariance.end(), observation.covariance.begin());
+    message.observations.push_back(observation);
+  }
+  return message;
+}
+
+void addLog(const RawlogLog& log, BagWriter& bag) {
+  for (const auto& odometry : log.odometry) bag.add(kOdometryTopic, toMessage(odometry));
+  std::uint64_t sequence = 0;
+  for (const auto& sighting : log.sightings) {
+    bag.add(kObservationsTopic, toMessage(sighting, sequence++));
+  }
+}
+
+std::string summary(const RawlogLog& log) {
+  std::size_t readings = 0;
+  for (const auto& sighting : log.sightings) readings += sighting.readings.size();
+  std::ostringstream text;
+  text << log.odometry.size() << " odometry messages, " << log.sightings.size()
+       << " observation arrays with " << readings
+       << " readings. Left out: " << log.left_out_odometry
+       << " odometry entries without a frame behind them, " << log.left_out_readings
+       << " impossible readings, " << log.other_objects
+       << " objects of other kinds. Sorted: " << log.out_of_order << " entries out of order.";
+  if (log.sightings.empty()) text << " The log holds no range-bearing observations.";
+  if (log.made_up_stamps) {
+    text << " The log's own stamps are missing, equal or closer than 1 ms: frame k (from 1) has "
+            "the stamp 1 s + k * 0.1 s.";
+  }
+  return text.str();
+}
+
+class RawlogImporter : public Importer {
+ public:
+  std::string name() const override { return "rawlog"; }
+
+  std::string description() const override {
+    return "MRPT rawlog: planar odometry, range-bearing observations, truth files beside it";
+  }
+
+  void addOptions(CLI::App& command) override {
+    command.add_option("FILE", file_, "the rawlog")->required();
+    command.add_option("--truth-landmarks", landmarks_file_,
+                       "true landmarks [default: NAME_ground_truth.txt beside the rawlog]");
+    command.add_option("--truth-path", path_file_,
+                       "true path [default: NAME_ground_truth_robot_path.txt beside the rawlog]");
+  }
+
+  std::string import(BagWriter& bag, Progress& progress) override {
+    const RawlogLog log = readRawlog(file_, progress);
+    addRobotName(bag, "mrpt_demo");
+    std::string text = summary(log);
+    text += addTrueLandmarks(bag);
+    text += addTruePath(log, bag);
+    addLog(log, bag);
+    return text;
+  }
+
+ private:
+  std::string addTrueLandmarks(BagWriter& bag) {
+    if (landmarks_file_.empty()) landmarks_file_ = findTruthFile(file_, "_ground_truth.txt");
+    if (landmarks_file_.empty()) return " No true landmarks: there is no such file beside it.";
+    slam_msgs::LandmarkMap map = makeTruthMap();
+    for (const auto& landmark : readTrueLandmarks(landmarks_file_)) {
+      map.landmarks.push_back(makeTruthLandmark(landmark.id, landmark.x, landmark.y));
+    }
+    bag.addFirstStamped(kTruthLandmarksTopic, map);
+    return " " + std::to_string(map.landmarks.size()) + " true landmarks.";
+  }
+
+  std::string addTruePath(const RawlogLog& log, BagWriter& bag) {
+    if (path_file_.empty()) path_file_ = findTruthFile(file_, "_ground_truth_robot_path.txt");
+    if (path_file_.empty()) return " No true path: there is no such file beside it.";
+    const auto poses = readTruePath(path_file_, log.frame_stamps.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      bag.add(kTruthPoseTopic,
+              makeTruthPose(log.frame_stamps[i], poses[i].x, poses[i].y, poses[i].theta));
+    }
+    return " " + std::to_string(poses.size()) + " true poses.";
+  }
+
+  std::string file_;
+  std::string landmarks_file_;
+  std::string path_file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Importer> makeRawlogImporter() { return std::make_unique<RawlogImporter>(); }
+
+}  // namespace slam::eval

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rawlog_log.h"
+
+#include <algorithm>
+
+#include "rawlog_file.h"
+#include "rawlog_steps.h"
+
+namespace slam::eval {
+
+namespace {
+
+constexpr std::int64_t kShortestMeanInterval = 1'000'000;  // [ns]
+
+/// A simulator stamps its log with the time it ran: frames in less than a millisecond, some at
+/// once. Frames between actions have to come one after the other; single observations may be
+/// sorted.
+bool hasUsableStamps(const RawlogSteps& log) {
+  std::int64_t first = 0, last = 0, ticks = 0;
+  std::size_t last_frame = 0;
+  for (const RawlogStep& step : log.steps) {
+    if (step.stamp == 0) return false;
+    if (!step.ends_frame) continue;
+    const bool new_frame = ticks > 0 && step.frame != last_frame;
+    if (log.has_actions && new_frame && step.stamp <= last) return false;
+    first = ticks == 0 ? step.stamp : std::min(first, step.stamp);
+    last = std::max(last, step.stamp);
+    last_frame = step.frame;
+    ++ticks;
+  }
+  return ticks < 2 || last - first >= (ticks - 1) * kShortestMeanInterval;
+}
+
+/// A clock that ticks once a frame; odometry between frames is that of the next frame's time.
+void makeUpStamps(RawlogSteps& log, std::size_t& left_out) {
+  for (RawlogStep& step : log.steps) {
+    const auto ticks = static_cast<std::int64_t>(step.frame) + 1;
+    step.stamp = RawlogLog::kClockStart + ticks * RawlogLog::kStepTime;
+  }
+  while (!log.steps.empty() && !log.steps.back().ends_frame) {
+    log.steps.pop_back();
+    ++left_out;
+  }
+}
+
+std::size_t sortByStamp(std::vector<RawlogStep>& steps) {
+  std::size_t late = 0;
+  std::int64_t newest = 0;
+  for (const RawlogStep& step : steps) {
+    if (step.stamp < newest) ++late;
+    newest = std::max(newest, step.stamp);
+  }
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const RawlogStep& a, const RawlogStep& b) { return a.stamp < b.stamp; });
+  return late;
+}
+
+/// Two sensors may see at the same time; a source's stamps must rise.
+void separateEqualSightings(std::vector<RawlogStep>& steps) {
+  std::int64_t newest = 0;
+  for (RawlogStep& step : steps) {
+    if (!step.ends_frame) continue;
+    step.stamp = std::max(step.stamp, newest + 1);
+    newest = step.stamp;
+  }
+}
+
+void addOdometry(const RawlogStep& step, RawlogLog& log) {
+  if (!log.odometry.empty() && log.odometry.back().stamp >= step.stamp) {
+    log.odometry.pop_back();
+    ++log.left_out_odometry;
+  }
+  log.odometry.push_back(*step.odometry);
+  log.odometry.back().stamp = step.stamp;
+}
+
+/// Motion needs a pose from which it starts, before the first observation.
+void addStart(const RawlogSteps& steps, RawlogLog& log) {
+  if (!steps.has_actions && !log.made_up_stamps) return;
+  RawlogLog::Odometry start;
+  for (const RawlogStep& step : steps.steps) {
+    if (steps.has_actions || !step.odometry) continue;
+    start = *step.odometry;
+    break;
+  }
+  if (steps.steps.empty()) return;
+  start.stamp = std::max<std::int64_t>(steps.steps.front().stamp - RawlogLog::kStepTime, 1);
+  log.odometry.push_back(start);
+}
+
+}  // namespace
+
+RawlogLog readRawlog(const std::string& path, Progress& progress) {
+  RawlogSteps steps = makeRawlogSteps(readRawlogObjects(path, progress), path);
+  RawlogLog log;
+  log.left_out_odometry = steps.left_out_odometry;
+  log.left_out_readings = steps.left_out_readings;
+  log.other_objects = steps.other_objects;
+  log.made_up_stamps = !hasUsableStamps(steps);
+  if (log.made_up_stamps) makeUpStamps(steps, log.left_out_odometry);
+  if (!steps.has_actions) log.out_of_order = sortByStamp(steps.steps);
+  separateEqualSightings(steps.steps);
+  addStart(steps, log);
+  log.frame_stamps.resize(steps.frames);
+  for (RawlogStep& step : steps.steps) {
+    if (step.odometry) addOdometry(step, log);
+    if (step.ends_frame) log.frame_stamps[step.frame] = step.stamp;
+    if (!step.sighting) continue;
+    step.sighting->stamp = step.stamp;
+    log.sightings.push_back(std::move(*step.sighting));
+  }
+  return log;
+}
+
+}  // namespace slam::eval
