@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program behind `./slam eval DIR`."""
+import argparse
+import json
+import os
+import pathlib
+import sys
+
+from slam_eval.errors import InputError
+from slam_eval.metric_table import merge, terminal_table
+from slam_eval.metrics import evaluate
+from slam_eval.plot_consistency import plot_consistency
+from slam_eval.plot_map import plot_map, plot_trajectory
+from slam_eval.report import render
+from slam_eval.run_folder import read_run
+
+
+def write_atomically(path, text):
+    """Write a text file completely or not at all."""
+    temporary = path.with_name(f'.{path.name}.{os.getpid()}')
+    try:
+        with open(temporary, 'w', encoding='utf-8') as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def missing_parts(run, result):
+    """A sentence for each figure that the run has not the files for."""
+    notes = []
+    if run.truth is None:
+        notes.append('The run has no ground truth of the poses (ground_truth.tum): no trajectory '
+                     'error and no NEES.')
+    elif result.ate is None:
+        notes.append('Fewer than two poses of the run fall into the time of ground truth: no '
+                     'trajectory error and no NEES.')
+    if run.landmarks is not None and run.true_landmarks is None:
+        notes.append('The run has no ground truth of the landmarks (ground_truth_landmarks.yaml): '
+                     'no landmark error.')
+    elif run.landmarks is not None and result.landmark_error is None:
+        notes.append('Fewer than two landmarks have an id that ground truth has too: no landmark '
+                     'error.')
+    if run.updates is None:
+        notes.append('The run has no updates.csv: no NEES and no NIS.')
+    return notes
+
+
+def draw(run, result, reference):
+    """Write the pictures the run allows; returns their paths."""
+    pictures = [run.path / 'trajectory.png']
+    plot_trajectory(run, result, pictures[0], reference)
+    if run.landmarks is not None:
+        pictures.append(run.path / 'map.png')
+        plot_map(run, result, pictures[-1])
+    if plot_consistency(run, result, run.path / 'consistency.png'):
+        pictures.append(run.path / 'consistency.png')
+    return pictures
+
+
+def evaluate_folder(folder, reference='ground truth', out=sys.stdout):
+    """Evaluate a run folder: metrics.json, pictures, report and a table on out."""
+    run = read_run(folder)
+    result = evaluate(run)
+    metrics = merge(run.metrics, result.metrics)
+    notes = missing_parts(run, result)
+    pictures = draw(run, result, reference)
+    write_atomically(run.path / 'metrics.json', json.dumps(metrics, indent=2) + '\n')
+    write_atomically(run.path / 'report.html', render(run, metrics, pictures, notes))
+    print(run.title, file=out)
+    print(terminal_table(metrics), file=out)
+    for note in notes:
+        print(f'  ({note})', file=out)
+    print(f'report: {run.path / "report.html"}', file=out)
+
+
+def main(arguments=None):
+    """Entry point: exit code 0 done, 1 the evaluation failed, 2 wrong use."""
+    parser = argparse.ArgumentParser(
+        prog='slam_eval', description='Adds error figures, pictures and a report to a run.')
+    parser.add_argument('folder', metavar='DIR', type=pathlib.Path,
+                        help='folder that a run wrote (with trajectory.tum)')
+    parser.add_argument('--reference-title', default='ground truth', metavar='TEXT',
+                        help='what the reference is called in the pictures (%(default)s)')
+    options = parser.parse_args(arguments)
+    try:
+        evaluate_folder(options.folder, options.reference_title)
+    except InputError as error:
+        print(f'slam_eval: {error}', file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f'slam_eval: {error.filename or options.folder}: cannot be written '
+              f'({error.strerror}); check space and permissions', file=sys.stderr)
+        return 1
+    return 0

@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Error figures of a run. Every definition stands in KEYS, which the report prints."""
+import dataclasses
+from typing import Optional
+
+import numpy as np
+
+from slam_eval import se2
+from slam_eval.chi_square import two_sided_bounds
+from slam_eval.landmarks import match_by_id
+from slam_eval.trajectory import interpolate
+
+# A covariance whose smallest eigenvalue is not above this says nothing about an error.
+_SINGULAR = 1e-18
+
+
+@dataclasses.dataclass
+class TrajectoryError:
+    """Translation errors [m] of the poses that have truth, after the rigid alignment to truth."""
+
+    T_truth_map: np.ndarray
+    valid: np.ndarray
+    errors: np.ndarray
+
+    @property
+    def rmse(self):
+        return float(np.sqrt(np.mean(self.errors ** 2)))
+
+    @property
+    def max(self):
+        return float(np.max(self.errors))
+
+
+@dataclasses.dataclass
+class LandmarkError:
+    """Matched landmarks: ids, errors [m] and the rigid alignment of the map to truth."""
+
+    T_truth_map: np.ndarray
+    ids: list
+    errors: np.ndarray
+
+    @property
+    def rmse(self):
+        return float(np.sqrt(np.mean(self.errors ** 2)))
+
+
+@dataclasses.dataclass
+class PoseConsistency:
+    """Pose errors (dx [m], dy [m], dtheta [rad]) in the map frame and their NEES, per valid line."""
+
+    valid: np.ndarray
+    errors: np.ndarray
+    sigmas: np.ndarray
+    nees: np.ndarray
+
+
+@dataclasses.dataclass
+class Evaluation:
+    """Everything that was computed; None where the run has not what it takes."""
+
+    ate: Optional[TrajectoryError] = None
+    odometry_ate: Optional[TrajectoryError] = None
+    landmark_error: Optional[LandmarkError] = None
+    consistency: Optional[PoseConsistency] = None
+    metrics: dict = dataclasses.field(default_factory=dict)
+
+
+def trajectory_error(trajectory, truth):
+    """ATE of a trajectory, or None where fewer than two poses have truth."""
+    true, valid = interpolate(truth, trajectory.stamps)
+    if np.count_nonzero(valid) < 2:
+        return None
+    estimate, true = trajectory.poses[valid, :2], true[valid, :2]
+    T = se2.align_rigid(estimate, true)
+    return TrajectoryError(T, valid, np.linalg.norm(se2.transform_points(T, estimate) - true,
+                                                    axis=1))
+
+
+def landmark_error(estimate, truth):
+    """Landmark errors after their own rigid alignment, or None with fewer than two matches."""
+    ids, positions, true = match_by_id(estimate, truth)
+    if len(ids) < 2:
+        return None
+    T = se2.align_rigid(positions, true)
+    errors = np.linalg.norm(se2.transform_points(T, positions) - true, axis=1)
+    return LandmarkError(T, ids, errors)
+
+
+def pose_consistency(trajectory, updates, truth):
+    """Errors against the filter's own covariance; truth is moved by its first pose, no fit."""
+    true, valid = interpolate(truth, trajectory.stamps)
+    if not np.any(valid):
+        return None
+    first = int(np.argmax(valid))
+    T_map_truth = se2.compose(trajectory.poses[first], se2.inverse(true[first]))
+    errors = trajectory.poses - se2.transform_poses(T_map_truth, true)
+    errors[:, 2] = se2.wrap_angle(errors[:, 2])
+    P = updates.covariances
+    valid = valid & (np.linalg.eigvalsh(P)[:, 0] > _SINGULAR)
+    if not np.any(valid):
+        return None
+    errors, P = errors[valid], P[valid]
+    nees = np.einsum('ni,ni->n', errors, np.linalg.solve(P, errors[:, :, None])[:, :, 0])
+    sigmas = np.sqrt(np.einsum('nii->ni', P))
+    return PoseConsistency(valid, errors, sigmas, nees)
+
+
+def nis_mean(updates):
+    """Sum of NIS over the sum of its degrees of freedom; None without any used observation."""
+    dof = int(np.sum(updates.nis_dof))
+    return float(np.sum(updates.nis) / dof) if dof > 0 else None
+
+
+def share_inside(values, dof, probability=0.95):
+    """Share of the values inside the two-sided chi-square bounds of their degrees of freedom."""
+    bounds = {int(k): two_sided_bounds(int(k), probability) for k in np.unique(dof)}
+    low, high = np.array([bounds[int(k)] for k in np.broadcast_to(dof, len(values))]).T
+    return float(np.mean((values >= low) & (values <= high)))
+
+
+def evaluate(run):
+    """Compute what the run's files allow."""
+    result = Evaluation()
+    if run.truth is not None:
+        result.ate = trajectory_error(run.trajectory, run.truth)
+        if run.odometry is not None:
+            result.odometry_ate = trajectory_error(run.odometry, run.truth)
+        if run.updates is not None:
+            result.consistency = pose_consistency(run.trajectory, run.updates, run.truth)
+    if run.landmarks is not None and run.true_landmarks is not None:
+        result.landmark_error = landmark_error(run.landmarks, run.true_landmarks)
+    result.metrics = _collect(run, result)
+    return result
+
+
+def _collect(run, result):
+    values = {
+        'ate_rmse_m': result.ate and result.ate.rmse,
+        'ate_max_m': result.ate and result.ate.max,
+        'odometry_ate_rmse_m': result.odometry_ate and result.odometry_ate.rmse,
+        'landmark_rmse_m': result.landmark_error and result.landmark_error.rmse,
+        'landmarks': None if run.landmarks is None else len(run.landmarks),
+        'nees_mean': result.consistency and float(np.mean(result.consistency.nees)),
+        'nis_mean': None if run.updates is None else nis_mean(run.updates),
+    }
+    return {key: value for key, value in values.items() if value is not None}
