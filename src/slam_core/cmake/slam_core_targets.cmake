@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What all targets of slam_core have in common.
+function(slam_core_target target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  # A fused multiply-add rounds otherwise: results would depend on what the compiler contracts.
+  target_compile_options(${target} PUBLIC -ffp-contract=off
+                         PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                         $<$<BOOL:${SLAM_WERROR}>:-Werror>)
+  if(SLAM_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=address,undefined
+                           -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# slam_core_library(NAME SOURCES ... LINK ...): the shared library slam_core_NAME, for other
+# packages slam_core::NAME.
+function(slam_core_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  set(target slam_core_${name})
+  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(slam_core::${name} ALIAS ${target})
+  slam_core_target(${target})
+  target_link_libraries(${target} PUBLIC ${ARG_LINK})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/..>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+endfunction()
+
+# slam_core_install(LIBRARIES name... PROGRAMS target...): libraries, headers, programs, and the
+# targets for other packages, from the build tree as from the installation.
+function(slam_core_install)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;PROGRAMS" ${ARGN})
+  list(TRANSFORM ARG_LIBRARIES PREPEND slam_core_ OUTPUT_VARIABLE targets)
+  install(TARGETS ${targets} EXPORT slam_core_targets LIBRARY DESTINATION lib)
+  foreach(name IN LISTS ARG_LIBRARIES ITEMS contract)
+    install(DIRECTORY ${name} DESTINATION include/slam_core FILES_MATCHING PATTERN "*.hpp"
+            PATTERN test EXCLUDE)
+  endforeach()
+  install(TARGETS ${ARG_PROGRAMS} DESTINATION lib/slam_core)
+  install(EXPORT slam_core_targets NAMESPACE slam_core:: DESTINATION share/slam_core/cmake)
+  if(catkin_FOUND)
+    export(EXPORT slam_core_targets NAMESPACE slam_core::
+           FILE ${CATKIN_DEVEL_PREFIX}/share/slam_core/cmake/slam_core_targets.cmake)
+    install(FILES package.xml DESTINATION share/slam_core)
+  endif()
+endfunction()
+
+# slam_core_tests(FILE...): one GoogleTest program for each file; no test without a GoogleTest.
+function(slam_core_tests)
+  if(catkin_FOUND AND NOT CATKIN_ENABLE_TESTING)
+    return()
+  endif()
+  if(NOT catkin_FOUND)
+    include(CTest)
+    find_package(GTest REQUIRED)
+  endif()
+  foreach(file IN LISTS ARGN)
+    get_filename_component(name ${file} NAME_WE)
+    set(target slam_core_${name})
+    if(catkin_FOUND)
+      catkin_add_gtest(${target} ${file})
+      target_link_libraries(${target} slam_core_product)
+    else()
+      add_executable(${target} ${file})
+      target_link_libraries(${target} PRIVATE slam_core_product GTest::gtest_main)
+      add_test(NAME ${target} COMMAND ${target})
+    endif()
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+                           $<$<BOOL:${SLAM_WERROR}>:-Werror>)
+  endforeach()
+endfunction()

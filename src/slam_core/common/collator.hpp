@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/stamped_queue.hpp"
+#include "slam_core/common/time.hpp"
+
+namespace slam {
+
+/// Merges motion and triggers (observation arrays, scans) by stamp into steps, whatever the order
+/// of their arrival: a step is taken when motion covers its stamp and every other trigger source has
+/// passed it; the increment that spans the stamp is split there.
+///
+/// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
+/// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "source_timeout",
+/// "restart".
+template <class Motion, class Trigger>
+class Collator {
+ public:
+  struct Limits {
+    Duration source_timeout = std::chrono::seconds(1);  ///< then a silent source holds nobody back
+    std::size_t motions = 20000;                        ///< held; more are applied without trigger
+    std::size_t triggers = 2000;                        ///< held for each source; more are dropped
+  };
+  /// `motions` lead exactly to `stamp`. Without a trigger it is a carry: motion has piled up with
+  /// nothing to see. `restart`: time began anew, forget everything first.
+  struct Step {
+    Stamp stamp;
+    std::vector<Motion> motions;
+    std::optional<Trigger> trigger;
+    bool restart = false;
+  };
+
+  explicit Collator(std::size_t trigger_sources = 1, Limits limits = Limits())
+      : limits_(limits), motions_(limits.motions * 2), triggers_(trigger_sources) {
+    for (auto& source : triggers_) source = StampedQueue<Trigger>(limits.triggers);
+  }
+
+  void push(Motion motion) {
+    const auto stamp = motion.end;
+    const auto sequence = motion.sequence;
+    motions_.push(stamp, sequence, std::move(motion), counters_);
+    restartWhenAllWentBack();
+  }
+
+  void push(std::size_t source, Stamp stamp, std::uint64_t sequence, Trigger trigger) {
+    triggers_[source].push(stamp, sequence, std::move(trigger), counters_);
+    restartWhenAllWentBack();
+  }
+
+  /// The next step that is due, or nothing. Call until it is empty after every push().
+  std::optional<Step> next() {
+    if (motions_.empty() && !motions_.last()) return std::nullopt;
+    if (!position_) position_ = motions_.front().value.start;
+    dropStale();
+    auto* source = earliestSource();
+    if (source != nullptr && isDue(*source)) {
+      Step step = stepTo(source->front().stamp);
+      step.trigger = source->pop().value;
+      return step;
+    }
+    if (motions_.size() > limits_.motions) return stepTo(motions_[motions_.size() / 2].stamp);
+    return std::nullopt;
+  }
+
+  std::optional<Stamp> lastMotion() const { return motions_.last(); }
+  std::optional<Stamp> lastTrigger(std::size_t source) const { return triggers_[source].last(); }
+  const Counters& counters() const { return counters_; }
+
+ private:
+  /// Triggers from before the first motion, and those of a timed-out source that come too late.
+  void dropStale() {
+    for (auto& source : triggers_)
+      while (!source.empty() && source.front().stamp < *position_) {
+        counters_.add(stepped_ ? "late" : "before_start");
+        source.pop();
+      }
+  }
+
+  StampedQueue<Trigger>* earliestSource() {
+    StampedQueue<Trigger>* earliest = nullptr;
+    for (auto& source : triggers_)
+      if (!source.empty() && (!earliest || source.front().stamp < earliest->front().stamp))
+        earliest = &source;
+    return earliest;
+  }
+
+  bool isDue(const StampedQueue<Trigger>& source) {
+    const auto stamp = source.front().stamp;
+    if (!motions_.last() || *motions_.last() < stamp) return false;
+    return std::all_of(triggers_.begin(), triggers_.end(), [&](const auto& other) {
+      if (!other.empty() || (other.last() && *other.last() >= stamp)) return true;
+      if (*motions_.last() - std::max(stamp, other.last().value_or(stamp)) <
+          limits_.source_timeout)
+        return false;
+      counters_.add("source_timeout");
+      return true;
+    });
+  }
+
+  Step stepTo(Stamp stamp) {
+    Step step;
+    step.stamp = stamp;
+    step.restart = std::exchange(restart_, false);
+    while (!motions_.empty() && motions_.front().value.start < stamp) {
+      Motion motion = motions_.pop().value;
+      if (motion.start < *position_) motion = split(motion, *position_).second;
+      if (motion.end > stamp) {
+        auto [before, after] = split(motion, stamp);
+        motions_.pushFront(after.end, std::move(after));
+        motion = std::move(before);
+      }
+      position_ = motion.end;
+      step.motions.push_back(std::move(motion));
+    }
+    position_ = stamp;
+    stepped_ = true;
+    return step;
+  }
+
+  void restartWhenAllWentBack() {
+    const auto has_gone_back = [](const auto& source) {
+      return source.wentBack() || !source.last();
+    };
+    if (!motions_.wentBack() || !std::all_of(triggers_.begin(), triggers_.end(), has_gone_back))
+      return;
+    motions_.restart();
+    for (auto& source : triggers_) source.restart();
+    position_.reset();
+    stepped_ = false;
+    restart_ = true;
+    counters_.add("restart");
+  }
+
+  Limits limits_;
+  StampedQueue<Motion> motions_;
+  std::vector<StampedQueue<Trigger>> triggers_;
+  std::optional<Stamp> position_;  ///< up to where motion has been handed out
+  bool stepped_ = false;
+  bool restart_ = false;
+  Counters counters_;
+};
+
+}  // namespace slam

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/nearest_name.hpp"
+
+namespace slam {
+
+/// All that is wrong with a configuration, a sentence each.
+class ConfigError : public std::runtime_error {
+ public:
+  explicit ConfigError(std::vector<std::string> faults)
+      : std::runtime_error(join(faults, "\n")), faults_(std::move(faults)) {}
+  explicit ConfigError(const std::string& fault) : ConfigError(std::vector<std::string>{fault}) {}
+
+  const std::vector<std::string>& faults() const { return faults_; }
+
+ private:
+  std::vector<std::string> faults_;
+};
+
+/// Runs several steps of a configuration and throws the faults of all of them at once.
+class FaultCollector {
+ public:
+  template <class Step>
+  void attempt(Step&& step) {
+    try {
+      step();
+    } catch (const ConfigError& error) {
+      faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
+    }
+  }
+  void add(const std::string& fault) { faults_.push_back(fault); }
+  /// @throw ConfigError when there was any fault
+  void raise() const {
+    if (!faults_.empty()) throw ConfigError(faults_);
+  }
+
+ private:
+  std::vector<std::string> faults_;
+};
+
+}  // namespace slam

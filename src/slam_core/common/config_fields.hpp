@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace slam {
+
+/// The allowed numbers of a field.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_open = false;
+  bool max_open = false;
+
+  static Range above(double min) { return {min, Range().max, true, false}; }
+  static Range atLeast(double min) { return {min, Range().max, false, false}; }
+  static Range closed(double min, double max) { return {min, max, false, false}; }
+  static Range open(double min, double max) { return {min, max, true, true}; }
+
+  bool contains(double value) const;
+  bool isEverything() const;
+  std::string text() const;  ///< "[0, 1)", "> 0", "any number"
+};
+
+/// A field belongs to one of the two kinds of configuration file.
+enum class Scope { kProduct, kRobot };
+
+/// One field of a configuration struct, described once: the description feeds the YAML reader, the
+/// ROS reader, the validator and the parameter tables of the documentation.
+struct Field {
+  using Target = std::variant<bool*, int*, std::uint64_t*, double*, std::string*,
+                              std::vector<std::string>*>;
+
+  std::string name;
+  Target target;
+  std::string sentence;
+  std::string unit_text;
+  Range range;
+  std::vector<std::string> choices;
+  Scope scope = Scope::kProduct;
+
+  Field& unit(const std::string& text) { return unit_text = text, *this; }
+  Field& in(const Range& allowed) { return range = allowed, *this; }
+  Field& oneOf(std::vector<std::string> names) { return choices = std::move(names), *this; }
+  Field& ofRobot() { return scope = Scope::kRobot, *this; }
+
+  std::string typeName() const;
+  std::string valueText() const;
+  /// Empty when the value in force is allowed, else what is wrong with it.
+  std::string fault() const;
+};
+
+/// Filled by a configuration struct's describe().
+class Fields {
+ public:
+  Field& add(const std::string& name, Field::Target target, const std::string& sentence) {
+    return fields_.emplace_back(Field{name, target, sentence, "", {}, {}, Scope::kProduct});
+  }
+  const std::deque<Field>& all() const { return fields_; }
+  const Field* find(const std::string& name) const;
+  std::vector<std::string> names() const;
+
+ private:
+  std::deque<Field> fields_;  // a deque: add() hands out references that must stay valid
+};
+
+/// @throw ConfigError listing every field of `config` outside its range
+template <class Config>
+void validate(Config config);
+
+/// The implementation of validate(), for any struct with describe().
+void validateFields(const std::string& section, const Fields& fields);
+
+template <class Config>
+void validate(Config config) {
+  Fields fields;
+  config.describe(fields);
+  validateFields(Config::kSection, fields);
+}
+
+}  // namespace slam

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/settings.hpp"
+#include "slam_core/common/status.hpp"
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam {
+
+/// What the last execute() made of its observations.
+struct UpdateStatistics {
+  double nis = 0.0;      ///< normalised innovation squared of the used observations together
+  int nis_dof = 0;       ///< its degrees of freedom
+  int used = 0;          ///< observations of known landmarks that went into the update
+  int gated = 0;         ///< outside the chi-square gate, left out
+  int added = 0;         ///< landmarks seen for the first time
+  int unknown = 0;       ///< without an id, or not in a fixed map; left out
+  int landmarks = 0;     ///< in the map after the step
+};
+
+/// The role of a SLAM back-end: motion and observations in, pose and landmark map out (thesis 3.4.2).
+///
+/// Who calls: the Estimator, from one thread, in the order configure, then for each step set(...)
+/// of everything since the last one and execute(). It owns the back-end. Inputs come in the order
+/// of stamps and are free of NaN; ids of an array are sorted and may repeat.
+///
+/// A new back-end derives from this, registers itself (contract/registry.hpp) and must pass the
+/// back-end contract suite.
+class Backend {
+ public:
+  static constexpr const char* kRole = "back-end";
+
+  virtual ~Backend() = default;
+
+  /// A fresh start. @throw ConfigError listing all faults of its section
+  virtual void configure(Settings& settings) = 0;
+
+  /// Inputs are stored until execute(). Motions add up.
+  virtual void set(const Motion& motion) = 0;
+  virtual void set(const LandmarkObservationArray& observations) = 0;
+  /// The robot is re-drawn there; the map is kept, correlations to it are removed.
+  virtual void set(const PoseEstimate& initial_pose) = 0;
+  /// The map and the pose are replaced. Without a joint covariance the marginals are inflated.
+  virtual void set(const MapState& map) = 0;
+
+  /// One step: a map or pose that was set, then the motions, then the observations.
+  virtual Status execute() = 0;
+
+  virtual PoseEstimate pose() const = 0;      ///< in the map frame
+  virtual LandmarkMap landmarks() const = 0;  ///< sorted by id
+  virtual MapState state() const = 0;         ///< all that save_map writes
+  virtual UpdateStatistics statistics() const = 0;
+  virtual const Counters& counters() const = 0;
+
+  /// As after configure().
+  virtual void reset() = 0;
+};
+
+}  // namespace slam

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/ekf/ekf_config.hpp"
+
+#include "slam_core/ekf/linearization.hpp"
+
+namespace slam::ekf {
+
+void EkfConfig::describe(Fields& fields) {
+  fields.add("mode", &mode, "build the map, or keep a loaded one fixed and only localise in it")
+      .oneOf({"slam", "localization"});
+  fields.add("linearization", &linearization, "where the Jacobians are evaluated")
+      .oneOf(linearizationNames());
+  fields
+      .add("gate_probability", &gate_probability,
+           "an observation is left out when a right one would lie nearer with this probability")
+      .unit("1")
+      .in(Range::open(0, 1));
+  fields
+      .add("initial_sigma_position", &initial_sigma_position,
+           "standard deviation of the first position; the first pose defines the map frame")
+      .unit("m")
+      .in(Range::above(0));
+  fields
+      .add("initial_sigma_heading", &initial_sigma_heading,
+           "standard deviation of the first heading")
+      .unit("rad")
+      .in(Range::above(0));
+  fields
+      .add("load_inflation", &load_inflation,
+           "factor on the standard deviations of a loaded map that has no joint covariance")
+      .unit("1")
+      .in(Range::atLeast(1));
+}
+
+}  // namespace slam::ekf

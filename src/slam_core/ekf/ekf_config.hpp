@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include "slam_core/common/config_fields.hpp"
+
+namespace slam::ekf {
+
+struct EkfConfig {
+  static constexpr const char* kSection = "ekf";
+
+  std::string mode = "slam";
+  std::string linearization = "textbook";
+  double gate_probability = 0.9999;
+  double initial_sigma_position = 1e-4;
+  double initial_sigma_heading = 1e-4;
+  double load_inflation = 2.0;
+
+  void describe(Fields& fields);
+};
+
+}  // namespace slam::ekf

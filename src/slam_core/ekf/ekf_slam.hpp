@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "slam_core/contract/backend.hpp"
+#include "slam_core/ekf/association.hpp"
+#include "slam_core/ekf/ekf_config.hpp"
+#include "slam_core/ekf/ekf_state.hpp"
+#include "slam_core/ekf/linearization.hpp"
+#include "slam_core/models/observation_model.hpp"
+
+namespace slam::ekf {
+
+/// EKF-SLAM with a map of point landmarks (thesis 5.1; Thrun, Burgard, Fox 2005, table 10.1): all
+/// observations of a stamp go into one joint update.
+class EkfSlam final : public Backend {
+ public:
+  /// @throw ConfigError
+  void configure(const EkfConfig& config);
+  void configure(Settings& settings) override;
+
+  void set(const Motion& motion) override;
+  void set(const LandmarkObservationArray& observations) override { observations_ = observations; }
+  void set(const PoseEstimate& initial_pose) override { initial_pose_ = initial_pose; }
+  void set(const MapState& map) override { map_ = map; }
+
+  Status execute() override;
+
+  PoseEstimate pose() const override { return state_.pose(); }
+  LandmarkMap landmarks() const override { return state_.map(); }
+  MapState state() const override { return state_.state(); }
+  UpdateStatistics statistics() const override { return statistics_; }
+  const Counters& counters() const override { return counters_; }
+
+  void reset() override;
+
+ private:
+  void replaceMap();
+  void relocate();
+  void predict();
+  Status update(const std::vector<Innovation>& innovations);
+  void augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
+
+  EkfConfig config_;
+  RangeBearingModel model_;
+  KnownIdAssociation association_;
+  std::unique_ptr<Linearization> linearization_;
+  EkfState state_;
+  UpdateStatistics statistics_;
+  Counters counters_;
+
+  std::optional<MapState> map_;
+  std::optional<PoseEstimate> initial_pose_;
+  std::optional<Motion> motion_;  ///< all motions since the last step as one
+  std::optional<LandmarkObservationArray> observations_;
+};
+
+}  // namespace slam::ekf

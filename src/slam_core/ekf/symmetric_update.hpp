@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+namespace slam::ekf {
+
+/// P <- P - W W^T in the lower triangle of a column-major matrix: the one operation that costs the
+/// square of the map. It is compiled for several instruction sets and chosen when the program runs.
+/// @param W n x k, n >= size
+/// @param P lower triangle of `size` rows, columns `stride` apart
+void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Eigen::Index size,
+                               Eigen::Index stride);
+
+}  // namespace slam::ekf

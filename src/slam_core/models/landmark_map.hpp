@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/models/landmark_observation.hpp"
+
+namespace slam {
+
+/// A Gaussian over the robot's pose in the map frame.
+struct PoseEstimate {
+  Pose2 pose;                                             ///< T_map_base
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
+};
+
+/// A point landmark with its marginal covariance in the map frame [m, m^2].
+struct Landmark {
+  LandmarkId id = kUnknownId;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+};
+
+/// Landmarks sorted by id.
+using LandmarkMap = std::vector<Landmark>;
+
+/// What is saved and loaded: the map, the pose, and where the back-end has it the joint covariance
+/// of (pose, landmarks in order), size 3 + 2 N; else an empty matrix.
+struct MapState {
+  PoseEstimate robot;
+  LandmarkMap landmarks;
+  Eigen::MatrixXd joint_covariance;
+};
+
+}  // namespace slam

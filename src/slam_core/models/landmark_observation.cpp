@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/models/landmark_observation.hpp"
+
+#include <cmath>
+
+#include "slam_core/models/motion.hpp"
+
+namespace slam {
+
+std::string faultOf(const LandmarkObservation& observation) {
+  const auto name = "observation of landmark " + std::to_string(observation.id);
+  if (!std::isfinite(observation.range) || !std::isfinite(observation.bearing))
+    return name + " holds a value that is not a number";
+  if (observation.range <= 0.0) return name + " has a range that is not positive";
+  if (!isCovariance(observation.covariance))
+    return name + " has a covariance that is not positive definite";
+  return "";
+}
+
+}  // namespace slam

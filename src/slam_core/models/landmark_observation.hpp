@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/time.hpp"
+#include "slam_core/geometry/pose2.hpp"
+
+namespace slam {
+
+using LandmarkId = std::int64_t;
+constexpr LandmarkId kUnknownId = -1;
+
+/// Range [m] and bearing [rad] of a landmark in the sensor's horizontal plane, Eq. 5.3.
+struct LandmarkObservation {
+  LandmarkId id = kUnknownId;
+  double range = 0.0;
+  double bearing = 0.0;
+  /// of (range, bearing) [m^2, m rad, rad^2]; element (0, 0) = -1 stands for "unknown"
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+
+  Eigen::Vector2d vector() const { return {range, bearing}; }
+  bool hasCovariance() const { return covariance(0, 0) != -1.0; }
+};
+
+/// What one sensor saw at one instant; empty when it saw nothing.
+struct LandmarkObservationArray {
+  std::uint64_t sequence = 0;
+  Stamp stamp;
+  std::string sensor_frame;
+  Pose2 sensor_pose;  ///< T_base_sensor
+  std::vector<LandmarkObservation> observations;
+};
+
+/// Empty, or what makes the observation unusable (NaN, a range that is not positive, a covariance
+/// that is not positive definite).
+std::string faultOf(const LandmarkObservation& observation);
+
+}  // namespace slam

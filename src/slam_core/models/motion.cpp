@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/models/motion.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace slam {
+
+std::pair<Motion, Motion> split(const Motion& motion, Stamp at) {
+  const double share = seconds(at - motion.start) / seconds(motion.end - motion.start);
+  Motion before = motion, after = motion;
+  before.end = after.start = at;
+  before.increment = motion.increment.part(share);
+  after.increment = before.increment.between(motion.increment);
+  before.covariance = share * motion.covariance;
+  after.covariance = (1.0 - share) * motion.covariance;
+  before.odometry_end = after.odometry_start = motion.odometry_start * before.increment;
+  return {before, after};
+}
+
+bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+  if (!matrix.allFinite() || !matrix.isApprox(matrix.transpose(), 1e-6)) return false;
+  return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
+}
+
+std::string faultOf(const Motion& motion) {
+  const bool finite = motion.increment.isFinite() && motion.odometry_start.isFinite() &&
+                      motion.odometry_end.isFinite() && motion.covariance.allFinite();
+  if (!finite) return "motion holds a value that is not a number";
+  if (motion.end <= motion.start) return "motion ends before it starts";
+  if (!isCovariance(motion.covariance)) return "motion's covariance is not positive definite";
+  return "";
+}
+
+}  // namespace slam

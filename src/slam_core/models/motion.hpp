@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "slam_core/common/time.hpp"
+#include "slam_core/geometry/pose2.hpp"
+
+namespace slam {
+
+/// One odometry increment with its complete uncertainty: the odometry source owns the motion model,
+/// back-ends add nothing. `covariance` is that of the coordinates (x, y, theta) of `increment`, the
+/// pose at `end` in the robot frame at `start` [m^2, m rad, rad^2].
+struct Motion {
+  std::uint64_t sequence = 0;
+  Stamp start, end;
+  Pose2 increment;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Pose2 odometry_start, odometry_end;  ///< T_odom_base
+  std::string odometry_frame, base_frame;
+};
+
+/// The parts before and after a stamp within (start, end): the increment is divided along the SE(2)
+/// geodesic, a part s of the interval carries s times the covariance.
+std::pair<Motion, Motion> split(const Motion& motion, Stamp at);
+
+/// Empty, or one sentence on what makes the motion unusable (NaN, an interval that is not positive,
+/// a covariance that is not positive definite).
+std::string faultOf(const Motion& motion);
+
+/// Whether the matrix is finite, symmetric and positive definite.
+bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+
+}  // namespace slam

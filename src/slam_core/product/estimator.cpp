@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/estimator.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "slam_core/common/config_error.hpp"
+
+namespace slam {
+
+void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) {
+  backend_ = std::move(backend);
+  FaultCollector faults;
+  faults.attempt([&] { backend_->configure(settings); });
+  faults.attempt([&] { sensor_ = settings.read<LandmarkSensorConfig>(); });
+  faults.attempt([&] {
+    source_timeout_ = durationFromSeconds(settings.read<ProductConfig>().source_timeout);
+  });
+  faults.raise();
+  reset();
+}
+
+void Estimator::reset() {
+  backend_->reset();
+  LandmarkCollator::Limits limits;
+  limits.source_timeout = source_timeout_;
+  collator_ = LandmarkCollator(1, limits);
+  last_motion_.reset();
+  report_.reset();
+  fault_.clear();
+  counters_.clear();
+}
+
+void Estimator::set(Motion motion) {
+  const auto fault = faultOf(motion);
+  if (fault.empty()) {
+    collator_.push(std::move(motion));
+    return;
+  }
+  counters_.add("invalid_motion");
+  fault_ = fault + "; it is left out";
+}
+
+void Estimator::set(LandmarkObservationArray array) {
+  completeCovariances(sensor_, array);
+  auto& all = array.observations;
+  const auto is_invalid = [this](const LandmarkObservation& observation) {
+    const auto fault = faultOf(observation);
+    if (fault.empty()) return false;
+    counters_.add("invalid_observation");
+    fault_ = fault + "; it is left out";
+    return true;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), is_invalid), all.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.id < b.id; });
+  const auto stamp = array.stamp;
+  const auto sequence = array.sequence;
+  collator_.push(0, stamp, sequence, std::move(array));
+}
+
+Status Estimator::execute() {
+  report_.reset();
+  auto step = collator_.next();
+  Status status = fault_.empty() ? Status::ok() : Status::warning(std::exchange(fault_, ""));
+  if (!step) return status;
+  if (step->restart) backend_->reset();
+  for (const auto& motion : step->motions) backend_->set(motion);
+  if (!step->motions.empty()) last_motion_ = step->motions.back();
+  if (step->trigger && paused_)
+    counters_.add("paused");
+  else if (step->trigger)
+    backend_->set(*step->trigger);
+  const auto step_status = backend_->execute();
+  if (!step_status.isOk()) status = step_status;
+  reportStep(*step);
+  return status;
+}
+
+void Estimator::reportStep(const LandmarkCollator::Step& step) {
+  StepReport report;
+  report.stamp = step.stamp;
+  report.pose = backend_->pose();
+  if (last_motion_) {
+    report.odometry_pose = last_motion_->odometry_end;
+    report.odometry_frame = last_motion_->odometry_frame;
+    report.base_frame = last_motion_->base_frame;
+  }
+  report.statistics = backend_->statistics();
+  report.observed = step.trigger.has_value();
+  report.restarted = step.restart;
+  report_ = std::move(report);
+}
+
+Counters Estimator::counters() const {
+  Counters all = counters_;
+  for (const auto* part : {&collator_.counters(), &backend_->counters()})
+    for (const auto& [reason, count] : part->all()) all.add(reason, count);
+  return all;
+}
+
+std::uint64_t Estimator::dropped() const {
+  const auto& collated = collator_.counters();
+  return collated["late"] + collated["lost"] + collated["overflow"] + counters_["invalid_motion"];
+}
+
+}  // namespace slam

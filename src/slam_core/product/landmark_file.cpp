@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/landmark_file.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "slam_core/common/atomic_file.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam {
+namespace {
+
+/// The shortest digits that read back as the same number.
+template <class Matrix>
+std::string numbers(const Matrix& matrix) {
+  std::string text;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", matrix(row, column));
+  return text;
+}
+
+std::string jointText(const Eigen::MatrixXd& joint) {
+  std::string text = "joint_covariance:  # of pose, then landmarks; lower triangle, a row a line\n";
+  for (Eigen::Index row = 0; row < joint.rows(); ++row)
+    text += "  - [" + numbers(joint.row(row).head(row + 1)) + "]\n";
+  return text;
+}
+
+double number(const YAML::Node& parent, const std::string& key) {
+  const double value = parent[key].as<double>();
+  if (!std::isfinite(value)) throw std::runtime_error(key + " is not a finite number");
+  return value;
+}
+
+template <int N>
+Eigen::Matrix<double, N, N> covariance(const YAML::Node& node, const std::string& owner) {
+  const auto values = node.as<std::vector<double>>();
+  if (values.size() != static_cast<std::size_t>(N * N))
+    throw std::runtime_error(fmt::format("covariance of {} has not {} numbers", owner, N * N));
+  const Eigen::Matrix<double, N, N> matrix =
+      Eigen::Map<const Eigen::Matrix<double, N, N, Eigen::RowMajor>>(values.data());
+  if (!isCovariance(matrix))
+    throw std::runtime_error("covariance of " + owner + " is not positive definite");
+  return matrix;
+}
+
+LandmarkMap readLandmarks(const YAML::Node& list) {
+  LandmarkMap landmarks;
+  for (const auto& entry : list) {
+    Landmark landmark;
+    landmark.id = entry["id"].as<LandmarkId>();
+    landmark.position = {number(entry, "x"), number(entry, "y")};
+    landmark.covariance =
+        covariance<2>(entry["covariance"], "landmark " + std::to_string(landmark.id));
+    landmarks.push_back(landmark);
+  }
+  const auto by_id = [](const Landmark& a, const Landmark& b) { return a.id < b.id; };
+  if (!std::is_sorted(landmarks.begin(), landmarks.end(), by_id))
+    throw std::runtime_error("landmarks are not sorted by id");
+  const auto same_id = [](const Landmark& a, const Landmark& b) { return a.id == b.id; };
+  const auto twin = std::adjacent_find(landmarks.begin(), landmarks.end(), same_id);
+  if (twin != landmarks.end())
+    throw std::runtime_error(fmt::format("landmark {} is there twice", twin->id));
+  return landmarks;
+}
+
+Eigen::MatrixXd readJoint(const YAML::Node& rows, std::size_t landmarks) {
+  if (!rows) return {};
+  const auto size = 3 + 2 * landmarks;
+  if (rows.size() != size)
+    throw std::runtime_error(fmt::format("joint_covariance has not {} rows", size));
+  Eigen::MatrixXd joint(size, size);
+  for (std::size_t row = 0; row < size; ++row) {
+    const auto values = rows[row].as<std::vector<double>>();
+    if (values.size() != row + 1)
+      throw std::runtime_error(fmt::format("row {} of joint_covariance has not {} numbers", row,
+                                           row + 1));
+    for (std::size_t column = 0; column <= row; ++column) {
+      const auto r = static_cast<Eigen::Index>(row), c = static_cast<Eigen::Index>(column);
+      joint(r, c) = joint(c, r) = values[column];
+    }
+  }
+  if (!isCovariance(joint)) throw std::runtime_error("joint_covariance is not positive definite");
+  return joint;
+}
+
+LandmarkFile parse(const YAML::Node& root, const std::string& frame) {
+  if (!root.IsMap() || !root["version"]) throw std::runtime_error("it has no version");
+  if (const auto version = root["version"].as<int>(); version != LandmarkFile::kVersion)
+    throw std::runtime_error(fmt::format("it has version {}, this program reads version {}",
+                                         version, LandmarkFile::kVersion));
+  LandmarkFile file;
+  file.frame = root["frame"].as<std::string>();
+  if (file.frame != frame)
+    throw std::runtime_error("it is in frame '" + file.frame + "', the map frame here is '" +
+                             frame + "'");
+  const auto pose = root["pose"];
+  file.map.robot.pose = Pose2(number(pose, "x"), number(pose, "y"), number(pose, "theta"));
+  file.map.robot.covariance = covariance<3>(pose["covariance"], "the pose");
+  file.map.landmarks = readLandmarks(root["landmarks"]);
+  file.map.joint_covariance = readJoint(root["joint_covariance"], file.map.landmarks.size());
+  return file;
+}
+
+}  // namespace
+
+std::string toYaml(const LandmarkFile& file) {
+  const auto& robot = file.map.robot;
+  const auto ns = nanoseconds(file.stamp);
+  std::string text = fmt::format(
+      "version: {}\nframe: {}\nunits: {{position: m, angle: rad}}\nstamp: \"{}.{:09d}\"\n"
+      "pose: {{x: {}, y: {}, theta: {}, covariance: [{}]}}\nlandmarks:{}\n",
+      LandmarkFile::kVersion, file.frame, ns / 1000000000, ns % 1000000000, robot.pose.x(),
+      robot.pose.y(), robot.pose.theta(), numbers(robot.covariance),
+      file.map.landmarks.empty() ? " []" : "");
+  for (const auto& landmark : file.map.landmarks)
+    text += fmt::format("  - {{id: {}, x: {}, y: {}, covariance: [{}]}}\n", landmark.id,
+                        landmark.position.x(), landmark.position.y(), numbers(landmark.covariance));
+  if (file.map.joint_covariance.size() > 0) text += jointText(file.map.joint_covariance);
+  return text;
+}
+
+void saveLandmarks(const std::string& path, const LandmarkFile& file) {
+  writeFileAtomically(path, toYaml(file));
+}
+
+LandmarkFile loadLandmarks(const std::string& path, const std::string& frame) {
+  try {
+    return parse(YAML::LoadFile(path), frame);
+  } catch (const YAML::BadFile&) {
+    throw std::runtime_error("cannot read the landmark map " + path + "; does it exist?");
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot use the landmark map " + path + ": " + error.what());
+  }
+}
+
+}  // namespace slam

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/product_config.hpp"
+
+#include <dlfcn.h>
+
+#include "slam_core/common/config_error.hpp"
+
+namespace slam {
+
+void ProductConfig::describe(Fields& fields) {
+  fields.add("product", &product, "name of the product");
+  fields.add("sentence", &sentence, "what it is, in one line");
+  fields.add("libraries", &libraries, "shared libraries with components beyond the built-in ones");
+  fields.add("backend", &backend, "name of the back-end component");
+  fields.add("odometry", &odometry, "name of the odometry source");
+  fields.add("map", &map, "representation of the map").oneOf({"landmarks"});
+  fields.add("seed", &seed, "of every random stream");
+  fields
+      .add("source_timeout", &source_timeout,
+           "after this time of stamps a silent source stops holding the others back")
+      .unit("s")
+      .in(Range::above(0));
+  fields.add("robot", &robot, "name of the robot").ofRobot();
+}
+
+void FramesConfig::describe(Fields& fields) {
+  fields.add("map", &map, "the map's frame").ofRobot();
+  fields.add("odom", &odom, "the odometry's frame, where the data do not name one").ofRobot();
+  fields.add("base", &base, "the robot's frame, where the data do not name one").ofRobot();
+}
+
+void loadLibraries(const std::vector<std::string>& libraries) {
+  FaultCollector faults;
+  for (const auto& library : libraries)
+    if (dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL) == nullptr)
+      faults.add("cannot load the product's library " + library + ": " + dlerror());
+  faults.raise();
+}
+
+}  // namespace slam

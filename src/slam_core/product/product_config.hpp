@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/config_fields.hpp"
+
+namespace slam {
+
+/// The top level of a product file and of a robot file: who they are and which components play
+/// which role.
+struct ProductConfig {
+  static constexpr const char* kSection = "";
+
+  std::string product;
+  std::string sentence;
+  std::vector<std::string> libraries;
+  std::string backend = "ekf";
+  std::string odometry = "wheel";
+  std::string map = "landmarks";
+  std::uint64_t seed = 1;
+  double source_timeout = 1.0;
+  std::string robot;
+
+  void describe(Fields& fields);
+};
+
+/// The robot's frames (REP-105).
+struct FramesConfig {
+  static constexpr const char* kSection = "frames";
+
+  std::string map = "map";
+  std::string odom = "odom";
+  std::string base = "base_link";
+
+  void describe(Fields& fields);
+};
+
+/// Loads the shared libraries a product names beyond the built-in ones; their components register
+/// themselves. @throw ConfigError naming the library and the loader's reason
+void loadLibraries(const std::vector<std::string>& libraries);
+
+}  // namespace slam

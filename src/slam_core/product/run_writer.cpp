@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/run_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "slam_core/common/atomic_file.hpp"
+#include "slam_core/product/landmark_file.hpp"
+
+namespace slam {
+namespace {
+
+constexpr const char* kUpdatesHeader =
+    "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
+    "landmarks\n";
+
+std::string stampText(Stamp stamp) {
+  return fmt::format("{}.{:09d}", nanoseconds(stamp) / 1000000000, nanoseconds(stamp) % 1000000000);
+}
+
+std::string updateLine(const StepReport& report) {
+  const auto& P = report.pose.covariance;
+  const auto& s = report.statistics;
+  return fmt::format("{},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{},{},{},{},{},{}\n",
+                     stampText(report.stamp), P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2),
+                     s.nis, s.nis_dof, s.used, s.gated, s.added, s.unknown, s.landmarks);
+}
+
+std::string readFile(const std::string& path) {
+  std::ostringstream content;
+  content << std::ifstream(path).rdbuf();
+  return content.str();
+}
+
+}  // namespace
+
+std::string tumLine(Stamp stamp, const Pose2& pose) {
+  // adding zero turns -0 into 0
+  return fmt::format("{} {:.9f} {:.9f} 0.000000000 0.000000000 0.000000000 {:.9f} {:.9f}\n",
+                     stampText(stamp), pose.x() + 0.0, pose.y() + 0.0,
+                     std::sin(pose.theta() / 2) + 0.0, std::cos(pose.theta() / 2) + 0.0);
+}
+
+RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw std::runtime_error("cannot make the output folder " + folder + ": " + error.message());
+  for (const auto* name : {"trajectory_final.tum", "landmarks.yaml", "config.yaml", "metrics.json"})
+    std::filesystem::remove(std::filesystem::path(folder) / name, error);
+  begin();
+}
+
+std::ofstream RunWriter::open(const std::string& name) const {
+  const auto path = folder_ + "/" + name;
+  std::ofstream file(path, std::ios::trunc);
+  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  return file;
+}
+
+void RunWriter::begin() {
+  trajectory_ = open("trajectory.tum");
+  odometry_ = open("odometry.tum");
+  updates_ = open("updates.csv");
+  updates_ << kUpdatesHeader;
+  lines_ = 0;
+}
+
+void RunWriter::write(const StepReport& report) {
+  if (report.restarted) begin();
+  if (!report.observed) return;
+  last_stamp_ = report.stamp;
+  trajectory_ << tumLine(report.stamp, report.pose.pose);
+  odometry_ << tumLine(report.stamp, report.odometry_pose);
+  updates_ << updateLine(report);
+  ++lines_;
+  if (!trajectory_ || !odometry_ || !updates_)
+    throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
+}
+
+void RunWriter::finish(const Backend& backend, const std::string& map_frame,
+                       const std::string& config) {
+  for (auto* file : {&trajectory_, &odometry_, &updates_})
+    if (!file->flush())
+      throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
+  writeFileAtomically(folder_ + "/trajectory_final.tum", readFile(folder_ + "/trajectory.tum"));
+  saveLandmarks(folder_ + "/landmarks.yaml", {map_frame, last_stamp_, backend.state()});
+  writeFileAtomically(folder_ + "/config.yaml", config);
+}
+
+}  // namespace slam

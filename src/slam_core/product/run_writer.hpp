@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "slam_core/common/time.hpp"
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/product/estimator.hpp"
+
+namespace slam {
+
+/// One line of a TUM trajectory: "stamp x y 0 0 0 qz qw", nine decimals.
+std::string tumLine(Stamp stamp, const Pose2& pose);
+
+/// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
+/// updates.csv; landmarks.yaml and config.yaml at the end. Every driver of an Estimator uses this
+/// one, so that offline and online runs can be compared byte for byte.
+class RunWriter {
+ public:
+  /// Makes the folder; files of an earlier run in it are replaced.
+  /// @throw std::runtime_error naming the folder and the cause
+  explicit RunWriter(const std::string& folder);
+
+  /// Takes the steps in order; writes those that came from observations. A restart begins anew.
+  /// @throw std::runtime_error when the disk is full
+  void write(const StepReport& report);
+
+  /// @throw std::runtime_error naming the file that could not be written
+  void finish(const Backend& backend, const std::string& map_frame, const std::string& config);
+
+  const std::string& folder() const { return folder_; }
+  std::size_t lines() const { return lines_; }
+
+ private:
+  std::ofstream open(const std::string& name) const;
+  void begin();
+
+  std::string folder_;
+  std::ofstream trajectory_, odometry_, updates_;
+  Stamp last_stamp_;
+  std::size_t lines_ = 0;
+};
+
+}  // namespace slam
