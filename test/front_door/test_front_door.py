@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests of ./slam in small clones that hold the front door and the package slam_launch."""
+
+import fcntl
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+REPO = pathlib.Path(__file__).resolve().parents[2]
+ABSENT = "slam-no-such-package"
+
+
+def make_clone(folder):
+    folder.mkdir(parents=True)
+    shutil.copy(REPO / "slam", folder)
+    shutil.copytree(REPO / "tools", folder / "tools")
+    shutil.copytree(REPO / "slam_launch", folder / "slam_launch")
+    (folder / "tools/packages.txt").write_text("bash\n", encoding="utf-8")
+    return folder
+
+
+def call(*command, cwd=None, **environment):
+    """Runs a command without a terminal; its standard error is part of stdout."""
+    clean = {name: value for name, value in os.environ.items() if name not in ("CI", "SUDO_USER")}
+    return subprocess.run([str(word) for word in command], cwd=cwd, env={**clean, **environment},
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False, timeout=300)
+
+
+class FrontDoorTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def expect(self, result, code, *texts):
+        self.assertEqual(result.returncode, code, result.stdout)
+        for text in texts:
+            self.assertIn(text, result.stdout)
+
+
+class WithoutBuild(FrontDoorTest):
+    def setUp(self):
+        super().setUp()
+        self.clone = make_clone(self.folder / "a clone")
+        self.slam = self.clone / "slam"
+
+    def require_absent_package(self):
+        (self.clone / "tools/packages.txt").write_text(f"bash # a shell\n{ABSENT}\n",
+                                                       encoding="utf-8")
+
+    def test_names_every_command_when_called_without_one(self):
+        commands = "setup demo test products import run eval bench".split()
+        self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands])
+
+    def test_suggests_the_nearest_name_for_an_unknown_command(self):
+        self.expect(call(self.slam, "prodcuts"), 2, "unknown command 'prodcuts'", "products")
+
+    def test_refuses_an_argument_that_a_command_does_not_take(self):
+        self.expect(call(self.slam, "test", "--fast"), 2, "--fast")
+
+    def test_names_missing_packages_and_installs_nothing(self):
+        self.require_absent_package()
+        result = call(self.slam, "products")
+        self.expect(result, 1, f"missing packages: {ABSENT};", "./slam setup")
+        self.assertFalse((self.clone / ".slam").exists())
+
+    def test_setup_without_a_terminal_asks_for_yes(self):
+        self.require_absent_package()
+        self.expect(call(self.slam, "setup"), 2, ABSENT, "--yes")
+        self.assertFalse((self.clone / ".slam").exists())
+
+    def test_says_so_when_it_cannot_write(self):
+        self.folder.chmod(0o755)
+        self.clone.chmod(0o555)
+        self.addCleanup(self.clone.chmod, 0o755)
+        drop = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+        user = drop if os.geteuid() == 0 else []
+        self.expect(call(*user, self.slam, "products"), 1, "cannot write to", ".slam")
+
+    def test_shows_the_log_of_a_failed_build(self):
+        with (self.clone / "slam_launch/CMakeLists.txt").open("a", encoding="utf-8") as file:
+            file.write('message(FATAL_ERROR "wheels fell off")\n')
+        log = self.clone / ".slam/build.log"
+        self.expect(call(self.slam, "products"), 1, "wheels fell off", str(log))
+        self.expect(call(self.slam, "products"), 1, "wheels fell off")
+
+    def test_ends_a_test_whose_build_failed_with_the_sum(self):
+        (self.clone / "slam_launch/CMakeLists.txt").write_text("no CMake\n", encoding="utf-8")
+        result = call(self.slam, "test")
+        self.expect(result, 1)
+        self.assertEqual(result.stdout.splitlines()[-1], "0 passed, 1 failed")
+
+    def test_uses_the_enclosing_workspace_once_that_is_built(self):
+        clone = make_clone(self.folder / "ws/src/clone")
+        self.expect(call("catkin_make", "-C", self.folder / "ws"), 0)
+        self.expect(call(clone / "slam", "products"), 0, "ekf_wheel  ")
+        self.assertFalse((clone / ".slam/build").exists())
+
+
+class WithBuild(FrontDoorTest):
+    """One clone, built once, for all tests; each leaves it as it was."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.clone = make_clone(pathlib.Path(folder.name) / "a clone")
+        cls.slam = cls.clone / "slam"
+        cls.first = call(cls.slam, "products")
+
+    def test_builds_before_the_first_product_list(self):
+        self.expect(self.first, 0, "ekf_wheel  ")
+        self.assertTrue((self.clone / ".slam/CATKIN_IGNORE").exists())
+
+    def test_builds_again_only_what_changed(self):
+        log = self.clone / ".slam/build.log"
+        built = log.stat().st_mtime_ns
+        self.expect(call(self.slam, "products"), 0, "ekf_wheel  ")
+        self.assertEqual(log.stat().st_mtime_ns, built)
+        product = self.clone / "slam_launch/products/other.yaml"
+        self.addCleanup(product.unlink)
+        product.write_text("product: other\nsentence: Another one.\n", encoding="utf-8")
+        self.expect(call(self.slam, "products"), 0, "other      Another one.")
+        self.assertNotEqual(log.stat().st_mtime_ns, built)
+
+    def test_is_found_through_a_link_from_another_folder(self):
+        link = self.folder / "link"
+        link.symlink_to(self.slam)
+        self.expect(call(link, "products", cwd=self.folder), 0, "ekf_wheel  ")
+
+    def test_needs_no_other_python_than_debian_s(self):
+        wrong = self.folder / "python3"
+        wrong.write_text("#!/bin/sh\nexit 99\n", encoding="utf-8")
+        wrong.chmod(0o755)
+        path = f"{self.folder}:{os.environ['PATH']}"
+        self.expect(call(self.slam, "products", PATH=path), 0, "ekf_wheel  ")
+
+    def test_builds_from_scratch_where_the_clone_has_moved(self):
+        moved = self.folder / "moved"
+        shutil.copytree(self.clone, moved, symlinks=True)
+        self.expect(call(moved / "slam", "products"), 0, "from scratch", "ekf_wheel  ")
+
+    def test_waits_for_another_call_that_builds(self):
+        (self.clone / ".slam/built.all").unlink()
+        with (self.clone / ".slam/lock").open("a", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            with subprocess.Popen([str(self.slam), "products"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True) as waiting:
+                self.assertEqual(waiting.stderr.readline(), "waiting for another ./slam\n")
+                self.assertIsNone(waiting.poll())
+                fcntl.flock(lock, fcntl.LOCK_UN)
+                self.assertIn("ekf_wheel  ", waiting.communicate(timeout=300)[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
