@@ -1,9 +1,16 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the folder of a simulated run whose errors are drawn from the covariance it claims."""
+import pathlib
+import sys
+
 import numpy as np
 
-from slam_eval import se2
+# The tests run from the source tree too, without a catkin environment.
+PACKAGE = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(PACKAGE / 'src'))
+
+from slam_eval import se2  # noqa: E402
 
 T_WORLD_MAP = np.array([3.0, -2.0, 0.7])
 STEP = 0.2

@@ -40,15 +40,23 @@ def _without_joint_covariance(text):
     return re.sub(r'^joint_covariance:.*\n(?:(?:[ \t\-\]].*)?\n)*', '', text, flags=re.MULTILINE)
 
 
+def _number(value):
+    """A finite float, or None. YAML 1.1 takes 1e-05 for text, yet any C printf writes it so."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        return None
+    try:
+        number = float(value)
+    except ValueError:
+        return None
+    return number if np.isfinite(number) else None
+
+
 def _numbers(path, what, values, count):
-    if not isinstance(values, list):
-        values = [values]
-    good = len(values) == count and all(
-        isinstance(v, (int, float)) and not isinstance(v, bool) and np.isfinite(v) for v in values)
-    if not good:
+    numbers = [_number(v) for v in (values if isinstance(values, list) else [values])]
+    if len(numbers) != count or None in numbers:
         raise InputError(f'{path}: {what} is not {count} finite number{"s" * (count > 1)}; '
                          'save the map again')
-    return [float(v) for v in values]
+    return numbers
 
 
 def _load_document(path):
@@ -71,7 +79,7 @@ def _load_document(path):
 
 def _read_landmark(path, entry):
     identity = entry.get('id') if isinstance(entry, dict) else None
-    if not isinstance(identity, int):
+    if not isinstance(identity, int) or isinstance(identity, bool):
         raise InputError(f'{path}: a landmark has no whole number "id"; save the map again')
     what = f'landmark {identity}: '
     position = [_numbers(path, what + axis, entry.get(axis), 1)[0] for axis in ('x', 'y')]

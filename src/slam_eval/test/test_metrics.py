@@ -1,0 +1,179 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Error figures with known answers."""
+import unittest
+
+import numpy as np
+
+import run_maker
+from slam_eval import metrics, se2
+from slam_eval.landmarks import LandmarkMap
+from slam_eval.metric_table import merge
+from slam_eval.trajectory import Trajectory
+from slam_eval.updates import Updates
+
+T = np.array([4.0, -1.0, 2.2])
+
+
+def trajectory(poses, step=0.1):
+    """Poses with a stamp each step seconds."""
+    return Trajectory((np.arange(len(poses)) * round(step * 1e9)).astype(np.int64),
+                      np.array(poses, dtype=float))
+
+
+def landmark_map(ids, positions):
+    """Landmarks without covariance."""
+    return LandmarkMap(list(ids), np.array(positions, dtype=float), np.zeros((len(ids), 2, 2)))
+
+
+def updates(poses, covariances, nis=0.0, dof=0):
+    """Updates at the stamps of the poses."""
+    count = len(poses)
+    return Updates(poses.stamps, covariances, np.full(count, nis), np.full(count, dof), {})
+
+
+class TrajectoryError(unittest.TestCase):
+
+    def setUp(self):
+        self.poses = run_maker.ring(400)
+        self.estimate = trajectory(self.poses)
+
+    def test_a_rotated_and_translated_copy_has_no_error(self):
+        result = metrics.trajectory_error(
+            self.estimate, trajectory(se2.transform_poses(T, self.poses)))
+        self.assertLess(result.max, 1e-9)
+        np.testing.assert_allclose(result.T_truth_map, T, atol=1e-9)
+
+    def test_a_scaled_copy_keeps_its_error(self):
+        line = np.column_stack([np.linspace(-1.0, 1.0, 201), np.zeros((201, 2))])
+        result = metrics.trajectory_error(trajectory(line), trajectory(line * [1.1, 1.0, 1.0]))
+        self.assertAlmostEqual(result.max, 0.1, places=9)
+        self.assertAlmostEqual(result.rmse, np.sqrt(np.mean((0.1 * line[:, 0]) ** 2)), places=9)
+
+    def test_a_zigzag_of_known_size_is_the_error(self):
+        count = 400
+        line = np.column_stack([np.linspace(0.0, 100.0, count), np.zeros((count, 2))])
+        zigzag = line.copy()
+        zigzag[:, 1] += 0.03 * np.tile([1.0, -1.0, -1.0, 1.0], count // 4)
+        result = metrics.trajectory_error(trajectory(zigzag), trajectory(line))
+        self.assertAlmostEqual(result.rmse, 0.03, places=6)
+
+    def test_poses_in_a_gap_of_truth_do_not_count(self):
+        bad = self.poses.copy()
+        bad[100:120, 0] += 5.0
+        keep = np.ones(400, dtype=bool)
+        keep[99:121] = False
+        reference = trajectory(self.poses)
+        gap = Trajectory(reference.stamps[keep], reference.poses[keep])
+        result = metrics.trajectory_error(trajectory(bad), gap)
+        self.assertLess(result.max, 1e-9)
+        self.assertEqual(np.count_nonzero(result.valid), 400 - 22)
+        self.assertGreater(metrics.trajectory_error(trajectory(bad), reference).max, 4.0)
+
+    def test_truth_of_another_time_gives_no_figure(self):
+        later = Trajectory(self.estimate.stamps + 10 ** 12, self.poses)
+        self.assertIsNone(metrics.trajectory_error(self.estimate, later))
+
+
+class LandmarkError(unittest.TestCase):
+
+    def setUp(self):
+        self.true = np.random.default_rng(2).uniform(-5.0, 5.0, (20, 2))
+
+    def test_landmarks_are_matched_by_id_and_aligned_on_their_own(self):
+        order = np.random.default_rng(3).permutation(20)
+        estimate = landmark_map(order, se2.transform_points(T, self.true[order]))
+        result = metrics.landmark_error(estimate, landmark_map(range(20), self.true))
+        self.assertLess(result.rmse, 1e-9)
+
+    def test_landmarks_that_only_one_side_knows_are_left_out(self):
+        estimate = landmark_map([1, 2, 3, 99], [[0, 0], [1, 0], [0, 1], [50, 50]])
+        truth = landmark_map([1, 2, 3, 7], [[0, 0], [1, 0], [0, 1], [9, 9]])
+        result = metrics.landmark_error(estimate, truth)
+        self.assertEqual(result.ids, [1, 2, 3])
+        self.assertLess(result.rmse, 1e-9)
+
+    def test_a_pair_that_is_too_far_apart_has_half_the_difference_as_error(self):
+        estimate = landmark_map([1, 2], [[0.0, 0.0], [3.2, 0.0]])
+        truth = landmark_map([1, 2], [[0.0, 0.0], [0.0, 3.0]])
+        self.assertAlmostEqual(metrics.landmark_error(estimate, truth).rmse, 0.1)
+
+    def test_one_match_is_too_few(self):
+        one = landmark_map([1], [[0.0, 0.0]])
+        self.assertIsNone(metrics.landmark_error(one, one))
+
+
+class Consistency(unittest.TestCase):
+
+    def drawn(self, factor):
+        """NEES of errors drawn from a full covariance and claimed factor times smaller."""
+        random = np.random.default_rng(11)
+        count = 4000
+        root = np.array([[0.05, 0.0, 0.0], [0.02, 0.04, 0.0], [-0.01, 0.005, 0.02]])
+        true = run_maker.ring(count)
+        errors = random.normal(size=(count, 3)) @ root.T
+        errors[0] = 0.0
+        estimate = true + errors
+        P = np.tile(root @ root.T / factor ** 2, (count, 1, 1))
+        estimate = trajectory(estimate)
+        return metrics.pose_consistency(estimate, updates(estimate, P),
+                                        trajectory(se2.transform_poses(T, true)))
+
+    def test_nees_of_a_consistent_filter_is_three(self):
+        nees = self.drawn(1.0).nees
+        # Mean of 4000 chi-square variables of 3 dof: 95 % bounds 3 +- 1.96 sqrt(6 / 4000).
+        self.assertAlmostEqual(np.mean(nees), 3.0, delta=0.08)
+        self.assertAlmostEqual(metrics.share_inside(nees, np.full(len(nees), 3)), 0.95, delta=0.02)
+
+    def test_a_filter_twice_too_sure_has_four_times_the_nees(self):
+        self.assertAlmostEqual(np.mean(self.drawn(2.0).nees), 12.0, delta=0.32)
+
+    def test_truth_is_moved_by_its_first_pose_and_not_fitted(self):
+        poses = np.zeros((50, 3))
+        poses[:, 0] = np.linspace(0.0, 5.0, 50)
+        bent = poses.copy()
+        bent[0, 2] = 0.1
+        estimate = trajectory(bent)
+        P = np.tile(np.eye(3), (50, 1, 1))
+        result = metrics.pose_consistency(estimate, updates(estimate, P), trajectory(poses))
+        self.assertAlmostEqual(result.errors[-1, 1], -5.0 * np.sin(0.1))
+        np.testing.assert_allclose(result.errors[0], 0.0, atol=1e-12)
+
+    def test_heading_error_is_wrapped(self):
+        true = np.zeros((3, 3))
+        true[1:, 2] = 3.1
+        estimate = true.copy()
+        estimate[2, 2] = -3.1
+        estimate = trajectory(estimate)
+        P = np.tile(np.eye(3), (3, 1, 1))
+        result = metrics.pose_consistency(estimate, updates(estimate, P), trajectory(true))
+        self.assertAlmostEqual(result.errors[2, 2], 2.0 * np.pi - 6.2)
+
+    def test_lines_with_a_singular_covariance_are_skipped(self):
+        estimate = trajectory(run_maker.ring(10))
+        P = np.tile(1e-4 * np.eye(3), (10, 1, 1))
+        P[0] = 0.0
+        P[5, 2, 2] = 1e-19
+        result = metrics.pose_consistency(estimate, updates(estimate, P), estimate)
+        self.assertEqual(np.flatnonzero(~result.valid).tolist(), [0, 5])
+        np.testing.assert_allclose(result.nees, 0.0, atol=1e-12)
+
+    def test_nis_is_weighted_by_degrees_of_freedom(self):
+        steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))
+        steps.nis, steps.nis_dof = np.array([4.0, 0.0, 2.0]), np.array([2, 0, 4])
+        self.assertAlmostEqual(metrics.nis_mean(steps), 1.0)
+
+    def test_without_used_observations_there_is_no_nis(self):
+        steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))
+        self.assertIsNone(metrics.nis_mean(steps))
+
+
+class Merge(unittest.TestCase):
+
+    def test_keeps_what_the_run_wrote_and_drops_old_figures(self):
+        merged = merge({'cpu_s': 1.5, 'ate_rmse_m': 9.0, 'own': 1}, {'landmarks': 3})
+        self.assertEqual(merged, {'cpu_s': 1.5, 'own': 1, 'landmarks': 3})
+
+
+if __name__ == '__main__':
+    unittest.main()

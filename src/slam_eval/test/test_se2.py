@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rigid motions of the plane."""
+import unittest
+
+import numpy as np
+
+import run_maker  # noqa: F401 (makes slam_eval importable)
+from slam_eval import se2
+
+
+class Se2(unittest.TestCase):
+
+    def test_wrapped_angles_lie_in_minus_pi_exclusive_to_pi_inclusive(self):
+        self.assertEqual(se2.wrap_angle(np.pi), np.pi)
+        self.assertEqual(se2.wrap_angle(-np.pi), np.pi)
+        self.assertAlmostEqual(float(se2.wrap_angle(7.0)), 7.0 - 2.0 * np.pi)
+
+    def test_inverse_undoes_a_pose(self):
+        pose = np.array([1.5, -0.3, 2.9])
+        np.testing.assert_allclose(se2.compose(pose, se2.inverse(pose)), 0.0, atol=1e-12)
+        np.testing.assert_allclose(se2.compose(se2.inverse(pose), pose), 0.0, atol=1e-12)
+
+    def test_alignment_finds_the_motion_between_two_copies(self):
+        points = np.random.default_rng(4).normal(size=(30, 2))
+        for T in ([0.5, -2.0, 3.0], [0.0, 0.0, -1.2], [10.0, 4.0, 0.0]):
+            found = se2.align_rigid(points, se2.transform_points(T, points))
+            np.testing.assert_allclose(found, T, atol=1e-12)
+
+    def test_alignment_does_not_scale_or_mirror(self):
+        points = np.random.default_rng(5).normal(size=(30, 2))
+        found = se2.align_rigid(points, 2.0 * points)
+        np.testing.assert_allclose(found[2], 0.0, atol=1e-12)
+        mirrored = points * [1.0, -1.0]
+        moved = se2.transform_points(se2.align_rigid(points, mirrored), points)
+        self.assertGreater(np.max(np.abs(moved - mirrored)), 0.5)
+
+    def test_alignment_of_coinciding_points_is_a_translation(self):
+        found = se2.align_rigid(np.zeros((3, 2)), np.ones((3, 2)))
+        np.testing.assert_allclose(found, [1.0, 1.0, 0.0])
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <slam_msgs/LandmarkMap.h>
+#include <slam_msgs/LandmarkObservationArray.h>
+#include <std_msgs/String.h>
+
+#include <algorithm>
+
+#include "bag_contents.h"
+#include "mrclam_set.h"
+#include "program.h"
+#include "rawlog_maker.h"
+#include "temp_folder.h"
+
+namespace slam::eval {
+namespace {
+
+class SlamImport : public testing::Test {
+ protected:
+  /// The program ends with this code and one sentence that holds the text, and leaves no bag.
+  void expectFailure(const std::string& arguments, int code, const std::string& text) {
+    const ProgramRun run = runSlamImport(arguments);
+    EXPECT_EQ(run.exit_code, code) << arguments;
+    EXPECT_NE(run.output.find(text), std::string::npos) << run.output;
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+    EXPECT_EQ(out_.count(), 0);
+  }
+
+  std::string bag() const { return out_.file("a.bag"); }
+
+  TempFolder in_;
+  TempFolder out_;
+};
+
+TEST_F(SlamImport, TurnsAnMrclamRobotIntoABag) {
+  writeMrclamSet(in_);
+  const ProgramRun run = runSlamImport("mrclam " + in_.path() + " --robot 2 " + bag());
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("2 readings of other robots, 1 of unknown"), std::string::npos);
+  EXPECT_EQ(out_.count(), 1);
+  EXPECT_EQ(messagesOf<std_msgs::String>(bag(), "/robot").at(0).data, "mrclam");
+
+  const auto odometry = messagesOf<nav_msgs::Odometry>(bag(), "/odom");
+  ASSERT_EQ(odometry.size(), 4u);
+  EXPECT_EQ(odometry[0].header.frame_id, "odom");
+  EXPECT_EQ(odometry[0].child_frame_id, "base_link");
+  EXPECT_EQ(odometry[0].pose.covariance[0], -1.0);
+  EXPECT_EQ(odometry[0].pose.pose.orientation.w, 1.0);
+  EXPECT_EQ(odometry[0].twist.twist.linear.x, 0.1);
+  EXPECT_EQ(odometry[0].twist.twist.angular.z, -0.4);
+
+  const auto arrays = messagesOf<slam_msgs::LandmarkObservationArray>(bag(), "/observations");
+  ASSERT_EQ(arrays.size(), 3u);
+  EXPECT_EQ(arrays[2].sequence, 2u);
+  EXPECT_TRUE(arrays[1].observations.empty());
+  EXPECT_EQ(arrays[0].observations.at(0).covariance[0], -1.0);
+
+  const auto maps = messagesOf<slam_msgs::LandmarkMap>(bag(), "/ground_truth/landmarks");
+  ASSERT_EQ(maps.size(), 1u);
+  EXPECT_EQ(maps[0].header.frame_id, "world");
+  EXPECT_EQ(maps[0].landmarks.at(1).id, 7);
+}
+
+TEST_F(SlamImport, TurnsARawlogWithItsTruthIntoABag) {
+  {
+    RawlogMaker maker(in_.file("a.rawlog"));
+    maker.frame(100.0);
+    maker.action(1.0, 0.0, 0.0);
+    maker.frame(101.0);
+  }
+  in_.write("a_ground_truth.txt", "1 2 0 5 0 0 7\n");
+  in_.write("other_path.txt", "0 0 0 0 0 0\n1 0 0 0.5 0 0\n");
+  const ProgramRun run = runSlamImport("rawlog " + in_.file("a.rawlog") + " " + bag() +
+                                       " --truth-path " + in_.file("other_path.txt"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(messagesOf<std_msgs::String>(bag(), "/robot").at(0).data, "mrpt_demo");
+  EXPECT_EQ(messagesOf<nav_msgs::Odometry>(bag(), "/odom").size(), 3u);
+  const auto arrays = messagesOf<slam_msgs::LandmarkObservationArray>(bag(), "/observations");
+  ASSERT_EQ(arrays.size(), 2u);
+  EXPECT_NEAR(arrays[0].observations.at(0).covariance[0], 0.01, 1e-8);
+  const auto poses = messagesOf<geometry_msgs::PoseStamped>(bag(), "/ground_truth/pose");
+  ASSERT_EQ(poses.size(), 2u);
+  EXPECT_EQ(poses[1].header.stamp, arrays[1].header.stamp);
+  EXPECT_EQ(poses[1].pose.position.x, 1.0);
+  EXPECT_EQ(messagesOf<slam_msgs::LandmarkMap>(bag(), "/ground_truth/landmarks").size(), 1u);
+}
+
+TEST_F(SlamImport, SaysThatThereIsNoTruth) {
+  {
+    RawlogMaker maker(in_.file("a.rawlog"));
+    maker.action(1.0, 0.0, 0.0);
+    maker.frame(101.0);
+  }
+  const ProgramRun run = runSlamImport("rawlog " + in_.file("a.rawlog") + " " + bag());
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.output.find("No true landmarks"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("No true path"), std::string::npos) << run.output;
+}
+
+TEST_F(SlamImport, WritesTheSameBytesTwice) {
+  writeMrclamSet(in_);
+  const auto content = [this](const std::string& name) {
+    runSlamImport("mrclam " + in_.path() + " --robot 2 " + out_.file(name));
+    std::ifstream file(out_.file(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string first = content("a.bag");
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(first, content("b.bag"));
+}
+
+TEST_F(SlamImport, RefusesWrongUseWithCodeTwo) {
+  writeMrclamSet(in_);
+  EXPECT_EQ(runSlamImport("").exit_code, 2);
+  EXPECT_EQ(runSlamImport("nonsense x y").exit_code, 2);
+  EXPECT_EQ(runSlamImport("mrclam " + in_.path() + " " + bag()).exit_code, 2);
+  EXPECT_EQ(runSlamImport("--help").exit_code, 0);
+  expectFailure("mrclam " + in_.path() + " --robot 3 " + bag(), 2, "has no robot 3; it has 2");
+  expectFailure("mrclam " + in_.file("none") + " --robot 2 " + bag(), 2, "there is no folder");
+  expectFailure("rawlog " + in_.file("none") + " " + bag(), 2, "there is no file");
+  expectFailure("mrclam " + in_.path() + " --robot 2 " + out_.file("none/a.bag"), 2,
+                "there is no folder");
+}
+
+TEST_F(SlamImport, RefusesBadFilesWithCodeOne) {
+  in_.write("a.rawlog", "no rawlog");
+  expectFailure("rawlog " + in_.file("a.rawlog") + " " + bag(), 1, "is no MRPT rawlog");
+  expectFailure("mrclam " + in_.path() + " --robot 2 " + bag(), 1, "it has no Barcodes.dat");
+  writeMrclamSet(in_);
+  in_.write("Robot2_Measurement.dat", "1248444187.180 63 2.5 0.1\n1248444187.180 63 2.5\n");
+  expectFailure("mrclam " + in_.path() + " --robot 2 " + bag(), 1, "Robot2_Measurement.dat:2:");
+}
+
+TEST_F(SlamImport, LeavesNothingWhenTheDiskIsFull) {
+  writeMrclamSet(in_);
+  const ProgramRun run = runSlamImport("mrclam " + in_.path() + " --robot 2 /dev/full");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("cannot write /dev/full"), std::string::npos) << run.output;
+}
+
+}  // namespace
+}  // namespace slam::eval
