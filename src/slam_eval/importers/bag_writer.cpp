@@ -38,7 +38,9 @@ void checkFolder(const std::string& path) {
   if (!fs::is_directory(folder)) {
     throw UsageError("cannot write " + path + ": there is no folder " + folder.string());
   }
-  if (fs::is_directory(path)) throw UsageError("cannot write " + path + ": it is a folder");
+  if (fs::exists(path) && !fs::is_regular_file(path)) {
+    throw UsageError("cannot write " + path + ": it is no ordinary file");
+  }
 }
 
 }  // namespace
@@ -77,7 +79,12 @@ void BagWriter::write(const std::string& path, Progress& progress) {
 
 void BagWriter::writeMessages(rosbag::Bag& bag, Progress& progress) const {
   progress.begin("writing", entries_.size());
-  for (const Entry& entry : first_) entry.write(bag, entries_.front().stamp);
+  const std::uint64_t start = entries_.front().stamp.toNSec();
+  for (std::size_t i = 0; i < first_.size(); ++i) {
+    const std::uint64_t before = std::min<std::uint64_t>(first_.size() - i, start - 1);
+    ros::Time stamp;
+    first_[i].write(bag, stamp.fromNSec(start - before));
+  }
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     entries_[i].write(bag, entries_[i].stamp);
     progress.update(i + 1);

@@ -17,7 +17,8 @@ namespace slam::eval {
 /// Holds an import's messages, and writes them in stamp order as one rosbag.
 ///
 /// Messages of equal stamp are written in the order they were added; the messages of a log's start
-/// (addFirst) come before all others, at the earliest stamp. The receive time is the stamp.
+/// (addFirst) come before all others, some nanoseconds before the earliest stamp: readers of a bag
+/// do not keep the order of equal receive times. The receive time is the stamp.
 class BagWriter {
  public:
   /// A message that has no stamp of its own, e.g. the name of the robot file.
@@ -26,7 +27,7 @@ class BagWriter {
     first_.push_back({ros::Time(), writer(topic, message)});
   }
 
-  /// A message like the one above, with a header that takes the earliest stamp.
+  /// A message like the one above, with a header that takes its receive time.
   template <class Message>
   void addFirstStamped(const std::string& topic, Message message) {
     first_.push_back({ros::Time(), [topic, message](rosbag::Bag& bag, const ros::Time& t) mutable {
@@ -47,7 +48,8 @@ class BagWriter {
   double duration() const;
 
   /// Writes PATH.part and renames it to PATH when it is complete: there is never a half bag.
-  /// @throw UsageError no messages or PATH's folder is not there; ImportError writing failed
+  /// @throw UsageError PATH's folder is not there or PATH is no file; ImportError no messages, or
+  /// writing failed
   void write(const std::string& path, Progress& progress);
 
  private:

@@ -94,7 +94,7 @@ std::vector<TextRow> readTable(const std::string& path, std::size_t columns, cha
     const std::string place = path + ":" + std::to_string(number);
     if (fields.size() != columns) {
       throw ImportError(place + ": " + std::to_string(fields.size()) + " columns, expected " +
-                        std::to_string(columns) + " (is the file truncated?)");
+                        std::to_string(columns) + " (truncated, or another format)");
     }
     rows.emplace_back(place, std::move(fields));
   }

@@ -17,8 +17,11 @@ struct ProgramRun {
 };
 
 /// Runs the program slam_import of this build. SLAM_IMPORT is its path.
-inline ProgramRun runSlamImport(const std::string& arguments) {
-  const std::string command = "'" SLAM_IMPORT "' " + arguments + " 2>&1";
+/// @param file_blocks largest file it may write [512 byte]; 0: no limit
+inline ProgramRun runSlamImport(const std::string& arguments, int file_blocks = 0) {
+  const std::string limit =
+      file_blocks > 0 ? "ulimit -f " + std::to_string(file_blocks) + "; " : "";
+  const std::string command = limit + "'" SLAM_IMPORT "' " + arguments + " 2>&1";
   ProgramRun run;
   std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) return run;

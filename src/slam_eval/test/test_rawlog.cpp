@@ -211,12 +211,13 @@ TEST_F(Rawlog, GivesSingleObservationsWithoutTimeTheOdometryThatPrecedesThem) {
   EXPECT_DOUBLE_EQ(log.odometry[2].x, 6.0);
 }
 
-TEST_F(Rawlog, SeparatesTwoSensorsOfOneFrame) {
+TEST_F(Rawlog, SeparatesTwoSensorsOfOneTime) {
   const RawlogLog log = read([](RawlogMaker& maker) {
     maker.odometry(99.0, 0.0, 0.0, 0.0);
     maker.observation(RawlogMaker::bearingRange(100.0));
     maker.observation(RawlogMaker::bearingRange(100.0));
-    maker.odometry(101.0, 0.0, 0.0, 0.0);
+    maker.observation(RawlogMaker::bearingRange(101.0));
+    maker.odometry(102.0, 0.0, 0.0, 0.0);
   });
   EXPECT_EQ(log.sightings[1].stamp, log.sightings[0].stamp + 1);
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <slam_msgs/LandmarkMap.h>
@@ -135,9 +136,16 @@ TEST_F(SlamImport, RefusesBadFilesWithCodeOne) {
 
 TEST_F(SlamImport, LeavesNothingWhenTheDiskIsFull) {
   writeMrclamSet(in_);
-  const ProgramRun run = runSlamImport("mrclam " + in_.path() + " --robot 2 /dev/full");
-  EXPECT_EQ(run.exit_code, 1) << run.output;
-  EXPECT_NE(run.output.find("cannot write /dev/full"), std::string::npos) << run.output;
+  const ProgramRun run = runSlamImport("mrclam " + in_.path() + " --robot 2 " + bag(), 1);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("cannot write " + bag()), std::string::npos) << run.output;
+  EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+  EXPECT_EQ(out_.count(), 0);
+}
+
+TEST_F(SlamImport, NeverReplacesADevice) {
+  writeMrclamSet(in_);
+  expectFailure("mrclam " + in_.path() + " --robot 2 /dev/null", 2, "it is no ordinary file");
 }
 
 }  // namespace
