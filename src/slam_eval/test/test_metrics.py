@@ -123,7 +123,8 @@ class Consistency(unittest.TestCase):
         nees = self.drawn(1.0).nees
         # Mean of 4000 chi-square variables of 3 dof: 95 % bounds 3 +- 1.96 sqrt(6 / 4000).
         self.assertAlmostEqual(np.mean(nees), 3.0, delta=0.08)
-        self.assertAlmostEqual(metrics.share_inside(nees, np.full(len(nees), 3)), 0.95, delta=0.02)
+        inside = metrics.inside_bounds(nees, np.full(len(nees), 3))
+        self.assertAlmostEqual(np.mean(inside), 0.95, delta=0.02)
 
     def test_a_filter_twice_too_sure_has_four_times_the_nees(self):
         self.assertAlmostEqual(np.mean(self.drawn(2.0).nees), 12.0, delta=0.32)
@@ -162,6 +163,10 @@ class Consistency(unittest.TestCase):
         steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))
         steps.nis, steps.nis_dof = np.array([4.0, 0.0, 2.0]), np.array([2, 0, 4])
         self.assertAlmostEqual(metrics.nis_mean(steps), 1.0)
+
+    def test_bounds_are_those_of_each_steps_own_degrees_of_freedom(self):
+        inside = metrics.inside_bounds(np.array([0.06, 0.06, 9.0, 9.0]), np.array([2, 4, 2, 4]))
+        self.assertEqual(inside.tolist(), [True, False, False, True])
 
     def test_without_used_observations_there_is_no_nis(self):
         steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))

@@ -58,7 +58,8 @@ class ReadLandmarks(InFolder):
 
     def test_reads_numbers_that_yaml_takes_for_text(self):
         (self.folder / 'map.yaml').write_text(
-            'version: 1\nlandmarks:\n  - {id: 1, x: 1e-05, y: -2E+03, covariance: [1e-6, 0, 0, 1]}\n')
+            'version: 1\nlandmarks:\n'
+            '  - {id: 1, x: 1e-05, y: -2E+03, covariance: [1e-6, 0, 0, 1]}\n')
         found = read_landmarks(self.folder / 'map.yaml')
         np.testing.assert_allclose(found.positions, [[1e-5, -2000.0]])
 

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The program slam_eval from end to end."""
+import contextlib
+import io
 import json
 import os
 import pathlib
@@ -10,6 +12,7 @@ import tempfile
 import unittest
 
 import run_maker
+from slam_eval.cli import main
 
 
 class SlamEval(unittest.TestCase):
@@ -20,7 +23,17 @@ class SlamEval(unittest.TestCase):
         self.run_folder = pathlib.Path(folder.name) / 'run'
 
     def evaluate(self, *arguments):
-        """Run the program as a user does."""
+        """Run the program's main function; what it printed and its exit code."""
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            try:
+                code = main([str(argument) for argument in arguments])
+            except SystemExit as wrong_use:
+                code = wrong_use.code
+        return subprocess.CompletedProcess(arguments, code, out.getvalue(), err.getvalue())
+
+    def evaluate_as_user(self, *arguments):
+        """Run the installed script."""
         environment = {**os.environ, 'PYTHONPATH': str(run_maker.PACKAGE / 'src')}
         environment.pop('DISPLAY', None)
         return subprocess.run([sys.executable, run_maker.PACKAGE / 'scripts' / 'slam_eval',
@@ -41,7 +54,7 @@ class SlamEval(unittest.TestCase):
 
     def test_adds_figures_pictures_and_report(self):
         run_maker.make_run(self.run_folder, count=300)
-        done = self.evaluate(self.run_folder, '--reference-title', 'Vicon')
+        done = self.evaluate_as_user(self.run_folder, '--reference-title', 'Vicon')
         self.assertEqual(done.returncode, 0, done.stderr)
         metrics = json.loads((self.run_folder / 'metrics.json').read_text())
         for key in ('ate_rmse_m', 'ate_max_m', 'odometry_ate_rmse_m', 'landmark_rmse_m',
@@ -116,6 +129,16 @@ class SlamEval(unittest.TestCase):
 
     def test_a_missing_folder_is_named(self):
         self.fails(str(self.run_folder), 'no such folder')
+
+    def test_a_picture_that_cannot_be_written_is_named(self):
+        run_maker.make_run(self.run_folder, count=30)
+        (self.run_folder / 'trajectory.png').mkdir()
+        self.fails('trajectory.png', 'cannot be written')
+        self.assertFalse([n for n in self.names() if n.startswith('.')])
+
+    def test_the_script_ends_with_one_sentence_for_a_bad_folder(self):
+        done = self.evaluate_as_user(self.run_folder)
+        self.assertEqual((done.returncode, done.stderr.count('\n')), (1, 1))
 
     def test_a_folder_without_trajectory_is_named(self):
         self.run_folder.mkdir()

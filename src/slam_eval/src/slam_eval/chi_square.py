@@ -49,7 +49,7 @@ def chi_square_cdf(value, dof):
 
 @functools.lru_cache(maxsize=None)
 def chi_square_quantile(probability, dof):
-    """The value that a chi-square variable of dof degrees of freedom stays below with probability."""
+    """The value a chi-square variable of dof degrees of freedom stays below with probability."""
     if not 0.0 < probability < 1.0 or dof <= 0:
         raise ValueError(f'chi-square quantile of probability {probability}, {dof} dof')
     low, high = 0.0, float(dof)

@@ -61,8 +61,8 @@ def draw(run, result, reference):
     return pictures
 
 
-def evaluate_folder(folder, reference='ground truth', out=sys.stdout):
-    """Evaluate a run folder: metrics.json, pictures, report and a table on out."""
+def evaluate_folder(folder, reference='ground truth'):
+    """Evaluate a run folder: metrics.json, pictures, report and a table on stdout."""
     run = read_run(folder)
     result = evaluate(run)
     metrics = merge(run.metrics, result.metrics)
@@ -70,11 +70,11 @@ def evaluate_folder(folder, reference='ground truth', out=sys.stdout):
     pictures = draw(run, result, reference)
     write_atomically(run.path / 'metrics.json', json.dumps(metrics, indent=2) + '\n')
     write_atomically(run.path / 'report.html', render(run, metrics, pictures, notes))
-    print(run.title, file=out)
-    print(terminal_table(metrics), file=out)
+    print(run.title)
+    print(terminal_table(metrics))
     for note in notes:
-        print(f'  ({note})', file=out)
-    print(f'report: {run.path / "report.html"}', file=out)
+        print(f'  ({note})')
+    print(f'report: {run.path / "report.html"}')
 
 
 def main(arguments=None):

@@ -4,7 +4,7 @@
 
 
 class InputError(Exception):
-    """A file that cannot be evaluated. Its text is one sentence for the user: file, line, remedy."""
+    """A file that cannot be evaluated. Its text is one sentence: file, line, remedy."""
 
 
 def read_text(path):

@@ -73,7 +73,8 @@ def main(arguments=None):
                 results[str(path)] = compare(read_map(path, options.rawlog), truth, options.align)
             except InputError as error:
                 text = str(error)
-                raise InputError(text if text.startswith(str(path)) else f'{path}: {text}') from None
+                named = text if text.startswith(str(path)) else f'{path}: {text}'
+                raise InputError(named) from None
     except InputError as error:
         print(f'landmark_error: {error}', file=sys.stderr)
         return 1

@@ -47,7 +47,7 @@ class LandmarkError:
 
 @dataclasses.dataclass
 class PoseConsistency:
-    """Pose errors (dx [m], dy [m], dtheta [rad]) in the map frame and their NEES, per valid line."""
+    """Pose errors (dx [m], dy [m], dtheta [rad]) in the map frame, their NEES, per valid line."""
 
     valid: np.ndarray
     errors: np.ndarray
@@ -112,11 +112,11 @@ def nis_mean(updates):
     return float(np.sum(updates.nis) / dof) if dof > 0 else None
 
 
-def share_inside(values, dof, probability=0.95):
-    """Share of the values inside the two-sided chi-square bounds of their degrees of freedom."""
+def inside_bounds(values, dof, probability=0.95):
+    """Which values lie inside the two-sided chi-square bounds of their own degrees of freedom."""
     bounds = {int(k): two_sided_bounds(int(k), probability) for k in np.unique(dof)}
-    low, high = np.array([bounds[int(k)] for k in np.broadcast_to(dof, len(values))]).T
-    return float(np.mean((values >= low) & (values <= high)))
+    low, high = np.array([bounds[int(k)] for k in dof]).T
+    return (values >= low) & (values <= high)
 
 
 def evaluate(run):

@@ -5,7 +5,7 @@ import numpy as np
 
 from slam_eval import plot_style as look
 from slam_eval.chi_square import two_sided_bounds
-from slam_eval.metrics import share_inside
+from slam_eval.metrics import inside_bounds
 from slam_eval.trajectory import NANOSECONDS
 
 _BAND = 1.959964  # two-sided 95 % of a normal variable
@@ -22,7 +22,8 @@ def _panel(axes, title, remark):
 def _error_panel(axes, t, error, sigma, title, unit):
     band = _BAND * sigma
     axes.fill_between(t, -band, band, color=look.BAND, alpha=0.16, linewidth=0)
-    axes.plot(*_with_gaps(t, error), color=look.ESTIMATE, linewidth=0.9)
+    axes.plot(*_with_gaps(t, error), color=look.ESTIMATE, linewidth=0.9, marker='.',
+              markersize=1.6)
     inside = np.mean(np.abs(error) <= band)
     _panel(axes, f'{title} [{unit}]', f'{100 * inside:.0f} % inside the 95 % band')
     limit = 1.12 * max(np.max(np.abs(error)), np.percentile(band, 98), 1e-9)
@@ -32,7 +33,7 @@ def _error_panel(axes, t, error, sigma, title, unit):
 def _with_gaps(t, values):
     """The series with a NaN where its steps are far apart, so that no line is drawn across."""
     steps = np.diff(t)
-    wide = np.flatnonzero(steps > max(5.0 * np.median(steps), 1.0)) + 1 if len(steps) else []
+    wide = np.flatnonzero(steps > max(10.0 * np.median(steps), 3.0)) + 1 if len(steps) else []
     return np.insert(t, wide, np.nan), np.insert(values, wide, np.nan)
 
 
@@ -47,31 +48,44 @@ def _scatter(axes, t, values, inside):
         axes.plot(t[chosen], values[chosen], '.', color=colour, markersize=2.4, alpha=0.55)
 
 
-def _quadratic_panel(axes, t, values, dof, title, share, expected):
-    """NEES or NIS on a logarithmic axis with the bounds of the most frequent dof."""
+def _quadratic_panel(axes, t, values, dof, title, expected):
+    """NEES or NIS, scaled to the expected value, with the bounds of the most frequent dof."""
     usual = int(np.bincount(dof).argmax())
-    scale = usual / expected
-    low, high = np.array(two_sided_bounds(usual)) / scale
+    low, high = np.array(two_sided_bounds(usual)) * (expected / usual)
+    floor = low / 8.0
     axes.axhspan(low, high, color=look.LANDMARK, alpha=0.13, linewidth=0)
     axes.axhline(expected, color=look.LANDMARK, linewidth=1.0)
-    bounds = {int(k): np.array(two_sided_bounds(int(k))) for k in np.unique(dof)}
-    own = np.array([bounds[int(k)] for k in dof]) * (expected / dof)[:, None]
-    _scatter(axes, t, values, (values >= own[:, 0]) & (values <= own[:, 1]))
+    inside = inside_bounds(values * dof / expected, dof)
+    # Points under the edge of the picture are drawn on it.
+    _scatter(axes, t, np.maximum(values, 1.2 * floor), inside)
     mean = _running_mean(values * dof, dof.astype(float), max(len(t) // 60, 5))
     axes.plot(*_with_gaps(t, mean), color=look.TRUTH, linewidth=1.2)
     axes.set_yscale('log')
-    floor = low / 8.0
     axes.set_ylim(floor, 2.0 * max(np.max(values), high * 1.5))
-    _panel(axes, title, f'{100 * share:.0f} % inside the 95 % bounds · mean '
+    _panel(axes, title, f'{100 * np.mean(inside):.0f} % inside the 95 % bounds · mean '
            f'{np.sum(values * dof) / np.sum(dof):.2f}, expected {expected:g}')
+
+
+def _pose_panels(axes, seconds, pose):
+    t = seconds[pose.valid]
+    for k, (name, unit, factor) in enumerate((('Error in x', 'm', 1.0), ('Error in y', 'm', 1.0),
+                                              ('Error in heading', 'deg', 180.0 / np.pi))):
+        _error_panel(axes[k], t, factor * pose.errors[:, k], factor * pose.sigmas[:, k],
+                     name, unit)
+    _quadratic_panel(axes[3], t, pose.nees, np.full(len(t), 3), 'NEES (3 degrees of freedom)', 3.0)
+
+
+def _nis_panel(axes, seconds, updates, used):
+    dof = updates.nis_dof[used]
+    _quadratic_panel(axes, seconds[used], updates.nis[used] / dof, dof,
+                     'NIS per degree of freedom', 1.0)
 
 
 def plot_consistency(run, result, path):
     """Errors with their bands, NEES and NIS over time. Returns False where there is nothing."""
     pose, updates = result.consistency, run.updates
-    used = None if updates is None else updates.nis_dof > 0
-    with_nis = used is not None and bool(np.any(used))
-    count = (4 if pose is not None else 0) + (1 if with_nis else 0)
+    used = np.zeros(0, dtype=bool) if updates is None else updates.nis_dof > 0
+    count = (4 if pose is not None else 0) + (1 if np.any(used) else 0)
     if count == 0:
         return False
     seconds = (run.trajectory.stamps - run.trajectory.stamps[0]) / NANOSECONDS
@@ -80,24 +94,12 @@ def plot_consistency(run, result, path):
                                          figsize=(9.2, 0.9 + 1.85 * count))
         axes = list(grid[:, 0])
         if pose is not None:
-            t = seconds[pose.valid]
-            for k, (name, unit, factor) in enumerate((
-                    ('Error in x', 'm', 1.0), ('Error in y', 'm', 1.0),
-                    ('Error in heading', 'deg', 180.0 / np.pi))):
-                _error_panel(axes[k], t, factor * pose.errors[:, k], factor * pose.sigmas[:, k],
-                             name, unit)
-            dof = np.full(len(t), 3)
-            _quadratic_panel(axes[3], t, pose.nees, dof, 'NEES (3 degrees of freedom)',
-                             share_inside(pose.nees, dof), 3.0)
-        if with_nis:
-            dof = updates.nis_dof[used]
-            _quadratic_panel(axes[-1], seconds[used], updates.nis[used] / dof, dof,
-                             'NIS per degree of freedom',
-                             share_inside(updates.nis[used], dof), 1.0)
+            _pose_panels(axes, seconds, pose)
+        if np.any(used):
+            _nis_panel(axes[-1], seconds, updates, used)
         axes[-1].set_xlabel('time [s]')
         _legend(figure, pose is not None)
         figure.tight_layout(rect=(0.0, 0.36 / figure.get_figheight(), 1.0, 1.0))
-        figure.align_ylabels()
         look.save(figure, path)
     return True
 

@@ -9,10 +9,21 @@ from slam_eval.landmarks import match_by_id
 from slam_eval.trajectory import NANOSECONDS
 
 
-def _with_gaps(trajectory, poses, max_gap):
-    """Positions with a NaN where the stamps jump, so that no line is drawn across."""
-    breaks = np.flatnonzero(np.diff(trajectory.stamps) > int(max_gap * NANOSECONDS)) + 1
-    return np.insert(poses[:, :2], breaks, np.nan, axis=0)
+def _with_gaps(stamps, positions, max_gap):
+    """Positions with a NaN where the stamps [ns] jump, so that no line is drawn across."""
+    breaks = np.flatnonzero(np.diff(stamps) > int(max_gap * NANOSECONDS)) + 1
+    return np.insert(positions, breaks, np.nan, axis=0)
+
+
+def _draw_path(axes, stamps, positions, **options):
+    """A path as a line; dotted where nothing was written for long: the way there is unknown."""
+    pause = max(10.0 * float(np.median(np.diff(stamps))) / NANOSECONDS, 2.0) if len(
+        stamps) > 1 else 2.0
+    axes.plot(*_with_gaps(stamps, positions, pause).T, **options)
+    ends = np.flatnonzero(np.diff(stamps) > int(pause * NANOSECONDS))
+    if len(ends):
+        look.draw_segments(axes, positions[ends], positions[ends + 1], linestyle=(0, (1, 2.2)),
+                           color=options['color'], linewidth=0.9, zorder=options['zorder'])
 
 
 def _truth_in_map(run, result):
@@ -23,7 +34,7 @@ def _truth_in_map(run, result):
     during = (run.truth.stamps >= stamps[0]) & (run.truth.stamps <= stamps[-1])
     part = type(run.truth)(run.truth.stamps[during], run.truth.poses[during])
     poses = se2.transform_poses(se2.inverse(result.ate.T_truth_map), part.poses)
-    return _with_gaps(part, poses, 0.5)
+    return _with_gaps(part.stamps, poses[:, :2], 0.5)
 
 
 def _odometry_in_map(run):
@@ -36,6 +47,15 @@ def _odometry_in_map(run):
 def _bounds(*parts):
     points = np.vstack([p for p in parts if p is not None and len(p)])
     return points[np.all(np.isfinite(points), axis=1)]
+
+
+def _extent(landmarks, scale=1.0):
+    """Corners of the ellipses, so that they fit; a huge one may reach over the edge."""
+    if landmarks is None or not len(landmarks):
+        return ()
+    reach = 2.45 * scale * np.sqrt(np.maximum(np.einsum('nii->ni', landmarks.covariances), 0.0))
+    reach = np.minimum(reach, 0.3 * max(float(np.max(np.ptp(landmarks.positions, axis=0))), 1.0))
+    return landmarks.positions - reach, landmarks.positions + reach
 
 
 def _draw_map(axes, landmarks):
@@ -61,14 +81,15 @@ def plot_trajectory(run, result, path, reference='ground truth'):
                                               run.true_landmarks.positions)
     with look.style():
         figure, axes = look.plan_axes(_bounds(
-            estimate, truth, odometry, true_landmarks, landmarks and landmarks.positions))
+            estimate, truth, odometry, true_landmarks, *_extent(landmarks)))
         if odometry is not None:
-            axes.plot(*odometry.T, color=look.ODOMETRY, linewidth=1.1, zorder=1,
-                      label='dead reckoning')
+            _draw_path(axes, run.odometry.stamps, odometry, color=look.ODOMETRY, linewidth=1.1,
+                       zorder=1, label='dead reckoning')
         if truth is not None:
             axes.plot(*truth.T, color=look.TRUTH, linewidth=2.6, alpha=0.35, zorder=2,
                       label=reference)
-        axes.plot(*estimate.T, color=look.ESTIMATE, linewidth=1.3, zorder=3, label='estimate')
+        _draw_path(axes, run.trajectory.stamps, estimate, color=look.ESTIMATE, linewidth=1.3,
+                   zorder=3, label='estimate')
         if true_landmarks is not None:
             _draw_true_landmarks(axes, true_landmarks)
         if landmarks is not None:
@@ -78,7 +99,7 @@ def plot_trajectory(run, result, path, reference='ground truth'):
         look.draw_pose(axes, run.trajectory.poses[-1], 'end')
         text = f'Trajectory · {run.title}'
         if result.ate is not None:
-            text += f' · ATE {result.ate.rmse:.3f} m'
+            text += f' · ATE {result.ate.rmse:.4f} m'
         axes.set_title(text)
         look.legend_below(figure, axes)
         look.save(figure, path)
@@ -107,9 +128,9 @@ def plot_map(run, result, path):
         true = se2.transform_points(T, run.true_landmarks.positions)
     with look.style():
         points = _bounds(landmarks.positions, true, pose[None, :2])
-        figure, axes = look.plan_axes(points)
         span = float(np.max(np.ptp(points, axis=0)))
         scale = _magnification(landmarks, offsets, span) if len(landmarks) else 1
+        figure, axes = look.plan_axes(_bounds(points, *_extent(landmarks, scale)))
         larger = f', drawn {scale} times larger' if scale > 1 else ''
         if len(true):
             _draw_true_landmarks(axes, true)

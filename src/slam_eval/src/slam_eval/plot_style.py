@@ -99,15 +99,30 @@ def draw_segments(axes, starts, ends, **options):
     axes.add_collection(LineCollection(np.stack([starts, ends], axis=1), **options))
 
 
+def _label_side(positions, i, near):
+    """Direction of a label: up and right, or away from a landmark that is near."""
+    others = np.delete(positions, i, axis=0)
+    if not len(others):
+        return 1, 1
+    away = positions[i] - others[np.argmin(np.linalg.norm(others - positions[i], axis=1))]
+    if np.linalg.norm(away) > near:
+        return 1, 1
+    return (1 if away[0] >= 0.0 else -1), (1 if away[1] >= 0.0 else -1)
+
+
 def label_landmarks(axes, ids, positions, most=120):
     """Ids beside the landmarks, unless there are so many that they would only cover the picture."""
     if len(ids) > most:
         return
     size = 7.5 if len(ids) <= 40 else 6.5
     halo = [withStroke(linewidth=2.0, foreground='white')]
-    for identity, position in zip(ids, positions):
-        axes.annotate(str(identity), position, xytext=(5.0, 4.5), textcoords='offset points',
-                      fontsize=size, color='#0a5f4b', zorder=7, path_effects=halo)
+    near = 0.04 * float(np.ptp(axes.get_xlim()))
+    for i, (identity, position) in enumerate(zip(ids, positions)):
+        right, up = _label_side(positions, i, near)
+        axes.annotate(str(identity), position, xytext=(4.5 * right, 4.0 * up),
+                      textcoords='offset points', fontsize=size, color='#0a5f4b', zorder=7,
+                      ha='left' if right > 0 else 'right', va='bottom' if up > 0 else 'top',
+                      path_effects=halo)
 
 
 def draw_pose(axes, pose, label=None):

@@ -31,7 +31,7 @@ CAPTIONS = {
         'Trajectory',
         'The estimated path and map in the map frame. Truth, where there is one, is moved onto '
         'the estimate by the rigid alignment of the trajectory error; dead reckoning starts at '
-        'the first pose of the estimate.'),
+        'the first pose of the estimate. Dotted: no pose was written for a while.'),
     'map.png': (
         'Map',
         'Landmarks with the 95 % ellipses the filter claims. True landmarks are moved onto the map '
