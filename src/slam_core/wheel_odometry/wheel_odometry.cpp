@@ -61,10 +61,11 @@ Status WheelOdometry::execute() {
   motion.sequence = next_sequence_++;
   motion.start = last_->stamp;
   motion.end = input_.stamp;
-  motion.increment = incrementTo(input_);
+  const Pose2 measured = incrementTo(input_);
+  motion.increment = calibrated(measured);
   motion.covariance = covarianceOf(motion.increment, motion.end - motion.start);
   motion.odometry_start = odometry_pose_;
-  motion.odometry_end = input_.pose.value_or(odometry_pose_ * motion.increment);
+  motion.odometry_end = input_.pose.value_or(odometry_pose_ * measured);
   motion.odometry_frame = input_.odometry_frame;
   motion.base_frame = input_.base_frame;
   odometry_pose_ = motion.odometry_end;
@@ -82,6 +83,14 @@ Pose2 WheelOdometry::incrementTo(const OdometrySample& sample) const {
   if (config_.increment == "pose" && sample.pose && last_->pose)
     return last_->pose->between(*sample.pose);
   return Pose2::exp(seconds(sample.stamp - last_->stamp) * last_->twist);
+}
+
+Pose2 WheelOdometry::calibrated(const Pose2& increment) const {
+  if (config_.translation_scale == 1.0 && config_.rotation_scale == 1.0) return increment;
+  Eigen::Vector3d twist = increment.log();
+  twist.head<2>() *= config_.translation_scale;
+  twist.z() *= config_.rotation_scale;
+  return Pose2::exp(twist);
 }
 
 Eigen::Matrix3d WheelOdometry::covarianceOf(const Pose2& increment, Duration interval) const {

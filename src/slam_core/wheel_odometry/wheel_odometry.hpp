@@ -18,6 +18,8 @@ struct WheelOdometryConfig {
   std::string covariance = "model";
   std::string motion_model = "linear";
   std::string drive = "differential";
+  double translation_scale = 1.0;
+  double rotation_scale = 1.0;
   double alpha1 = 0.002;
   double alpha2 = 0.0005;
   double alpha3 = 0.002;
@@ -30,7 +32,8 @@ struct WheelOdometryConfig {
 
 /// Turns a wheel driver's messages into motion increments (thesis 5.3.1): the displacement between
 /// two poses, or the arc of a twist that holds until the next message; the covariance from the
-/// motion model or from the twist's. Counted: "late", "frame_change", "invalid".
+/// motion model or from the twist's. The systematic part of the wheels' error is taken out first
+/// (Borenstein and Feng 1996). Counted: "late", "frame_change", "invalid".
 class WheelOdometry final : public OdometrySource {
  public:
   void configure(const WheelOdometryConfig& config);
@@ -44,6 +47,7 @@ class WheelOdometry final : public OdometrySource {
  private:
   Status reject(const std::string& reason, const std::string& sentence);
   Pose2 incrementTo(const OdometrySample& sample) const;
+  Pose2 calibrated(const Pose2& increment) const;
   Eigen::Matrix3d covarianceOf(const Pose2& increment, Duration interval) const;
 
   WheelOdometryConfig config_;

@@ -20,6 +20,18 @@ void WheelOdometryConfig::describe(Fields& fields) {
   fields.add("drive", &drive, "an omnidirectional base slips across its way as much as along it")
       .oneOf({"differential", "omnidirectional"})
       .ofRobot();
+  fields
+      .add("translation_scale", &translation_scale,
+           "true way over measured way, from a calibration of the wheels")
+      .unit("1")
+      .in(Range::open(0, 10))
+      .ofRobot();
+  fields
+      .add("rotation_scale", &rotation_scale,
+           "true angle over measured angle, from a calibration of the wheels")
+      .unit("1")
+      .in(Range::open(0, 10))
+      .ofRobot();
   fields.add("alpha1", &alpha1, "translation to translation variance")
       .unit("m^2/m; quadratic: 1")
       .in(Range::atLeast(0))
