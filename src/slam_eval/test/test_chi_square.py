@@ -1,10 +1,14 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Chi-square distribution against printed tables."""
+import pathlib
+import sys
 import unittest
 
-import run_maker  # noqa: F401 (makes slam_eval importable)
-from slam_eval.chi_square import chi_square_cdf, chi_square_quantile, two_sided_bounds
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval.chi_square import chi_square_cdf, chi_square_quantile, two_sided_bounds  # noqa: E402
 
 
 class ChiSquare(unittest.TestCase):

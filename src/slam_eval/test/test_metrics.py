@@ -1,16 +1,20 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Error figures with known answers."""
+import pathlib
+import sys
 import unittest
 
 import numpy as np
 
-import run_maker
-from slam_eval import metrics, se2
-from slam_eval.landmarks import LandmarkMap
-from slam_eval.metric_table import merge
-from slam_eval.trajectory import Trajectory
-from slam_eval.updates import Updates
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval import metrics, se2  # noqa: E402
+from slam_eval.landmarks import LandmarkMap  # noqa: E402
+from slam_eval.metric_table import merge  # noqa: E402
+from slam_eval.trajectory import Trajectory  # noqa: E402
+from slam_eval.updates import Updates  # noqa: E402
 
 T = np.array([4.0, -1.0, 2.2])
 

@@ -12,10 +12,13 @@ import unittest
 
 import numpy as np
 
-import run_maker
-from slam_eval.errors import InputError
-from slam_eval.landmark_comparison import compare, read_map
-from slam_eval.mrpt_files import read_id_order, read_kf_slam_map, read_scene, read_truth_table
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval.errors import InputError  # noqa: E402
+from slam_eval.landmark_comparison import compare, read_map  # noqa: E402
+from slam_eval.mrpt_files import (  # noqa: E402
+    read_id_order, read_kf_slam_map, read_scene, read_truth_table)
 
 DEMO = pathlib.Path('/usr/share/mrpt/datasets/kf-slam_demo.rawlog')
 DEMO_TRUTH = DEMO.with_name('kf-slam_demo_ground_truth.txt')

@@ -2,16 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reading landmark maps, updates and whole run folders."""
 import pathlib
+import sys
 import tempfile
 import unittest
 
 import numpy as np
 
-import run_maker
-from slam_eval.errors import InputError
-from slam_eval.landmarks import read_landmarks
-from slam_eval.run_folder import read_run
-from slam_eval.updates import read_updates
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval.errors import InputError  # noqa: E402
+from slam_eval.landmarks import read_landmarks  # noqa: E402
+from slam_eval.run_folder import read_run  # noqa: E402
+from slam_eval.updates import read_updates  # noqa: E402
 
 MAP = run_maker.landmark_lines([7, 3], [[1.0, 2.0], [-3.0, 0.5]],
                                np.array([[[1e-4, 2e-5], [2e-5, 3e-4]]] * 2), [0.1, 0.2, 0.3])

@@ -1,12 +1,16 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Rigid motions of the plane."""
+import pathlib
+import sys
 import unittest
 
 import numpy as np
 
-import run_maker  # noqa: F401 (makes slam_eval importable)
-from slam_eval import se2
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval import se2  # noqa: E402
 
 
 class Se2(unittest.TestCase):

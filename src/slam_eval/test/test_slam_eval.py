@@ -11,8 +11,10 @@ import sys
 import tempfile
 import unittest
 
-import run_maker
-from slam_eval.cli import main
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval.cli import main  # noqa: E402
 
 
 class SlamEval(unittest.TestCase):

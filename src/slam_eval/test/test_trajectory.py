@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reading trajectories and interpolating truth."""
 import pathlib
+import sys
 import tempfile
 import unittest
 
 import numpy as np
 
-import run_maker
-from slam_eval.errors import InputError
-from slam_eval.trajectory import Trajectory, interpolate, parse_stamp, read_trajectory
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
+
+import run_maker  # noqa: E402
+from slam_eval.errors import InputError  # noqa: E402
+from slam_eval.trajectory import Trajectory, interpolate, parse_stamp, read_trajectory  # noqa: E402
 
 GOOD = '1.000000000 0 0 0 0 0 0 1\n2.000000000 1 0 0 0 0 0 1\n'
 
