@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <geometry_msgs/Pose2D.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/Transform.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/time.h>
+#include <slam_msgs/LandmarkMap.h>
+#include <slam_msgs/LandmarkObservationArray.h>
+#include <slam_msgs/Motion.h>
+
+#include <string>
+
+#include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam_ros {
+
+slam::Stamp fromRos(const ros::Time& time);
+/// Times before 1970 or after 2106 do not fit: they become the nearest that does.
+ros::Time toRos(slam::Stamp stamp);
+
+/// Without the leading slash of tf's first generation.
+std::string frameId(const std::string& name);
+
+geometry_msgs::Pose2D toMsg(const slam::Pose2& pose);
+/// In space: z = 0, turned about +z.
+geometry_msgs::Pose toSpatialMsg(const slam::Pose2& pose);
+geometry_msgs::Transform toTransformMsg(const slam::Pose2& pose);
+slam::Pose2 fromMsg(const geometry_msgs::Pose2D& pose);
+/// The horizontal part; the heading is NaN where the quaternion is none.
+slam::Pose2 fromMsg(const geometry_msgs::Pose& pose);
+slam::Pose2 fromMsg(const geometry_msgs::Transform& transform);
+
+/// Why the message's pose cannot be used, so that its twist is (one clause); empty where it can. A
+/// quaternion must be of unit length within 0.1.
+std::string poseFault(const nav_msgs::Odometry& message);
+/// Whether the driver says itself that it gives no pose (pose.covariance[0] is -1).
+bool saysNoPose(const nav_msgs::Odometry& message);
+/// Its pose is left out where poseFault() or saysNoPose().
+slam::OdometrySample fromMsg(const nav_msgs::Odometry& message);
+
+slam_msgs::Motion toMsg(const slam::Motion& motion);
+slam::Motion fromMsg(const slam_msgs::Motion& message);
+
+slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray& message);
+
+slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,
+                             const std::string& frame);
+slam::LandmarkMap fromMsg(const slam_msgs::LandmarkMap& message);
+
+geometry_msgs::PoseWithCovarianceStamped toMsg(const slam::PoseEstimate& estimate,
+                                               slam::Stamp stamp, const std::string& frame);
+slam::PoseEstimate fromMsg(const geometry_msgs::PoseWithCovarianceStamped& message);
+
+}  // namespace slam_ros

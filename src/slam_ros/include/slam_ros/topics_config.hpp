@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include "slam_core/common/config_fields.hpp"
+
+namespace slam_ros {
+
+/// The robot file's names of the product's input topics, relative to the product's namespace.
+struct TopicsConfig {
+  static constexpr const char* kSection = "topics";
+
+  std::string odom = "odom";
+  std::string observations = "observations";
+  std::string motion = "motion";
+
+  void describe(slam::Fields& fields) {
+    fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
+    fields.add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray")
+        .ofRobot();
+    fields.add("motion", &motion, "odometry source's slam_msgs/Motion").ofRobot();
+  }
+};
+
+}  // namespace slam_ros
