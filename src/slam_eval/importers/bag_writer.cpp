@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bag_writer.h"
+#include "bag_writer.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "import_error.h"
+#include "import_error.hpp"
 
 namespace slam::eval {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "horizontal_reading.h"
+#include "horizontal_reading.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "messages.h"
+#include "messages.hpp"
 
 #include <std_msgs/String.h>
 

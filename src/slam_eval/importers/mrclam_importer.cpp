@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "importer.h"
-#include "messages.h"
-#include "mrclam_log.h"
+#include "importer.hpp"
+#include "messages.hpp"
+#include "mrclam_log.hpp"
 
 namespace slam::eval {
 

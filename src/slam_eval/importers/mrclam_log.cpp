@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mrclam_log.h"
+#include "mrclam_log.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 
-#include "import_error.h"
-#include "text_table.h"
+#include "import_error.hpp"
+#include "text_table.hpp"
 
 namespace slam::eval {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rawlog_file.h"
+#include "rawlog_file.hpp"
 
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "import_error.h"
+#include "import_error.hpp"
 
 namespace slam::eval {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "importer.h"
-#include "messages.h"
-#include "rawlog_log.h"
-#include "rawlog_truth.h"
+#include "importer.hpp"
+#include "messages.hpp"
+#include "rawlog_log.hpp"
+#include "rawlog_truth.hpp"
 
 namespace slam::eval {
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rawlog_log.h"
+#include "rawlog_log.hpp"
 
 #include <algorithm>
 
-#include "rawlog_file.h"
-#include "rawlog_steps.h"
+#include "rawlog_file.hpp"
+#include "rawlog_steps.hpp"
 
 namespace slam::eval {
 

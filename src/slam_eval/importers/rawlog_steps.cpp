@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rawlog_steps.h"
+#include "rawlog_steps.hpp"
 
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -13,8 +13,8 @@
 #include <cmath>
 #include <limits>
 
-#include "horizontal_reading.h"
-#include "import_error.h"
+#include "horizontal_reading.hpp"
+#include "import_error.hpp"
 
 namespace slam::eval {
 

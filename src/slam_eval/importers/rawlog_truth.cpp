@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rawlog_truth.h"
+#include "rawlog_truth.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "import_error.h"
-#include "text_table.h"
+#include "import_error.hpp"
+#include "text_table.hpp"
 
 namespace slam::eval {
 

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <vector>
 
-#include "import_error.h"
-#include "importer.h"
+#include "import_error.hpp"
+#include "importer.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_table.h"
+#include "text_table.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "import_error.h"
+#include "import_error.hpp"
 
 namespace slam::eval {
 

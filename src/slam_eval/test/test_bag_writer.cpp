@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <sstream>
 
-#include "bag_contents.h"
-#include "bag_writer.h"
-#include "import_error.h"
-#include "messages.h"
-#include "temp_folder.h"
+#include "bag_contents.hpp"
+#include "bag_writer.hpp"
+#include "import_error.hpp"
+#include "messages.hpp"
+#include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "horizontal_reading.h"
+#include "horizontal_reading.hpp"
 
 namespace slam::eval {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "import_error.h"
-#include "mrclam_log.h"
-#include "mrclam_set.h"
-#include "temp_folder.h"
+#include "import_error.hpp"
+#include "mrclam_log.hpp"
+#include "mrclam_set.hpp"
+#include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {

@@ -9,10 +9,10 @@
 #include <limits>
 #include <sstream>
 
-#include "import_error.h"
-#include "rawlog_log.h"
-#include "rawlog_maker.h"
-#include "temp_folder.h"
+#include "import_error.hpp"
+#include "rawlog_log.hpp"
+#include "rawlog_maker.hpp"
+#include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "import_error.h"
-#include "rawlog_truth.h"
-#include "temp_folder.h"
+#include "import_error.hpp"
+#include "rawlog_truth.hpp"
+#include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {

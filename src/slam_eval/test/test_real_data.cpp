@@ -9,9 +9,9 @@
 #include <set>
 #include <sstream>
 
-#include "mrclam_log.h"
-#include "rawlog_log.h"
-#include "rawlog_truth.h"
+#include "mrclam_log.hpp"
+#include "rawlog_log.hpp"
+#include "rawlog_truth.hpp"
 
 namespace slam::eval {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <algorithm>
 
-#include "bag_contents.h"
-#include "mrclam_set.h"
-#include "program.h"
-#include "rawlog_maker.h"
-#include "temp_folder.h"
+#include "bag_contents.hpp"
+#include "mrclam_set.hpp"
+#include "program.hpp"
+#include "rawlog_maker.hpp"
+#include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {

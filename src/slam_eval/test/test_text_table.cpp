@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "import_error.h"
-#include "temp_folder.h"
-#include "text_table.h"
+#include "import_error.hpp"
+#include "temp_folder.hpp"
+#include "text_table.hpp"
 
 namespace slam::eval {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rawlog_log.h"
+#include "rawlog_log.hpp"
 
 namespace slam::eval {
 

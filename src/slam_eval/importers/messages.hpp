@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bag_writer.h"
+#include "bag_writer.hpp"
 
 namespace slam::eval {
 

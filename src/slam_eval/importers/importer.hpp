@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "bag_writer.h"
-#include "progress.h"
+#include "bag_writer.hpp"
+#include "progress.hpp"
 
 namespace CLI {
 class App;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "progress.h"
+#include "progress.hpp"
 
 namespace slam::eval {
 

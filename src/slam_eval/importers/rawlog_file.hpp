@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "progress.h"
+#include "progress.hpp"
 
 namespace slam::eval {
 
