@@ -20,16 +20,17 @@ lock() { # held until the script ends or calls a program
 }
 
 progress() { # LABEL: condenses the per cent lines of make and apt to a bar, or to a few lines in a log
-  local line percent bar shown=''
+  local line label percent bar shown=''
   while IFS= read -r line; do
     [[ $line =~ ^\[\ *([0-9]+)%\] || $line =~ ^[dp][lm]status:.*:([0-9]+)\.[0-9]+: ]] || continue
-    percent=${BASH_REMATCH[1]}
+    percent=${BASH_REMATCH[1]} label=$1
+    [[ $line != dlstatus* ]] || label="fetching packages"
     if [[ -t 1 ]]; then
       printf -v bar '%*s' $((percent / 4)) ''
-      printf '\r%s [%-25s] %3d%%' "$1" "${bar// /#}" "$percent"
+      printf '\r%s [%-25s] %3d%%\e[K' "$label" "${bar// /#}" "$percent"
     elif [[ $((percent / 10)) != "$shown" ]]; then
       shown=$((percent / 10))
-      echo "$1: $percent%"
+      echo "$label: $percent%"
     fi
   done
   if [[ -t 1 ]]; then printf '\r\e[K'; fi
