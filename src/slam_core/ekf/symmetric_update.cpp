@@ -3,13 +3,113 @@
 
 #include "slam_core/ekf/symmetric_update.hpp"
 
-namespace slam::ekf {
+#include <algorithm>
+#include <vector>
 
-void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Eigen::Index size,
-                               Eigen::Index stride) {
-  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> lower(P, size, size,
-                                                             Eigen::OuterStride<>(stride));
-  lower.selfadjointView<Eigen::Lower>().rankUpdate(W.topRows(size), -1.0);
+namespace slam::ekf {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr Index kPanel = 16;  ///< rows of W that are packed together
+constexpr Index kGroup = 4;   ///< columns of P whose sums stay in registers
+
+/// C <- C - A B^T. A and B point into packed panels, kPanel doubles for each of the k columns of W;
+/// C is kPanel x kGroup, column-major, its columns `stride` apart.
+using BlockUpdate = void (*)(const double* A, const double* B, Index k, double* C, Index stride);
+
+/// Vector registers of three sizes; memory need not be aligned.
+struct Register128 {
+  typedef double Lanes __attribute__((vector_size(16), aligned(8)));
+};
+struct Register256 {
+  typedef double Lanes __attribute__((vector_size(32), aligned(8)));
+};
+struct Register512 {
+  typedef double Lanes __attribute__((vector_size(64), aligned(8)));
+};
+
+/// Two registers of rows times kGroup columns are summed at a time.
+template <class Register>
+[[gnu::always_inline]] inline void subtractBlock(const double* A, const double* B, Index k,
+                                                 double* C, Index stride) {
+  using Lanes = typename Register::Lanes;
+  constexpr Index kLanes = sizeof(Lanes) / sizeof(double);
+  for (Index row = 0; row < kPanel; row += 2 * kLanes) {
+    Lanes sum[kGroup][2] = {};
+    for (Index i = 0; i < k; ++i) {
+      const Lanes* a = reinterpret_cast<const Lanes*>(A + i * kPanel + row);
+      for (Index column = 0; column < kGroup; ++column) {
+        sum[column][0] += a[0] * B[i * kPanel + column];
+        sum[column][1] += a[1] * B[i * kPanel + column];
+      }
+    }
+    for (Index column = 0; column < kGroup; ++column) {
+      Lanes* c = reinterpret_cast<Lanes*>(C + column * stride + row);
+      c[0] -= sum[column][0];
+      c[1] -= sum[column][1];
+    }
+  }
+}
+
+#ifdef __x86_64__
+[[gnu::target("avx512f")]] void subtractBlock512(const double* A, const double* B, Index k,
+                                                 double* C, Index stride) {
+  subtractBlock<Register512>(A, B, k, C, stride);
+}
+[[gnu::target("avx2")]] void subtractBlock256(const double* A, const double* B, Index k, double* C,
+                                              Index stride) {
+  subtractBlock<Register256>(A, B, k, C, stride);
+}
+#endif
+void subtractBlock128(const double* A, const double* B, Index k, double* C, Index stride) {
+  subtractBlock<Register128>(A, B, k, C, stride);
+}
+
+BlockUpdate fastestBlockUpdate() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f")) return subtractBlock512;
+  if (__builtin_cpu_supports("avx2")) return subtractBlock256;
+#endif
+  return subtractBlock128;
+}
+
+/// W cut into panels of kPanel rows, each contiguous, the last one filled up with zeros.
+std::vector<double> packPanels(const Eigen::MatrixXd& W, Index size) {
+  const Index panels = (size + kPanel - 1) / kPanel, k = W.cols();
+  std::vector<double> packed(static_cast<std::size_t>(panels * k * kPanel), 0.0);
+  for (Index panel = 0; panel < panels; ++panel) {
+    const Index row = panel * kPanel, rows = std::min(kPanel, size - row);
+    double* out = packed.data() + panel * k * kPanel;
+    for (Index column = 0; column < k; ++column, out += kPanel)
+      std::copy_n(W.data() + column * W.outerStride() + row, rows, out);
+  }
+  return packed;
+}
+
+}  // namespace
+
+void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Index size, Index stride) {
+  static const BlockUpdate subtract = fastestBlockUpdate();
+  const Index k = W.cols();
+  const auto packed = packPanels(W, size);
+  const auto panelOf = [&](Index row) { return packed.data() + row / kPanel * k * kPanel; };
+  for (Index column = 0; column < size; column += kGroup) {
+    const double* B = panelOf(column) + column % kPanel;
+    for (Index row = column / kPanel * kPanel; row < size; row += kPanel) {
+      const bool inside = row > column && row + kPanel <= size && column + kGroup <= size;
+      if (inside) {
+        subtract(panelOf(row), B, k, P + column * stride + row, stride);
+        continue;
+      }
+      // Over the diagonal or the end only what lies in the lower triangle is written.
+      double C[kPanel * kGroup] = {};
+      subtract(panelOf(row), B, k, C, kPanel);
+      for (Index c = column; c < std::min(column + kGroup, size); ++c)
+        for (Index r = std::max(row, c); r < std::min(row + kPanel, size); ++r)
+          P[c * stride + r] += C[(c - column) * kPanel + r - row];
+    }
+  }
 }
 
 }  // namespace slam::ekf

@@ -8,9 +8,10 @@
 namespace slam::ekf {
 
 /// P <- P - W W^T in the lower triangle of a column-major matrix: the one operation that costs the
-/// square of the map. It is compiled for several instruction sets and chosen when the program runs.
-/// @param W n x k, n >= size
-/// @param P lower triangle of `size` rows, columns `stride` apart
+/// square of the map. It is compiled for several instruction sets and chosen when the program runs;
+/// all of them add in the same order and round alike, so the bits do not depend on the machine.
+/// @param W `size` x k
+/// @param P lower triangle of `size` rows, columns `stride` apart; the upper one is left alone
 void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Eigen::Index size,
                                Eigen::Index stride);
 
