@@ -32,7 +32,7 @@ std::string assign(const Field& field, const YAML::Node& node) {
     const bool negative = std::is_unsigned_v<Value> && node.IsScalar() && node.Scalar()[0] == '-';
     return !negative && YAML::convert<Value>::decode(node, *target);
   };
-  if (!std::visit(convert, field.target)) return text(node) + " is not a " + field.typeName();
+  if (!std::visit(convert, field.target)) return text(node) + " is not of type " + field.typeName();
   return field.fault();
 }
 

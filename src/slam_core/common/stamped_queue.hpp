@@ -28,12 +28,15 @@ class StampedQueue {
   explicit StampedQueue(std::size_t capacity = 1000) : capacity_(capacity) {}
 
   void push(Stamp stamp, std::uint64_t sequence, T value, Counters& counters) {
-    if (last_ && stamp <= *last_ - kRestartGap) {
+    const bool may_be_new_run = last_ && stamp <= *last_ - kRestartGap;
+    const bool follows_new_run = last_ && stamp <= *last_ && !aside_.empty();
+    if (may_be_new_run || follows_new_run) {
       pushAside(stamp, sequence, std::move(value), counters);
       return;
     }
     if (last_ && stamp <= *last_) {
       counters.add("late");
+      if (next_sequence_ == sequence) ++*next_sequence_;  // late, not lost as well
       return;
     }
     counters.add("late", aside_.size());
