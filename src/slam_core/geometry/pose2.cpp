@@ -18,7 +18,8 @@ struct ArcFactors {
       across = t / 2.0 * (1.0 - t * t / 12.0);
     } else {
       along = std::sin(t) / t;
-      across = (1.0 - std::cos(t)) / t;
+      const double half = std::sin(t / 2.0);
+      across = 2.0 * half * half / t;  // 1 - cos(t) would cancel
     }
   }
   double along, across;
