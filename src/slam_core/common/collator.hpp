@@ -72,6 +72,8 @@ class Collator {
     return std::nullopt;
   }
 
+  /// The motion that follows the last step, if it is here.
+  const Motion* pending() const { return motions_.empty() ? nullptr : &motions_.front().value; }
   std::optional<Stamp> lastMotion() const { return motions_.last(); }
   std::optional<Stamp> lastTrigger(std::size_t source) const { return triggers_[source].last(); }
   const Counters& counters() const { return counters_; }

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/common/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/common/test/temporary_folder.hpp"
+
+namespace slam {
+namespace {
+
+using test::contentOf;
+using test::sentenceOf;
+using test::TemporaryFolder;
+
+/// Files may not grow beyond `bytes`: a write stops in the middle, as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
+
+TEST(AtomicFile, ReplacesTheWholeContent) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("map.yaml", "a long old content");
+  writeFileAtomically(path, "new\n");
+  EXPECT_EQ(contentOf(path), "new\n");
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, KeepsTheOldContentWhenSpaceRunsOut) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("map.yaml", "old");
+  std::string sentence;
+  {
+    const FileSizeLimit limit(5000);
+    sentence = sentenceOf([&] { writeFileAtomically(path, std::string(20000, 'x')); });
+  }
+  EXPECT_TRUE(test::oneSays({sentence}, {path.c_str(), "File too large", "as it was before"}));
+  EXPECT_EQ(contentOf(path), "old");
+  EXPECT_EQ(folder.files(), 1u) << "the unfinished file must not stay";
+}
+
+TEST(AtomicFile, KeepsTheOldContentWhenTheFolderIsNotWritable) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const TemporaryFolder folder;
+  const auto path = folder.write("map.yaml", "old");
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
+  EXPECT_TRUE(test::oneSays({sentenceOf([&] { writeFileAtomically(path, "new"); })},
+                            {path.c_str(), "Permission denied"}));
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0755));
+  EXPECT_EQ(contentOf(path), "old");
+}
+
+TEST(AtomicFile, SaysThatTheFolderIsMissing) {
+  const TemporaryFolder folder;
+  const auto path = folder / "nowhere/map.yaml";
+  EXPECT_TRUE(test::oneSays({sentenceOf([&] { writeFileAtomically(path, "new"); })},
+                            {path.c_str(), "No such file or directory"}));
+}
+
+TEST(AtomicFile, DoesNotReplaceAFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "map.yaml");
+  EXPECT_TRUE(test::oneSays({sentenceOf([&] { writeFileAtomically(folder / "map.yaml", "new"); })},
+                            {"map.yaml", "Is a directory"}));
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+}  // namespace
+}  // namespace slam

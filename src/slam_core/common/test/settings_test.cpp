@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/common/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/common/test/faults.hpp"
+
+namespace slam {
+namespace {
+
+using test::faultsOf;
+using test::oneSays;
+
+struct ExampleConfig {
+  static constexpr const char* kSection = "example";
+
+  double gain = 2.5;
+  double share = 0.5;
+  int count = 3;
+  bool active = false;
+  std::uint64_t seed = 7;
+  std::string kind = "fast";
+  std::vector<std::string> names = {"a"};
+  double wheel_radius = 0.1;
+
+  void describe(Fields& fields) {
+    fields.add("gain", &gain, "a gain").in(Range::above(0));
+    fields.add("share", &share, "a share").in(Range::closed(0, 1));
+    fields.add("count", &count, "a count").in(Range::atLeast(1));
+    fields.add("active", &active, "a switch");
+    fields.add("seed", &seed, "a seed");
+    fields.add("kind", &kind, "a choice").oneOf({"fast", "exact"});
+    fields.add("names", &names, "some names");
+    fields.add("wheel_radius", &wheel_radius, "a length").unit("m").in(Range::above(0)).ofRobot();
+  }
+};
+
+Settings settingsOf(const std::string& product, const std::string& robot = "",
+                    const std::vector<std::string>& overrides = {}) {
+  return Settings({"product.yaml", YAML::Load(product)}, {"robot.yaml", YAML::Load(robot)},
+                  overrides);
+}
+
+std::vector<std::string> faultsOfExample(const std::string& product, const std::string& robot = "",
+                                         const std::vector<std::string>& overrides = {}) {
+  return faultsOf([&] {
+    auto settings = settingsOf(product, robot, overrides);
+    settings.read<ExampleConfig>();
+    settings.requireAllRead();
+  });
+}
+
+TEST(Settings, ReadEveryTypeOfField) {
+  auto settings = settingsOf(
+      "{version: 1, example: {gain: 1e-3, count: 12, active: true, seed: 18446744073709551615, "
+      "kind: exact, names: [x, y]}}",
+      "{version: 1, example: {wheel_radius: 0.25}}");
+  const auto config = settings.read<ExampleConfig>();
+  EXPECT_EQ(config.gain, 1e-3);
+  EXPECT_EQ(config.count, 12);
+  EXPECT_TRUE(config.active);
+  EXPECT_EQ(config.seed, 18446744073709551615u);
+  EXPECT_EQ(config.kind, "exact");
+  EXPECT_EQ(config.names, (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(config.wheel_radius, 0.25);
+  EXPECT_EQ(config.share, 0.5) << "a field that is not given keeps its default";
+}
+
+TEST(Settings, KeepTheDefaultsWithoutAnyFile) {
+  EXPECT_EQ(Settings().read<ExampleConfig>().gain, 2.5);
+}
+
+TEST(Settings, ListAllFaultsAtOnce) {
+  const auto faults = faultsOfExample(
+      "version: 1\nexample:\n  gian: 1\n  share: 1.5\n  count: many\n  wheel_radius: 0.2\n",
+      "{version: 1, example: {wheel_radius: -1, kind: exact}}", {"example.seed=-4"});
+  EXPECT_EQ(faults.size(), 7u);
+  EXPECT_TRUE(oneSays(faults, {"example.gian", "product.yaml:3", "unknown", "'gain'"}));
+  EXPECT_TRUE(oneSays(faults, {"example.share", "product.yaml:4", "1.5", "[0, 1]"}));
+  EXPECT_TRUE(oneSays(faults, {"example.count", "'many'", "integer"}));
+  EXPECT_TRUE(oneSays(faults, {"example.wheel_radius", "product.yaml", "belongs in the robot"}));
+  EXPECT_TRUE(oneSays(faults, {"example.wheel_radius", "robot.yaml", "-1", "> 0"}));
+  EXPECT_TRUE(oneSays(faults, {"example.kind", "robot.yaml", "belongs in the product"}));
+  EXPECT_TRUE(oneSays(faults, {"override example.seed", "'-4'", "non-negative integer"}));
+}
+
+TEST(Settings, RefuseEachWrongType) {
+  EXPECT_TRUE(
+      oneSays(faultsOfExample("{version: 1, example: {gain: wide}}"), {"'wide'", "number"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {gain: [1]}}"), {"list", "number"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {gain: }}"), {"nothing", "number"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {count: 2.5}}"), {"2.5", "integer"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {active: 2}}"), {"'2'", "bool"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {names: x}}"), {"'x'", "list"}));
+}
+
+TEST(Settings, RefuseNumbersThatAreNotFinite) {
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {gain: .nan}}"), {"nan", "> 0"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {gain: .inf}}"), {"inf", "> 0"}));
+}
+
+TEST(Settings, AllowTheClosedEndOfARangeAndRefuseTheOpenOne) {
+  EXPECT_TRUE(faultsOfExample("{version: 1, example: {share: 1, count: 1}}").empty());
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {gain: 0}}"), {"0", "> 0"}));
+}
+
+TEST(Settings, NameTheNearestChoice) {
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: {kind: exakt}}"),
+                      {"'exakt'", "fast, exact", "did you mean 'exact'"}));
+}
+
+TEST(Settings, LetAnOverrideWin) {
+  auto settings =
+      settingsOf("{version: 1, example: {gain: 1}}", "{version: 1, example: {wheel_radius: 1}}",
+                 {"example.gain=4", "example.wheel_radius=0.5"});
+  const auto config = settings.read<ExampleConfig>();
+  EXPECT_EQ(config.gain, 4);
+  EXPECT_EQ(config.wheel_radius, 0.5);
+}
+
+TEST(Settings, RefuseOverridesThatNameNothing) {
+  EXPECT_TRUE(oneSays(faultsOfExample("", "", {"example.gian=1"}), {"example.gian", "'gain'"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("", "", {"exmaple.gain=1"}), {"exmaple.gain", "'example'"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("", "", {"example.gain"}), {"section.key=value"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("", "", {"=3"}), {"section.key=value"}));
+}
+
+TEST(Settings, RefuseAnotherVersionAndNone) {
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 2}"), {"product.yaml", "'2'", "reads version 1"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{example: {}}"), {"product.yaml", "no version"}));
+  const auto both = faultsOfExample("{version: 2}", "{version: one}");
+  EXPECT_EQ(both.size(), 2u);
+  EXPECT_TRUE(oneSays(both, {"robot.yaml", "'one'"}));
+}
+
+TEST(Settings, RefuseADocumentOrSectionThatIsNoMap) {
+  EXPECT_TRUE(oneSays(faultsOfExample("[1, 2]"), {"product.yaml", "not a map"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: 5}"), {"example", "not a map"}));
+}
+
+TEST(Settings, FindSectionsThatNobodyReads) {
+  const auto faults =
+      faultsOfExample("version: 1\nexampel: {gain: 1}\n", "{version: 1, wings: {span: 2}}");
+  EXPECT_EQ(faults.size(), 2u);
+  EXPECT_TRUE(oneSays(faults, {"section exampel", "product.yaml:2", "did you mean 'example'"}));
+  EXPECT_TRUE(oneSays(faults, {"section wings", "robot.yaml"}));
+}
+
+TEST(Settings, TellTheValuesInForceSoThatTheyReadBack) {
+  auto settings = settingsOf("{version: 1, example: {gain: 0.1, names: [x, y], kind: exact}}", "",
+                             {"example.count=9"});
+  settings.read<ExampleConfig>();
+  settings.read<ExampleConfig>();  // twice read, once told
+  const auto values = YAML::Load(settings.inForce())["example"];
+  EXPECT_EQ(values.size(), 8u);
+  EXPECT_EQ(values["gain"].as<double>(), 0.1);
+  EXPECT_EQ(values["count"].as<int>(), 9);
+  EXPECT_EQ(values["kind"].as<std::string>(), "exact");
+  EXPECT_EQ(values["names"].as<std::vector<std::string>>(), (std::vector<std::string>{"x", "y"}));
+}
+
+TEST(Settings, ValidateAStructThatCameFromCode) {
+  ExampleConfig config;
+  EXPECT_TRUE(faultsOf([&] { validate(config); }).empty());
+  config.gain = -1;
+  config.kind = "slow";
+  const auto faults = faultsOf([&] { validate(config); });
+  EXPECT_EQ(faults.size(), 2u);
+  EXPECT_TRUE(oneSays(faults, {"example.gain", "-1"}));
+  EXPECT_TRUE(oneSays(faults, {"example.kind", "'slow'"}));
+}
+
+}  // namespace
+}  // namespace slam

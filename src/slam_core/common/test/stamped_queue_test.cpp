@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/common/stamped_queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace slam {
+namespace {
+
+Stamp at(double s) { return Stamp(durationFromSeconds(s)); }
+
+class StampedQueueTest : public testing::Test {
+ protected:
+  void push(double stamp, std::uint64_t sequence) {
+    queue.push(at(stamp), sequence, static_cast<int>(sequence), counters);
+  }
+  std::vector<int> drain() {
+    std::vector<int> values;
+    while (!queue.empty()) values.push_back(queue.pop().value);
+    return values;
+  }
+
+  StampedQueue<int> queue{4};
+  Counters counters;
+};
+
+TEST_F(StampedQueueTest, KeepsTheOrderOfItsSource) {
+  push(1, 0);
+  push(2, 1);
+  EXPECT_EQ(queue.last(), at(2));
+  EXPECT_EQ(drain(), (std::vector<int>{0, 1}));
+  EXPECT_EQ(queue.last(), at(2)) << "also when it is no longer held";
+  EXPECT_TRUE(counters.all().empty());
+}
+
+TEST_F(StampedQueueTest, DropsAndCountsWhatIsNotNewer) {
+  push(2, 0);
+  push(2, 1);
+  push(1, 2);
+  EXPECT_EQ(counters["late"], 2u);
+  EXPECT_EQ(drain(), (std::vector<int>{0}));
+}
+
+TEST_F(StampedQueueTest, CountsEveryMessageOfAGap) {
+  push(1, 5);
+  push(2, 6);
+  push(3, 9);
+  push(4, 10);
+  EXPECT_EQ(counters["lost"], 2u) << "the first sequence may be any";
+}
+
+TEST_F(StampedQueueTest, DoesNotCountALateMessageAsLostToo) {
+  push(2, 0);
+  push(1, 1);
+  push(3, 2);
+  EXPECT_EQ(counters["late"], 1u);
+  EXPECT_EQ(counters["lost"], 0u);
+}
+
+TEST_F(StampedQueueTest, DropsTheOldestWhenFull) {
+  for (std::uint64_t i = 0; i < 6; ++i) push(double(i), i);
+  EXPECT_EQ(counters["overflow"], 2u);
+  EXPECT_EQ(drain(), (std::vector<int>{2, 3, 4, 5}));
+}
+
+TEST_F(StampedQueueTest, KeepsAsideWhatMayBeANewRun) {
+  push(100, 7);
+  push(95.1, 8);
+  EXPECT_FALSE(queue.wentBack()) << "five seconds back is needed";
+  push(95, 9);
+  push(95.5, 10);
+  EXPECT_TRUE(queue.wentBack());
+  EXPECT_EQ(queue.size(), 1u);
+  queue.restart();
+  EXPECT_FALSE(queue.wentBack());
+  EXPECT_EQ(queue.last(), at(95.5));
+  push(96, 12);
+  EXPECT_EQ(counters["lost"], 1u) << "the sequence goes on from the new run";
+  EXPECT_EQ(drain(), (std::vector<int>{9, 10, 12}));
+}
+
+TEST_F(StampedQueueTest, CountsWhatWasAsideAsLateWhenTimeGoesOn) {
+  push(100, 0);
+  push(10, 1);
+  push(11, 2);
+  push(101, 3);
+  EXPECT_EQ(counters["late"], 2u);
+  EXPECT_FALSE(queue.wentBack());
+  EXPECT_EQ(drain(), (std::vector<int>{0, 3}));
+}
+
+}  // namespace
+}  // namespace slam
