@@ -70,7 +70,7 @@ void BagWriter::write(const std::string& path, Progress& progress) {
   } catch (const std::exception&) {
     const int error = errno;
     // rosbag's destructor writes the index, fails again on a full disk and then ends the program.
-    bag.release();
+    static_cast<void>(bag.release());
     std::error_code ignored;
     fs::remove(part, ignored);
     throw writeError(path, error);

@@ -124,10 +124,10 @@ class StepMaker {
   void addFrame(const CSensoryFrame& frame) {
     bool ticked = false;
     for (const auto& observation : frame) ticked = addObservation(observation) || ticked;
-    if (!ticked && frame.size() > 0) {
+    if (!ticked && !frame.empty()) {
       result_.steps.push_back(makeTick((*frame.begin())->timestamp));
     }
-    if (frame.size() > 0) ++result_.frames;
+    if (!frame.empty()) ++result_.frames;
   }
 
   /// @return whether the clock ticked
