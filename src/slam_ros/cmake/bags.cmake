@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What reads bags: kept out of slam_ros, so that only these programs link rosbag.
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(rosbag_storage REQUIRED)
+find_package(roslib REQUIRED)
+
+add_library(slam_ros_bags
+  src/bag_inputs.cpp
+  src/bag_reader.cpp
+  src/ground_truth.cpp
+  src/offline_run.cpp
+  src/product_files.cpp
+  src/progress_bar.cpp
+  src/run_metrics.cpp
+  src/topic_matching.cpp
+)
+slam_ros_target(slam_ros_bags)
+target_include_directories(slam_ros_bags SYSTEM PUBLIC
+  ${rosbag_storage_INCLUDE_DIRS} ${roslib_INCLUDE_DIRS})
+target_link_libraries(slam_ros_bags
+  PUBLIC slam_ros ${rosbag_storage_LIBRARIES}
+  PRIVATE fmt::fmt nlohmann_json::nlohmann_json ${roslib_LIBRARIES})
+
+add_executable(slam_ros_offline src/slam_offline.cpp)
+add_executable(slam_ros_ground_truth src/slam_ground_truth.cpp)
+set_target_properties(slam_ros_offline PROPERTIES OUTPUT_NAME slam_offline)
+set_target_properties(slam_ros_ground_truth PROPERTIES OUTPUT_NAME slam_ground_truth)
+foreach(target slam_ros_offline slam_ros_ground_truth)
+  slam_ros_target(${target})
+  target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt)
+endforeach()
+target_link_libraries(slam_ros_offline PRIVATE CLI11::CLI11)
+
+install(TARGETS slam_ros_bags LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(TARGETS slam_ros_offline slam_ros_ground_truth
+  RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/run_writer.hpp"
+#include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/progress_bar.hpp"
+#include "slam_ros/run_metrics.hpp"
+
+namespace slam_ros {
+
+/// What `slam_offline` is asked to do.
+struct OfflineOptions {
+  std::string product;  ///< file or name
+  std::string robot;    ///< file or name; empty: the bag tells
+  std::string bag, folder;
+  std::vector<std::string> overrides, remaps;
+};
+
+/// Drives a product's components from a bag, in one thread, as fast as it goes, and writes the
+/// run's folder.
+class OfflineRun {
+ public:
+  /// Reads the configuration and finds the inputs; nothing is written yet.
+  /// @throw std::exception with a sentence
+  explicit OfflineRun(const OfflineOptions& options);
+
+  /// @throw std::exception with a sentence; also when no step could be taken
+  void run();
+
+ private:
+  void read(slam::RunWriter& writer);
+  void take(const nav_msgs::Odometry& message);
+  void drain(slam::RunWriter& writer, ProgressBar& bar);
+  void warn(const std::string& sentence, ProgressBar& bar);
+  void requireSteps(const slam::RunWriter& writer) const;
+  void printSummary(const slam::RunWriter& writer) const;
+
+  OfflineOptions options_;
+  RunMetrics metrics_;
+  BagReader bag_;
+  slam::Settings settings_;
+  BagInputs inputs_;
+  slam::MetaCoordinator coordinator_;
+  std::string odometry_fault_;
+  std::uint64_t odometry_faults_ = 0;
+  std::set<std::string> warnings_;
+};
+
+}  // namespace slam_ros

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/offline_run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/config_error.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/ground_truth.hpp"
+#include "slam_ros/product_files.hpp"
+
+namespace slam_ros {
+namespace {
+
+constexpr std::size_t kMaxWarnings = 10;  ///< different ones; what is counted is summed up anyway
+
+std::string robotOf(const OfflineOptions& options, const BagReader& bag) {
+  if (!options.robot.empty()) return options.robot;
+  if (const auto name = bag.robot(); !name.empty()) return name;
+  throw UnknownName("the bag " + bag.path() + " does not name its robot; give one with --robot");
+}
+
+slam::Settings settingsFor(const OfflineOptions& options, const BagReader& bag) {
+  const auto product = productFile(options.product);
+  return {slam::loadConfigFile(product), slam::loadConfigFile(robotFile(robotOf(options, bag))),
+          options.overrides};
+}
+
+}  // namespace
+
+OfflineRun::OfflineRun(const OfflineOptions& options)
+    : options_(options), bag_(options.bag), settings_(settingsFor(options, bag_)) {
+  TopicsConfig topics;
+  slam::FaultCollector faults;
+  faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
+  faults.attempt([&] { coordinator_.configure(settings_); });
+  faults.raise();
+  std::vector<Remap> remaps;
+  for (const auto& text : options.remaps) remaps.push_back(parseRemap(text));
+  inputs_ = findInputs(bag_, topics, coordinator_.frames(), remaps);
+}
+
+void OfflineRun::run() {
+  for (const auto& note : inputs_.notes) fmt::print("{}\n", note);
+  slam::RunWriter writer(options_.folder);
+  read(writer);
+  const auto truth = writeGroundTruth(bag_, options_.folder);
+  requireSteps(writer);
+  writer.finish(coordinator_.estimator().backend(), coordinator_.frames().map, settings_.inForce());
+  slam::writeFileAtomically(options_.folder + "/metrics.json",
+                            metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
+  printSummary(writer);
+  if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
+}
+
+void OfflineRun::read(slam::RunWriter& writer) {
+  InputSinks sinks;
+  sinks.motion = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
+  sinks.odom = [&](const auto& message) { take(message); };
+  sinks.observations = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
+  const auto handlers = handlersFor(inputs_, sinks);
+  ProgressBar bar(bag_.path(), bag_.messages(handlers));
+  bag_.read(handlers, [&](std::size_t done) {
+    drain(writer, bar);
+    bar.update(done);
+    return true;
+  });
+}
+
+void OfflineRun::take(const nav_msgs::Odometry& message) {
+  if (!saysNoPose(message)) {
+    const auto fault = poseFault(message);
+    if (!fault.empty()) {
+      ++odometry_faults_;
+      odometry_fault_ = "odometry: " + fault + "; its twist is used";
+    }
+  }
+  coordinator_.set(fromMsg(message));
+}
+
+void OfflineRun::drain(slam::RunWriter& writer, ProgressBar& bar) {
+  if (!odometry_fault_.empty()) warn(std::exchange(odometry_fault_, ""), bar);
+  while (true) {
+    const auto start = RunMetrics::Clock::now();
+    const auto status = coordinator_.execute();
+    const auto time = RunMetrics::Clock::now() - start;
+    if (!status.isOk()) warn(status.message, bar);
+    const auto& report = coordinator_.estimator().report();
+    if (!report) return;
+    if (report->observed) metrics_.addUpdate(time);
+    writer.write(*report);
+  }
+}
+
+void OfflineRun::warn(const std::string& sentence, ProgressBar& bar) {
+  if (warnings_.size() > kMaxWarnings || !warnings_.insert(sentence).second) return;
+  bar.clear();
+  fmt::print(stderr, "warning: {}\n",
+             warnings_.size() > kMaxWarnings ? "further ones are only counted" : sentence);
+}
+
+void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
+  if (writer.lines() > 0) return;
+  throw std::runtime_error(fmt::format(
+      "no step could be taken: no observation of the bag {} has a stamp that its odometry covers",
+      bag_.path()));
+}
+
+void OfflineRun::printSummary(const slam::RunWriter& writer) const {
+  const double data_time = slam::seconds(bag_.end() - bag_.begin());
+  const double wall = metrics_.wallSeconds();
+  fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s\n", writer.folder(),
+             writer.lines(), coordinator_.estimator().backend().landmarks().size(), data_time,
+             wall);
+  auto counters = coordinator_.counters();
+  counters.add("odometry_without_pose", odometry_faults_);
+  std::vector<std::string> counts;
+  for (const auto& [reason, count] : counters.all())
+    counts.push_back(fmt::format("{} {}", reason, count));
+  if (!counts.empty()) fmt::print("counted: {}\n", slam::join(counts));
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/run_metrics.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace slam_ros {
+namespace {
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) throw std::invalid_argument("a percentile of no values");
+  std::sort(values.begin(), values.end());
+  const double rank = std::clamp(share, 0.0, 1.0) * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(std::floor(rank));
+  const auto above = std::min(below + 1, values.size() - 1);
+  return values[below] + (rank - std::floor(rank)) * (values[above] - values[below]);
+}
+
+double RunMetrics::wallSeconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_messages) const {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double wall = wallSeconds();
+  nlohmann::ordered_json metrics;
+  metrics["updates"] = updates();
+  if (!update_ms_.empty()) {
+    metrics["update_ms_p50"] = percentile(update_ms_, 0.5);
+    metrics["update_ms_p99"] = percentile(update_ms_, 0.99);
+  }
+  metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  metrics["wall_s"] = wall;
+  if (wall > 0) metrics["realtime_factor"] = slam::seconds(data_time) / wall;
+  metrics["max_rss_mb"] = static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;  // ru_maxrss is in KiB
+  metrics["dropped_messages"] = dropped_messages;
+  return metrics.dump(2) + "\n";
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+
+#include "slam_core/common/nearest_name.hpp"
+#include "slam_ros/offline_run.hpp"
+#include "slam_ros/product_files.hpp"
+
+namespace {
+
+constexpr int kFailed = 1, kWrongUse = 2;
+
+int fail(const std::string& sentence, int code) {
+  std::cerr << "slam_offline: " << sentence << std::endl;
+  return code;
+}
+
+void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& seed) {
+  app.add_option("PRODUCT", options.product, "a product's name, or its file")->required();
+  app.add_option("--bag", options.bag, "the recorded data")->required();
+  app.add_option("--out", options.folder, "the folder that takes the run's files")->required();
+  app.add_option("--robot", options.robot, "a robot's name or file; default: the bag's");
+  app.add_option("--seed", seed, "of every random stream; default: the product's");
+  app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");
+  app.add_option("--remap", options.remaps, "input:=topic of the bag");
+}
+
+/// For "--bga": " (did you mean '--bag'?)".
+std::string nearestOption(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* option : app.get_options()) names.push_back(option->get_name());
+  for (const auto& extra : app.remaining())
+    if (const auto hint = slam::didYouMean(extra.substr(0, extra.find('=')), names); !hint.empty())
+      return hint;
+  return "";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file size limit then shows as a write error, like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App app("Runs a SLAM product on a bag as fast as it goes.", "slam_offline");
+  slam_ros::OfflineOptions options;
+  std::string seed;
+  addOptions(app, options, seed);
+  try {
+    app.parse(argc, argv);
+    if (!seed.empty()) options.overrides.push_back("seed=" + seed);
+    slam_ros::OfflineRun(options).run();
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(error.what() + nearestOption(app) + "; --help lists the options", kWrongUse);
+  } catch (const slam_ros::UnknownName& error) {
+    return fail(error.what(), kWrongUse);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kFailed);
+  }
+  return 0;
+}
