@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <slam_ros/backend_nodelet.hpp>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "slam_core/ekf/ekf_slam.hpp"
+
+namespace slam_backend_ekf {
+
+class EkfNodelet final : public slam_ros::BackendNodelet {
+ private:
+  std::unique_ptr<slam::Backend> makeBackend() const override {
+    return std::make_unique<slam::ekf::EkfSlam>();
+  }
+};
+
+}  // namespace slam_backend_ekf
+
+PLUGINLIB_EXPORT_CLASS(slam_backend_ekf::EkfNodelet, nodelet::Nodelet)

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <slam_msgs/Motion.h>
+// ros.h comes first: nodelet.h only declares what it uses
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+#include <optional>
+
+#include "slam_core/wheel_odometry/wheel_odometry.hpp"
+#include "slam_ros/clock_watch.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/diagnostics.hpp"
+#include "slam_ros/parameters_from_ros.hpp"
+#include "slam_ros/report_failure.hpp"
+#include "slam_ros/settings_from_ros.hpp"
+#include "slam_ros/topics_config.hpp"
+#include "slam_ros/transform_publisher.hpp"
+
+namespace slam_frontend {
+namespace {
+
+constexpr std::uint32_t kQueue = 1000;
+
+struct NodeletConfig {
+  static constexpr const char* kSection = "";
+
+  bool publish_tf = false;
+
+  void describe(slam::Fields& fields) {
+    fields.add("publish_tf", &publish_tf, "also the odometry's transform, where no driver does it");
+  }
+};
+
+}  // namespace
+
+/// `odom` in, `motion` out.
+class WheelOdometryNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    slam_ros::reportFailure(getName(), [this] { initialise(getNodeHandle()); });
+  }
+
+  void initialise(ros::NodeHandle handle) {
+    auto settings = slam_ros::settingsFromRos(handle);
+    topics_ = settings.read<slam_ros::TopicsConfig>();
+    odometry_.configure(settings);
+    publish_tf_ = slam_ros::parametersFromRos<NodeletConfig>(getPrivateNodeHandle()).publish_tf;
+    diagnostics_.emplace(handle, getPrivateNodeHandle(), getName(),
+                         slam_ros::Diagnostics::Sources{[this] { return odometry_.counters(); },
+                                                        [this] { return waiting(); }});
+    motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kQueue);
+    odom_ = handle.subscribe(topics_.odom, kQueue, &WheelOdometryNodelet::onOdom, this);
+  }
+
+  void onOdom(const nav_msgs::Odometry& message) {
+    got_odometry_ = true;
+    if (clock_.hasJumpedBack()) odometry_.reset();
+    const auto fault = slam_ros::saysNoPose(message) ? "" : slam_ros::poseFault(message);
+    if (!fault.empty()) diagnostics_->warn(topics_.odom + ": " + fault + "; its twist is used");
+    odometry_.set(slam_ros::fromMsg(message));
+    diagnostics_->report(topics_.odom, odometry_.execute());
+    if (odometry_.motion()) publish(*odometry_.motion());
+  }
+
+  void publish(const slam::Motion& motion) {
+    motion_.publish(boost::make_shared<slam_msgs::Motion>(slam_ros::toMsg(motion)));
+    if (publish_tf_)
+      transform_.publish(slam_ros::toRos(motion.end), motion.odometry_frame, motion.base_frame,
+                         motion.odometry_end);
+  }
+
+  std::string waiting() const {
+    return got_odometry_ ? "" : "waiting for odometry on " + topics_.odom;
+  }
+
+  slam::wheel_odometry::WheelOdometry odometry_;
+  slam_ros::TopicsConfig topics_;
+  slam_ros::ClockWatch clock_;
+  slam_ros::TransformPublisher transform_;
+  std::optional<slam_ros::Diagnostics> diagnostics_;
+  bool publish_tf_ = false;
+  bool got_odometry_ = false;
+  ros::Publisher motion_;
+  ros::Subscriber odom_;  // last: no callback may find the others gone
+};
+
+}  // namespace slam_frontend
+
+PLUGINLIB_EXPORT_CLASS(slam_frontend::WheelOdometryNodelet, nodelet::Nodelet)

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_ros/landmark_publisher.hpp"
+#include "slam_ros/map_odom_broadcaster.hpp"
+#include "slam_ros/pose_publisher.hpp"
+
+namespace slam_ros {
+
+/// All that is published of a step. What a rate held back follows when nothing else comes.
+class BackendOutputs {
+ public:
+  BackendOutputs(ros::NodeHandle handle, const slam::Backend& backend,
+                 const std::string& map_frame, const OutputsConfig& config);
+
+  void publish(const slam::StepReport& report);
+  /// The map was replaced.
+  void refresh() { landmarks_.refresh(); }
+  /// Path and transform begin anew.
+  void restart();
+
+ private:
+  PosePublisher pose_;
+  LandmarkPublisher landmarks_;
+  MapOdomBroadcaster map_odom_;
+  ros::WallTimer flush_timer_;
+};
+
+}  // namespace slam_ros

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <slam_msgs/LoadMap.h>
+#include <slam_msgs/SaveMap.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <functional>
+#include <string>
+
+#include "slam_core/product/landmark_file.hpp"
+
+namespace slam_ros {
+
+/// What the services do with the estimator, said by who owns it.
+struct BackendActions {
+  std::function<void()> reset;
+  std::function<void(bool)> pause;
+  std::function<slam::LandmarkFile()> map;
+  std::function<void(const slam::LandmarkFile&)> load;
+};
+
+/// The services `reset`, `pause`, `save_map` and `load_map`.
+class BackendServices {
+ public:
+  BackendServices(ros::NodeHandle handle, std::string map_frame, BackendActions actions);
+
+ private:
+  bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool save(slam_msgs::SaveMap::Request& request, slam_msgs::SaveMap::Response& response);
+  bool load(slam_msgs::LoadMap::Request& request, slam_msgs::LoadMap::Response& response);
+
+  std::string map_frame_;
+  BackendActions actions_;
+  ros::ServiceServer reset_, pause_, save_, load_;
+};
+
+}  // namespace slam_ros

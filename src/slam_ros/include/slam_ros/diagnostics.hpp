@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/wall_timer.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/status.hpp"
+
+namespace slam_ros {
+
+/// Tells how a nodelet is doing: once a second on /diagnostics, with level, message and all
+/// counters; and each kind of warning on the console, at most once in five seconds of the wall.
+class Diagnostics {
+ public:
+  struct Sources {
+    std::function<slam::Counters()> counters;
+    /// "waiting for ...", or empty when all inputs have come
+    std::function<std::string()> waiting;
+  };
+
+  /// @param name of the nodelet
+  Diagnostics(ros::NodeHandle handle, ros::NodeHandle private_handle, const std::string& name,
+              Sources sources);
+  /// Tells what has been counted since the last second.
+  ~Diagnostics();
+
+  /// The answer of a component to the message that came last on `topic`.
+  void report(const std::string& topic, const slam::Status& status);
+  void warn(const std::string& sentence);
+  /// What does not pass by itself, such as a full disk; stays until the node ends.
+  void fail(const std::string& sentence);
+
+ private:
+  void tick();
+  void warnOfCounters();
+  void fill(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  std::string name_;
+  Sources sources_;
+  diagnostic_updater::Updater updater_;
+  std::map<std::string, ros::WallTime> told_;  ///< kind of warning, when it was told last
+  slam::Counters counted_;                     ///< what has been told of
+  std::string last_warning_, failure_;
+  ros::WallTime last_warning_time_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace slam_ros

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <slam_msgs/LandmarkObservationArray.h>
+#include <slam_msgs/Motion.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_ros/backend_outputs.hpp"
+#include "slam_ros/backend_services.hpp"
+#include "slam_ros/clock_watch.hpp"
+#include "slam_ros/diagnostics.hpp"
+#include "slam_ros/run_recorder.hpp"
+#include "slam_ros/step_source.hpp"
+#include "slam_ros/topics_config.hpp"
+
+namespace slam_ros {
+
+/// The ROS side of an estimator, the same for every back-end and both compositions: subscribes
+/// motion, observations and initialpose, and turns each step into pose, path, landmarks, transform,
+/// progress, diagnostics and the files of the run. All callbacks come from one thread, one at a
+/// time. Destroying it completes the files.
+class EstimatorNode {
+ public:
+  struct Handles {
+    ros::NodeHandle product, own;  ///< the product's namespace and the nodelet's private one
+    std::string name;              ///< of the nodelet
+  };
+
+  /// Configures `source`, which must outlive this.
+  /// @throw slam::ConfigError, std::runtime_error
+  EstimatorNode(const Handles& handles, const OutputsConfig& outputs, StepSource& source);
+  ~EstimatorNode();
+  EstimatorNode(const EstimatorNode&) = delete;
+  EstimatorNode& operator=(const EstimatorNode&) = delete;
+
+  const TopicsConfig& topics() const { return topics_; }
+  Diagnostics& diagnostics() { return *diagnostics_; }
+
+  /// To be called before an input is set: begins anew when the clock has jumped back.
+  void checkClock();
+  /// To be called after an input was set: takes and publishes all steps that are due.
+  void takeSteps(const std::string& topic);
+  /// Called with every step.
+  std::function<void(const slam::StepReport&)> on_step;
+
+ private:
+  void onMotion(const slam_msgs::Motion& message);
+  void onObservations(const slam_msgs::LandmarkObservationArray& message);
+  void onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message);
+
+  void subscribe(ros::NodeHandle handle);
+  BackendActions actions();
+  std::string waiting() const;
+  void publishStep(const slam::StepReport& report);
+  void publishProgress();
+  void reset();
+
+  StepSource& source_;
+  TopicsConfig topics_;
+  std::string map_frame_;
+  ClockWatch clock_;
+  std::optional<Diagnostics> diagnostics_;
+  std::optional<RunRecorder> recorder_;
+  std::optional<BackendOutputs> outputs_;
+  std::optional<BackendServices> services_;
+  std::string motion_frames_;
+  ros::Publisher progress_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace slam_ros

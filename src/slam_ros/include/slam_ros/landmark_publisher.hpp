@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <string>
+
+#include "slam_core/contract/backend.hpp"
+#include "slam_ros/rate_limit.hpp"
+
+namespace slam_ros {
+
+/// `landmarks` and `landmark_markers`, at a bounded rate.
+class LandmarkPublisher {
+ public:
+  LandmarkPublisher(ros::NodeHandle handle, const slam::Backend& backend, std::string map_frame,
+                    double rate);
+
+  /// A step was taken: publishes when it is time.
+  void update(slam::Stamp stamp);
+  /// The map has changed without a step.
+  void refresh() { is_new_ = true; }
+  /// What the rate held back, and for those who have subscribed since.
+  void flush();
+
+ private:
+  void publish();
+
+  const slam::Backend& backend_;
+  std::string map_frame_;
+  ros::Publisher landmarks_, markers_;
+  RateLimit rate_;
+  slam::Stamp stamp_;
+  std::size_t markers_shown_ = 0;
+  bool is_new_ = false;
+  std::uint32_t subscribers_ = 0;
+};
+
+}  // namespace slam_ros

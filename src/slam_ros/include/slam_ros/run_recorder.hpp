@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "slam_core/product/run_writer.hpp"
+#include "slam_ros/diagnostics.hpp"
+#include "slam_ros/outputs_config.hpp"
+
+namespace slam_ros {
+
+/// Writes what a run leaves behind: its folder (`output_dir`) and the map at exit
+/// (`save_on_exit`). A disk that is full ends the recording, not the robot's run.
+class RunRecorder {
+ public:
+  /// @throw std::runtime_error when the folder cannot be made
+  RunRecorder(OutputsConfig config, std::string map_frame, std::string values_in_force,
+              Diagnostics& diagnostics);
+
+  void write(const slam::StepReport& report);
+  /// The run begins anew; so do its files.
+  void restart();
+  /// Completes all files.
+  void finish(const slam::Backend& backend);
+
+  slam::Stamp lastStamp() const { return last_stamp_; }
+
+ private:
+  template <class Action>
+  void attempt(Action&& action);
+
+  OutputsConfig config_;
+  std::string map_frame_, values_in_force_;
+  Diagnostics& diagnostics_;
+  std::unique_ptr<slam::RunWriter> writer_;
+  slam::Stamp last_stamp_;
+};
+
+}  // namespace slam_ros

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/backend_outputs.hpp"
+
+namespace slam_ros {
+namespace {
+
+constexpr double kFlushInterval = 0.5;  // [s] of the wall: stamps may stand still
+
+}  // namespace
+
+BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Backend& backend,
+                               const std::string& map_frame, const OutputsConfig& config)
+    : pose_(handle, map_frame, config.landmark_rate),
+      landmarks_(handle, backend, map_frame, config.landmark_rate),
+      map_odom_(handle, map_frame, config) {
+  const auto flush = [this](const ros::WallTimerEvent&) {
+    pose_.flush();
+    landmarks_.flush();
+  };
+  flush_timer_ = handle.createWallTimer(ros::WallDuration(kFlushInterval), flush);
+}
+
+void BackendOutputs::publish(const slam::StepReport& report) {
+  pose_.publish(report);
+  landmarks_.update(report.stamp);
+  map_odom_.update(report);
+}
+
+void BackendOutputs::restart() {
+  pose_.reset();
+  landmarks_.refresh();
+  map_odom_.reset();
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/backend_services.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+namespace slam_ros {
+namespace {
+
+/// The service's answer: the sentence of `action`, or of what it threw.
+template <class Response, class Action>
+bool answer(Response& response, Action&& action) {
+  try {
+    response.message = action();
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+    response.success = false;
+  }
+  return true;
+}
+
+std::string absolute(const std::string& path) {
+  if (path.empty()) throw std::runtime_error("the request names no file; fill in its path");
+  return std::filesystem::absolute(path).string();
+}
+
+std::string count(const slam::LandmarkFile& file) {
+  return std::to_string(file.map.landmarks.size()) + " landmarks";
+}
+
+}  // namespace
+
+BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame,
+                                 BackendActions actions)
+    : map_frame_(std::move(map_frame)),
+      actions_(std::move(actions)),
+      reset_(handle.advertiseService("reset", &BackendServices::reset, this)),
+      pause_(handle.advertiseService("pause", &BackendServices::pause, this)),
+      save_(handle.advertiseService("save_map", &BackendServices::save, this)),
+      load_(handle.advertiseService("load_map", &BackendServices::load, this)) {}
+
+bool BackendServices::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, [&] {
+    actions_.reset();
+    return "map and pose begin anew";
+  });
+}
+
+bool BackendServices::pause(std_srvs::SetBool::Request& request,
+                            std_srvs::SetBool::Response& response) {
+  return answer(response, [&] {
+    actions_.pause(request.data != 0);
+    return request.data != 0 ? "observations are ignored, motion is still applied"
+                             : "observations are used again";
+  });
+}
+
+bool BackendServices::save(slam_msgs::SaveMap::Request& request,
+                           slam_msgs::SaveMap::Response& response) {
+  return answer(response, [&] {
+    const auto path = absolute(request.path);
+    const auto file = actions_.map();
+    slam::saveLandmarks(path, file);
+    return count(file) + " written to " + path;
+  });
+}
+
+bool BackendServices::load(slam_msgs::LoadMap::Request& request,
+                           slam_msgs::LoadMap::Response& response) {
+  return answer(response, [&] {
+    const auto path = absolute(request.path);
+    const auto file = slam::loadLandmarks(path, map_frame_);
+    actions_.load(file);
+    return count(file) + " and the pose loaded from " + path;
+  });
+}
+
+}  // namespace slam_ros

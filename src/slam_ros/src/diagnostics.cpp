@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/diagnostics.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace slam_ros {
+namespace {
+
+constexpr double kQuietTime = 5.0;  // [s] of the wall
+
+/// What a counter that grew means; a reason that is not here is no cause for a warning.
+const std::map<std::string, std::string>& sentences() {
+  static const std::map<std::string, std::string> kSentences = {
+      {"late", "messages had a stamp that was not newer than the one before; they were dropped"},
+      {"lost", "messages were lost on the way, as the gap in their sequence tells"},
+      {"overflow", "messages were dropped because nothing came to go with them"},
+      {"before_start", "observation arrays were older than the first motion and were left out"},
+      {"restart", "time began anew: map and pose were reset"},
+      {"unknown_id", "observations without a known id were left out"},
+      {"duplicate", "observations repeated an id of their own array and were left out"},
+      {"odometry_late", "odometry messages were not newer than the one before; they were dropped"}};
+  return kSentences;
+}
+
+/// The sentence without its numbers, so that the same fault of another landmark is the same kind.
+std::string kindOf(std::string sentence) {
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  sentence.erase(std::remove_if(sentence.begin(), sentence.end(), is_digit), sentence.end());
+  return sentence;
+}
+
+}  // namespace
+
+Diagnostics::Diagnostics(ros::NodeHandle handle, ros::NodeHandle private_handle,
+                         const std::string& name, Sources sources)
+    : name_(name), sources_(std::move(sources)), updater_(handle, private_handle, name) {
+  updater_.setHardwareID("none");
+  updater_.add("state", [this](auto& status) { fill(status); });
+  timer_ = handle.createWallTimer(ros::WallDuration(1.0),
+                                  [this](const ros::WallTimerEvent&) { tick(); });
+}
+
+Diagnostics::~Diagnostics() {
+  timer_.stop();
+  warnOfCounters();
+}
+
+void Diagnostics::report(const std::string& topic, const slam::Status& status) {
+  if (status.isOk()) return;
+  warn(topic + ": " + status.message);
+}
+
+void Diagnostics::warn(const std::string& sentence) {
+  const auto now = ros::WallTime::now();
+  last_warning_ = sentence;
+  last_warning_time_ = now;
+  auto& told = told_[kindOf(sentence)];
+  if (!told.isZero() && now - told < ros::WallDuration(kQuietTime)) return;
+  told = now;
+  ROS_WARN_STREAM_NAMED("slam", name_ << ": " << sentence);
+}
+
+void Diagnostics::fail(const std::string& sentence) {
+  failure_ = sentence;
+  ROS_ERROR_STREAM_NAMED("slam", name_ << ": " << sentence);
+}
+
+void Diagnostics::tick() {
+  warnOfCounters();
+  updater_.force_update();
+}
+
+void Diagnostics::warnOfCounters() {
+  const auto counters = sources_.counters();
+  for (const auto& [reason, count] : counters.all()) {
+    const auto sentence = sentences().find(reason);
+    const auto before = counted_[reason];
+    if (sentence != sentences().end() && count > before)
+      warn(std::to_string(count - before) + " x " + reason + ": " + sentence->second);
+  }
+  counted_ = counters;
+}
+
+void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const auto waiting = sources_.waiting();
+  const bool warned = !last_warning_.empty() &&
+                      ros::WallTime::now() - last_warning_time_ < ros::WallDuration(kQuietTime);
+  if (!failure_.empty())
+    status.summary(DiagnosticStatus::ERROR, failure_);
+  else if (warned)
+    status.summary(DiagnosticStatus::WARN, last_warning_);
+  else if (!waiting.empty())
+    status.summary(DiagnosticStatus::WARN, waiting);
+  else
+    status.summary(DiagnosticStatus::OK, "running");
+  const auto counters = sources_.counters();
+  for (const auto& [reason, count] : counters.all()) status.add(reason, count);
+  if (!last_warning_.empty()) status.add("last warning", last_warning_);
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/estimator_node.hpp"
+
+#include <slam_msgs/Progress.h>
+
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/settings_from_ros.hpp"
+
+namespace slam_ros {
+namespace {
+
+constexpr std::uint32_t kQueue = 1000;
+
+}  // namespace
+
+EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& outputs,
+                             StepSource& source)
+    : source_(source) {
+  auto settings = settingsFromRos(handles.product);
+  topics_ = settings.read<TopicsConfig>();
+  source_.configure(settings);
+  map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
+  auto& estimator = source_.estimator();
+  if (!outputs.load_map.empty())
+    estimator.startWith(slam::loadLandmarks(outputs.load_map, map_frame_).map);
+  diagnostics_.emplace(handles.product, handles.own, handles.name,
+                       Diagnostics::Sources{[this] { return source_.counters(); },
+                                            [this] { return waiting(); }});
+  recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
+  outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
+  outputs_->refresh();
+  services_.emplace(handles.product, map_frame_, actions());
+  subscribe(handles.product);
+}
+
+EstimatorNode::~EstimatorNode() {
+  // from here on no callback runs
+  subscribers_.clear();
+  services_.reset();
+  outputs_.reset();
+  recorder_->finish(source_.estimator().backend());
+}
+
+void EstimatorNode::subscribe(ros::NodeHandle handle) {
+  progress_ = handle.advertise<slam_msgs::Progress>("progress", kQueue);
+  subscribers_ = {
+      handle.subscribe(topics_.motion, kQueue, &EstimatorNode::onMotion, this),
+      handle.subscribe(topics_.observations, kQueue, &EstimatorNode::onObservations, this),
+      handle.subscribe("initialpose", 1, &EstimatorNode::onInitialPose, this)};
+}
+
+BackendActions EstimatorNode::actions() {
+  BackendActions actions;
+  actions.reset = [this] { reset(); };
+  actions.pause = [this](bool paused) { source_.estimator().pause(paused); };
+  actions.map = [this] {
+    return slam::LandmarkFile{map_frame_, recorder_->lastStamp(),
+                              source_.estimator().backend().state()};
+  };
+  actions.load = [this](const slam::LandmarkFile& file) {
+    source_.estimator().set(file.map);
+    outputs_->refresh();
+  };
+  return actions;
+}
+
+void EstimatorNode::onMotion(const slam_msgs::Motion& message) {
+  checkClock();
+  const auto motion = fromMsg(message);
+  const auto frames = motion.odometry_frame + " -> " + motion.base_frame;
+  if (!motion_frames_.empty() && frames != motion_frames_)
+    diagnostics_->warn(topics_.motion + ": its frames changed from " + motion_frames_ + " to " +
+                       frames + "; the new ones are used");
+  motion_frames_ = frames;
+  source_.estimator().set(motion);
+  takeSteps(topics_.motion);
+}
+
+void EstimatorNode::onObservations(const slam_msgs::LandmarkObservationArray& message) {
+  checkClock();
+  source_.estimator().set(fromMsg(message));
+  takeSteps(topics_.observations);
+}
+
+void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const auto estimate = fromMsg(message);
+  if (frameId(message.header.frame_id) != map_frame_)
+    diagnostics_->warn("initialpose: it is in frame '" + message.header.frame_id +
+                       "', the map frame is '" + map_frame_ + "'; it is left out");
+  else if (!estimate.pose.isFinite() || !slam::isCovariance(estimate.covariance))
+    diagnostics_->warn("initialpose: its pose is not a number or its covariance of (x, y, yaw) is "
+                       "not positive definite; it is left out");
+  else
+    source_.estimator().set(estimate);
+}
+
+void EstimatorNode::takeSteps(const std::string& topic) {
+  const auto& report = source_.estimator().report();
+  do {
+    diagnostics_->report(topic, source_.execute());
+    if (report) publishStep(*report);
+  } while (report);
+  publishProgress();
+}
+
+void EstimatorNode::publishStep(const slam::StepReport& report) {
+  if (report.restarted) outputs_->restart();
+  recorder_->write(report);
+  outputs_->publish(report);
+  if (on_step) on_step(report);
+}
+
+void EstimatorNode::publishProgress() {
+  if (progress_.getNumSubscribers() == 0) return;
+  const auto& estimator = source_.estimator();
+  slam_msgs::Progress message;
+  message.motion = toRos(estimator.lastMotion().value_or(slam::Stamp()));
+  message.observations = toRos(estimator.lastObservations().value_or(slam::Stamp()));
+  message.step = toRos(recorder_->lastStamp());
+  progress_.publish(message);
+}
+
+void EstimatorNode::checkClock() {
+  if (!clock_.hasJumpedBack()) return;
+  const auto& [from, to] = clock_.jump();
+  const auto middle = fromRos(to + (from - to) * 0.5);
+  if (source_.estimator().lastMotion().value_or(slam::Stamp()) < middle) return;  // it has seen it
+  diagnostics_->warn("/clock jumped back by " + std::to_string((from - to).toSec()) +
+                     " s: map and pose begin anew");
+  reset();
+}
+
+void EstimatorNode::reset() {
+  source_.reset();
+  recorder_->restart();
+  outputs_->restart();
+  motion_frames_.clear();
+}
+
+std::string EstimatorNode::waiting() const {
+  const auto& estimator = source_.estimator();
+  if (!estimator.lastMotion()) return "waiting for motion on " + topics_.motion;
+  if (!estimator.lastObservations()) return "waiting for observations on " + topics_.observations;
+  return "";
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/landmark_publisher.hpp"
+
+#include <utility>
+
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/markers.hpp"
+
+namespace slam_ros {
+
+LandmarkPublisher::LandmarkPublisher(ros::NodeHandle handle, const slam::Backend& backend,
+                                     std::string map_frame, double rate)
+    : backend_(backend),
+      map_frame_(std::move(map_frame)),
+      landmarks_(handle.advertise<slam_msgs::LandmarkMap>("landmarks", 1)),
+      markers_(handle.advertise<visualization_msgs::MarkerArray>("landmark_markers", 1)),
+      rate_(rate) {}
+
+void LandmarkPublisher::update(slam::Stamp stamp) {
+  stamp_ = stamp;
+  is_new_ = true;
+  if (rate_.isDue(stamp)) flush();
+}
+
+void LandmarkPublisher::flush() {
+  const auto subscribers = landmarks_.getNumSubscribers() + markers_.getNumSubscribers();
+  if (subscribers > 0 && (is_new_ || subscribers > subscribers_)) publish();
+  subscribers_ = subscribers;
+}
+
+void LandmarkPublisher::publish() {
+  is_new_ = false;
+  const auto map = backend_.landmarks();
+  const auto message = toMsg(map, stamp_, map_frame_);
+  landmarks_.publish(message);
+  if (markers_.getNumSubscribers() == 0) return;
+  auto markers = toMarkers(map, message.header);
+  if (map.size() < markers_shown_)
+    markers.markers.insert(markers.markers.begin(), clearMarkers(message.header));
+  markers_shown_ = map.size();
+  markers_.publish(markers);
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/pose_publisher.hpp"
+
+#include <utility>
+
+#include "slam_ros/conversions.hpp"
+
+namespace slam_ros {
+
+PosePublisher::PosePublisher(ros::NodeHandle handle, std::string map_frame, double path_rate)
+    : map_frame_(std::move(map_frame)),
+      pose_(handle.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 100)),
+      path_publisher_(handle.advertise<nav_msgs::Path>("path", 1)),
+      rate_(path_rate) {
+  reset();
+}
+
+void PosePublisher::publish(const slam::StepReport& report) {
+  const auto message = toMsg(report.pose, report.stamp, map_frame_);
+  pose_.publish(message);
+
+  geometry_msgs::PoseStamped last;
+  last.header = message.header;
+  last.pose = message.pose.pose;
+  path_.header.stamp = last.header.stamp;
+  path_.poses.push_back(last);
+  path_is_new_ = true;
+  if (rate_.isDue(report.stamp)) flush();
+}
+
+void PosePublisher::flush() {
+  const auto subscribers = path_publisher_.getNumSubscribers();
+  if (subscribers > 0 && (path_is_new_ || subscribers > subscribers_)) {
+    path_publisher_.publish(path_);
+    path_is_new_ = false;
+  }
+  subscribers_ = subscribers;
+}
+
+void PosePublisher::reset() {
+  path_ = nav_msgs::Path();
+  path_.header.frame_id = map_frame_;
+  path_is_new_ = true;
+}
+
+}  // namespace slam_ros

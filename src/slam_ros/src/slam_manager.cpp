@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <nodelet/loader.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <csignal>
+
+// A nodelet manager that ends clean on Ctrl-C: it unloads the nodelets while ROS still runs, so
+// that they complete their files and no thread meets a queue that is gone, and exits with 0.
+
+namespace {
+
+volatile std::sig_atomic_t stop = 0;
+
+void onSignal(int) { stop = 1; }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "slam_manager", ros::init_options::NoSigintHandler);
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  ros::NodeHandle handle;  // keeps ROS up until the end
+  {
+    nodelet::Loader loader;
+    while (stop == 0 && ros::ok())
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    loader.clear();
+  }
+  ros::shutdown();
+  return 0;
+}
