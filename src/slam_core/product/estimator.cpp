@@ -12,6 +12,7 @@ namespace slam {
 
 void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) {
   backend_ = std::move(backend);
+  start_map_.reset();
   FaultCollector faults;
   faults.attempt([&] { backend_->configure(settings); });
   faults.attempt([&] { sensor_ = settings.read<LandmarkSensorConfig>(); });
@@ -22,8 +23,13 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
   reset();
 }
 
-void Estimator::reset() {
+void Estimator::resetBackend() {
   backend_->reset();
+  if (start_map_) set(*start_map_);
+}
+
+void Estimator::reset() {
+  resetBackend();
   LandmarkCollator::Limits limits;
   limits.source_timeout = source_timeout_;
   collator_ = LandmarkCollator(1, limits);
@@ -31,6 +37,21 @@ void Estimator::reset() {
   report_.reset();
   fault_.clear();
   counters_.clear();
+}
+
+void Estimator::set(const PoseEstimate& initial_pose) {
+  backend_->set(initial_pose);
+  backend_->execute();
+}
+
+void Estimator::set(const MapState& map) {
+  backend_->set(map);
+  backend_->execute();
+}
+
+void Estimator::startWith(MapState map) {
+  start_map_ = std::move(map);
+  resetBackend();
 }
 
 void Estimator::set(Motion motion) {
@@ -46,6 +67,11 @@ void Estimator::set(Motion motion) {
 void Estimator::set(LandmarkObservationArray array) {
   completeCovariances(sensor_, array);
   auto& all = array.observations;
+  if (!array.sensor_pose.isFinite()) {
+    counters_.add("invalid_observation", all.size());
+    fault_ = "observations with a sensor pose that holds a value that is not a number are left out";
+    all.clear();
+  }
   const auto is_invalid = [this](const LandmarkObservation& observation) {
     const auto fault = faultOf(observation);
     if (fault.empty()) return false;
@@ -66,7 +92,7 @@ Status Estimator::execute() {
   auto step = collator_.next();
   Status status = fault_.empty() ? Status::ok() : Status::warning(std::exchange(fault_, ""));
   if (!step) return status;
-  if (step->restart) backend_->reset();
+  if (step->restart) resetBackend();
   for (const auto& motion : step->motions) backend_->set(motion);
   if (!step->motions.empty()) last_motion_ = step->motions.back();
   if (step->trigger && paused_)

@@ -36,8 +36,11 @@ class Estimator {
 
   void set(Motion motion);
   void set(LandmarkObservationArray observations);
-  void set(const PoseEstimate& initial_pose) { backend_->set(initial_pose); }
-  void set(const MapState& map) { backend_->set(map); }
+  /// In force at once: backend() tells them without a step.
+  void set(const PoseEstimate& initial_pose);
+  void set(const MapState& map);
+  /// This map instead of an empty one, now and whenever everything begins anew.
+  void startWith(MapState map);
   /// Paused, observations are ignored and motion is still applied.
   void pause(bool paused) { paused_ = paused; }
 
@@ -58,11 +61,13 @@ class Estimator {
  private:
   using LandmarkCollator = Collator<Motion, LandmarkObservationArray>;
 
+  void resetBackend();
   void reportStep(const LandmarkCollator::Step& step);
 
   LandmarkSensorConfig sensor_;
   Duration source_timeout_{};
   std::unique_ptr<Backend> backend_;
+  std::optional<MapState> start_map_;
   LandmarkCollator collator_;
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;
