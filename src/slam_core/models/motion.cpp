@@ -15,7 +15,9 @@ std::pair<Motion, Motion> split(const Motion& motion, Stamp at) {
   after.increment = before.increment.between(motion.increment);
   before.covariance = share * motion.covariance;
   after.covariance = (1.0 - share) * motion.covariance;
-  before.odometry_end = after.odometry_start = motion.odometry_start * before.increment;
+  // the driver's own path, of which the increment may be a calibrated version
+  const Pose2 driven = motion.odometry_start.between(motion.odometry_end);
+  before.odometry_end = after.odometry_start = motion.odometry_start * driven.part(share);
   return {before, after};
 }
 
