@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/ekf/dense_covariance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/common/random.hpp"
+
+namespace slam::ekf {
+namespace {
+
+Eigen::MatrixXd randomMatrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.gaussian(); });
+}
+
+Eigen::MatrixXd randomCovariance(RandomStream& random, Eigen::Index size) {
+  const auto A = randomMatrix(random, size, size + 2);
+  return A * A.transpose();
+}
+
+std::vector<Innovation> randomInnovations(RandomStream& random, Eigen::Index landmarks) {
+  std::vector<Innovation> innovations;
+  for (Eigen::Index i = 0; i < landmarks; i += 1 + i % 3) {
+    Innovation innovation;
+    innovation.landmark = (i * 7) % landmarks;  // in no order
+    innovation.H_robot = randomMatrix(random, 2, 3);
+    innovation.H_landmark = randomMatrix(random, 2, 2);
+    innovations.push_back(innovation);
+  }
+  return innovations;
+}
+
+Eigen::MatrixXd fullJacobian(const std::vector<Innovation>& innovations, Eigen::Index size) {
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(2 * Eigen::Index(innovations.size()), size);
+  for (std::size_t i = 0; i < innovations.size(); ++i) {
+    H.block<2, 3>(2 * Eigen::Index(i), 0) = innovations[i].H_robot;
+    H.block<2, 2>(2 * Eigen::Index(i), 3 + 2 * innovations[i].landmark) = innovations[i].H_landmark;
+  }
+  return H;
+}
+
+void expectSame(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  ASSERT_EQ(a.rows(), b.rows());
+  ASSERT_EQ(a.cols(), b.cols());
+  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-10 * (1 + b.cwiseAbs().maxCoeff()));
+}
+
+/// Against the same operations on full matrices, for maps below and above the blocks of the update.
+class DenseCovarianceTest : public testing::TestWithParam<int> {
+ protected:
+  const Eigen::Index landmarks = GetParam(), size = 3 + 2 * landmarks;
+  RandomStream random{1, std::uint64_t(GetParam())};
+  Eigen::MatrixXd P = randomCovariance(random, size);
+  DenseCovariance covariance{P};
+};
+
+TEST_P(DenseCovarianceTest, TellsItsBlocks) {
+  expectSame(covariance.joint(), P);
+  EXPECT_EQ(covariance.joint(), covariance.joint().transpose());
+  expectSame(covariance.robot(), P.topLeftCorner<3, 3>());
+  for (Eigen::Index i = 0; i < landmarks; ++i) {
+    expectSame(covariance.landmark(i), P.block<2, 2>(3 + 2 * i, 3 + 2 * i));
+    expectSame(covariance.landmarkRobot(i), P.block<2, 3>(3 + 2 * i, 0));
+  }
+}
+
+TEST_P(DenseCovarianceTest, PredictsAsTheFullMatrixDoes) {
+  const Eigen::Matrix3d F = randomMatrix(random, 3, 3), Q = randomCovariance(random, 3);
+  covariance.predict(F, Q);
+  Eigen::MatrixXd F_full = Eigen::MatrixXd::Identity(size, size);
+  F_full.topLeftCorner<3, 3>() = F;
+  Eigen::MatrixXd expected = F_full * P * F_full.transpose();
+  expected.topLeftCorner<3, 3>() += Q;
+  expectSame(covariance.joint(), expected);
+}
+
+TEST_P(DenseCovarianceTest, MultipliesWithTheSparseJacobian) {
+  const auto innovations = randomInnovations(random, landmarks);
+  expectSame(covariance.timesTransposed(innovations),
+             P * fullJacobian(innovations, size).transpose());
+}
+
+TEST_P(DenseCovarianceTest, SubtractsAnOuterProductOfAnyWidth) {
+  for (const Eigen::Index width : {1, 2, 3, 8, 17, 40}) {
+    const auto W = randomMatrix(random, size, width);
+    covariance.subtractOuterProduct(W);
+    P -= W * W.transpose();
+    expectSame(covariance.joint(), P);
+  }
+}
+
+TEST_P(DenseCovarianceTest, LeavesTheMapAloneWhenOnlyTheRobotIsUpdated) {
+  const auto W = randomMatrix(random, size, 4);
+  const Eigen::MatrixXd map_before =
+      covariance.joint().bottomRightCorner(2 * landmarks, 2 * landmarks);
+  covariance.subtractOuterProductOfRobot(W);
+  EXPECT_EQ(covariance.joint().bottomRightCorner(2 * landmarks, 2 * landmarks), map_before);
+  Eigen::MatrixXd expected = P - W * W.transpose();
+  expected.bottomRightCorner(2 * landmarks, 2 * landmarks) = map_before;
+  expectSame(covariance.joint(), expected);
+}
+
+TEST_P(DenseCovarianceTest, AppendsALandmarkWithItsCorrelations) {
+  const DenseCovariance::Matrix23 J = randomMatrix(random, 2, 3);
+  const Eigen::Matrix2d R = randomCovariance(random, 2);
+  covariance.append(J, R);
+  Eigen::MatrixXd J_full = Eigen::MatrixXd::Zero(size + 2, size);
+  J_full.topRows(size).setIdentity();
+  J_full.bottomLeftCorner<2, 3>() = J;
+  Eigen::MatrixXd expected = J_full * P * J_full.transpose();
+  expected.bottomRightCorner<2, 2>() += R;
+  expectSame(covariance.joint(), expected);
+}
+
+TEST_P(DenseCovarianceTest, RemovesTheRobotsCorrelationsWhenItIsRedrawn) {
+  const Eigen::Matrix3d robot = randomCovariance(random, 3);
+  covariance.resetRobot(robot);
+  Eigen::MatrixXd expected = P;
+  expected.topRows<3>().setZero();
+  expected.leftCols<3>().setZero();
+  expected.topLeftCorner<3, 3>() = robot;
+  expectSame(covariance.joint(), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Landmarks, DenseCovarianceTest, testing::Values(1, 2, 5, 15, 16, 40, 101));
+
+TEST(DenseCovarianceGrowth, KeepsEveryValueOverSeveralDoublings) {
+  RandomStream random(5, 0);
+  Eigen::MatrixXd P = randomCovariance(random, 3);
+  DenseCovariance covariance{Eigen::Matrix3d(P)};
+  for (Eigen::Index i = 0; i < 150; ++i) {  // capacity 67, 134, 268, 536
+    const DenseCovariance::Matrix23 J = 0.1 * randomMatrix(random, 2, 3);
+    const Eigen::Matrix2d R = randomCovariance(random, 2);
+    covariance.append(J, R);
+    const Eigen::MatrixXd cross = J * P.topRows<3>();
+    P.conservativeResize(P.rows() + 2, P.cols() + 2);
+    P.bottomLeftCorner(2, P.cols() - 2) = cross;
+    P.topRightCorner(P.rows() - 2, 2) = cross.transpose();
+    P.bottomRightCorner<2, 2>() = J * P.topLeftCorner<3, 3>() * J.transpose() + R;
+    const Eigen::MatrixXd W = 0.05 * randomMatrix(random, P.rows(), 2);
+    covariance.subtractOuterProduct(W);
+    P -= W * W.transpose();
+  }
+  EXPECT_EQ(covariance.size(), 303);
+  expectSame(covariance.joint(), P);
+}
+
+}  // namespace
+}  // namespace slam::ekf

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/wheel_odometry/wheel_odometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_core/common/test/faults.hpp"
+
+namespace slam::wheel_odometry {
+namespace {
+
+Stamp at(double s) { return Stamp(durationFromSeconds(s)); }
+
+OdometrySample poseSample(double stamp, const Pose2& pose) {
+  OdometrySample sample;
+  sample.stamp = at(stamp);
+  sample.pose = pose;
+  sample.odometry_frame = "odom";
+  sample.base_frame = "base_link";
+  return sample;
+}
+
+OdometrySample twistSample(double stamp, const Eigen::Vector3d& twist) {
+  auto sample = poseSample(stamp, {});
+  sample.pose.reset();
+  sample.twist = twist;
+  return sample;
+}
+
+void expectSame(const Pose2& a, const Pose2& b) {
+  EXPECT_LT((a.vector() - b.vector()).norm(), 1e-12)
+      << a.vector().transpose() << " and " << b.vector().transpose();
+}
+
+class WheelOdometryTest : public testing::Test {
+ protected:
+  void SetUp() override { odometry.configure(config); }
+  Status take(const OdometrySample& sample) {
+    odometry.set(sample);
+    return odometry.execute();
+  }
+  const Motion& motion() const { return odometry.motion().value(); }
+
+  WheelOdometryConfig config;
+  WheelOdometry odometry;
+};
+
+TEST_F(WheelOdometryTest, GivesTheDisplacementBetweenTwoPoses) {
+  const Pose2 first(1, 2, 3), step(0.1, 0.01, 0.2);
+  EXPECT_TRUE(take(poseSample(5, first)).isOk());
+  EXPECT_FALSE(odometry.motion().has_value()) << "one pose is no motion";
+  EXPECT_TRUE(take(poseSample(5.1, first * step)).isOk());
+  expectSame(motion().increment, step);
+  EXPECT_EQ(motion().start, at(5));
+  EXPECT_EQ(motion().end, at(5.1));
+  expectSame(motion().odometry_start, first);
+  expectSame(motion().odometry_end, first * step);
+  EXPECT_EQ(motion().odometry_frame, "odom");
+  EXPECT_EQ(motion().base_frame, "base_link");
+  EXPECT_EQ(faultOf(motion()), "");
+}
+
+TEST_F(WheelOdometryTest, CountsItsMotionsFromZeroWithoutGaps) {
+  for (int i = 0; i < 5; ++i) {
+    take(poseSample(i, Pose2(i, 0, 0)));
+    if (i == 2) take(poseSample(i, Pose2(i, 0, 0)));  // late, no motion
+    if (odometry.motion()) {
+      EXPECT_EQ(motion().sequence, std::uint64_t(i - 1));
+    }
+  }
+}
+
+TEST_F(WheelOdometryTest, HoldsATwistUntilTheNextMessage) {
+  take(twistSample(0, {1, 0, 0.5}));
+  take(twistSample(2, {0, 0, 0}));
+  expectSame(motion().increment, Pose2::exp({2, 0, 1}));
+  take(twistSample(3, {7, 7, 7}));
+  expectSame(motion().increment, Pose2());
+  expectSame(motion().odometry_end, Pose2::exp({2, 0, 1}));  // it integrates the pose itself
+}
+
+TEST_F(WheelOdometryTest, UsesTheTwistBesideAPoseWhenToldSo) {
+  config.increment = "twist";
+  odometry.configure(config);
+  auto first = poseSample(0, Pose2(1, 1, 0)), second = poseSample(1, Pose2(5, 5, 1));
+  first.twist = {0.5, 0, 0};
+  take(first);
+  take(second);
+  expectSame(motion().increment, Pose2(0.5, 0, 0));
+  expectSame(motion().odometry_end, Pose2(5, 5, 1));  // map -> odom must fit the driver's TF
+}
+
+TEST_F(WheelOdometryTest, RefusesStampsThatAreNotNewer) {
+  take(poseSample(1, Pose2()));
+  take(poseSample(2, Pose2(1, 0, 0)));
+  for (const double stamp : {2.0, 1.5}) {
+    const auto status = take(poseSample(stamp, Pose2(9, 0, 0)));
+    EXPECT_EQ(status.level, Status::Level::kWarning);
+    EXPECT_FALSE(odometry.motion().has_value());
+  }
+  EXPECT_EQ(odometry.counters()["late"], 2u);
+  take(poseSample(3, Pose2(2, 0, 0)));
+  expectSame(motion().increment, Pose2(1, 0, 0));
+}
+
+TEST_F(WheelOdometryTest, BeginsAnewWhenTheBagDoes) {
+  take(poseSample(100, Pose2(50, 0, 0)));
+  take(poseSample(10, Pose2()));
+  EXPECT_FALSE(odometry.motion().has_value()) << "the jump is no motion";
+  take(poseSample(11, Pose2(1, 0, 0)));
+  expectSame(motion().increment, Pose2(1, 0, 0));
+}
+
+TEST_F(WheelOdometryTest, LeavesOutWhatIsNotANumber) {
+  take(poseSample(0, Pose2()));
+  EXPECT_FALSE(take(poseSample(1, Pose2(std::nan(""), 0, 0))).isOk());
+  EXPECT_FALSE(take(twistSample(1, {0, INFINITY, 0})).isOk());
+  EXPECT_FALSE(odometry.motion().has_value());
+  EXPECT_EQ(odometry.counters()["invalid"], 2u);
+  take(poseSample(2, Pose2(1, 0, 0)));
+  expectSame(motion().increment, Pose2(1, 0, 0));
+}
+
+TEST_F(WheelOdometryTest, BeginsAnewWhenAFrameChanges) {
+  take(poseSample(0, Pose2()));
+  auto other = poseSample(1, Pose2(9, 9, 0));
+  other.odometry_frame = "other_odom";
+  const auto status = take(other);
+  EXPECT_TRUE(test::oneSays({status.message}, {"other_odom", "base_link"}));
+  EXPECT_FALSE(odometry.motion().has_value());
+  EXPECT_EQ(odometry.counters()["frame_change"], 1u);
+  other.stamp = at(2);
+  other.pose = Pose2(10, 9, 0);
+  EXPECT_TRUE(take(other).isOk());
+  expectSame(motion().increment, Pose2(1, 0, 0));
+}
+
+TEST_F(WheelOdometryTest, IsNeverCertainNotEvenStandingStill) {
+  take(poseSample(0, Pose2()));
+  take(poseSample(2, Pose2()));
+  EXPECT_TRUE(isCovariance(motion().covariance));
+  EXPECT_NEAR(motion().covariance(0, 0), 2 * std::pow(config.floor_position, 2), 1e-18);
+  EXPECT_NEAR(motion().covariance(2, 2), 2 * std::pow(config.floor_heading, 2), 1e-18);
+}
+
+TEST_F(WheelOdometryTest, AddsTheModelsCovarianceToTheFloor) {
+  const Pose2 step(0.5, 0.1, 0.3);
+  take(poseSample(0, Pose2()));
+  take(poseSample(1, step));
+  const LinearMotionModel model({config.alpha1, config.alpha2, config.alpha3, config.alpha4});
+  Eigen::Matrix3d expected = model.covariance(step);
+  expected.diagonal().array() += 1e-6;  // floors of 0.001 after one second
+  EXPECT_TRUE(motion().covariance.isApprox(expected, 1e-9));
+}
+
+TEST_F(WheelOdometryTest, TakesTheTwistsCovarianceWhenToldSo) {
+  config.covariance = "twist";
+  odometry.configure(config);
+  auto sample = twistSample(0, {1, 0, 0});
+  sample.twist_covariance = Eigen::Vector3d(0.04, 0.01, 0.09).asDiagonal();
+  take(sample);
+  take(twistSample(0.5, {1, 0, 0}));  // it holds no covariance of its own
+  EXPECT_NEAR(motion().covariance(0, 0), 0.25 * 0.04, 1e-5);
+  EXPECT_NEAR(motion().covariance(2, 2), 0.25 * 0.09, 1e-5);
+  take(twistSample(1.0, {1, 0, 0}));
+  EXPECT_NEAR(motion().covariance(0, 0), config.alpha1 * 0.5, 1e-5) << "the model steps in";
+}
+
+TEST_F(WheelOdometryTest, TakesOutTheSystematicErrorOfTheWheels) {
+  config.translation_scale = 0.9;
+  config.rotation_scale = 1.2;
+  odometry.configure(config);
+  const Pose2 measured = Pose2::exp({1, 0, 0.5});
+  take(poseSample(0, Pose2()));
+  take(poseSample(1, measured));
+  expectSame(motion().increment, Pose2::exp({0.9, 0, 0.6}));
+  expectSame(motion().odometry_end, measured);
+}
+
+TEST_F(WheelOdometryTest, ForgetsEverythingOnReset) {
+  take(poseSample(1, Pose2()));
+  take(poseSample(0.5, Pose2()));
+  odometry.reset();
+  EXPECT_TRUE(odometry.counters().all().empty());
+  take(poseSample(0, Pose2(3, 0, 0)));
+  EXPECT_FALSE(odometry.motion().has_value());
+  take(poseSample(1, Pose2(4, 0, 0)));
+  EXPECT_EQ(motion().sequence, 0u);
+  expectSame(motion().increment, Pose2(1, 0, 0));
+}
+
+TEST(WheelOdometryConfigTest, ListsAllFaultsOfItsSection) {
+  const auto faults = test::faultsOf([] {
+    Settings settings({"product.yaml", YAML::Load("{version: 1, wheel_odometry: {alpha1: 0.1}}")},
+                      {"robot.yaml", YAML::Load("{version: 1, wheel_odometry: {alpha2: -1, alpha5: "
+                                                "1, drive: tracked, increment: velocity, "
+                                                "floor_heading: 0, rotation_scale: 0}}")},
+                      {"wheel_odometry.motion_model=quadratc", "wheel_odometry.alpha3=.nan"});
+    WheelOdometry().configure(settings);
+  });
+  EXPECT_EQ(faults.size(), 9u);
+  EXPECT_TRUE(test::oneSays(faults, {"alpha1", "product.yaml", "belongs in the robot file"}));
+  EXPECT_TRUE(test::oneSays(faults, {"alpha2", "-1", ">= 0"}));
+  EXPECT_TRUE(test::oneSays(faults, {"alpha5", "unknown", "did you mean 'alpha"}));
+  EXPECT_TRUE(test::oneSays(faults, {"drive", "'tracked'", "differential, omnidirectional"}));
+  EXPECT_TRUE(test::oneSays(faults, {"increment", "'velocity'", "pose, twist"}));
+  EXPECT_TRUE(test::oneSays(faults, {"floor_heading", "> 0"}));
+  EXPECT_TRUE(test::oneSays(faults, {"rotation_scale", "(0, 10)"}));
+  EXPECT_TRUE(test::oneSays(faults, {"motion_model", "did you mean 'quadratic'"}));
+  EXPECT_TRUE(test::oneSays(faults, {"alpha3", "nan"}));
+}
+
+}  // namespace
+}  // namespace slam::wheel_odometry
