@@ -40,8 +40,8 @@ struct FramesConfig {
   void describe(Fields& fields);
 };
 
-/// Loads the shared libraries a product names beyond the built-in ones; their components register
-/// themselves. @throw ConfigError naming the library and the loader's reason
+/// Loads the shared libraries a product names; their components register themselves. The built-in
+/// ones come with the library of this function. @throw ConfigError naming the library and the loader's reason
 void loadLibraries(const std::vector<std::string>& libraries);
 
 }  // namespace slam

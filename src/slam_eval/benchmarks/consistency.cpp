@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <CLI/CLI.hpp>
+#include <Eigen/LU>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "loop_world.hpp"
+#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/product/product_config.hpp"
+
+// Runs a back-end over the consistency case for many seeds and prints, as JSON, the NEES of every
+// step averaged over the seeds, and the NIS per degree of freedom. slam_bench makes the table.
+
+namespace slam_eval {
+namespace {
+
+struct Sums {
+  std::vector<double> nees;  ///< by step, over the seeds
+  double nis = 0.0;
+  double nis_dof = 0.0;
+  double squared_error = 0.0;
+};
+
+double nees(const slam::PoseEstimate& estimate, const slam::Pose2& truth) {
+  Eigen::Vector3d error = estimate.pose.vector() - truth.vector();
+  error.z() = slam::wrapAngle(error.z());
+  return error.dot(estimate.covariance.inverse() * error);
+}
+
+void runSeed(slam::Backend& backend, const LoopWorldConfig& world, std::uint64_t seed, Sums& sums) {
+  const auto steps = simulateLoop(world, seed);
+  sums.nees.resize(steps.size());
+  backend.reset();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    backend.set(steps[i].motion);
+    backend.set(steps[i].observations);
+    const auto status = backend.execute();
+    if (!status.isOk()) throw std::runtime_error(status.message);
+    const auto estimate = backend.pose();
+    sums.nees[i] += nees(estimate, steps[i].truth);
+    sums.squared_error += (estimate.pose.position() - steps[i].truth.position()).squaredNorm();
+    sums.nis += backend.statistics().nis;
+    sums.nis_dof += backend.statistics().nis_dof;
+  }
+}
+
+void run(const std::string& name, const std::vector<std::string>& overrides,
+         const LoopWorldConfig& world, int seeds) {
+  slam::loadLibraries({});
+  slam::Settings settings({}, {}, overrides);
+  auto backend = slam::Registry<slam::Backend>::instance().create(name);
+  backend->configure(settings);
+  Sums sums;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    runSeed(*backend, world, static_cast<std::uint64_t>(seed), sums);
+    std::fprintf(stderr, "\rconsistency of %s: seed %d of %d%s", name.c_str(), seed, seeds,
+                 seed == seeds ? "\n" : "");
+  }
+  for (auto& value : sums.nees) value /= seeds;
+  const double count = static_cast<double>(sums.nees.size()) * seeds;
+  const nlohmann::json result = {{"seeds", seeds},
+                                 {"average_nees", sums.nees},
+                                 {"nis_mean", sums.nis / sums.nis_dof},
+                                 {"position_rmse_m", std::sqrt(sums.squared_error / count)}};
+  std::puts(result.dump().c_str());
+}
+
+}  // namespace
+}  // namespace slam_eval
+
+int main(int argc, char** argv) {
+  CLI::App app("NEES and NIS of a back-end over a simulated loop, averaged over seeds");
+  std::string backend = "ekf";
+  std::vector<std::string> overrides;
+  slam_eval::LoopWorldConfig world;
+  int seeds = 50;
+  app.add_option("--backend", backend, "name of the back-end")->capture_default_str();
+  app.add_option("--set", overrides, "section.key=value of the back-end");
+  app.add_option("--loop", world.loop_length, "length of the loop [m]")->capture_default_str();
+  app.add_option("--seeds", seeds, "number of runs")->check(CLI::PositiveNumber)->capture_default_str();
+  try {
+    app.parse(argc, argv);
+    slam_eval::run(backend, overrides, world, seeds);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
