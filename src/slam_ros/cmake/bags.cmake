@@ -5,11 +5,14 @@
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(rosbag_storage REQUIRED)
+find_package(rosgraph_msgs REQUIRED)
 find_package(roslib REQUIRED)
 
 add_library(slam_ros_bags
+  src/bag_clock.cpp
   src/bag_inputs.cpp
   src/bag_reader.cpp
+  src/flow_window.cpp
   src/ground_truth.cpp
   src/offline_run.cpp
   src/product_files.cpp
@@ -24,6 +27,10 @@ target_link_libraries(slam_ros_bags
   PUBLIC slam_ros ${rosbag_storage_LIBRARIES}
   PRIVATE fmt::fmt nlohmann_json::nlohmann_json ${roslib_LIBRARIES})
 
+add_library(slam_ros_bag_source src/bag_source_nodelet.cpp)
+slam_ros_target(slam_ros_bag_source)
+target_link_libraries(slam_ros_bag_source PRIVATE slam_ros_bags)
+
 add_executable(slam_ros_offline src/slam_offline.cpp)
 add_executable(slam_ros_ground_truth src/slam_ground_truth.cpp)
 set_target_properties(slam_ros_offline PROPERTIES OUTPUT_NAME slam_offline)
@@ -34,6 +41,8 @@ foreach(target slam_ros_offline slam_ros_ground_truth)
 endforeach()
 target_link_libraries(slam_ros_offline PRIVATE CLI11::CLI11)
 
-install(TARGETS slam_ros_bags LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(TARGETS slam_ros_bags slam_ros_bag_source LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(TARGETS slam_ros_offline slam_ros_ground_truth
   RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+catkin_install_python(PROGRAMS scripts/slam_run
+  DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <ros/message_traits.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include "slam_core/common/nearest_name.hpp"
 #include "slam_ros/conversions.hpp"
@@ -17,12 +16,6 @@ template <class Message>
 Input input(const std::string& name, const std::string& topic) {
   return {name, topic, ros::message_traits::DataType<Message>::value(),
           ros::message_traits::MD5Sum<Message>::value()};
-}
-
-/// The old tf/tfMessage has the same layout, hence the same sum.
-bool holdsTransforms(const BagTopic& topic) {
-  return sameTopic(topic.name, "tf") && topic.messages > 0 &&
-         topic.md5sum == ros::message_traits::MD5Sum<tf2_msgs::TFMessage>::value();
 }
 
 bool isOdometry(const geometry_msgs::TransformStamped& edge, const BagInputs& inputs) {
@@ -96,7 +89,8 @@ class Search {
 
 void findEdge(const BagReader& bag, BagInputs& inputs) {
   for (const auto& topic : bag.topics()) {
-    if (!holdsTransforms(topic) || !hasOdometryEdge(bag, topic.name, inputs)) continue;
+    if (!sameTopic(topic.name, "tf") || !holdsTransforms(topic)) continue;
+    if (!hasOdometryEdge(bag, topic.name, inputs)) continue;
     inputs.tf = topic.name;
     inputs.notes.push_back(fmt::format("odometry is taken from the transform {} -> {} of {}",
                                        inputs.odom_frame, inputs.base_frame, topic.name));
@@ -146,6 +140,33 @@ BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks) {
     handlers[inputs.observations] =
         onMessage<slam_msgs::LandmarkObservationArray>(sinks.observations);
   return handlers;
+}
+
+/// The old tf/tfMessage has the same layout, hence the same sum.
+bool holdsTransforms(const BagTopic& topic) {
+  return topic.messages > 0 &&
+         topic.md5sum == ros::message_traits::MD5Sum<tf2_msgs::TFMessage>::value();
+}
+
+tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame) {
+  tf2_msgs::TFMessage kept;
+  for (const auto& edge : message.transforms)
+    if (frameId(edge.header.frame_id) != map_frame) kept.transforms.push_back(edge);
+  return kept;
+}
+
+tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& map_frame) {
+  tf2_msgs::TFMessage all;
+  const auto* topic = bag.find("tf_static");
+  if (topic == nullptr || !holdsTransforms(*topic)) return all;
+  std::map<std::string, geometry_msgs::TransformStamped> newest;
+  const auto take = [&](const tf2_msgs::TFMessage& message) {
+    for (const auto& edge : withoutMap(message, map_frame).transforms)
+      newest[frameId(edge.child_frame_id)] = edge;
+  };
+  bag.read({{topic->name, onMessage<tf2_msgs::TFMessage>(take)}});
+  for (const auto& entry : newest) all.transforms.push_back(entry.second);
+  return all;
 }
 
 }  // namespace slam_ros

@@ -6,6 +6,7 @@
 #include <nav_msgs/Odometry.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <functional>
 #include <string>
@@ -42,5 +43,13 @@ BagInputs findInputs(const BagReader& bag, const TopicsConfig& topics,
 
 /// The handlers that feed the sinks; for BagReader::read().
 BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks);
+
+bool holdsTransforms(const BagTopic& topic);
+
+/// The transforms that do not lead from the map; those are the back-end's to publish.
+tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame);
+
+/// All of the bag's /tf_static, the newest of each child frame; none from the map.
+tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& map_frame);
 
 }  // namespace slam_ros
