@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,10 +33,13 @@ class FaultCollector {
     try {
       step();
     } catch (const ConfigError& error) {
-      faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
+      for (const auto& fault : error.faults()) add(fault);
     }
   }
-  void add(const std::string& fault) { faults_.push_back(fault); }
+  /// A fault that is there already counts once: several components may read one section.
+  void add(const std::string& fault) {
+    if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(fault);
+  }
   /// @throw ConfigError when there was any fault
   void raise() const {
     if (!faults_.empty()) throw ConfigError(faults_);

@@ -40,10 +40,15 @@ class Settings {
   template <class Config>
   Config read() {
     Config config;
+    read(config);
+    return config;
+  }
+  /// The same; where it throws, the faultless fields have their values.
+  template <class Config>
+  void read(Config& config) {
     Fields fields;
     config.describe(fields);
     readSection(Config::kSection, fields);
-    return config;
   }
 
   /// Sections that nobody has read, with the place where they stand: leftovers or typos.

@@ -10,18 +10,20 @@
 namespace slam {
 
 void MetaCoordinator::configure(Settings& settings) {
-  const auto product = settings.read<ProductConfig>();
-  loadLibraries(product.libraries);
+  ProductConfig product;
   FaultCollector faults;
+  faults.attempt([&] { settings.read(product); });
+  faults.attempt([&] { loadLibraries(product.libraries); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
-  faults.attempt([&] {
-    odometry_ = Registry<OdometrySource>::instance().create(product.odometry);
-    odometry_->configure(settings);
-  });
-  faults.attempt([&] {
-    estimator_.configure(settings, Registry<Backend>::instance().create(product.backend));
-  });
-  faults.attempt([&] { settings.requireAllRead(); });
+  odometry_ = nullptr;
+  std::unique_ptr<Backend> backend;
+  faults.attempt(
+      [&] { odometry_ = Registry<OdometrySource>::instance().create(product.odometry); });
+  faults.attempt([&] { backend = Registry<Backend>::instance().create(product.backend); });
+  const bool complete = odometry_ && backend;  // else nobody knows which sections are left over
+  if (odometry_) faults.attempt([&] { odometry_->configure(settings); });
+  if (backend) faults.attempt([&] { estimator_.configure(settings, std::move(backend)); });
+  if (complete) faults.attempt([&] { settings.requireAllRead(); });
   faults.raise();
   front_end_status_ = Status::ok();
 }
@@ -41,7 +43,8 @@ Status MetaCoordinator::execute() {
 
 Counters MetaCoordinator::counters() const {
   Counters all = estimator_.counters();
-  for (const auto& [reason, count] : odometry_->counters().all()) all.add("odometry_" + reason, count);
+  for (const auto& [reason, count] : odometry_->counters().all())
+    all.add("odometry_" + reason, count);
   return all;
 }
 
