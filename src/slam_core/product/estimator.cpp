@@ -92,7 +92,10 @@ Status Estimator::execute() {
   auto step = collator_.next();
   Status status = fault_.empty() ? Status::ok() : Status::warning(std::exchange(fault_, ""));
   if (!step) return status;
-  if (step->restart) resetBackend();
+  if (step->restart) {
+    resetBackend();
+    last_motion_.reset();
+  }
   for (const auto& motion : step->motions) backend_->set(motion);
   if (!step->motions.empty()) last_motion_ = step->motions.back();
   if (step->trigger && paused_)
@@ -109,10 +112,11 @@ void Estimator::reportStep(const LandmarkCollator::Step& step) {
   StepReport report;
   report.stamp = step.stamp;
   report.pose = backend_->pose();
-  if (last_motion_) {
-    report.odometry_pose = last_motion_->odometry_end;
-    report.odometry_frame = last_motion_->odometry_frame;
-    report.base_frame = last_motion_->base_frame;
+  // at the very start of motion none has been applied yet
+  if (const auto* motion = last_motion_ ? &*last_motion_ : collator_.pending()) {
+    report.odometry_pose = last_motion_ ? motion->odometry_end : motion->odometry_start;
+    report.odometry_frame = motion->odometry_frame;
+    report.base_frame = motion->base_frame;
   }
   report.statistics = backend_->statistics();
   report.observed = step.trigger.has_value();
