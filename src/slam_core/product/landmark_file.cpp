@@ -80,8 +80,8 @@ Eigen::MatrixXd readJoint(const YAML::Node& rows, std::size_t landmarks) {
   for (std::size_t row = 0; row < size; ++row) {
     const auto values = rows[row].as<std::vector<double>>();
     if (values.size() != row + 1)
-      throw std::runtime_error(fmt::format("row {} of joint_covariance has not {} numbers", row,
-                                           row + 1));
+      throw std::runtime_error(
+          fmt::format("row {} of joint_covariance has not {} numbers", row, row + 1));
     for (std::size_t column = 0; column <= row; ++column) {
       const auto r = static_cast<Eigen::Index>(row), c = static_cast<Eigen::Index>(column);
       joint(r, c) = joint(c, r) = values[column];
@@ -89,6 +89,31 @@ Eigen::MatrixXd readJoint(const YAML::Node& rows, std::size_t landmarks) {
   }
   if (!isCovariance(joint)) throw std::runtime_error("joint_covariance is not positive definite");
   return joint;
+}
+
+/// A file that was cut off between two lines is valid YAML: it says itself what must be in it.
+void requireContents(const YAML::Node& contents, const MapState& map) {
+  if (!contents) return;
+  const auto landmarks = contents["landmarks"].as<std::size_t>();
+  if (map.landmarks.size() != landmarks)
+    throw std::runtime_error(fmt::format("it should hold {} landmarks and holds {}; it is cut off",
+                                         landmarks, map.landmarks.size()));
+  if (contents["joint_covariance"].as<bool>() && map.joint_covariance.size() == 0)
+    throw std::runtime_error("its joint_covariance is missing; it is cut off");
+}
+
+/// "12.000000345", or nothing in a file that was written by hand.
+Stamp readStamp(const YAML::Node& node) {
+  if (!node) return {};
+  const auto text = node.as<std::string>();
+  const auto point = text.find('.');
+  const auto digits = [](const std::string& part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (point == std::string::npos || !digits(text.substr(0, point)) || text.size() != point + 10 ||
+      point > 10 || !digits(text.substr(point + 1)))
+    throw std::runtime_error("stamp '" + text + "' is not seconds with nine decimals");
+  return stampFromNanoseconds(std::stoll(text.substr(0, point) + text.substr(point + 1)));
 }
 
 LandmarkFile parse(const YAML::Node& root, const std::string& frame) {
@@ -104,8 +129,11 @@ LandmarkFile parse(const YAML::Node& root, const std::string& frame) {
   const auto pose = root["pose"];
   file.map.robot.pose = Pose2(number(pose, "x"), number(pose, "y"), number(pose, "theta"));
   file.map.robot.covariance = covariance<3>(pose["covariance"], "the pose");
+  file.stamp = readStamp(root["stamp"]);
+  if (!root["landmarks"]) throw std::runtime_error("it has no landmarks; it may be cut off");
   file.map.landmarks = readLandmarks(root["landmarks"]);
   file.map.joint_covariance = readJoint(root["joint_covariance"], file.map.landmarks.size());
+  requireContents(root["contents"], file.map);
   return file;
 }
 
@@ -116,8 +144,10 @@ std::string toYaml(const LandmarkFile& file) {
   const auto ns = nanoseconds(file.stamp);
   std::string text = fmt::format(
       "version: {}\nframe: {}\nunits: {{position: m, angle: rad}}\nstamp: \"{}.{:09d}\"\n"
+      "contents: {{landmarks: {}, joint_covariance: {}}}\n"
       "pose: {{x: {}, y: {}, theta: {}, covariance: [{}]}}\nlandmarks:{}\n",
-      LandmarkFile::kVersion, file.frame, ns / 1000000000, ns % 1000000000, robot.pose.x(),
+      LandmarkFile::kVersion, file.frame, ns / 1000000000, ns % 1000000000,
+      file.map.landmarks.size(), file.map.joint_covariance.size() > 0, robot.pose.x(),
       robot.pose.y(), robot.pose.theta(), numbers(robot.covariance),
       file.map.landmarks.empty() ? " []" : "");
   for (const auto& landmark : file.map.landmarks)
