@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/estimator.hpp"
+
+namespace slam {
+namespace {
+
+using test::SimulatedStep;
+using test::SimulatedWorld;
+
+/// A good run in which a few steps are spoilt: it must go on, say so and end near the truth.
+class BackendBadInput : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    Settings settings;
+    estimator.configure(settings, Registry<Backend>::instance().create(GetParam()));
+  }
+  void drain() {
+    do {
+      const auto status = estimator.execute();
+      if (!status.isOk()) sentences.push_back(status.message);
+    } while (estimator.report());
+  }
+  void runSpoilt(const std::function<void(SimulatedStep&)>& spoil) {
+    SimulatedWorld world(12);
+    Pose2 truth;
+    for (int i = 0; i < 60; ++i) {
+      auto step = world.next();
+      truth = step.truth;
+      if (i % 20 == 10) spoil(step);
+      estimator.set(step.motion);
+      estimator.set(step.observations);
+      drain();
+    }
+    const auto estimate = estimator.backend().pose();
+    ASSERT_TRUE(estimate.pose.isFinite());
+    EXPECT_TRUE(isCovariance(estimate.covariance));
+    EXPECT_LT((estimate.pose.position() - truth.position()).norm(), 0.3);
+    for (const auto& landmark : estimator.backend().landmarks()) {
+      EXPECT_TRUE(landmark.position.allFinite());
+      EXPECT_TRUE(isCovariance(landmark.covariance));
+    }
+  }
+  void runWithObservation(const std::function<void(LandmarkObservation&)>& spoil) {
+    runSpoilt([&](SimulatedStep& step) { spoil(step.observations.observations.front()); });
+  }
+
+  Estimator estimator;
+  std::vector<std::string> sentences;
+};
+
+TEST_P(BackendBadInput, MotionThatIsNotANumber) {
+  runSpoilt([](SimulatedStep& step) { step.motion.increment = Pose2(std::nan(""), 0, 0); });
+  EXPECT_EQ(estimator.counters()["invalid_motion"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"motion", "not a number", "left out"}));
+}
+
+TEST_P(BackendBadInput, MotionOfANegativeInterval) {
+  runSpoilt([](SimulatedStep& step) { std::swap(step.motion.start, step.motion.end); });
+  EXPECT_EQ(estimator.counters()["invalid_motion"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"ends before it starts"}));
+}
+
+TEST_P(BackendBadInput, MotionWithoutACovariance) {
+  runSpoilt([](SimulatedStep& step) { step.motion.covariance.setZero(); });
+  EXPECT_EQ(estimator.counters()["invalid_motion"], 3u);
+}
+
+TEST_P(BackendBadInput, ObservationThatIsNotANumber) {
+  runWithObservation([](LandmarkObservation& z) { z.bearing = std::nan(""); });
+  EXPECT_EQ(estimator.counters()["invalid_observation"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"observation of landmark", "not a number", "left out"}));
+}
+
+TEST_P(BackendBadInput, ObservationOfANegativeRange) {
+  runWithObservation([](LandmarkObservation& z) { z.range = -z.range; });
+  EXPECT_EQ(estimator.counters()["invalid_observation"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"range that is not positive"}));
+}
+
+TEST_P(BackendBadInput, ObservationWhoseCovarianceIsNone) {
+  runWithObservation([](LandmarkObservation& z) { z.covariance(1, 1) = -1e-3; });
+  EXPECT_EQ(estimator.counters()["invalid_observation"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"not positive definite"}));
+}
+
+TEST_P(BackendBadInput, ObservationsFromASensorThatIsNowhere) {
+  runSpoilt([](SimulatedStep& step) { step.observations.sensor_pose = Pose2(0, 0, std::nan("")); });
+  EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"sensor pose", "not a number"}));
+}
+
+TEST_P(BackendBadInput, TwoObservationsOfOneId) {
+  runSpoilt([](SimulatedStep& step) {
+    auto twin = step.observations.observations.front();
+    twin.range += 3;
+    step.observations.observations.push_back(twin);
+  });
+  EXPECT_EQ(estimator.counters()["duplicate"], 3u);
+}
+
+TEST_P(BackendBadInput, ObservationsBeforeAnyMotion) {
+  SimulatedWorld world(13);
+  auto early = world.next().observations;
+  early.stamp -= std::chrono::seconds(3);
+  estimator.set(early);
+  drain();
+  EXPECT_TRUE(estimator.backend().landmarks().empty());
+  runSpoilt([](SimulatedStep&) {});
+  EXPECT_EQ(estimator.counters()["before_start"], 1u);
+}
+
+TEST_P(BackendBadInput, StampsThatGoBack) {
+  runSpoilt([](SimulatedStep& step) { step.observations.stamp -= std::chrono::seconds(2); });
+  EXPECT_EQ(estimator.counters()["late"], 3u);
+  EXPECT_EQ(estimator.dropped(), 3u);
+}
+
+TEST_P(BackendBadInput, ARangeFarOutsideTheWorld) {
+  runWithObservation([](LandmarkObservation& z) { z.range = 1e12; });
+  EXPECT_GE(estimator.counters()["gated"], 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BackendBadInput,
+                         testing::ValuesIn(Registry<Backend>::instance().names()),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace
+}  // namespace slam

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/run_writer.hpp"
+
+namespace slam {
+namespace {
+
+using test::SimulatedStep;
+using test::SimulatedWorld;
+
+std::vector<SimulatedStep> simulate(std::uint64_t seed, int steps) {
+  SimulatedWorld world(seed);
+  std::vector<SimulatedStep> all;
+  for (int i = 0; i < steps; ++i) {
+    all.push_back(world.next());
+    // within the increments, as a camera's stamps lie
+    all.back().observations.stamp -= std::chrono::milliseconds(1 + 7 * (i % 10));
+  }
+  return all;
+}
+
+class EstimatorTest : public testing::Test {
+ protected:
+  void SetUp() override { configure(estimator); }
+  static void configure(Estimator& any) {
+    Settings settings;
+    any.configure(settings, Registry<Backend>::instance().create("ekf"));
+  }
+  void drain() {
+    do {
+      estimator.execute();
+      if (estimator.report()) reports.push_back(*estimator.report());
+    } while (estimator.report());
+  }
+  void take(const SimulatedStep& step) {
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    drain();
+  }
+  std::string trajectory() const {
+    std::string lines;
+    for (const auto& report : reports) lines += tumLine(report.stamp, report.pose.pose);
+    return lines;
+  }
+
+  Estimator estimator;
+  std::vector<StepReport> reports;
+};
+
+TEST_F(EstimatorTest, GivesTheSameTrajectoryWhateverTheOrderOfArrival) {
+  const auto steps = simulate(1, 120);
+  std::string expected;
+  for (std::uint64_t shuffle = 0; shuffle < 20; ++shuffle) {
+    configure(estimator);
+    reports.clear();
+    RandomStream random(2, shuffle);
+    std::size_t motion = 0, observations = 0;
+    while (motion < steps.size() || observations < steps.size()) {
+      const bool motion_next = random.uniform() < 0.5;
+      if (motion_next && motion < steps.size()) estimator.set(steps[motion++].motion);
+      if (!motion_next && observations < steps.size())
+        estimator.set(steps[observations++].observations);
+      if (random.uniform() < 0.7) drain();
+    }
+    drain();
+    if (shuffle == 0) expected = trajectory();
+    ASSERT_EQ(trajectory(), expected) << "shuffle " << shuffle;
+  }
+  EXPECT_EQ(reports.size(), steps.size());
+}
+
+TEST_F(EstimatorTest, DoesNotMindTheOrderWithinAnArray) {
+  const auto steps = simulate(1, 60);
+  for (const auto& step : steps) take(step);
+  const auto expected = trajectory();
+  configure(estimator);
+  reports.clear();
+  for (auto step : steps) {
+    auto& all = step.observations.observations;
+    std::reverse(all.begin(), all.end());
+    take(step);
+  }
+  EXPECT_EQ(trajectory(), expected);
+}
+
+TEST_F(EstimatorTest, ReportsTheOdometryPoseOfTheVeryStamp) {
+  const auto steps = simulate(1, 20);
+  for (const auto& step : steps) {
+    take(step);
+    const auto& report = reports.back();
+    const double share = seconds(report.stamp - step.motion.start) / 0.1;
+    const Pose2 expected = step.motion.odometry_start * step.motion.increment.part(share);
+    EXPECT_LT((report.odometry_pose.vector() - expected.vector()).norm(), 1e-9);
+    EXPECT_EQ(report.odometry_frame, "odom");
+    EXPECT_EQ(report.base_frame, "base_link");
+    EXPECT_TRUE(report.observed);
+  }
+}
+
+TEST_F(EstimatorTest, KnowsTheOdometryPoseAtTheVeryStartOfMotion) {
+  auto step = simulate(1, 1)[0];
+  step.motion.odometry_start = Pose2(7, 8, 1);
+  step.motion.odometry_end = step.motion.odometry_start * step.motion.increment;
+  step.observations.stamp = step.motion.start;
+  take(step);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].odometry_pose.vector(), Eigen::Vector3d(7, 8, 1));
+  EXPECT_EQ(reports[0].odometry_frame, "odom");
+}
+
+TEST_F(EstimatorTest, AppliesMotionAndNoObservationsWhilePaused) {
+  const auto steps = simulate(1, 30);
+  for (int i = 0; i < 10; ++i) take(steps[std::size_t(i)]);
+  estimator.pause(true);
+  const auto map = estimator.backend().landmarks();
+  const auto before = estimator.backend().pose();
+  for (int i = 10; i < 20; ++i) take(steps[std::size_t(i)]);
+  EXPECT_EQ(estimator.counters()["paused"], 10u);
+  EXPECT_EQ(estimator.backend().landmarks().size(), map.size());
+  EXPECT_EQ(estimator.backend().landmarks()[0].position, map[0].position);
+  EXPECT_GT((estimator.backend().pose().pose.position() - before.pose.position()).norm(), 1.5);
+  EXPECT_GT(estimator.backend().pose().covariance.trace(), before.covariance.trace());
+  estimator.pause(false);
+  take(steps[20]);
+  EXPECT_GT(reports.back().statistics.used, 0);
+}
+
+TEST_F(EstimatorTest, BeginsAnewWhenTheBagIsPlayedAgain) {
+  const auto steps = simulate(1, 100);
+  for (const auto& step : steps) take(step);
+  const auto first = trajectory();
+  reports.clear();
+  for (const auto& step : steps) take(step);
+  EXPECT_EQ(trajectory(), first);
+  EXPECT_TRUE(reports.front().restarted);
+  EXPECT_FALSE(reports.back().restarted);
+  EXPECT_EQ(estimator.counters()["restart"], 1u);
+  EXPECT_EQ(estimator.dropped(), 0u);
+}
+
+TEST_F(EstimatorTest, IsFreshAfterReset) {
+  const auto steps = simulate(1, 40);
+  for (const auto& step : steps) take(step);
+  const auto first = trajectory();
+  estimator.reset();
+  EXPECT_FALSE(estimator.report().has_value());
+  EXPECT_FALSE(estimator.lastMotion().has_value());
+  EXPECT_TRUE(estimator.counters().all().empty());
+  reports.clear();
+  for (const auto& step : steps) take(step);
+  EXPECT_EQ(trajectory(), first);
+}
+
+TEST_F(EstimatorTest, TakesAStartMapAgainWheneverItBeginsAnew) {
+  MapState map;
+  map.robot = {Pose2(1, 2, 0.5), 0.01 * Eigen::Matrix3d::Identity()};
+  map.landmarks = {{900, {5, 5}, 0.01 * Eigen::Matrix2d::Identity()}};
+  estimator.startWith(map);
+  EXPECT_EQ(estimator.backend().landmarks().size(), 1u);
+  for (const auto& step : simulate(1, 80)) take(step);
+  EXPECT_GT(estimator.backend().landmarks().size(), 1u);
+  estimator.reset();
+  ASSERT_EQ(estimator.backend().landmarks().size(), 1u);
+  EXPECT_EQ(estimator.backend().pose().pose.vector(), Eigen::Vector3d(1, 2, 0.5));
+}
+
+TEST_F(EstimatorTest, GivesTheSensorsNoiseToObservationsWithoutOne) {
+  auto with = simulate(1, 1)[0], without = with;
+  const LandmarkSensorConfig sensor;
+  for (auto& z : with.observations.observations)
+    z.covariance =
+        Eigen::Vector2d(std::pow(sensor.sigma_range, 2), std::pow(sensor.sigma_bearing, 2))
+            .asDiagonal();
+  for (auto& z : without.observations.observations) z.covariance << -1, 0, 0, 0;
+  take(with);
+  const auto expected = estimator.backend().landmarks();
+  configure(estimator);
+  take(without);
+  const auto map = estimator.backend().landmarks();
+  ASSERT_EQ(map.size(), expected.size());
+  EXPECT_TRUE(map[0].covariance.isApprox(expected[0].covariance, 1e-12));
+}
+
+}  // namespace
+}  // namespace slam

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/meta_coordinator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+
+namespace slam {
+namespace {
+
+using test::oneSays;
+
+std::vector<std::string> faultsOf(const std::string& product, const std::string& robot = "",
+                                  const std::vector<std::string>& overrides = {}) {
+  return test::faultsOf([&] {
+    Settings settings({"product.yaml", YAML::Load(product)}, {"robot.yaml", YAML::Load(robot)},
+                      overrides);
+    MetaCoordinator().configure(settings);
+  });
+}
+
+TEST(MetaCoordinatorConfig, TakesTheDefaultsOfAnEmptyProduct) { EXPECT_TRUE(faultsOf("").empty()); }
+
+TEST(MetaCoordinatorConfig, ListsTheFaultsOfAllSectionsAtOnce) {
+  const auto faults = faultsOf(
+      "{version: 1, source_timeout: 0, colour: red, ekf: {gate_probability: 1}, laser: {}}",
+      "{version: 1, wheel_odometry: {alpha1: -1}, landmark_sensor: {sigma_range: 0}, frames: {mpa: "
+      "world}}",
+      {"ekf.mode=slamm"});
+  EXPECT_EQ(faults.size(), 8u) << join(faults, "\n");
+  EXPECT_TRUE(oneSays(faults, {"source_timeout", "> 0"}));
+  EXPECT_TRUE(oneSays(faults, {"colour", "unknown"}));
+  EXPECT_TRUE(oneSays(faults, {"ekf.gate_probability", "(0, 1)"}));
+  EXPECT_TRUE(oneSays(faults, {"ekf.mode", "did you mean 'slam'"}));
+  EXPECT_TRUE(oneSays(faults, {"wheel_odometry.alpha1", ">= 0"}));
+  EXPECT_TRUE(oneSays(faults, {"landmark_sensor.sigma_range", "> 0"}));
+  EXPECT_TRUE(oneSays(faults, {"frames.mpa", "did you mean 'map'"}));
+  EXPECT_TRUE(oneSays(faults, {"section laser", "product.yaml"}));
+}
+
+TEST(MetaCoordinatorConfig, NamesTheNearestComponent) {
+  const auto faults = faultsOf("{version: 1, backend: efk, odometry: weel, ekf: {}}");
+  EXPECT_EQ(faults.size(), 2u) << join(faults, "\n");
+  EXPECT_TRUE(oneSays(faults, {"back-end 'efk'", "there are", "did you mean 'ekf'"}));
+  EXPECT_TRUE(oneSays(faults, {"odometry source 'weel'", "did you mean 'wheel'"}));
+}
+
+TEST(MetaCoordinatorConfig, FindsASectionWithATypo) {
+  EXPECT_TRUE(
+      oneSays(faultsOf("{version: 1, efk: {mode: slam}}"), {"section efk", "did you mean 'ekf'"}));
+}
+
+TEST(MetaCoordinatorConfig, SaysWhyALibraryDoesNotLoad) {
+  EXPECT_TRUE(oneSays(faultsOf("{version: 1, libraries: [libslam_nowhere.so]}"),
+                      {"libslam_nowhere.so", "cannot open shared object file"}));
+}
+
+OdometrySample sampleAt(Stamp stamp, const Pose2& pose) {
+  OdometrySample sample;
+  sample.stamp = stamp;
+  sample.pose = pose;
+  sample.odometry_frame = "odom";
+  sample.base_frame = "base_link";
+  return sample;
+}
+
+class MetaCoordinatorRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    Settings settings;
+    coordinator.configure(settings);
+  }
+  void drain() {
+    do {
+      const auto status = coordinator.execute();
+      if (!status.isOk()) sentences.push_back(status.message);
+      if (coordinator.estimator().report()) ++steps;
+    } while (coordinator.estimator().report());
+  }
+
+  MetaCoordinator coordinator;
+  std::vector<std::string> sentences;
+  int steps = 0;
+};
+
+TEST_F(MetaCoordinatorRun, LeadsRawOdometryAndObservationsToAMap) {
+  test::SimulatedWorld world(4);
+  Pose2 truth;
+  for (int i = 0; i < 100; ++i) {
+    const auto step = world.next();
+    truth = step.truth;
+    if (i == 0) coordinator.set(sampleAt(step.motion.start, step.motion.odometry_start));
+    coordinator.set(sampleAt(step.motion.end, step.motion.odometry_end));
+    coordinator.set(step.observations);
+    drain();
+  }
+  EXPECT_EQ(steps, 100);
+  EXPECT_TRUE(sentences.empty());
+  EXPECT_EQ(coordinator.dropped(), 0u);
+  const auto pose = coordinator.estimator().backend().pose().pose;
+  EXPECT_LT((pose.position() - truth.position()).norm(), 0.3);
+}
+
+TEST_F(MetaCoordinatorRun, PassesOnTheWarningsAndCountsOfTheFrontEnd) {
+  const auto start = stampFromNanoseconds(1000000000);
+  coordinator.set(sampleAt(start, Pose2()));
+  coordinator.set(sampleAt(start, Pose2()));
+  drain();
+  EXPECT_TRUE(oneSays(sentences, {"odometry is not newer"}));
+  EXPECT_EQ(coordinator.counters()["odometry_late"], 1u);
+  EXPECT_EQ(coordinator.dropped(), 1u);
+  drain();
+  EXPECT_EQ(sentences.size(), 1u) << "said once";
+  coordinator.reset();
+  EXPECT_TRUE(coordinator.counters().all().empty());
+}
+
+}  // namespace
+}  // namespace slam

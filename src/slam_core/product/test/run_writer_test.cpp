@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/run_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/common/test/temporary_folder.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/landmark_file.hpp"
+
+namespace slam {
+namespace {
+
+using test::contentOf;
+using test::oneSays;
+using test::sentenceOf;
+
+const std::vector<std::string> kFiles = {"trajectory.tum", "trajectory_final.tum", "odometry.tum",
+                                         "updates.csv",    "landmarks.yaml",       "config.yaml"};
+
+std::size_t linesOf(const std::string& path) {
+  const auto content = contentOf(path);
+  return std::size_t(std::count(content.begin(), content.end(), '\n'));
+}
+
+class RunWriterTest : public testing::Test {
+ protected:
+  /// A simulated run of `steps`, played `times` times in a row, written to `name`.
+  std::string run(const std::string& name, int steps, int times = 1) {
+    Estimator estimator;
+    Settings settings;
+    estimator.configure(settings, Registry<Backend>::instance().create("ekf"));
+    RunWriter writer(folder / name);
+    for (int time = 0; time < times; ++time) {
+      test::SimulatedWorld world(3);
+      for (int i = 0; i < steps; ++i) {
+        const auto step = world.next();
+        estimator.set(step.motion);
+        estimator.set(step.observations);
+        do {
+          estimator.execute();
+          if (estimator.report()) writer.write(*estimator.report());
+        } while (estimator.report());
+      }
+    }
+    EXPECT_EQ(writer.lines(), std::size_t(steps));
+    writer.finish(estimator.backend(), "map", settings.inForce());
+    return writer.folder();
+  }
+
+  const test::TemporaryFolder folder;
+};
+
+TEST(TumLine, HasNineDecimalsAndAHalfAngleQuaternion) {
+  EXPECT_EQ(tumLine(stampFromNanoseconds(1288971842000000345), Pose2(1.5, -2, M_PI / 2)),
+            "1288971842.000000345 1.500000000 -2.000000000 0.000000000 0.000000000 0.000000000 "
+            "0.707106781 0.707106781\n");
+  EXPECT_EQ(tumLine(stampFromNanoseconds(5), Pose2(-0.0, -0.0, -0.0)),
+            "0.000000005 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 "
+            "1.000000000\n");
+}
+
+TEST_F(RunWriterTest, WritesTheSameBytesForTheSameRun) {
+  const auto first = run("first", 70), second = run("second", 70);
+  for (const auto& file : kFiles) {
+    EXPECT_FALSE(contentOf(first + "/" + file).empty()) << file;
+    EXPECT_EQ(contentOf(first + "/" + file), contentOf(second + "/" + file)) << file;
+  }
+}
+
+TEST_F(RunWriterTest, WritesOneLineForEachStampOfObservations) {
+  const auto path = run("run", 70);
+  EXPECT_EQ(linesOf(path + "/trajectory.tum"), 70u);
+  EXPECT_EQ(linesOf(path + "/odometry.tum"), 70u);
+  EXPECT_EQ(linesOf(path + "/updates.csv"), 71u) << "and the header";
+  EXPECT_EQ(contentOf(path + "/trajectory_final.tum"), contentOf(path + "/trajectory.tum"));
+  const auto loaded = loadLandmarks(path + "/landmarks.yaml", "map");
+  EXPECT_EQ(nanoseconds(loaded.stamp), 1007000000000);
+  EXPECT_NE(contentOf(path + "/config.yaml").find("gate_probability"), std::string::npos);
+}
+
+TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
+  RunWriter writer(folder / "run");
+  StepReport report;
+  report.stamp = stampFromNanoseconds(1500000000);
+  report.pose.covariance << 1, 0.2, 0.3, 0.2, 4, 0.5, 0.3, 0.5, 6;
+  report.statistics = {7.5, 4, 2, 3, 5, 6, 9};
+  report.observed = true;
+  writer.write(report);
+  report.observed = false;  // a carry of motion
+  writer.write(report);
+  Settings settings;
+  const auto backend = Registry<Backend>::instance().create("ekf");
+  backend->configure(settings);
+  writer.finish(*backend, "map", "");
+  EXPECT_EQ(contentOf(folder / "run/updates.csv"),
+            "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
+            "landmarks\n1.500000000,1,0.2,0.3,4,0.5,6,7.5,4,2,3,5,6,9\n");
+}
+
+TEST_F(RunWriterTest, BeginsAnewWithARestart) {
+  const auto once = run("once", 70), twice = run("twice", 70, 2);
+  for (const auto& file : kFiles)
+    EXPECT_EQ(contentOf(once + "/" + file), contentOf(twice + "/" + file)) << file;
+}
+
+TEST_F(RunWriterTest, ReplacesAnEarlierRunAtOnce) {
+  run("run", 5);
+  folder.write("run/metrics.json", "{}");
+  const RunWriter writer(folder / "run");
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/landmarks.yaml"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/metrics.json"));
+  EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 0u);
+}
+
+TEST_F(RunWriterTest, SaysWhyItCannotWrite) {
+  folder.write("a_file", "");
+  const auto below_a_file = folder / "a_file/run";
+  EXPECT_TRUE(oneSays({sentenceOf([&] { RunWriter{below_a_file}; })},
+                      {below_a_file.c_str(), "Not a directory"}));
+  std::filesystem::create_directories(folder / "run/odometry.tum");  // in the way of a file
+  EXPECT_TRUE(oneSays({sentenceOf([&] { RunWriter{folder / "run"}; })},
+                      {"odometry.tum", "Is a directory"}));
+}
+
+TEST_F(RunWriterTest, SaysThatTheDiskIsFull) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  std::filesystem::create_directory(folder / "run");
+  std::filesystem::create_symlink("/dev/full", folder / "run/trajectory.tum");
+  RunWriter writer(folder / "run");
+  StepReport report;
+  report.observed = true;
+  EXPECT_TRUE(oneSays({sentenceOf([&] {
+                        for (int i = 0; i < 1000; ++i) writer.write(report);
+                      })},
+                      {(folder / "run").c_str(), "disk full"}));
+}
+
+}  // namespace
+}  // namespace slam
