@@ -15,7 +15,7 @@
 // Runs a back-end over the consistency case for many seeds and prints, as JSON, the NEES of every
 // step averaged over the seeds, and the NIS per degree of freedom. slam_bench makes the table.
 
-namespace slam_eval {
+namespace slam::eval {
 namespace {
 
 struct Sums {
@@ -70,13 +70,13 @@ void run(const std::string& name, const std::vector<std::string>& overrides,
 }
 
 }  // namespace
-}  // namespace slam_eval
+}  // namespace slam::eval
 
 int main(int argc, char** argv) {
   CLI::App app("NEES and NIS of a back-end over a simulated loop, averaged over seeds");
   std::string backend = "ekf";
   std::vector<std::string> overrides;
-  slam_eval::LoopWorldConfig world;
+  slam::eval::LoopWorldConfig world;
   int seeds = 50;
   app.add_option("--backend", backend, "name of the back-end")->capture_default_str();
   app.add_option("--set", overrides, "section.key=value of the back-end");
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", seeds, "number of runs")->check(CLI::PositiveNumber)->capture_default_str();
   try {
     app.parse(argc, argv);
-    slam_eval::run(backend, overrides, world, seeds);
+    slam::eval::run(backend, overrides, world, seeds);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

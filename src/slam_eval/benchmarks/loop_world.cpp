@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace slam_eval {
+namespace slam::eval {
 namespace {
 
 using slam::Pose2;
@@ -76,4 +76,4 @@ std::vector<LoopStep> simulateLoop(const LoopWorldConfig& config, std::uint64_t 
   return steps;
 }
 
-}  // namespace slam_eval
+}  // namespace slam::eval

@@ -11,7 +11,7 @@
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
 
-namespace slam_eval {
+namespace slam::eval {
 
 /// The consistency case: a robot drives a circle several times among point landmarks, in the plane
 /// of Huang, Mourikis, Roumeliotis 2010. Motion and sensor noise are exactly what the filter is
@@ -40,4 +40,4 @@ struct LoopStep {
 /// The world of one seed; landmarks and noise depend on it.
 std::vector<LoopStep> simulateLoop(const LoopWorldConfig& config, std::uint64_t seed);
 
-}  // namespace slam_eval
+}  // namespace slam::eval
