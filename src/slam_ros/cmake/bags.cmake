@@ -46,3 +46,19 @@ install(TARGETS slam_ros_offline slam_ros_ground_truth
   RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 catkin_install_python(PROGRAMS scripts/slam_run
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+
+if(CATKIN_ENABLE_TESTING)
+  catkin_add_gtest(slam_ros_test_bags
+    test/bags/test_bag_reader.cpp
+    test/bags/test_flow_and_metrics.cpp
+    test/bags/test_offline_run.cpp
+    test/bags/test_topic_matching.cpp
+  )
+  slam_ros_target(slam_ros_test_bags)
+  target_link_libraries(slam_ros_test_bags
+    slam_ros_bags nlohmann_json::nlohmann_json ${GTEST_MAIN_LIBRARIES})
+  target_compile_definitions(slam_ros_test_bags PRIVATE
+    SLAM_OFFLINE="$<TARGET_FILE:slam_ros_offline>")
+  add_dependencies(slam_ros_test_bags slam_ros_offline)
+  catkin_add_nosetests(test/bags/test_slam_run.py)
+endif()

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include "bag_maker.hpp"
+#include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/bag_reader.hpp"
+
+namespace slam_ros {
+namespace {
+
+using test::BagMaker;
+using test::contains;
+using test::messageOf;
+
+struct BagFile : ::testing::Test {
+  std::string faultOf(const std::string& name) const {
+    return messageOf([&] { BagReader(folder / name); });
+  }
+  BagInputs find(const std::string& name) const {
+    return findInputs(BagReader(folder / name), {}, {}, {});
+  }
+  test::Folder folder;
+};
+
+TEST_F(BagFile, ThatCannotBeReadIsToldByNameAndCause) {
+  folder.write("text.bag", "this is no bag\n");
+  folder.write("empty.bag", "");
+  std::filesystem::create_directory(folder / "folder.bag");
+  EXPECT_TRUE(contains(faultOf("missing.bag"), "there is no such file"));
+  EXPECT_TRUE(contains(faultOf("folder.bag"), "it is a folder"));
+  for (const auto* name : {"text.bag", "empty.bag"}) {
+    EXPECT_TRUE(contains(faultOf(name), "it is not a bag")) << faultOf(name);
+    EXPECT_TRUE(contains(faultOf(name), name)) << faultOf(name);
+  }
+}
+
+TEST_F(BagFile, CutOffAnywhereIsToldAndNeverReadAsIfItWereWhole) {
+  BagMaker(folder / "whole.bag").addOdometry();
+  const auto content = folder.read("whole.bag");
+  for (const double share : {0.2, 0.5, 0.9, 0.999}) {
+    const auto size = static_cast<std::size_t>(share * static_cast<double>(content.size()));
+    folder.write("part.bag", content.substr(0, size));
+    EXPECT_TRUE(contains(faultOf("part.bag"), "cannot read the bag")) << share;
+  }
+}
+
+TEST_F(BagFile, ListsTopicsWithTypesAndCounts) {
+  BagMaker(folder / "x.bag").addOdometry().addObservations();
+  const BagReader bag(folder / "x.bag");
+  EXPECT_EQ(listTopics(bag.topics()),
+            "/observations (slam_msgs/LandmarkObservationArray, 17 messages), /odom "
+            "(nav_msgs/Odometry, 81 messages)");
+  EXPECT_EQ(bag.end() - bag.begin(), std::chrono::seconds(4));
+}
+
+TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {
+  BagMaker(folder / "x.bag").addOdometry().addObservations();
+  const BagReader bag(folder / "x.bag");
+  std::vector<ros::Time> stamps;
+  const auto take = [&](const auto& message) { stamps.push_back(message.header.stamp); };
+  bag.read(handlersFor(find("x.bag"), {take, take, take}));
+  EXPECT_EQ(stamps.size(), 98u);
+  EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
+}
+
+TEST_F(BagFile, WithoutTheInputsIsToldWithWhatIsMissingAndWhatIsThere) {
+  BagMaker(folder / "none.bag").addRobot("any");
+  BagMaker(folder / "empty.bag");
+  const auto message = messageOf([&] { find("none.bag"); });
+  EXPECT_TRUE(contains(message, "'odom' (nav_msgs/Odometry)")) << message;
+  EXPECT_TRUE(contains(message, "'observations' (slam_msgs/LandmarkObservationArray)")) << message;
+  EXPECT_TRUE(contains(message, "it has /robot (std_msgs/String, 1 message)")) << message;
+  EXPECT_TRUE(contains(messageOf([&] { find("empty.bag"); }), "it has no topic"));
+}
+
+TEST_F(BagFile, WithMotionLeavesOdometryOutAndSaysSo) {
+  BagMaker(folder / "x.bag")
+      .addOdometry()
+      .addObservations()
+      .add("/motion", 0, test::motion(0, 1, 0));
+  const auto inputs = find("x.bag");
+  EXPECT_EQ(inputs.motion, "/motion");
+  EXPECT_EQ(inputs.odom, "");
+  ASSERT_EQ(inputs.notes.size(), 1u);
+  EXPECT_TRUE(contains(inputs.notes[0], "the odometry component is left out"));
+}
+
+TEST_F(BagFile, WithOdometryOnlyAsTransformGivesEachStampOnce) {
+  BagMaker(folder / "x.bag")
+      .addObservations()
+      .add("/tf", 0, test::transform("map", "odom", 0))
+      .add("/tf", 1, test::transform("/odom", "/base_link", 1))
+      .add("/tf", 1, test::transform("odom", "base_link", 1))
+      .add("/tf", 2, test::transform("odom", "base_link", 2));
+  const auto inputs = find("x.bag");
+  EXPECT_EQ(inputs.tf, "/tf");
+  std::vector<double> positions;
+  InputSinks sinks;
+  sinks.odom = [&](const auto& message) { positions.push_back(message.pose.pose.position.x); };
+  sinks.observations = [](const auto&) {};
+  BagReader(folder / "x.bag").read(handlersFor(inputs, sinks));
+  EXPECT_EQ(positions, (std::vector<double>{1, 2}));
+}
+
+TEST_F(BagFile, WithOtherTransformsOnlyHasNoOdometry) {
+  BagMaker(folder / "x.bag").addObservations().add("/tf", 0, test::transform("map", "odom", 0));
+  EXPECT_TRUE(contains(messageOf([&] { find("x.bag"); }), "odom -> base_link in /tf"));
+}
+
+TEST_F(BagFile, GivesStaticTransformsButThoseOfTheMap) {
+  BagMaker(folder / "x.bag")
+      .add("/tf_static", 0, test::transform("base_link", "camera", 1))
+      .add("/tf_static", 1, test::transform("base_link", "camera", 2))
+      .add("/tf_static", 2, test::transform("map", "odom", 0));
+  const auto all = staticTransforms(BagReader(folder / "x.bag"), "map");
+  ASSERT_EQ(all.transforms.size(), 1u);
+  EXPECT_EQ(all.transforms[0].transform.translation.x, 2);
+}
+
+}  // namespace
+}  // namespace slam_ros

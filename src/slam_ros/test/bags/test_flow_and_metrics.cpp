@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "slam_ros/flow_window.hpp"
+#include "slam_ros/product_files.hpp"
+#include "slam_ros/run_metrics.hpp"
+
+namespace slam_ros {
+namespace {
+
+constexpr FlowWindow::Timeout kShort(20), kLong(20000);
+
+slam::Stamp stamp(int ns) { return slam::stampFromNanoseconds(ns); }
+
+TEST(FlowWindow, IsFullForOneInputOnlyUntilAcknowledged) {
+  FlowWindow window(2);
+  for (int ns : {1, 2}) window.sent("motion", stamp(ns));
+  EXPECT_FALSE(window.waitForRoom("motion", kShort));
+  EXPECT_TRUE(window.waitForRoom("observations", kShort));
+  window.acknowledged("motion", stamp(1));
+  EXPECT_TRUE(window.waitForRoom("motion", kShort));
+  EXPECT_EQ(window.inFlight(), 1u);
+}
+
+TEST(FlowWindow, AnAcknowledgementCoversEverythingBefore) {
+  FlowWindow window(10);
+  for (int ns : {1, 2, 3}) window.sent("motion", stamp(ns));
+  window.acknowledged("motion", stamp(2));
+  EXPECT_EQ(window.inFlight(), 1u);
+  EXPECT_FALSE(window.waitUntilEmpty(kShort));
+  window.acknowledged("motion", stamp(5));
+  EXPECT_TRUE(window.waitUntilEmpty(kShort));
+}
+
+TEST(FlowWindow, WaitsAsLongAsAnythingIsAcknowledged) {
+  FlowWindow window(10);
+  for (int ns = 1; ns <= 5; ++ns) window.sent("motion", stamp(ns));
+  std::thread other([&] {
+    for (int ns = 1; ns <= 5; ++ns) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      window.acknowledged("motion", stamp(ns));
+    }
+  });
+  EXPECT_TRUE(window.waitUntilEmpty(FlowWindow::Timeout(200)));
+  other.join();
+}
+
+TEST(FlowWindow, StopEndsTheWait) {
+  FlowWindow window(1);
+  window.sent("motion", stamp(1));
+  std::thread other([&] { window.stop(); });
+  EXPECT_FALSE(window.waitForRoom("motion", kLong));
+  other.join();
+}
+
+TEST(Percentile, LiesBetweenNeighboursInAnyOrder) {
+  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 1.0), 4.0);
+  EXPECT_DOUBLE_EQ(percentile({7}, 0.99), 7.0);
+  EXPECT_NEAR(percentile({0, 10}, 0.99), 9.9, 1e-12);
+  EXPECT_THROW(percentile({}, 0.5), std::invalid_argument);
+}
+
+TEST(RunMetrics, LeavesUpdateTimesOutWhenThereWasNone) {
+  const RunMetrics metrics;
+  const auto json = nlohmann::json::parse(metrics.toJson(std::chrono::seconds(10), 3));
+  EXPECT_EQ(json["updates"], 0);
+  EXPECT_EQ(json["dropped_messages"], 3);
+  EXPECT_FALSE(json.contains("update_ms_p50"));
+}
+
+TEST(RunMetrics, GivesUpdateTimesInMilliseconds) {
+  RunMetrics metrics;
+  for (int us : {1000, 2000, 3000}) metrics.addUpdate(std::chrono::microseconds(us));
+  const auto json = nlohmann::json::parse(metrics.toJson(std::chrono::seconds(10), 0));
+  EXPECT_DOUBLE_EQ(json["update_ms_p50"].get<double>(), 2.0);
+  EXPECT_NEAR(json["update_ms_p99"].get<double>(), 2.98, 1e-9);
+}
+
+TEST(ConfigFile, AnUnknownNameIsAnsweredWithTheKnownOnes) {
+  EXPECT_EQ(findConfigFile("/nowhere", "robot", "my/robot.yaml"), "my/robot.yaml");
+  try {
+    findConfigFile("/nowhere", "robot", "mine");
+    FAIL();
+  } catch (const UnknownName& error) {
+    EXPECT_NE(std::string(error.what()).find("there is no robot 'mine'"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace slam_ros

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bag_maker.hpp"
+#include "slam_ros/ground_truth.hpp"
+#include "slam_ros/offline_run.hpp"
+
+namespace slam_ros {
+namespace {
+
+using test::BagMaker;
+using test::contains;
+using test::messageOf;
+
+struct Offline : ::testing::Test {
+  Offline() {
+    product = folder.write("product.yaml", "version: 1\nproduct: test\nbackend: ekf\n");
+    robot = folder.write("robot.yaml", "version: 1\nrobot: test\n");
+    BagMaker(folder / "x.bag").addOdometry().addObservations().addTruth();
+  }
+  OfflineOptions options(const std::string& bag = "x.bag", const std::string& out = "run") const {
+    return {product, robot, folder / bag, folder / out, {}, {}};
+  }
+  std::string faultOf(const OfflineOptions& options) const {
+    return messageOf([&] { OfflineRun(options).run(); });
+  }
+  int exitCode(const std::string& arguments) const {
+    const auto command =
+        std::string(SLAM_OFFLINE) + " " + arguments + " 2> " + (folder / "stderr") + " > /dev/null";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  test::Folder folder;
+  std::string product, robot;
+};
+
+TEST_F(Offline, WritesATrajectoryLineForEachObservationArrayThatOdometryCovers) {
+  ASSERT_EQ(faultOf(options()), "");
+  const auto trajectory = folder.read("run/trajectory.tum");
+  EXPECT_EQ(std::count(trajectory.begin(), trajectory.end(), '\n'), 17);
+  EXPECT_TRUE(contains(trajectory, "100.200000000 "));
+  for (const auto* name : {"odometry.tum", "updates.csv", "landmarks.yaml", "config.yaml",
+                           "trajectory_final.tum", "ground_truth.tum"})
+    EXPECT_TRUE(folder.has(std::string("run/") + name)) << name;
+}
+
+TEST_F(Offline, TwiceGivesTheSameBytes) {
+  ASSERT_EQ(faultOf(options("x.bag", "a")), "");
+  ASSERT_EQ(faultOf(options("x.bag", "b")), "");
+  for (const auto* name : {"trajectory.tum", "updates.csv", "odometry.tum", "landmarks.yaml"}) {
+    EXPECT_FALSE(folder.read(std::string("a/") + name).empty()) << name;
+    EXPECT_EQ(folder.read(std::string("a/") + name), folder.read(std::string("b/") + name)) << name;
+  }
+}
+
+TEST_F(Offline, MotionAndTransformsDriveItAsOdometryDoes) {
+  {
+    BagMaker motion(folder / "motion.bag"), edge(folder / "tf.bag");
+    for (int i = 0; i < 40; ++i) {
+      motion.add("/motion", 0.1 * i, test::motion(0.1 * i, 0.1, static_cast<std::uint64_t>(i)));
+      edge.add("/tf", 0.1 * i, test::transform("odom", "base_link", 0.1 * i));
+    }
+    motion.addObservations();
+    edge.addObservations();
+  }
+  for (const auto* bag : {"motion.bag", "tf.bag"}) {
+    ASSERT_EQ(faultOf(options(bag)), "") << bag;
+    const auto trajectory = folder.read("run/trajectory.tum");
+    EXPECT_EQ(std::count(trajectory.begin(), trajectory.end(), '\n'), 17) << bag;
+  }
+}
+
+TEST_F(Offline, MetricsCountUpdatesAndCost) {
+  ASSERT_EQ(faultOf(options()), "");
+  const auto metrics = nlohmann::json::parse(folder.read("run/metrics.json"));
+  EXPECT_EQ(metrics["updates"], 17);
+  EXPECT_EQ(metrics["dropped_messages"], 0);
+  for (const auto* key :
+       {"update_ms_p50", "update_ms_p99", "cpu_s", "wall_s", "realtime_factor", "max_rss_mb"})
+    EXPECT_GT(metrics[key].get<double>(), 0.0) << key;
+}
+
+TEST_F(Offline, OverridesCountAndMisspeltOnesAreNamed) {
+  auto changed = options();
+  changed.overrides = {"ekf.initial_sigma_position=0.5"};
+  ASSERT_EQ(faultOf(changed), "");
+  EXPECT_TRUE(contains(folder.read("run/config.yaml"), "initial_sigma_position: 0.5"));
+  changed.overrides = {"ekf.initial_sigma_positon=0.5"};
+  EXPECT_TRUE(contains(faultOf(changed), "did you mean 'initial_sigma_position'"));
+}
+
+TEST_F(Offline, TheBagNamesItsRobotUnlessOneIsGiven) {
+  const auto other = folder.write("other.yaml", "version: 1\nrobot: other\n");
+  BagMaker(folder / "named.bag").addOdometry().addObservations().addRobot(other);
+  auto named = options("named.bag");
+  ASSERT_EQ(faultOf(named), "");
+  EXPECT_TRUE(contains(folder.read("run/config.yaml"), "robot: \"test\""));
+  named.robot.clear();
+  ASSERT_EQ(faultOf(named), "");
+  EXPECT_TRUE(contains(folder.read("run/config.yaml"), "robot: \"other\""));
+}
+
+TEST_F(Offline, WithoutAnyRobotAsksForOne) {
+  auto nameless = options();
+  nameless.robot.clear();
+  EXPECT_TRUE(contains(faultOf(nameless), "does not name its robot; give one with --robot"));
+}
+
+TEST_F(Offline, OtherTopicNamesComeFromTheRobotFileOrARemapping) {
+  BagMaker(folder / "y.bag").addOdometry("/a").addOdometry("/b").addObservations("/seen");
+  auto other = options("y.bag");
+  EXPECT_TRUE(contains(faultOf(other), "could be any of /a"));
+  other.remaps = {"odom:=/b"};
+  EXPECT_EQ(faultOf(other), "");
+  other.remaps.clear();
+  other.overrides = {"topics.odom=b"};
+  EXPECT_EQ(faultOf(other), "");
+}
+
+TEST_F(Offline, ObservationsThatNoOdometryCoversAreAFailureNotAnEmptyRun) {
+  BagMaker(folder / "early.bag").addOdometry("/odom", 0.1).addObservations();
+  EXPECT_TRUE(contains(faultOf(options("early.bag")), "no step could be taken"));
+  EXPECT_FALSE(folder.has("run/config.yaml"));
+}
+
+TEST_F(Offline, ExitCodesTellFailureFromWrongUse) {
+  const auto rest = " --robot " + robot + " --out " + (folder / "run") + " --bag ";
+  EXPECT_EQ(exitCode(product + rest + (folder / "x.bag")), 0) << folder.read("stderr");
+  EXPECT_EQ(exitCode("--help"), 0);
+  EXPECT_EQ(exitCode(product + rest + (folder / "missing.bag")), 1);
+  EXPECT_TRUE(contains(folder.read("stderr"), "there is no such file"));
+  EXPECT_EQ(exitCode(product + rest + (folder / "x.bag") + " --sed 3"), 2);
+  EXPECT_TRUE(contains(folder.read("stderr"), "did you mean '--se"));
+  EXPECT_EQ(exitCode(product), 2);
+}
+
+TEST_F(Offline, TruthIsWrittenAndThatOfAnEarlierRunTakenAway) {
+  const auto counts = writeGroundTruth(BagReader(folder / "x.bag"), folder / "");
+  EXPECT_EQ(counts.poses, 41u);
+  EXPECT_EQ(counts.landmarks, 1u);
+  EXPECT_TRUE(contains(folder.read("ground_truth.tum"),
+                       "\n100.100000000 0.100000000 0.000000000 0.000000000 0.000000000 "
+                       "0.000000000 0.000000000 1.000000000\n"));
+  EXPECT_TRUE(contains(folder.read("ground_truth_landmarks.yaml"),
+                       "frame: world\nunits: {position: m, angle: rad}\nlandmarks:\n  - {id: 1, "
+                       "x: 5, y: 2, covariance: [0, 0, 0, 0]}\n"));
+  BagMaker(folder / "untrue.bag").addOdometry();
+  EXPECT_EQ(writeGroundTruth(BagReader(folder / "untrue.bag"), folder / "").poses, 0u);
+  EXPECT_FALSE(folder.has("ground_truth.tum"));
+  EXPECT_FALSE(folder.has("ground_truth_landmarks.yaml"));
+}
+
+}  // namespace
+}  // namespace slam_ros

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of slam_run; what it starts has tests of its own."""
+
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "slam_run"
+
+
+def load():
+    loader = importlib.machinery.SourceFileLoader("slam_run", str(SCRIPT))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("slam_run", loader))
+    sys.dont_write_bytecode = True
+    loader.exec_module(module)
+    return module
+
+
+slam_run = load()
+REQUIRED = ["ekf_wheel", "--bag", "x.bag", "--out", "run"]
+
+
+class WrongUse(unittest.TestCase):
+    def refusal(self, *arguments):
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), self.assertRaises(SystemExit) as end:
+            slam_run.parse_arguments([*REQUIRED, *arguments])
+        self.assertEqual(end.exception.code, 2)
+        return said.getvalue()
+
+    def test_names_the_nearest_option(self):
+        self.assertIn("did you mean --robot?", self.refusal("--robto", "mrclam"))
+
+    def test_refuses_online_options_offline(self):
+        self.assertIn("go with --online", self.refusal("--rate", "2"))
+        self.assertIn("go with --online", self.refusal("--composition", "pubsub"))
+
+    def test_refuses_a_speed_that_is_none(self):
+        self.assertIn("not a speed", self.refusal("--online", "--rate=-1"))
+        self.assertIn("not a speed", self.refusal("--online", "--rate", "nan"))
+
+
+class Launch(unittest.TestCase):
+    def command(self, *arguments):
+        return slam_run.launch_command(slam_run.parse_arguments([*REQUIRED, "--online", *arguments]))
+
+    def test_has_absolute_paths_and_runs_as_fast_as_it_goes(self):
+        command = self.command()
+        self.assertIn(f"bag:={os.getcwd()}/x.bag", command)
+        self.assertIn(f"output_dir:={os.getcwd()}/run", command)
+        self.assertIn("rate:=0", command)
+        self.assertIn("product:=ekf_wheel", command)
+
+    def test_passes_on_what_was_asked_for_without_a_colon_in_a_value(self):
+        command = self.command("--set", "a.b=1", "c.d=2", "--set", "e.f=3", "--remap", "odom:=/w",
+                               "--seed", "7", "--composition", "inprocess", "--rate", "3")
+        for word in ("set:=a.b=1 c.d=2 e.f=3", "remap:=odom=/w", "seed:=7",
+                     "composition:=inprocess", "rate:=3"):
+            self.assertIn(word, command)
+
+
+class Usage(unittest.TestCase):
+    def test_is_empty_without_a_manager(self):
+        self.assertEqual(slam_run.usage(os.getpid()), {})
+
+    def test_is_read_from_a_manager_further_below(self):
+        script = ("import subprocess, sys; subprocess.run([sys.executable, '-c', "
+                  "'open(\"/proc/self/comm\", \"w\").write(\"slam_manager\"); "
+                  "print(sum(range(10**7)), flush=True); input()'])")
+        with subprocess.Popen([sys.executable, "-c", script], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE) as process:
+            process.stdout.readline()
+            used = slam_run.usage(os.getpid())
+            process.communicate(b"\n")
+        self.assertGreater(used["cpu_s"], 0)
+        self.assertGreater(used["max_rss_mb"], 1)
+
+
+class Online(unittest.TestCase):
+    def test_of_a_bag_that_is_not_there_fails_before_anything_starts(self):
+        chosen = slam_run.parse_arguments([*REQUIRED[:2], "/nowhere/x.bag", "--out", "/nowhere/run",
+                                           "--online"])
+        with self.assertRaisesRegex(slam_run.RunError, "there is no such file"):
+            slam_run.run_online(chosen)
+
+
+if __name__ == "__main__":
+    unittest.main()
