@@ -12,9 +12,13 @@
 
 namespace {
 
+constexpr int kGraceRounds = 10;  // of 0.1 s
+
 volatile std::sig_atomic_t stop = 0;
 
 void onSignal(int) { stop = 1; }
+
+void spinOnce() { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1)); }
 
 }  // namespace
 
@@ -25,8 +29,10 @@ int main(int argc, char** argv) {
   ros::NodeHandle handle;  // keeps ROS up until the end
   {
     nodelet::Loader loader;
-    while (stop == 0 && ros::ok())
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    while (stop == 0 && ros::ok()) spinOnce();
+    // who loaded a nodelet mostly unloads it at the same signal, and complains when it is gone
+    for (int i = 0; i < kGraceRounds && ros::ok() && !loader.listLoadedNodelets().empty(); ++i)
+      spinOnce();
     loader.clear();
   }
   ros::shutdown();
