@@ -8,6 +8,12 @@ find_package(rosbag_storage REQUIRED)
 find_package(rosgraph_msgs REQUIRED)
 find_package(roslib REQUIRED)
 
+function(slam_ros_bag_target target)
+  slam_ros_target(${target})
+  target_include_directories(${target} SYSTEM PRIVATE
+    ${rosbag_storage_INCLUDE_DIRS} ${rosgraph_msgs_INCLUDE_DIRS} ${roslib_INCLUDE_DIRS})
+endfunction()
+
 add_library(slam_ros_bags
   src/bag_clock.cpp
   src/bag_inputs.cpp
@@ -20,15 +26,13 @@ add_library(slam_ros_bags
   src/run_metrics.cpp
   src/topic_matching.cpp
 )
-slam_ros_target(slam_ros_bags)
-target_include_directories(slam_ros_bags SYSTEM PUBLIC
-  ${rosbag_storage_INCLUDE_DIRS} ${roslib_INCLUDE_DIRS})
+slam_ros_bag_target(slam_ros_bags)
 target_link_libraries(slam_ros_bags
   PUBLIC slam_ros ${rosbag_storage_LIBRARIES}
   PRIVATE fmt::fmt nlohmann_json::nlohmann_json ${roslib_LIBRARIES})
 
 add_library(slam_ros_bag_source src/bag_source_nodelet.cpp)
-slam_ros_target(slam_ros_bag_source)
+slam_ros_bag_target(slam_ros_bag_source)
 target_link_libraries(slam_ros_bag_source PRIVATE slam_ros_bags)
 
 add_executable(slam_ros_offline src/slam_offline.cpp)
@@ -36,7 +40,7 @@ add_executable(slam_ros_ground_truth src/slam_ground_truth.cpp)
 set_target_properties(slam_ros_offline PROPERTIES OUTPUT_NAME slam_offline)
 set_target_properties(slam_ros_ground_truth PROPERTIES OUTPUT_NAME slam_ground_truth)
 foreach(target slam_ros_offline slam_ros_ground_truth)
-  slam_ros_target(${target})
+  slam_ros_bag_target(${target})
   target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt)
 endforeach()
 target_link_libraries(slam_ros_offline PRIVATE CLI11::CLI11)
@@ -54,7 +58,7 @@ if(CATKIN_ENABLE_TESTING)
     test/bags/test_offline_run.cpp
     test/bags/test_topic_matching.cpp
   )
-  slam_ros_target(slam_ros_test_bags)
+  slam_ros_bag_target(slam_ros_test_bags)
   target_link_libraries(slam_ros_test_bags
     slam_ros_bags nlohmann_json::nlohmann_json ${GTEST_MAIN_LIBRARIES})
   target_compile_definitions(slam_ros_test_bags PRIVATE

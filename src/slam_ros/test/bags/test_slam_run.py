@@ -10,6 +10,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "slam_run"
@@ -24,7 +25,8 @@ def load():
 
 
 slam_run = load()
-REQUIRED = ["ekf_wheel", "--bag", "x.bag", "--out", "run"]
+PRODUCT = "version: 1\nproduct: p\nbackend: ekf\nodometry: wheel\nmap: landmarks\nseed: 1\n"
+REQUIRED = ["p.yaml", "--bag", "x.bag", "--out", "run"]
 
 
 class WrongUse(unittest.TestCase):
@@ -48,6 +50,13 @@ class WrongUse(unittest.TestCase):
 
 
 class Launch(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
+        pathlib.Path("p.yaml").write_text(PRODUCT, encoding="ascii")
+
     def command(self, *arguments):
         return slam_run.launch_command(slam_run.parse_arguments([*REQUIRED, "--online", *arguments]))
 
@@ -56,7 +65,12 @@ class Launch(unittest.TestCase):
         self.assertIn(f"bag:={os.getcwd()}/x.bag", command)
         self.assertIn(f"output_dir:={os.getcwd()}/run", command)
         self.assertIn("rate:=0", command)
-        self.assertIn("product:=ekf_wheel", command)
+        self.assertIn(f"product:={os.getcwd()}/p.yaml", command)
+
+    def test_names_the_features_of_the_product(self):
+        command = self.command()
+        for word in ("backend:=ekf", "odometry:=wheel", "map:=landmarks"):
+            self.assertIn(word, command)
 
     def test_passes_on_what_was_asked_for_without_a_colon_in_a_value(self):
         command = self.command("--set", "a.b=1", "c.d=2", "--set", "e.f=3", "--remap", "odom:=/w",
