@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of the benchmarks."""
+import numpy as np
+
+from slam_eval import plot_style as look
+from slam_eval import se2
+
+_COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK, look.ERROR)
+
+
+def _plain(axes):
+    for side in ('top', 'right'):
+        axes.spines[side].set_visible(False)
+
+
+def _log_log(axes, x_values, x_label, y_label):
+    """Logarithmic axes whose x ticks are the sizes that were measured."""
+    axes.set_xscale('log')
+    axes.set_yscale('log')
+    axes.set_xticks(x_values, [str(x) for x in x_values])
+    axes.minorticks_off()
+    axes.set_xlabel(x_label)
+    axes.set_ylabel(y_label)
+    axes.yaxis.set_major_formatter(look.plt.FuncFormatter(lambda value, _: f'{value:g}'))
+    _plain(axes)
+
+
+def _name_line(axes, x, y, text, colour):
+    """The name of a line at its end."""
+    axes.annotate(text, (x, y), xytext=(8, 0), textcoords='offset points', color=colour,
+                  va='center', fontsize=9)
+
+
+def plot_average_nees(results, bounds, path):
+    """NEES averaged over the seeds against the step, by length of the loop [m], with bounds."""
+    with look.style():
+        figure, axes = look.plt.subplots(figsize=(9.2, 4.4), constrained_layout=True)
+        axes.axhspan(*bounds, color=look.BAND, alpha=0.18, linewidth=0)
+        axes.axhline(3.0, color=look.MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
+        for colour, (loop, result) in zip(_COLOURS, results.items()):
+            values = result['average_nees']
+            axes.plot(np.arange(1, len(values) + 1), values, color=colour, linewidth=1.3)
+            _name_line(axes, len(values), values[-1], f'loop of {loop} m', colour)
+        axes.set_yscale('log')
+        axes.set_xlabel('step')
+        axes.set_ylabel('NEES of the pose')
+        axes.yaxis.set_major_formatter(look.plt.FuncFormatter(lambda value, _: f'{value:g}'))
+        axes.margins(x=0.02)
+        axes.set_title('NEES averaged over the seeds')
+        axes.set_title('band: its 95 % bounds', loc='right', fontsize=9, fontweight='normal',
+                       color=look.MUTED)
+        _plain(axes)
+        look.save(figure, path)
+
+
+def _plot_lines(lines, title, y_label, path):
+    """Named lines of (sizes, values) in logarithmic axes."""
+    with look.style():
+        figure, axes = look.plt.subplots(figsize=(7.6, 4.8), constrained_layout=True)
+        for colour, (name, (x, y)) in zip(_COLOURS, lines.items()):
+            axes.plot(x, y, color=colour, marker='o', markersize=5, linewidth=1.5)
+            _name_line(axes, x[-1], y[-1], name, colour)
+        sizes = sorted({value for x, _ in lines.values() for value in x})
+        _log_log(axes, sizes, 'landmarks', y_label)
+        axes.margins(x=0.22)
+        axes.set_title(title)
+        look.save(figure, path)
+
+
+def plot_cpu(sizes, product, path):
+    """CPU time of ours and kf-slam against the number of landmarks."""
+    x = [size.landmarks for size in sizes]
+    lines = {product: (x, [size.ours.usage.cpu_s for size in sizes])}
+    if all(size.theirs is not None for size in sizes):
+        lines['kf-slam'] = (x, [size.theirs.usage.cpu_s for size in sizes])
+    _plot_lines(lines, 'CPU time of the whole run', 'CPU time [s]', path)
+
+
+def plot_updates(sizes, path):
+    """Time of an update against the number of landmarks, a line for each number of readings."""
+    lines = {}
+    for count in sorted({count for size in sizes for count in size.times}):
+        measured = [size for size in sizes if count in size.times]
+        lines[f'{count} observation{"s" * (count > 1)}'] = (
+            [size.landmarks for size in measured], [size.times[count] for size in measured])
+    _plot_lines(lines, 'CPU time of one update', 'CPU time [ms]', path)
+
+
+def _draw_robot(axes, robot):
+    run, result = robot.run, robot.result
+    estimate = run.trajectory.poses
+    if result.ate is not None:
+        estimate = se2.transform_poses(result.ate.T_truth_map, estimate)
+        start, end = run.trajectory.stamps[[0, -1]]
+        during = (run.truth.stamps >= start) & (run.truth.stamps <= end)
+        axes.plot(*run.truth.poses[during, :2].T, color=look.TRUTH, linewidth=1.8, alpha=0.35)
+    axes.plot(*estimate[:, :2].T, color=look.ESTIMATE, linewidth=0.7)
+    if run.true_landmarks is not None:
+        axes.plot(*run.true_landmarks.positions.T, '+', color=look.LANDMARK, markersize=6)
+    axes.set_aspect('equal', adjustable='datalim')
+    title = f'robot {robot.name}'
+    axes.set_title(title if result.ate is None else f'{title} · ATE {result.ate.rmse:.2f} m',
+                   fontsize=10)
+    _plain(axes)
+
+
+def plot_trajectories(robots, path):
+    """Estimate, aligned to the truth, truth and true landmarks of each robot side by side."""
+    with look.style():
+        figure, grid = look.plt.subplots(2, (len(robots) + 1) // 2, squeeze=False,
+                                         figsize=(10.0, 7.0), constrained_layout=True)
+        for axes, robot in zip(grid.flat, robots):
+            _draw_robot(axes, robot)
+        for axes in grid.flat[len(robots):]:
+            axes.axis('off')
+        line = look.plt.Line2D
+        handles = [line([], [], color=look.ESTIMATE, linewidth=1.2),
+                   line([], [], color=look.TRUTH, linewidth=2.4, alpha=0.35),
+                   line([], [], color=look.LANDMARK, marker='+', linestyle='none')]
+        figure.legend(handles, ['estimate', 'ground truth', 'true landmark'], ncol=3,
+                      loc='outside lower center')
+        look.save(figure, path)
