@@ -97,6 +97,22 @@ class Usage(unittest.TestCase):
         self.assertGreater(used["max_rss_mb"], 1)
 
 
+class Output(unittest.TestCase):
+    def of(self, text):
+        shown = io.StringIO()
+        with contextlib.redirect_stdout(shown), \
+                subprocess.Popen(["printf", text], stdout=subprocess.PIPE, text=True) as process:
+            output = slam_run.Output(process)
+            output.start()
+            output.join()
+        return shown.getvalue(), output.is_through
+
+    def test_is_passed_on_and_tells_whether_the_bag_came_to_its_end(self):
+        self.assertEqual(self.of("a\n[INFO] x.bag is through\nb\n"),
+                         ("a\n[INFO] x.bag is through\nb\n", True))
+        self.assertEqual(self.of("a\nb"), ("a\nb", False))
+
+
 class Online(unittest.TestCase):
     def test_of_a_bag_that_is_not_there_fails_before_anything_starts(self):
         chosen = slam_run.parse_arguments([*REQUIRED[:2], "/nowhere/x.bag", "--out", "/nowhere/run",
