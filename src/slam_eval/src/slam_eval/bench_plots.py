@@ -108,7 +108,8 @@ def _draw_robot(axes, robot):
 def plot_trajectories(robots, path):
     """Estimate, aligned to the truth, truth and true landmarks of each robot side by side."""
     with look.style():
-        figure, grid = look.plt.subplots(2, (len(robots) + 1) // 2, squeeze=False,
+        # One panel more than robots: it holds the legend.
+        figure, grid = look.plt.subplots(2, len(robots) // 2 + 1, squeeze=False,
                                          figsize=(10.0, 7.0), constrained_layout=True)
         for axes, robot in zip(grid.flat, robots):
             _draw_robot(axes, robot)
@@ -118,6 +119,5 @@ def plot_trajectories(robots, path):
         handles = [line([], [], color=look.ESTIMATE, linewidth=1.2),
                    line([], [], color=look.TRUTH, linewidth=2.4, alpha=0.35),
                    line([], [], color=look.LANDMARK, marker='+', linestyle='none')]
-        figure.legend(handles, ['estimate', 'ground truth', 'true landmark'], ncol=3,
-                      loc='outside lower center')
+        grid.flat[-1].legend(handles, ['estimate', 'ground truth', 'true landmark'], loc='center')
         look.save(figure, path)

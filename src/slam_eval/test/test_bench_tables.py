@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables, options and figures of the benchmarks, without running any of them."""
+import argparse
+import configparser
+import contextlib
+import io
+import json
+import pathlib
+import tempfile
+import types
+import unittest
+
+from slam_eval import (bench_cli, bench_consistency, bench_landmarks, bench_mrpt_config as mrpt,
+                       bench_table, bench_update)
+from slam_eval.bench_error import BenchError
+from slam_eval.bench_process import Usage
+from slam_eval.bench_runs import Result
+
+
+def result(cpu_s, mean_m, matched=90):
+    """A run of so much CPU time and so large an error."""
+    return Result(Usage(cpu_s, 2 * cpu_s, 30.0), {'mean_m': mean_m, 'matched': matched})
+
+
+class Table(unittest.TestCase):
+
+    def test_lines_are_aligned_and_numbers_stand_to_the_right(self):
+        lines = bench_table.table(['name', 'x [m]'], [['a', '1.5'], ['longer', '12.25']])
+        self.assertEqual(lines.split('\n'), ['| name   | x [m] |', '|--------|------:|',
+                                             '| a      |   1.5 |', '| longer | 12.25 |'])
+
+    def test_a_column_of_dashes_is_left_out(self):
+        header, rows = bench_table.drop_empty(['a', 'b', 'c'], [['1', '-', '-'], ['2', '-', '3']])
+        self.assertEqual((header, rows), (['a', 'c'], [['1', '-'], ['2', '3']]))
+
+    def test_a_missing_number_is_a_dash(self):
+        self.assertEqual([bench_table.number(v, '.2f') for v in (None, 0.0)], ['-', '0.00'])
+
+    def test_the_mean_of_a_column_with_a_gap_is_missing(self):
+        self.assertEqual(bench_table.mean_row('mean', [['1', 2.0, 1.0], ['2', 4.0, None]]),
+                         ['mean', 3.0, None])
+
+    def test_a_verdict_says_whether_the_limit_is_kept(self):
+        self.assertIn('reached', bench_table.verdict(1.05, 1.05, at_most=True))
+        self.assertIn('MISSED', bench_table.verdict(1.06, 1.05, at_most=True))
+        self.assertIn('MISSED', bench_table.verdict(29.0, 30.0, at_most=False))
+
+    def test_pictures_stand_only_on_the_page_relative_to_it(self):
+        section = bench_table.Section('T', ['text'], {'p': pathlib.Path('/out/p.png')})
+        self.assertNotIn('p.png', section.markdown())
+        self.assertIn('![p](p.png)', section.markdown(pathlib.Path('/out')))
+
+
+class Options(unittest.TestCase):
+
+    def test_sizes_are_sorted_and_taken_once(self):
+        self.assertEqual(bench_cli.number_list('300,100,300'), (100, 300))
+
+    def test_a_size_that_is_no_number_above_0_is_refused(self):
+        for text in ('', '100,', '0', '-5', '1.5', 'many'):
+            with self.subTest(text), self.assertRaises(argparse.ArgumentTypeError):
+                bench_cli.number_list(text)
+
+    def test_parts_run_in_their_own_order(self):
+        self.assertEqual(bench_cli.part_list('update,demo'), ['demo', 'update'])
+
+    def test_an_unknown_part_is_refused_with_the_known_ones(self):
+        with self.assertRaisesRegex(argparse.ArgumentTypeError, 'demos.*consistency'):
+            bench_cli.part_list('demo,demos')
+
+
+class Parts(unittest.TestCase):
+
+    def run_parts(self, parts, folder):
+        """Run the given functions as parts; returns (failed, text of the page)."""
+        saved, page = dict(bench_cli.PARTS), folder / 'page.md'
+        context = types.SimpleNamespace(out=folder, progress=bench_cli.Progress())
+        bench_cli.PARTS.update(parts)
+        try:
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(
+                    io.StringIO()):
+                failed = bench_cli.run_parts(list(parts), context, page, '# Title\n')
+        finally:
+            bench_cli.PARTS.clear()
+            bench_cli.PARTS.update(saved)
+        return failed, page.read_text(encoding='utf-8')
+
+    def test_a_part_that_fails_does_not_keep_the_others_from_running(self):
+        def failing(_):
+            raise BenchError('no such thing')
+
+        with tempfile.TemporaryDirectory() as folder:
+            failed, text = self.run_parts(
+                {'first': failing, 'second': lambda _: bench_table.Section('Second')},
+                pathlib.Path(folder))
+        self.assertEqual(failed, ['first'])
+        self.assertIn('## Second', text)
+
+
+class MrptConfiguration(unittest.TestCase):
+
+    def read(self, text):
+        """The file as kf-slam reads it."""
+        parser = configparser.ConfigParser()
+        parser.read_string(text)
+        return parser
+
+    def test_the_simulated_box_is_30_m_wide_and_holds_the_landmarks(self):
+        box = self.read(mrpt.simulation_ini(mrpt.World(300), 'w.rawlog'))['RANDOMSET_1']
+        self.assertEqual(box.getint('nLandmarks'), 300)
+        self.assertEqual(box.getfloat('max_x') - box.getfloat('min_x'), 30.0)
+        self.assertEqual(box.getfloat('max_y') - box.getfloat('min_y'), 30.0)
+
+    def test_kf_slam_saves_the_map_of_the_last_step(self):
+        world = mrpt.World(100, steps=600)
+        ini = self.read(mrpt.kf_slam_ini(world.last_step))
+        self.assertEqual(ini['MappingApplication'].getint('SAVE_LOG_FREQUENCY'), 598)
+        self.assertEqual(mrpt.scene_name(world.last_step), 'kf_state_00598.3Dscene')
+
+    def test_kf_slam_gets_the_sigmas_it_is_given(self):
+        ini = self.read(mrpt.kf_slam_ini(598, 0.01, 0.2))['RangeBearingKFSLAM']
+        self.assertEqual(ini.getfloat('std_sensor_range'), 0.01)
+        self.assertEqual(ini.getfloat('std_sensor_yaw_deg'), 0.2)
+
+
+class Consistency(unittest.TestCase):
+
+    def test_bounds_narrow_around_3_with_the_seeds(self):
+        low, high = bench_consistency.bounds(50)
+        self.assertAlmostEqual(low, 2.3597, places=3)   # chi2.ppf(0.025, 150) / 50
+        self.assertAlmostEqual(high, 3.7160, places=3)  # chi2.ppf(0.975, 150) / 50
+
+    def test_the_first_steps_do_not_count(self):
+        values = [100.0] * bench_consistency.FIRST_STEP + [3.0, 3.0, 3.0, 9.0]
+        inside, mean = bench_consistency.summary({'seeds': 50, 'average_nees': values})
+        self.assertEqual((inside, mean), (0.75, 4.5))
+
+    def test_a_nees_that_is_not_finite_is_an_error(self):
+        values = [3.0] * 30 + [float('nan')]
+        with self.assertRaisesRegex(BenchError, 'finite'):
+            bench_consistency.summary({'seeds': 50, 'average_nees': values})
+
+
+class Landmarks(unittest.TestCase):
+
+    def test_a_line_holds_ratio_and_goal(self):
+        size = bench_landmarks.Size(300, result(0.5, 0.004), result(8.0, 0.005))
+        cells = dict(zip(bench_landmarks.HEADER, bench_landmarks.row(size)))
+        self.assertEqual((cells['ratio'], cells['goal']), ('16.0', '>= 15: reached'))
+        self.assertEqual((cells['ours error [mm]'], cells['kf-slam error [mm]']), ('4.00', '5.00'))
+
+    def test_without_kf_slam_its_columns_are_left_out(self):
+        row = bench_landmarks.row(bench_landmarks.Size(300, result(0.5, 0.004), None))
+        header, _ = bench_table.drop_empty(bench_landmarks.HEADER, [row])
+        self.assertEqual(header, ['landmarks', 'seen', 'ours CPU [s]', 'ours error [mm]',
+                                  'ours memory [MB]'])
+
+
+class Update(unittest.TestCase):
+
+    def test_sizes_are_taken_from_the_list_of_benchmarks(self):
+        names = 'ekf/landmarks:1000/observations:1\nekf/landmarks:100/observations:1\nother\n'
+        self.assertEqual(bench_update.parse_sizes(names), [100, 1000])
+
+    def test_times_are_in_milliseconds_whatever_the_unit(self):
+        entries = [{'name': f'ekf/landmarks:100/observations:{n}', 'cpu_time': t, 'time_unit': u}
+                   for n, t, u in ((1, 2.0, 'ms'), (10, 500.0, 'us'))]
+        self.assertEqual(bench_update.parse_times(json.dumps({'benchmarks': entries})),
+                         {1: 2.0, 10: 0.5})
+
+    def test_other_output_is_an_error(self):
+        for text in ('', '{}', '[1]', 'Run on (2 X 2000 MHz CPUs)'):
+            with self.subTest(text), self.assertRaises(BenchError):
+                bench_update.parse_times(text)
+
+    def test_a_time_that_was_not_measured_is_a_dash(self):
+        sizes = [bench_update.Size(100, {1: 0.25, 10: 1.0}, 10.0),
+                 bench_update.Size(300, {1: 0.5}, 12.0)]
+        self.assertEqual(bench_update.rows(sizes)[1], [['100', '0.250', '1.000', '10.0'],
+                                                       ['300', '0.500', '-', '12.0']])
+
+
+if __name__ == '__main__':
+    unittest.main()
