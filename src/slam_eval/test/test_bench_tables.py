@@ -20,7 +20,8 @@ from slam_eval.bench_runs import Result
 
 def result(cpu_s, mean_m, matched=90):
     """A run of so much CPU time and so large an error."""
-    return Result(Usage(cpu_s, 2 * cpu_s, 30.0), {'mean_m': mean_m, 'matched': matched})
+    return Result(Usage(cpu_s, 2 * cpu_s, 30.0), {'mean_m': mean_m, 'aligned_mean_m': mean_m / 2,
+                                                     'matched': matched})
 
 
 class Table(unittest.TestCase):
@@ -146,15 +147,25 @@ class Landmarks(unittest.TestCase):
 
     def test_a_line_holds_ratio_and_goal(self):
         size = bench_landmarks.Size(300, result(0.5, 0.004), result(8.0, 0.005))
-        cells = dict(zip(bench_landmarks.HEADER, bench_landmarks.row(size)))
+        cells = dict(zip(bench_landmarks.COST, bench_landmarks.cost_row(size)))
         self.assertEqual((cells['ratio'], cells['goal']), ('16.0', '>= 15: reached'))
-        self.assertEqual((cells['ours error [mm]'], cells['kf-slam error [mm]']), ('4.00', '5.00'))
+
+    def test_errors_are_in_millimetres_ours_first(self):
+        size = bench_landmarks.Size(300, result(0.5, 0.004), result(8.0, 0.005))
+        self.assertEqual(bench_landmarks.accuracy_row(size),
+                         ['300', '4.000', '5.000', '2.000', '2.500'])
+
+    def test_a_size_without_a_goal_gets_no_verdict(self):
+        size = bench_landmarks.Size(100, result(0.5, 0.004), result(8.0, 0.005))
+        self.assertEqual(bench_landmarks.cost_row(size)[5], '-')
 
     def test_without_kf_slam_its_columns_are_left_out(self):
-        row = bench_landmarks.row(bench_landmarks.Size(300, result(0.5, 0.004), None))
-        header, _ = bench_table.drop_empty(bench_landmarks.HEADER, [row])
-        self.assertEqual(header, ['landmarks', 'seen', 'ours CPU [s]', 'ours error [mm]',
-                                  'ours memory [MB]'])
+        size = bench_landmarks.Size(300, result(0.5, 0.004), None)
+        header, _ = bench_table.drop_empty(bench_landmarks.COST, [bench_landmarks.cost_row(size)])
+        self.assertEqual(header, ['landmarks', 'seen', 'ours CPU [s]', 'ours memory [MB]'])
+        header, _ = bench_table.drop_empty(bench_landmarks.ACCURACY,
+                                           [bench_landmarks.accuracy_row(size)])
+        self.assertEqual(header, ['landmarks', 'ours [mm]', 'ours, aligned [mm]'])
 
 
 class Update(unittest.TestCase):

@@ -62,9 +62,9 @@ def measure(context):
     section = Section('Consistency: a simulated loop')
     section.paragraphs += [
         table(HEADER, [row(loop, result) for loop, result in results.items()]),
-        f'Three laps past 20 landmarks, {context.seeds} seeds. "In bounds": share of the steps after '
-        f'the first {FIRST_STEP} whose NEES, averaged over the seeds, lies inside its 95 % bounds '
-        f'({low:.2f} to {high:.2f}; 3 and 1 are expected of NEES and NIS/dof).']
+        f'Three laps past 20 landmarks, {context.seeds} seeds. "In bounds": share of the steps '
+        f'after the first {FIRST_STEP} whose NEES, averaged over the seeds, lies inside its 95 % '
+        f'bounds ({low:.2f} to {high:.2f}; 3 and 1 are expected of NEES and NIS/dof).']
     path = context.out / 'consistency_nees.png'
     plot_average_nees(results, (low, high), path)
     section.pictures['average NEES over time'] = path

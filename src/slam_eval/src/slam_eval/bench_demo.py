@@ -6,8 +6,8 @@ import pathlib
 from slam_eval import bench_mrpt_config as mrpt
 from slam_eval.bench_runs import PRODUCT, kf_slam_on_rawlog, ours_on_rawlog
 from slam_eval.bench_table import Section, number, table, verdict
-from slam_eval.plot_map import plot_map
 from slam_eval.metrics import evaluate
+from slam_eval.plot_map import plot_map
 from slam_eval.run_folder import read_run
 
 LOG = pathlib.Path('/usr/share/mrpt/datasets/kf-slam_demo.rawlog')
@@ -48,10 +48,11 @@ def measure(context):
     else:
         rows.append(row('kf-slam, 2-D', theirs))
         ratio = ours.errors['mean_m'] / theirs.errors['mean_m']
-        remark = (f'Ratio of the mean errors {ratio:.4f} ({verdict(ratio, LIMIT, True)}). kf-slam '
-                  f'with its 2-D configuration as shipped (range sigma {mrpt.SHIPPED_RANGE_SIGMA} m,'
-                  ' the log has 0.01 m). Both maps compared with the truth by one rule, in the frame'
-                  ' of the start.')
+        remark = (
+            f'Ratio of the mean errors {ratio:.4f} ({verdict(ratio, LIMIT, True)}). kf-slam with '
+            f'its 2-D configuration as shipped (range sigma {mrpt.SHIPPED_RANGE_SIGMA} m, the log '
+            'has 0.01 m). Both maps compared with the truth by one rule, in the frame of the '
+            'start.')
     section.paragraphs += [table(HEADER, rows), remark]
     section.pictures['map of kf-slam_demo.rawlog'] = _picture(folder, context.out / 'demo_map.png')
     return section

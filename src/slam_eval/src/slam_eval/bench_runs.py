@@ -34,7 +34,7 @@ class Context:
 
 @dataclasses.dataclass(frozen=True)
 class Result:
-    """Cost of a run and the errors [m] of its map; `compare` says which figures."""
+    """Cost of a run and the errors of its map: the figures of `compare`, and `aligned_mean_m`."""
 
     usage: bench_process.Usage
     errors: dict
@@ -66,7 +66,9 @@ def run_ours(context, name, bag, robot):
 
 def landmark_result(usage, path, truth, rawlog=None):
     """The result of a run by its map: the same rule for our maps and kf-slam's."""
-    return Result(usage, compare(read_map(path, rawlog), read_map(truth)))
+    estimate, true = read_map(path, rawlog), read_map(truth)
+    aligned = compare(estimate, true, align=True)['mean_m']
+    return Result(usage, {**compare(estimate, true), 'aligned_mean_m': aligned})
 
 
 def ours_on_rawlog(context, name, rawlog, truth):
@@ -91,10 +93,10 @@ def kf_slam_on_rawlog(context, name, rawlog, truth, ini, last_step):
         return None
     folder = context.folder(f'{name}_kf_slam')
     (folder / 'kf-slam.ini').write_text(ini, encoding='ascii')
-    log = folder / 'kf-slam.log'
+    log, scene = folder / 'kf-slam.log', folder / 'map' / mrpt.scene_name(last_step)
+    scene.unlink(missing_ok=True)  # of an earlier call with the same --keep
     usage = call(context, f'kf-slam on {name}', [program, 'kf-slam.ini', rawlog], log, folder,
                  lambda: f'step {_last_step(log)} of {last_step}')
-    scene = folder / 'map' / mrpt.scene_name(last_step)
     if not scene.exists():
         raise BenchError(f'kf-slam wrote no {scene.name} for {rawlog}; its output is {log} '
                          '(call again with --keep DIR)')
