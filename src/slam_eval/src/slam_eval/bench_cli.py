@@ -7,6 +7,7 @@ import datetime
 import os
 import pathlib
 import shutil
+import signal
 import sys
 import tempfile
 
@@ -160,6 +161,8 @@ def bench(options):
 def main(arguments=None):
     """Entry point: exit code 0 done, 1 a part failed, 2 wrong use."""
     options = parse(arguments)
+    # A stop from outside ends the running program and removes the temporary files as well.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         return bench(options)
     except OSError as error:
