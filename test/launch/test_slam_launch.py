@@ -131,6 +131,20 @@ class SlamLaunchTest(unittest.TestCase):
         output, _ = run_launch(f"bag:={self.bag}", "rate:=0", "output_dir:=/proc/no_folder_here")
         self.assertIn("cannot make the output folder /proc/no_folder_here", output)
 
+    @unittest.skipUnless(os.geteuid() == 0, "only root can mount a small disk")
+    def test_full_disk_is_told_and_leaves_no_run_that_looks_complete(self):
+        disk = self.root / "small"
+        disk.mkdir()
+        mount = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=24k", "tmpfs", disk], check=False)
+        if mount.returncode != 0:
+            self.skipTest("this machine does not let root mount")
+        try:
+            output, _ = run_launch(f"bag:={self.bag}", "rate:=0", f"output_dir:={disk}/run")
+            self.assertIn("is the disk full?", output)
+            self.assertFalse((disk / "run" / "config.yaml").exists())
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
     def test_each_shipped_product_and_robot_loads(self):
         share = pathlib.Path(rospkg.RosPack().get_path("slam_launch"))
         products = sorted((share / "products").glob("*.yaml"))

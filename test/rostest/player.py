@@ -54,6 +54,7 @@ class Player:
     def __init__(self):
         self.log = read_log()
         self.lock = threading.Lock()
+        self.now = rospy.Time(0)  # of the clock; to set it to zero lets it jump back
         self.received = {}
         self.clear()
         self.clock = rospy.Publisher("/clock", Clock, queue_size=100)
@@ -81,7 +82,8 @@ class Player:
             self.received = {topic: [] for topic in OUTPUTS}
 
     def send(self, topic, message):
-        self.clock.publish(Clock(clock=message.header.stamp))
+        self.now = max(self.now, message.header.stamp)
+        self.clock.publish(Clock(clock=self.now))
         self.publishers[topic].publish(message)
         time.sleep(0.004)
 
@@ -100,6 +102,7 @@ class Player:
         """A fresh start: plays the beginning of the log; returns its messages."""
         rospy.ServiceProxy("reset", Trigger)()
         self.clear()
+        self.now = rospy.Time(0)
         part = self.part(0, observations)
         self.play(part)
         wait_for(lambda: len(self.get("pose")) >= observations)
