@@ -4,6 +4,7 @@
 #include "slam_core/common/settings.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "slam_core/common/config_error.hpp"
 
@@ -56,6 +57,7 @@ void requireVersion(const ConfigDocument& document) {
 }  // namespace
 
 ConfigDocument loadConfigFile(const std::string& file) {
+  if (std::filesystem::is_directory(file)) throw ConfigError(file + " is a folder, not a file");
   try {
     return {file, YAML::LoadFile(file)};
   } catch (const YAML::BadFile&) {

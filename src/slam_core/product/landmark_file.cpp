@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
@@ -162,6 +163,8 @@ void saveLandmarks(const std::string& path, const LandmarkFile& file) {
 }
 
 LandmarkFile loadLandmarks(const std::string& path, const std::string& frame) {
+  if (std::filesystem::is_directory(path))
+    throw std::runtime_error("cannot use the landmark map " + path + ": it is a folder");
   try {
     return parse(YAML::LoadFile(path), frame);
   } catch (const YAML::BadFile&) {

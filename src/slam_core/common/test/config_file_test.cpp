@@ -29,6 +29,11 @@ TEST(ConfigFile, SaysWhichFileIsMissing) {
   EXPECT_TRUE(oneSays(faultsOf([&] { loadConfigFile(path); }), {path.c_str(), "exist"}));
 }
 
+TEST(ConfigFile, DoesNotReadAFolder) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(oneSays(faultsOf([&] { loadConfigFile(folder / ""); }), {"is a folder"}));
+}
+
 TEST(ConfigFile, SaysWhereTheYamlIsBroken) {
   const TemporaryFolder folder;
   const auto path = folder.write("product.yaml", "version: 1\nekf: {gate: [1, 2\n");
