@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <slam_ros/backend_nodelet.hpp>
-
 #include <pluginlib/class_list_macros.hpp>
+#include <slam_ros/backend_nodelet.hpp>
 
 #include "slam_core/ekf/ekf_slam.hpp"
 

@@ -6,10 +6,10 @@
 #include <slam_msgs/Motion.h>
 // ros.h comes first: nodelet.h only declares what it uses
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
 #include <optional>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "slam_core/wheel_odometry/wheel_odometry.hpp"
 #include "slam_ros/clock_watch.hpp"

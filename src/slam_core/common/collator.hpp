@@ -17,8 +17,8 @@
 namespace slam {
 
 /// Merges motion and triggers (observation arrays, scans) by stamp into steps, whatever the order
-/// of their arrival: a step is taken when motion covers its stamp and every other trigger source has
-/// passed it; the increment that spans the stamp is split there.
+/// of their arrival: a step is taken when motion covers its stamp and every other trigger source
+/// has passed it; the increment that spans the stamp is split there.
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "source_timeout",
@@ -101,8 +101,7 @@ class Collator {
     if (!motions_.last() || *motions_.last() < stamp) return false;
     return std::all_of(triggers_.begin(), triggers_.end(), [&](const auto& other) {
       if (!other.empty() || (other.last() && *other.last() >= stamp)) return true;
-      if (*motions_.last() - std::max(stamp, other.last().value_or(stamp)) <
-          limits_.source_timeout)
+      if (*motions_.last() - std::max(stamp, other.last().value_or(stamp)) < limits_.source_timeout)
         return false;
       counters_.add("source_timeout");
       return true;

@@ -48,13 +48,14 @@ std::string Field::typeName() const {
 }
 
 std::string Field::valueText() const {
-  return std::visit(Overloaded{[](const bool* v) { return std::string(*v ? "true" : "false"); },
-                               [](const int* v) { return std::to_string(*v); },
-                               [](const std::uint64_t* v) { return std::to_string(*v); },
-                               [](const double* v) { return numberText(*v); },
-                               [](const std::string* v) { return *v; },
-                               [](const std::vector<std::string>* v) { return "[" + join(*v) + "]"; }},
-                    target);
+  return std::visit(
+      Overloaded{[](const bool* v) { return std::string(*v ? "true" : "false"); },
+                 [](const int* v) { return std::to_string(*v); },
+                 [](const std::uint64_t* v) { return std::to_string(*v); },
+                 [](const double* v) { return numberText(*v); },
+                 [](const std::string* v) { return *v; },
+                 [](const std::vector<std::string>* v) { return "[" + join(*v) + "]"; }},
+      target);
 }
 
 std::string Field::fault() const {

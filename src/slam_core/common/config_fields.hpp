@@ -35,8 +35,8 @@ enum class Scope { kProduct, kRobot };
 /// One field of a configuration struct, described once: the description feeds the YAML reader, the
 /// ROS reader, the validator and the parameter tables of the documentation.
 struct Field {
-  using Target = std::variant<bool*, int*, std::uint64_t*, double*, std::string*,
-                              std::vector<std::string>*>;
+  using Target =
+      std::variant<bool*, int*, std::uint64_t*, double*, std::string*, std::vector<std::string>*>;
 
   std::string name;
   Target target;

@@ -17,8 +17,8 @@ RandomStream::RandomStream(std::uint64_t seed, std::uint64_t step, std::uint32_t
 std::uint32_t RandomStream::bits() {
   if (used_ == block_.size()) {
     const r123::Philox4x32 philox;
-    const auto block = philox({{counter_[0], counter_[1], counter_[2], counter_[3]}},
-                              {{key_[0], key_[1]}});
+    const auto block =
+        philox({{counter_[0], counter_[1], counter_[2], counter_[3]}}, {{key_[0], key_[1]}});
     for (unsigned i = 0; i < block_.size(); ++i) block_[i] = block[i];
     ++counter_[0];
     used_ = 0;

@@ -80,8 +80,8 @@ Settings::Settings(ConfigDocument product, ConfigDocument robot, std::vector<std
     else if (dot == std::string::npos)
       overrides_.push_back({"", entry.substr(0, equals), entry.substr(equals + 1)});
     else
-      overrides_.push_back(
-          {entry.substr(0, dot), entry.substr(dot + 1, equals - dot - 1), entry.substr(equals + 1)});
+      overrides_.push_back({entry.substr(0, dot), entry.substr(dot + 1, equals - dot - 1),
+                            entry.substr(equals + 1)});
   }
   faults.raise();
 }

@@ -14,16 +14,17 @@ namespace slam {
 
 /// What the last execute() made of its observations.
 struct UpdateStatistics {
-  double nis = 0.0;      ///< normalised innovation squared of the used observations together
-  int nis_dof = 0;       ///< its degrees of freedom
-  int used = 0;          ///< observations of known landmarks that went into the update
-  int gated = 0;         ///< outside the chi-square gate, left out
-  int added = 0;         ///< landmarks seen for the first time
-  int unknown = 0;       ///< without an id, or not in a fixed map; left out
-  int landmarks = 0;     ///< in the map after the step
+  double nis = 0.0;   ///< normalised innovation squared of the used observations together
+  int nis_dof = 0;    ///< its degrees of freedom
+  int used = 0;       ///< observations of known landmarks that went into the update
+  int gated = 0;      ///< outside the chi-square gate, left out
+  int added = 0;      ///< landmarks seen for the first time
+  int unknown = 0;    ///< without an id, or not in a fixed map; left out
+  int landmarks = 0;  ///< in the map after the step
 };
 
-/// The role of a SLAM back-end: motion and observations in, pose and landmark map out (thesis 3.4.2).
+/// The role of a SLAM back-end: motion and observations in, pose and landmark map out
+/// (thesis 3.4.2).
 ///
 /// Who calls: the Estimator, from one thread, in the order configure, then for each step set(...)
 /// of everything since the last one and execute(). It owns the back-end. Inputs come in the order

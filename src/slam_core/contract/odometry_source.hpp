@@ -15,7 +15,7 @@ namespace slam {
 /// One message of a wheel driver.
 struct OdometrySample {
   Stamp stamp;
-  std::optional<Pose2> pose;  ///< T_odom_base, where the driver integrates
+  std::optional<Pose2> pose;                        ///< T_odom_base, where the driver integrates
   Eigen::Vector3d twist = Eigen::Vector3d::Zero();  ///< vx, vy, omega in base [m/s, m/s, rad/s]
   Eigen::Matrix3d twist_covariance = Eigen::Matrix3d::Zero();
   std::string odometry_frame, base_frame;

@@ -38,8 +38,7 @@ Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
       ++association.gated;
       continue;
     }
-    auto innovation =
-        linearization.innovation(model, state.robot(), array.sensor_pose, m_map, z);
+    auto innovation = linearization.innovation(model, state.robot(), array.sensor_pose, m_map, z);
     innovation.landmark = *landmark;
     if (passesGate(innovation, state.covariance()))
       association.innovations.push_back(innovation);

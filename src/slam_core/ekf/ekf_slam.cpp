@@ -99,9 +99,8 @@ Status EkfSlam::update(const std::vector<Innovation>& innovations) {
   Eigen::VectorXd nu(size);
   for (Eigen::Index i = 0; i < size; i += 2) {
     const auto& innovation = innovations[static_cast<std::size_t>(i / 2)];
-    S.middleRows<2>(i) =
-        innovation.H_robot * W.topRows<3>() +
-        innovation.H_landmark * W.middleRows<2>(3 + 2 * innovation.landmark);
+    S.middleRows<2>(i) = innovation.H_robot * W.topRows<3>() +
+                         innovation.H_landmark * W.middleRows<2>(3 + 2 * innovation.landmark);
     S.block<2, 2>(i, i) += innovation.R;
     nu.segment<2>(i) = innovation.nu;
   }

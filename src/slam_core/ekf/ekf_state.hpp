@@ -36,8 +36,8 @@ class EkfState {
               const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
 
   PoseEstimate pose() const { return {robot_, P_.robot()}; }
-  LandmarkMap map() const;   ///< sorted by id, with marginals
-  MapState state() const;    ///< sorted by id, with the joint covariance
+  LandmarkMap map() const;  ///< sorted by id, with marginals
+  MapState state() const;   ///< sorted by id, with the joint covariance
 
  private:
   std::vector<Eigen::Index> orderById() const;

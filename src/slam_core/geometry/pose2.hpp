@@ -9,8 +9,8 @@ namespace slam {
 
 /// A pose or displacement in the plane, an element of SE(2): position [m, m], heading [rad] wrapped
 /// to (-pi, pi]. T_a_b reads "the pose of b in a". Jacobians are with respect to the coordinates
-/// (x, y, theta) and are written only where a pointer is given (Sola, Deray, Atchuthan 2018, app. B;
-/// Smith, Self, Cheeseman 1990 for compose and inverse).
+/// (x, y, theta) and are written only where a pointer is given (Sola, Deray, Atchuthan 2018, app.
+/// B; Smith, Self, Cheeseman 1990 for compose and inverse).
 class Pose2 {
  public:
   Pose2() = default;

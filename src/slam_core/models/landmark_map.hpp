@@ -13,7 +13,7 @@ namespace slam {
 
 /// A Gaussian over the robot's pose in the map frame.
 struct PoseEstimate {
-  Pose2 pose;                                             ///< T_map_base
+  Pose2 pose;                                            ///< T_map_base
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
 };
 

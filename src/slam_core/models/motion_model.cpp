@@ -10,7 +10,8 @@ namespace {
 
 /// Covariance in the plane of noise with the given variances along and across a direction.
 Eigen::Matrix2d directed(const Eigen::Vector2d& direction, double along, double across) {
-  return across * Eigen::Matrix2d::Identity() + (along - across) * direction * direction.transpose();
+  return across * Eigen::Matrix2d::Identity() +
+         (along - across) * direction * direction.transpose();
 }
 
 Eigen::Vector2d unitOrForward(const Eigen::Vector2d& v) {

@@ -22,10 +22,10 @@ class MotionModel {
 };
 
 struct OdometryNoise {
-  double alpha1 = 0.0;  ///< translation -> translation variance
-  double alpha2 = 0.0;  ///< rotation -> translation variance
-  double alpha3 = 0.0;  ///< translation -> rotation variance
-  double alpha4 = 0.0;  ///< rotation -> rotation variance
+  double alpha1 = 0.0;           ///< translation -> translation variance
+  double alpha2 = 0.0;           ///< rotation -> translation variance
+  double alpha3 = 0.0;           ///< translation -> rotation variance
+  double alpha4 = 0.0;           ///< rotation -> rotation variance
   bool omnidirectional = false;  ///< slips across its way as much as along it
 };
 
@@ -41,9 +41,9 @@ class QuadraticMotionModel final : public MotionModel {
   OdometryNoise noise_;
 };
 
-/// Variances grow with the way and the angle turned, alpha1 d + alpha2 |r| and alpha3 d + alpha4 |r|
-/// (alphas [m^2/m], [m^2/rad], [rad^2/m], [rad^2/rad]), as white noise spread evenly over the arc
-/// does: the sum over a way does not depend on how often odometry arrives.
+/// Variances grow with the way and the angle turned, alpha1 d + alpha2 |r| and alpha3 d + alpha4
+/// |r| (alphas [m^2/m], [m^2/rad], [rad^2/m], [rad^2/rad]), as white noise spread evenly over the
+/// arc does: the sum over a way does not depend on how often odometry arrives.
 class LinearMotionModel final : public MotionModel {
  public:
   explicit LinearMotionModel(const OdometryNoise& noise) : noise_(noise) {}

@@ -32,8 +32,8 @@ class ObservationModel {
   virtual bool isSingular(const Eigen::Vector2d& z_predicted) const = 0;
 };
 
-/// Range [m] and bearing [rad], Eq. 5.3 and its inverse, Eq. 5.4, with the sensor's full pose on the
-/// robot (the thesis has its position only).
+/// Range [m] and bearing [rad], Eq. 5.3 and its inverse, Eq. 5.4, with the sensor's full pose on
+/// the robot (the thesis has its position only).
 class RangeBearingModel final : public ObservationModel {
  public:
   Eigen::Vector2d predict(const Pose2& T_map_base, const Pose2& T_base_sensor,

@@ -17,8 +17,8 @@ namespace slam {
 /// What one step of the back-end led to, all that is published and written of it.
 struct StepReport {
   Stamp stamp;
-  PoseEstimate pose;      ///< in the map frame
-  Pose2 odometry_pose;    ///< T_odom_base at the same stamp
+  PoseEstimate pose;    ///< in the map frame
+  Pose2 odometry_pose;  ///< T_odom_base at the same stamp
   std::string odometry_frame, base_frame;
   UpdateStatistics statistics;
   bool observed = false;   ///< the step came from an observation array
@@ -26,8 +26,8 @@ struct StepReport {
 };
 
 /// A back-end with its inputs in order: collates motion and observations by stamp and takes one
-/// step of the back-end at a time. The back-end's nodelet and the MetaCoordinator share it, which is
-/// why both compositions give the same result. Counted beyond the collator's and the back-end's
+/// step of the back-end at a time. The back-end's nodelet and the MetaCoordinator share it, which
+/// is why both compositions give the same result. Counted beyond the collator's and the back-end's
 /// reasons: "invalid_motion", "invalid_observation", "paused".
 class Estimator {
  public:

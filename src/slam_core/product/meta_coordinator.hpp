@@ -11,7 +11,8 @@
 namespace slam {
 
 /// The whole product in one process (thesis Fig. 4.4): creates the components the product names,
-/// passes raw inputs through the front-end to the estimator. Components know nothing of one another.
+/// passes raw inputs through the front-end to the estimator. Components know nothing of one
+/// another.
 class MetaCoordinator {
  public:
   /// A fresh start. @throw ConfigError listing the faults of all sections

@@ -41,7 +41,8 @@ struct FramesConfig {
 };
 
 /// Loads the shared libraries a product names; their components register themselves. The built-in
-/// ones come with the library of this function. @throw ConfigError naming the library and the loader's reason
+/// ones come with the library of this function. @throw ConfigError naming the library and the
+/// loader's reason
 void loadLibraries(const std::vector<std::string>& libraries);
 
 }  // namespace slam

@@ -29,9 +29,10 @@ std::string stampText(Stamp stamp) {
 std::string updateLine(const StepReport& report) {
   const auto& P = report.pose.covariance;
   const auto& s = report.statistics;
-  return fmt::format("{},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{},{},{},{},{},{}\n",
-                     stampText(report.stamp), P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2),
-                     s.nis, s.nis_dof, s.used, s.gated, s.added, s.unknown, s.landmarks);
+  return fmt::format(
+      "{},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{},{},{},{},{},{}\n",
+      stampText(report.stamp), P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2), s.nis,
+      s.nis_dof, s.used, s.gated, s.added, s.unknown, s.landmarks);
 }
 
 std::string readFile(const std::string& path) {

@@ -37,8 +37,8 @@ class TextLog {
       else if (kind == "observations")
         coordinator_.set(observations(words));
       else
-        throw std::runtime_error(fmt::format("line {}: '{}' is neither odometry nor observations",
-                                             number_, kind));
+        throw std::runtime_error(
+            fmt::format("line {}: '{}' is neither odometry nor observations", number_, kind));
       drain();
     }
   }

@@ -22,9 +22,8 @@ bool isFinite(const OdometrySample& sample) {
 void WheelOdometry::configure(const WheelOdometryConfig& config) {
   validate(config);
   config_ = config;
-  model_ = makeMotionModel(config.motion_model,
-                           {config.alpha1, config.alpha2, config.alpha3, config.alpha4,
-                            config.drive == "omnidirectional"});
+  model_ = makeMotionModel(config.motion_model, {config.alpha1, config.alpha2, config.alpha3,
+                                                 config.alpha4, config.drive == "omnidirectional"});
   reset();
 }
 

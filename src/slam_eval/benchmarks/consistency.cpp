@@ -81,7 +81,9 @@ int main(int argc, char** argv) {
   app.add_option("--backend", backend, "name of the back-end")->capture_default_str();
   app.add_option("--set", overrides, "section.key=value of the back-end");
   app.add_option("--loop", world.loop_length, "length of the loop [m]")->capture_default_str();
-  app.add_option("--seeds", seeds, "number of runs")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--seeds", seeds, "number of runs")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
     slam::eval::run(backend, overrides, world, seeds);

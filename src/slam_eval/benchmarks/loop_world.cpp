@@ -46,7 +46,8 @@ slam::LandmarkObservationArray observe(const LoopWorldConfig& config, const Pose
     z.id = static_cast<slam::LandmarkId>(i);
     z.range = seen.norm() + config.sigma_range * random.gaussian();
     z.bearing = std::atan2(seen.y(), seen.x()) + config.sigma_bearing * random.gaussian();
-    z.covariance = Eigen::Vector2d(config.sigma_range, config.sigma_bearing).cwiseAbs2().asDiagonal();
+    z.covariance =
+        Eigen::Vector2d(config.sigma_range, config.sigma_bearing).cwiseAbs2().asDiagonal();
     if (z.range > 0.0) array.observations.push_back(z);
   }
   return array;

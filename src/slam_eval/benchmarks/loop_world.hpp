@@ -17,16 +17,16 @@ namespace slam::eval {
 /// of Huang, Mourikis, Roumeliotis 2010. Motion and sensor noise are exactly what the filter is
 /// told, so that an honest filter has a mean NEES of 3 and a mean NIS of 1 per degree of freedom.
 struct LoopWorldConfig {
-  double loop_length = 60.0;         ///< [m]
+  double loop_length = 60.0;  ///< [m]
   int laps = 3;
   int landmarks = 20;
-  double landmark_band = 4.0;        ///< landmarks lie this near the way [m]
-  double view_range = 5.0;           ///< [m], all around
-  double sigma_range = 0.1;          ///< [m]
-  double sigma_bearing = 0.02;       ///< [rad]
-  double step_length = 0.25;         ///< way between two observations [m]
-  double sigma_position = 0.02;      ///< of a step, along and across [m]
-  double sigma_heading = 0.01;       ///< of a step [rad]
+  double landmark_band = 4.0;    ///< landmarks lie this near the way [m]
+  double view_range = 5.0;       ///< [m], all around
+  double sigma_range = 0.1;      ///< [m]
+  double sigma_bearing = 0.02;   ///< [rad]
+  double step_length = 0.25;     ///< way between two observations [m]
+  double sigma_position = 0.02;  ///< of a step, along and across [m]
+  double sigma_heading = 0.01;   ///< of a step [rad]
 };
 
 /// What happens in one step: the motion measured, the observations, the true pose in the frame of

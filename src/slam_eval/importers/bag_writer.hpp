@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "progress.hpp"
+#include "slam_core/common/progress.hpp"
 
 namespace slam::eval {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bag_writer.hpp"
-#include "progress.hpp"
+#include "slam_core/common/progress.hpp"
 
 namespace CLI {
 class App;

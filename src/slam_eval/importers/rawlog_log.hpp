@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "progress.hpp"
+#include "slam_core/common/progress.hpp"
 
 namespace slam::eval {
 

@@ -12,9 +12,9 @@
 
 namespace {
 
+using slam::Progress;
 using slam::eval::BagWriter;
 using slam::eval::Importer;
-using slam::eval::Progress;
 
 int runImport(Importer& importer, const std::string& output) {
   Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1);

@@ -123,18 +123,5 @@ TEST_F(BagWriterTest, RefusesAnImportWithoutMessages) {
   EXPECT_EQ(folder_.count(), 0);
 }
 
-TEST(Progress, DrawsABarOnATerminalOnly) {
-  std::ostringstream terminal, log;
-  for (auto* out : {&terminal, &log}) {
-    Progress progress(*out, out == &terminal);
-    progress.begin("reading", 4);
-    progress.update(2);
-    progress.end();
-  }
-  EXPECT_NE(terminal.str().find("reading [####################                    ]  50 %"),
-            std::string::npos);
-  EXPECT_EQ(log.str(), "");
-}
-
 }  // namespace
 }  // namespace slam::eval

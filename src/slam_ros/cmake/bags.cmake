@@ -22,7 +22,6 @@ add_library(slam_ros_bags
   src/ground_truth.cpp
   src/offline_run.cpp
   src/product_files.cpp
-  src/progress_bar.cpp
   src/run_metrics.cpp
   src/topic_matching.cpp
 )

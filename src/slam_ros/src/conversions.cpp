@@ -39,8 +39,7 @@ double norm(const geometry_msgs::Quaternion& q) {
 /// [rad]; independent of the quaternion's length
 double yaw(const geometry_msgs::Quaternion& q) {
   if (norm(q) == 0.0) return std::numeric_limits<double>::quiet_NaN();
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y),
-                    q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z);
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z);
 }
 
 geometry_msgs::Quaternion aboutZ(double theta) {
@@ -59,8 +58,8 @@ slam::Stamp fromRos(const ros::Time& time) {
 ros::Time toRos(slam::Stamp stamp) {
   constexpr std::int64_t kLast = 4294967295LL * 1000000000LL;
   ros::Time time;
-  time.fromNSec(static_cast<std::uint64_t>(
-      std::clamp<std::int64_t>(slam::nanoseconds(stamp), 0, kLast)));
+  time.fromNSec(
+      static_cast<std::uint64_t>(std::clamp<std::int64_t>(slam::nanoseconds(stamp), 0, kLast)));
   return time;
 }
 

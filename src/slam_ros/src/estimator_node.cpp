@@ -25,9 +25,9 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   auto& estimator = source_.estimator();
   if (!outputs.load_map.empty())
     estimator.startWith(slam::loadLandmarks(outputs.load_map, map_frame_).map);
-  diagnostics_.emplace(handles.product, handles.own, handles.name,
-                       Diagnostics::Sources{[this] { return source_.counters(); },
-                                            [this] { return waiting(); }});
+  diagnostics_.emplace(
+      handles.product, handles.own, handles.name,
+      Diagnostics::Sources{[this] { return source_.counters(); }, [this] { return waiting(); }});
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
   outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
   outputs_->refresh();
@@ -90,8 +90,9 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
     diagnostics_->warn("initialpose: it is in frame '" + message.header.frame_id +
                        "', the map frame is '" + map_frame_ + "'; it is left out");
   else if (!estimate.pose.isFinite() || !slam::isCovariance(estimate.covariance))
-    diagnostics_->warn("initialpose: its pose is not a number or its covariance of (x, y, yaw) is "
-                       "not positive definite; it is left out");
+    diagnostics_->warn(
+        "initialpose: its pose is not a number or its covariance of (x, y, yaw) is "
+        "not positive definite; it is left out");
   else
     source_.estimator().set(estimate);
 }

@@ -5,9 +5,9 @@
 #include <ros/ros.h>
 // ros.h comes first: nodelet.h only declares what it uses
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/estimator_node.hpp"
@@ -42,10 +42,11 @@ class InprocessNodelet : public nodelet::Nodelet {
           config.outputs, product_);
       if (config.publish_tf)
         node_->on_step = [this](const slam::StepReport& report) {
-          odometry_transform_.publish(toRos(report.stamp), report.odometry_frame,
-                                      report.base_frame, report.odometry_pose);
+          odometry_transform_.publish(toRos(report.stamp), report.odometry_frame, report.base_frame,
+                                      report.odometry_pose);
         };
-      odom_ = getNodeHandle().subscribe(node_->topics().odom, 1000, &InprocessNodelet::onOdom, this);
+      odom_ =
+          getNodeHandle().subscribe(node_->topics().odom, 1000, &InprocessNodelet::onOdom, this);
     });
   }
 

@@ -13,10 +13,10 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kChiSquare95 = 5.991;    // two degrees of freedom
-constexpr double kSmallestAxis = 0.02;    // [m], below it an ellipse could not be seen
-constexpr double kPointDiameter = 0.08;   // [m]
-constexpr double kTextHeight = 0.25;      // [m]
+constexpr double kChiSquare95 = 5.991;   // two degrees of freedom
+constexpr double kSmallestAxis = 0.02;   // [m], below it an ellipse could not be seen
+constexpr double kPointDiameter = 0.08;  // [m]
+constexpr double kTextHeight = 0.25;     // [m]
 
 std_msgs::ColorRGBA color(float r, float g, float b, float a) {
   std_msgs::ColorRGBA message;

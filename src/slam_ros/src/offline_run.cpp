@@ -4,7 +4,9 @@
 #include "slam_ros/offline_run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <iostream>
 #include <utility>
 
 #include "slam_core/common/atomic_file.hpp"
@@ -33,7 +35,10 @@ slam::Settings settingsFor(const OfflineOptions& options, const BagReader& bag) 
 }  // namespace
 
 OfflineRun::OfflineRun(const OfflineOptions& options)
-    : options_(options), bag_(options.bag), settings_(settingsFor(options, bag_)) {
+    : options_(options),
+      progress_(std::cerr, ::isatty(STDERR_FILENO) == 1),
+      bag_(options.bag),
+      settings_(settingsFor(options, bag_)) {
   TopicsConfig topics;
   slam::FaultCollector faults;
   faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
@@ -63,12 +68,13 @@ void OfflineRun::read(slam::RunWriter& writer) {
   sinks.odom = [&](const auto& message) { take(message); };
   sinks.observations = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
   const auto handlers = handlersFor(inputs_, sinks);
-  ProgressBar bar(bag_.path(), bag_.messages(handlers));
+  progress_.begin(bag_.path(), bag_.messages(handlers));
   bag_.read(handlers, [&](std::size_t done) {
-    drain(writer, bar);
-    bar.update(done);
+    drain(writer);
+    progress_.update(done);
     return true;
   });
+  progress_.end();
 }
 
 void OfflineRun::take(const nav_msgs::Odometry& message) {
@@ -82,13 +88,13 @@ void OfflineRun::take(const nav_msgs::Odometry& message) {
   coordinator_.set(fromMsg(message));
 }
 
-void OfflineRun::drain(slam::RunWriter& writer, ProgressBar& bar) {
-  if (!odometry_fault_.empty()) warn(std::exchange(odometry_fault_, ""), bar);
+void OfflineRun::drain(slam::RunWriter& writer) {
+  if (!odometry_fault_.empty()) warn(std::exchange(odometry_fault_, ""));
   while (true) {
     const auto start = RunMetrics::Clock::now();
     const auto status = coordinator_.execute();
     const auto time = RunMetrics::Clock::now() - start;
-    if (!status.isOk()) warn(status.message, bar);
+    if (!status.isOk()) warn(status.message);
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
     if (report->observed) metrics_.addUpdate(time);
@@ -96,9 +102,9 @@ void OfflineRun::drain(slam::RunWriter& writer, ProgressBar& bar) {
   }
 }
 
-void OfflineRun::warn(const std::string& sentence, ProgressBar& bar) {
+void OfflineRun::warn(const std::string& sentence) {
   if (warnings_.size() > kMaxWarnings || !warnings_.insert(sentence).second) return;
-  bar.clear();
+  progress_.clear();
   fmt::print(stderr, "warning: {}\n",
              warnings_.size() > kMaxWarnings ? "further ones are only counted" : sentence);
 }

@@ -12,8 +12,8 @@ namespace slam_ros {
 /// All that is published of a step. What a rate held back follows when nothing else comes.
 class BackendOutputs {
  public:
-  BackendOutputs(ros::NodeHandle handle, const slam::Backend& backend,
-                 const std::string& map_frame, const OutputsConfig& config);
+  BackendOutputs(ros::NodeHandle handle, const slam::Backend& backend, const std::string& map_frame,
+                 const OutputsConfig& config);
 
   void publish(const slam::StepReport& report);
   /// The map was replaced.

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "slam_core/common/progress.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
-#include "slam_ros/progress_bar.hpp"
 #include "slam_ros/run_metrics.hpp"
 
 namespace slam_ros {
@@ -37,13 +37,14 @@ class OfflineRun {
  private:
   void read(slam::RunWriter& writer);
   void take(const nav_msgs::Odometry& message);
-  void drain(slam::RunWriter& writer, ProgressBar& bar);
-  void warn(const std::string& sentence, ProgressBar& bar);
+  void drain(slam::RunWriter& writer);
+  void warn(const std::string& sentence);
   void requireSteps(const slam::RunWriter& writer) const;
   void printSummary(const slam::RunWriter& writer) const;
 
   OfflineOptions options_;
   RunMetrics metrics_;
+  slam::Progress progress_;
   BagReader bag_;
   slam::Settings settings_;
   BagInputs inputs_;

@@ -21,7 +21,8 @@ struct OutputsConfig {
   double transform_tolerance = 0.1;
 
   void describe(slam::Fields& fields) {
-    fields.add("output_dir", &output_dir, "folder for the files of the run; none are written without");
+    fields.add("output_dir", &output_dir,
+               "folder for the files of the run; none are written without");
     fields.add("load_map", &load_map, "landmarks.yaml to start with");
     fields.add("save_on_exit", &save_on_exit, "folder that gets a landmarks.yaml at the end");
     fields.add("landmark_rate", &landmark_rate, "of the landmarks, their markers and the path")
@@ -30,7 +31,8 @@ struct OutputsConfig {
     fields.add("tf_rate", &tf_rate, "of the map's transform")
         .unit("Hz")
         .in(slam::Range::closed(0.1, 1000));
-    fields.add("transform_tolerance", &transform_tolerance, "how far ahead the transform is stamped")
+    fields
+        .add("transform_tolerance", &transform_tolerance, "how far ahead the transform is stamped")
         .unit("s")
         .in(slam::Range::closed(0, 10));
   }

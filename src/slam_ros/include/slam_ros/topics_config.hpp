@@ -19,7 +19,8 @@ struct TopicsConfig {
 
   void describe(slam::Fields& fields) {
     fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
-    fields.add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray")
+    fields
+        .add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray")
         .ofRobot();
     fields.add("motion", &motion, "odometry source's slam_msgs/Motion").ofRobot();
   }

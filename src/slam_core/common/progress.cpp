@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "progress.hpp"
+
+#include "slam_core/common/progress.hpp"
 
 #include <algorithm>
 #include <iomanip>
 
-namespace slam::eval {
-
+namespace slam {
 namespace {
+
 constexpr int kBarWidth = 40;
 constexpr std::chrono::seconds kLineInterval{2};
+
 }  // namespace
 
 Progress::Progress(std::ostream& out, bool is_terminal) : out_(out), is_terminal_(is_terminal) {}
@@ -36,13 +38,15 @@ void Progress::update(std::size_t done) {
   out_ << phase_ << ": " << percent << " %" << std::endl;
 }
 
-void Progress::end() {
-  if (phase_.empty()) return;
-  if (is_terminal_) {
+void Progress::clear() {
+  if (is_terminal_ && !phase_.empty())
     out_ << '\r' << std::string(phase_.size() + kBarWidth + 10, ' ') << '\r' << std::flush;
-  }
-  phase_.clear();
   shown_percent_ = -1;
+}
+
+void Progress::end() {
+  clear();
+  phase_.clear();
 }
 
 void Progress::draw(int percent) {
@@ -53,4 +57,4 @@ void Progress::draw(int percent) {
        << percent << " %" << std::flush;
 }
 
-}  // namespace slam::eval
+}  // namespace slam
