@@ -36,6 +36,7 @@ void Estimator::reset() {
   last_motion_.reset();
   report_.reset();
   fault_.clear();
+  paused_ = false;
   counters_.clear();
 }
 
