@@ -75,9 +75,10 @@ void addOdometry(const RawlogStep& step, RawlogLog& log) {
   log.odometry.back().stamp = step.stamp;
 }
 
-/// Motion needs a pose from which it starts, before the first observation.
+/// Motion needs a pose from which it starts. Where a frame comes before the first action, that is
+/// the pose of this frame.
 void addStart(const RawlogSteps& steps, RawlogLog& log) {
-  if (!steps.has_actions && !log.made_up_stamps) return;
+  if (steps.has_actions ? !steps.begins_with_action : !log.made_up_stamps) return;
   RawlogLog::Odometry start;
   for (const RawlogStep& step : steps.steps) {
     if (steps.has_actions || !step.odometry) continue;

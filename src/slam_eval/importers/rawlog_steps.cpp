@@ -153,6 +153,7 @@ class StepMaker {
     step.frame = result_.frames;
     step.ends_frame = true;
     if (result_.has_actions) step.odometry = toOdometry(pose_);
+    if (result_.steps.empty()) result_.begins_with_action = pending_actions_ > 0;
     pending_actions_ = 0;
     return step;
   }

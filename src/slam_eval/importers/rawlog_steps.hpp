@@ -23,7 +23,8 @@ struct RawlogStep {
 
 struct RawlogSteps {
   std::vector<RawlogStep> steps;
-  bool has_actions = false;  // odometry as increments between frames
+  bool has_actions = false;         // odometry as increments between frames
+  bool begins_with_action = false;  // before the first frame
   std::size_t frames = 0;
   std::size_t left_out_odometry = 0;
   std::size_t left_out_readings = 0;

@@ -100,7 +100,7 @@ TEST(KfSlamDemo, HasOnePoseOfTheTruthForEachOfItsFrames) {
   const auto poses = readTruePath(base + "_ground_truth_robot_path.txt", log.frame_stamps.size());
   const auto landmarks = readTrueLandmarks(base + "_ground_truth.txt");
   EXPECT_TRUE(log.made_up_stamps);
-  EXPECT_EQ(log.odometry.size(), 251u);
+  EXPECT_EQ(log.odometry.size(), 250u);
   ASSERT_EQ(log.sightings.size(), 250u);
   ASSERT_EQ(landmarks.size(), 70u);
   double squared = 0.0;

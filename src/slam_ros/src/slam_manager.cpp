@@ -3,6 +3,7 @@
 
 #include <nodelet/loader.h>
 #include <ros/callback_queue.h>
+#include <ros/console.h>
 #include <ros/ros.h>
 
 #include <csignal>
@@ -30,7 +31,10 @@ int main(int argc, char** argv) {
   {
     nodelet::Loader loader;
     while (stop == 0 && ros::ok()) spinOnce();
-    // who loaded a nodelet mostly unloads it at the same signal, and complains when it is gone
+    // who loaded a nodelet mostly unloads it at the same signal; the loader calls it an error when
+    // it is gone already, which it is when a bag's end was the signal
+    ros::console::set_logger_level("ros.nodelet", ros::console::levels::Fatal);
+    ros::console::notifyLoggerLevelsChanged();
     for (int i = 0; i < kGraceRounds && ros::ok() && !loader.listLoadedNodelets().empty(); ++i)
       spinOnce();
     loader.clear();
