@@ -20,7 +20,7 @@ std::string tumLine(Stamp stamp, const Pose2& pose);
 /// one, so that offline and online runs can be compared byte for byte.
 class RunWriter {
  public:
-  /// Makes the folder; files of an earlier run in it are replaced.
+  /// Makes the folder; files of an earlier run in it are replaced, its evaluation is removed.
   /// @throw std::runtime_error naming the folder and the cause
   explicit RunWriter(const std::string& folder);
 

@@ -112,10 +112,13 @@ TEST_F(RunWriterTest, BeginsAnewWithARestart) {
 
 TEST_F(RunWriterTest, ReplacesAnEarlierRunAtOnce) {
   run("run", 5);
-  folder.write("run/metrics.json", "{}");
+  for (const auto* name : {"metrics.json", "map.png", "report.html"})
+    folder.write(std::string("run/") + name, "{}");
   const RunWriter writer(folder / "run");
   EXPECT_FALSE(std::filesystem::exists(folder / "run/landmarks.yaml"));
   EXPECT_FALSE(std::filesystem::exists(folder / "run/metrics.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/map.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/report.html"));
   EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 0u);
 }
 
