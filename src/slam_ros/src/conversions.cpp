@@ -97,10 +97,6 @@ slam::Pose2 fromMsg(const geometry_msgs::Pose& pose) {
   return {pose.position.x, pose.position.y, yaw(pose.orientation)};
 }
 
-slam::Pose2 fromMsg(const geometry_msgs::Transform& transform) {
-  return {transform.translation.x, transform.translation.y, yaw(transform.rotation)};
-}
-
 bool saysNoPose(const nav_msgs::Odometry& message) { return message.pose.covariance[0] == -1.0; }
 
 std::string poseFault(const nav_msgs::Odometry& message) {
@@ -183,13 +179,6 @@ slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp sta
     message.landmarks.push_back(entry);
   }
   return message;
-}
-
-slam::LandmarkMap fromMsg(const slam_msgs::LandmarkMap& message) {
-  slam::LandmarkMap landmarks;
-  for (const auto& entry : message.landmarks)
-    landmarks.push_back({entry.id, {entry.x, entry.y}, squareMatrix<2>(entry.covariance)});
-  return landmarks;
 }
 
 geometry_msgs::PoseWithCovarianceStamped toMsg(const slam::PoseEstimate& estimate,

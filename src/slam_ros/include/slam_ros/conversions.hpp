@@ -35,7 +35,6 @@ geometry_msgs::Transform toTransformMsg(const slam::Pose2& pose);
 slam::Pose2 fromMsg(const geometry_msgs::Pose2D& pose);
 /// The horizontal part; the heading is NaN where the quaternion is none.
 slam::Pose2 fromMsg(const geometry_msgs::Pose& pose);
-slam::Pose2 fromMsg(const geometry_msgs::Transform& transform);
 
 /// Why the message's pose cannot be used, so that its twist is (one clause); empty where it can. A
 /// quaternion must be of unit length within 0.1.
@@ -52,7 +51,6 @@ slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray
 
 slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,
                              const std::string& frame);
-slam::LandmarkMap fromMsg(const slam_msgs::LandmarkMap& message);
 
 geometry_msgs::PoseWithCovarianceStamped toMsg(const slam::PoseEstimate& estimate,
                                                slam::Stamp stamp, const std::string& frame);
