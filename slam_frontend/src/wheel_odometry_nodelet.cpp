@@ -11,6 +11,7 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "slam_core/product/product_config.hpp"
 #include "slam_core/wheel_odometry/wheel_odometry.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/conversions.hpp"
@@ -48,6 +49,7 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
   void initialise(ros::NodeHandle handle) {
     auto settings = slam_ros::settingsFromRos(handle);
     topics_ = settings.read<slam_ros::TopicsConfig>();
+    frames_ = settings.read<slam::FramesConfig>();
     odometry_.configure(settings);
     publish_tf_ = slam_ros::parametersFromRos<NodeletConfig>(getPrivateNodeHandle()).publish_tf;
     diagnostics_.emplace(handle, getPrivateNodeHandle(), getName(),
@@ -62,7 +64,9 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
     if (clock_.hasJumpedBack()) odometry_.reset();
     const auto fault = slam_ros::saysNoPose(message) ? "" : slam_ros::poseFault(message);
     if (!fault.empty()) diagnostics_->warn(topics_.odom + ": " + fault + "; its twist is used");
-    odometry_.set(slam_ros::fromMsg(message));
+    auto sample = slam_ros::fromMsg(message);
+    frames_.complete(sample.odometry_frame, sample.base_frame);
+    odometry_.set(sample);
     diagnostics_->report(topics_.odom, odometry_.execute());
     if (odometry_.motion()) publish(*odometry_.motion());
   }
@@ -80,6 +84,7 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
 
   slam::wheel_odometry::WheelOdometry odometry_;
   slam_ros::TopicsConfig topics_;
+  slam::FramesConfig frames_;
   slam_ros::ClockWatch clock_;
   slam_ros::TransformPublisher transform_;
   std::optional<slam_ros::Diagnostics> diagnostics_;

@@ -16,6 +16,7 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
   FaultCollector faults;
   faults.attempt([&] { backend_->configure(settings); });
   faults.attempt([&] { sensor_ = settings.read<LandmarkSensorConfig>(); });
+  faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
   faults.attempt([&] {
     source_timeout_ = durationFromSeconds(settings.read<ProductConfig>().source_timeout);
   });
@@ -56,6 +57,7 @@ void Estimator::startWith(MapState map) {
 }
 
 void Estimator::set(Motion motion) {
+  frames_.complete(motion.odometry_frame, motion.base_frame);
   const auto fault = faultOf(motion);
   if (fault.empty()) {
     collator_.push(std::move(motion));

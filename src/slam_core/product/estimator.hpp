@@ -65,6 +65,7 @@ class Estimator {
   void reportStep(const LandmarkCollator::Step& step);
 
   LandmarkSensorConfig sensor_;
+  FramesConfig frames_;
   Duration source_timeout_{};
   std::unique_ptr<Backend> backend_;
   std::optional<MapState> start_map_;

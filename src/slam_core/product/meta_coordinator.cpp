@@ -28,7 +28,8 @@ void MetaCoordinator::configure(Settings& settings) {
   front_end_status_ = Status::ok();
 }
 
-void MetaCoordinator::set(const OdometrySample& sample) {
+void MetaCoordinator::set(OdometrySample sample) {
+  frames_.complete(sample.odometry_frame, sample.base_frame);
   odometry_->set(sample);
   const auto status = odometry_->execute();
   if (!status.isOk()) front_end_status_ = status;

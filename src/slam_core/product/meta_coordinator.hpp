@@ -18,7 +18,7 @@ class MetaCoordinator {
   /// A fresh start. @throw ConfigError listing the faults of all sections
   void configure(Settings& settings);
 
-  void set(const OdometrySample& sample);
+  void set(OdometrySample sample);
   /// For data that already carry what a component would make.
   void set(const Motion& motion) { estimator_.set(motion); }
   void set(const LandmarkObservationArray& observations) { estimator_.set(observations); }

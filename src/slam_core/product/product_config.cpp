@@ -31,6 +31,11 @@ void FramesConfig::describe(Fields& fields) {
   fields.add("base", &base, "the robot's frame, where the data do not name one").ofRobot();
 }
 
+void FramesConfig::complete(std::string& odometry_frame, std::string& base_frame) const {
+  if (odometry_frame.empty()) odometry_frame = odom;
+  if (base_frame.empty()) base_frame = base;
+}
+
 void loadLibraries(const std::vector<std::string>& libraries) {
   FaultCollector faults;
   for (const auto& library : libraries)

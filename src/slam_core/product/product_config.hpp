@@ -38,6 +38,8 @@ struct FramesConfig {
   std::string base = "base_link";
 
   void describe(Fields& fields);
+  /// Gives names to those frames of odometry data that have none.
+  void complete(std::string& odometry_frame, std::string& base_frame) const;
 };
 
 /// Loads the shared libraries a product names; their components register themselves. The built-in

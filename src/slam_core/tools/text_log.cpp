@@ -56,8 +56,6 @@ class TextLog {
     sample.stamp = stampFromNanoseconds(next<std::int64_t>(words));
     const double x = next<double>(words), y = next<double>(words);
     sample.pose = Pose2(x, y, next<double>(words));
-    sample.odometry_frame = coordinator_.frames().odom;
-    sample.base_frame = coordinator_.frames().base;
     return sample;
   }
 

@@ -13,8 +13,8 @@ void TransformPublisher::publish(const ros::Time& stamp, const std::string& pare
   last_ = stamp;
   geometry_msgs::TransformStamped message;
   message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
+  message.header.frame_id = frameId(parent);
+  message.child_frame_id = frameId(child);
   message.transform = toTransformMsg(T_parent_child);
   broadcaster_.sendTransform(message);
 }

@@ -118,6 +118,16 @@ TEST_F(EstimatorTest, KnowsTheOdometryPoseAtTheVeryStartOfMotion) {
   EXPECT_EQ(reports[0].odometry_frame, "odom");
 }
 
+TEST_F(EstimatorTest, NamesTheFramesOfMotionThatHasNone) {
+  auto step = simulate(1, 1)[0];
+  step.motion.odometry_frame.clear();
+  step.motion.base_frame.clear();
+  take(step);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].odometry_frame, "odom");
+  EXPECT_EQ(reports[0].base_frame, "base_link");
+}
+
 TEST_F(EstimatorTest, AppliesMotionAndNoObservationsWhilePaused) {
   const auto steps = simulate(1, 30);
   for (int i = 0; i < 10; ++i) take(steps[std::size_t(i)]);

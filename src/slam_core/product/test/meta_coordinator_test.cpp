@@ -106,6 +106,27 @@ TEST_F(MetaCoordinatorRun, LeadsRawOdometryAndObservationsToAMap) {
   EXPECT_LT((pose.position() - truth.position()).norm(), 0.3);
 }
 
+TEST(MetaCoordinatorFrames, AreThoseOfTheRobotFileWhereTheDataNameNone) {
+  Settings settings({}, {"robot.yaml", YAML::Load("{version: 1, frames: {odom: wheels}}")}, {});
+  MetaCoordinator coordinator;
+  coordinator.configure(settings);
+  auto sample = sampleAt(stampFromNanoseconds(1000000000), Pose2());
+  for (const auto* name : {"", "wheels", ""}) {  // the same frame: no change that loses motion
+    sample.odometry_frame = name;
+    sample.base_frame.clear();
+    coordinator.set(sample);
+    sample.stamp += std::chrono::milliseconds(100);
+  }
+  LandmarkObservationArray nothing_seen;
+  nothing_seen.stamp = stampFromNanoseconds(1150000000);
+  coordinator.set(nothing_seen);
+  coordinator.execute();
+  ASSERT_TRUE(coordinator.estimator().report().has_value());
+  EXPECT_EQ(coordinator.estimator().report()->odometry_frame, "wheels");
+  EXPECT_EQ(coordinator.estimator().report()->base_frame, "base_link");
+  EXPECT_TRUE(coordinator.counters().all().empty());
+}
+
 TEST_F(MetaCoordinatorRun, PassesOnTheWarningsAndCountsOfTheFrontEnd) {
   const auto start = stampFromNanoseconds(1000000000);
   coordinator.set(sampleAt(start, Pose2()));
