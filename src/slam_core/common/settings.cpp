@@ -25,6 +25,12 @@ std::string text(const YAML::Node& node) {
   return node.IsScalar() ? "'" + node.Scalar() + "'" : node.IsNull() ? "nothing" : "a list or map";
 }
 
+std::string quoted(const std::string& value) {
+  YAML::Emitter yaml;
+  yaml << YAML::DoubleQuoted << value;
+  return yaml.c_str();
+}
+
 /// Empty when the node was of the field's type, else the fault.
 std::string assign(const Field& field, const YAML::Node& node) {
   const auto convert = [&](auto* target) {
@@ -95,8 +101,8 @@ void Settings::readSection(const std::string& section, const Fields& fields) {
     std::string values;
     const std::string indent = section.empty() ? "" : "  ";
     for (const auto& field : fields.all()) {
-      const bool quoted = std::holds_alternative<std::string*>(field.target);
-      const auto value = quoted ? '"' + field.valueText() + '"' : field.valueText();
+      const bool is_text = std::holds_alternative<std::string*>(field.target);
+      const auto value = is_text ? quoted(field.valueText()) : field.valueText();
       values += indent + field.name + ": " + value + "\n";
     }
     in_force_.emplace_back(section, values);

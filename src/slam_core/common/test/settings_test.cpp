@@ -161,6 +161,18 @@ TEST(Settings, TellTheValuesInForceSoThatTheyReadBack) {
   EXPECT_EQ(values["names"].as<std::vector<std::string>>(), (std::vector<std::string>{"x", "y"}));
 }
 
+struct NoteConfig {
+  static constexpr const char* kSection = "note";
+  std::string text = "a \"quoted\" word: \\ # and\na second line";
+  void describe(Fields& fields) { fields.add("text", &text, "any text"); }
+};
+
+TEST(Settings, TellTextsInForceWhateverTheyHold) {
+  auto settings = settingsOf("version: 1");
+  settings.read<NoteConfig>();
+  EXPECT_EQ(YAML::Load(settings.inForce())["note"]["text"].as<std::string>(), NoteConfig().text);
+}
+
 TEST(Settings, ValidateAStructThatCameFromCode) {
   ExampleConfig config;
   EXPECT_TRUE(faultsOf([&] { validate(config); }).empty());
