@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mrclam_log.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include "import_error.hpp"
+#include "sort_by_stamp.hpp"
 #include "text_table.hpp"
 
 namespace slam::eval {
@@ -46,20 +46,6 @@ void checkFiles(const std::string& folder, int robot) {
   }
   require(robotFile(folder, robot, "Measurement"));
   require(robotFile(folder, robot, "Groundtruth"));
-}
-
-/// Rows stay in file order where their stamps are equal. @return rows that came too late
-template <class Row>
-std::size_t sortByStamp(std::vector<Row>& rows) {
-  std::size_t late = 0;
-  std::int64_t newest = 0;
-  for (const Row& row : rows) {
-    if (row.stamp < newest) ++late;
-    newest = std::max(newest, row.stamp);
-  }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.stamp < b.stamp; });
-  return late;
 }
 
 /// A velocity holds until the next one: of several with one stamp all but the last hold for no

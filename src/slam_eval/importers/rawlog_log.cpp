@@ -6,6 +6,7 @@
 
 #include "rawlog_file.hpp"
 #include "rawlog_steps.hpp"
+#include "sort_by_stamp.hpp"
 
 namespace slam::eval {
 
@@ -42,18 +43,6 @@ void makeUpStamps(RawlogSteps& log, std::size_t& left_out) {
     log.steps.pop_back();
     ++left_out;
   }
-}
-
-std::size_t sortByStamp(std::vector<RawlogStep>& steps) {
-  std::size_t late = 0;
-  std::int64_t newest = 0;
-  for (const RawlogStep& step : steps) {
-    if (step.stamp < newest) ++late;
-    newest = std::max(newest, step.stamp);
-  }
-  std::stable_sort(steps.begin(), steps.end(),
-                   [](const RawlogStep& a, const RawlogStep& b) { return a.stamp < b.stamp; });
-  return late;
 }
 
 /// Two sensors may see at the same time; a source's stamps must rise.
