@@ -4,6 +4,7 @@
 #include "slam_core/common/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -34,6 +35,10 @@ bool writeAll(int descriptor, const std::string& content) {
 }  // namespace
 
 void writeFileAtomically(const std::string& path, const std::string& content) {
+  // Renaming would replace a device like /dev/null, and root may do that.
+  struct stat target {};
+  if (::stat(path.c_str(), &target) == 0 && !S_ISREG(target.st_mode) && !S_ISDIR(target.st_mode))
+    throw std::runtime_error("cannot write " + path + ": it is no ordinary file");
   const std::string temporary = path + ".part" + std::to_string(::getpid());
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) fail(path, temporary, errno);

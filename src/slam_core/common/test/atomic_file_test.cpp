@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -82,6 +83,16 @@ TEST(AtomicFile, DoesNotReplaceAFolder) {
   std::filesystem::create_directory(folder / "map.yaml");
   EXPECT_TRUE(test::oneSays({sentenceOf([&] { writeFileAtomically(folder / "map.yaml", "new"); })},
                             {"map.yaml", "Is a directory"}));
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, DoesNotReplaceADevice) {
+  const TemporaryFolder folder;
+  const auto path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  EXPECT_TRUE(test::oneSays({sentenceOf([&] { writeFileAtomically(path, "new"); })},
+                            {path.c_str(), "no ordinary file"}));
+  EXPECT_TRUE(std::filesystem::is_fifo(path));
   EXPECT_EQ(folder.files(), 1u);
 }
 
