@@ -15,6 +15,9 @@ namespace {
 
 const Registrar<Backend, EkfSlam> kRegistrar("ekf");
 
+/// So many gated ones at once, and none that fits, are no chance outliers.
+constexpr int kLost = 3;
+
 }  // namespace
 
 void EkfSlam::configure(const EkfConfig& config) {
@@ -64,6 +67,8 @@ Status EkfSlam::execute() {
   const auto status = update(matches.innovations);
   augment(matches.unseen, z.sensor_pose);
   statistics_.landmarks = static_cast<int>(state_.landmarks());
+  if (matches.innovations.empty() && matches.gated >= kLost)
+    return Status::warning("no observation fits the map, all are gated: the pose may be lost");
   return status;
 }
 

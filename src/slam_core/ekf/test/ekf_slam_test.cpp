@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "slam_core/common/test/faults.hpp"
 #include "slam_core/ekf/test/reference_ekf.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 
@@ -132,6 +133,17 @@ TEST_F(EkfUpdate, GatesAndCountsAnOutlier) {
   EXPECT_EQ(statistics.used, 1);
   EXPECT_EQ(ekf.counters()["gated"], 1u);
   EXPECT_LT((ekf.pose().pose.vector() - pose.vector()).norm(), 0.01);
+}
+
+TEST_F(EkfUpdate, SaysThatThePoseMayBeLostWhenNothingFitsTheMap) {
+  see({observation(1, 2, 0.1), observation(2, 3, -0.5), observation(3, 2, 1)});
+  LandmarkObservationArray array;
+  array.observations = {observation(1, 4, 0.1), observation(2, 5, -0.5), observation(3, 2, 1)};
+  ekf.set(array);
+  EXPECT_TRUE(ekf.execute().isOk()) << "one of them fits";
+  array.observations[2] = observation(3, 4, 1);
+  ekf.set(array);
+  EXPECT_TRUE(test::oneSays({ekf.execute().message}, {"no observation fits", "may be lost"}));
 }
 
 TEST_F(EkfUpdate, GatesAtTheQuantileOfItsProbability) {
