@@ -65,7 +65,9 @@ void requireVersion(const ConfigDocument& document) {
 ConfigDocument loadConfigFile(const std::string& file) {
   if (std::filesystem::is_directory(file)) throw ConfigError(file + " is a folder, not a file");
   try {
-    return {file, YAML::LoadFile(file)};
+    const auto root = YAML::LoadFile(file);
+    if (root.IsNull()) throw ConfigError(file + " is empty");
+    return {file, root};
   } catch (const YAML::BadFile&) {
     throw ConfigError("cannot read " + file + "; does it exist?");
   } catch (const YAML::Exception& error) {

@@ -34,6 +34,12 @@ TEST(ConfigFile, DoesNotReadAFolder) {
   EXPECT_TRUE(oneSays(faultsOf([&] { loadConfigFile(folder / ""); }), {"is a folder"}));
 }
 
+TEST(ConfigFile, DoesNotTakeAnEmptyFileForDefaults) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("robot.yaml", "# nothing\n");
+  EXPECT_TRUE(oneSays(faultsOf([&] { loadConfigFile(path); }), {path.c_str(), "is empty"}));
+}
+
 TEST(ConfigFile, SaysWhereTheYamlIsBroken) {
   const TemporaryFolder folder;
   const auto path = folder.write("product.yaml", "version: 1\nekf: {gate: [1, 2\n");
