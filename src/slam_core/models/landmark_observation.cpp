@@ -11,6 +11,7 @@ namespace slam {
 
 std::string faultOf(const LandmarkObservation& observation) {
   const auto name = "observation of landmark " + std::to_string(observation.id);
+  if (observation.id < kUnknownId) return name + " has an impossible id";
   if (!std::isfinite(observation.range) || !std::isfinite(observation.bearing))
     return name + " holds a value that is not a number";
   if (observation.range <= 0.0) return name + " has a range that is not positive";

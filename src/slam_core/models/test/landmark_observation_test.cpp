@@ -40,6 +40,14 @@ TEST(LandmarkObservationFault, NamesTheLandmarkAndWhatIsWrong) {
   }
 }
 
+TEST(LandmarkObservationFault, KnowsNoNegativeIdButThatOfTheUnknown) {
+  auto z = goodObservation();
+  z.id = kUnknownId;
+  EXPECT_EQ(faultOf(z), "");
+  z.id = -7;
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark -7", "impossible id"}));
+}
+
 TEST(LandmarkObservationFault, FindsACovarianceThatIsNone) {
   auto z = goodObservation();
   z.covariance(0, 1) = z.covariance(1, 0) = 0.5;  // a correlation above one
