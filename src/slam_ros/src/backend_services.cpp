@@ -28,6 +28,11 @@ std::string absolute(const std::string& path) {
   return std::filesystem::absolute(path).string();
 }
 
+std::string inflated(const slam::LandmarkFile& file) {
+  const bool complete = file.map.landmarks.empty() || file.map.joint_covariance.size() > 0;
+  return complete ? "" : "; it holds no joint covariance, so the landmarks' own were inflated";
+}
+
 std::string count(const slam::LandmarkFile& file) {
   return std::to_string(file.map.landmarks.size()) + " landmarks";
 }
@@ -75,7 +80,7 @@ bool BackendServices::load(slam_msgs::LoadMap::Request& request,
     const auto path = absolute(request.path);
     const auto file = slam::loadLandmarks(path, map_frame_);
     actions_.load(file);
-    return count(file) + " and the pose loaded from " + path;
+    return count(file) + " and the pose loaded from " + path + inflated(file);
   });
 }
 
