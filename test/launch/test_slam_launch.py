@@ -120,6 +120,9 @@ class SlamLaunchTest(unittest.TestCase):
     def test_unknown_robot_names_those_there_are(self):
         self.assert_ends_with("there are: mrclam, mrpt_demo", "robot:=marvin")
 
+    def test_misspelt_robot_names_the_nearest(self):
+        self.assert_ends_with("did you mean 'mrclam'?", "robot:=mrcalm")
+
     def test_localization_needs_a_map(self):
         self.assert_ends_with("load_map:=FILE", "mode:=localization", "robot:=mrclam")
 
