@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """slam.launch as a user calls it: replay equals the offline run, wrong arguments end at once."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -73,6 +74,11 @@ class SlamLaunchTest(unittest.TestCase):
             self.assertEqual((run / name).read_bytes(),
                              (self.root / "offline" / name).read_bytes(), name)
         self.assertGreater((run / "trajectory.tum").stat().st_size, 0)
+        metrics = json.loads((run / "metrics.json").read_text(encoding="ascii"))
+        self.assertEqual(metrics["dropped_messages"], 0)
+        offline = json.loads((self.root / "offline" / "metrics.json").read_text(encoding="ascii"))
+        self.assertEqual(metrics["updates"], offline["updates"])
+        self.assertEqual(metrics.keys(), offline.keys())
 
     def replay_without_loss(self, composition):
         run = self.root / f"{composition}_0"

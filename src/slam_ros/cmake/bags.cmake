@@ -3,7 +3,6 @@
 
 # What reads bags: kept out of slam_ros, so that only these programs link rosbag.
 find_package(CLI11 REQUIRED)
-find_package(nlohmann_json REQUIRED)
 find_package(rosbag_storage REQUIRED)
 find_package(rosgraph_msgs REQUIRED)
 find_package(roslib REQUIRED)
@@ -22,13 +21,12 @@ add_library(slam_ros_bags
   src/ground_truth.cpp
   src/offline_run.cpp
   src/product_files.cpp
-  src/run_metrics.cpp
   src/topic_matching.cpp
 )
 slam_ros_bag_target(slam_ros_bags)
 target_link_libraries(slam_ros_bags
   PUBLIC slam_ros ${rosbag_storage_LIBRARIES}
-  PRIVATE fmt::fmt nlohmann_json::nlohmann_json ${roslib_LIBRARIES})
+  PRIVATE fmt::fmt ${roslib_LIBRARIES})
 
 add_library(slam_ros_bag_source src/bag_source_nodelet.cpp)
 slam_ros_bag_target(slam_ros_bag_source)

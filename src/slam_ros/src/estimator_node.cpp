@@ -40,7 +40,7 @@ EstimatorNode::~EstimatorNode() {
   subscribers_.clear();
   services_.reset();
   outputs_.reset();
-  recorder_->finish(source_.estimator().backend());
+  recorder_->finish(source_.estimator().backend(), source_.dropped());
 }
 
 void EstimatorNode::subscribe(ros::NodeHandle handle) {
@@ -100,15 +100,18 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
 void EstimatorNode::takeSteps(const std::string& topic) {
   const auto& report = source_.estimator().report();
   do {
-    diagnostics_->report(topic, source_.execute());
-    if (report) publishStep(*report);
+    const auto start = RunMetrics::Clock::now();
+    const auto status = source_.execute();
+    const auto time = RunMetrics::Clock::now() - start;
+    diagnostics_->report(topic, status);
+    if (report) publishStep(*report, time);
   } while (report);
   publishProgress();
 }
 
-void EstimatorNode::publishStep(const slam::StepReport& report) {
+void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time) {
   if (report.restarted) outputs_->restart();
-  recorder_->write(report);
+  recorder_->write(report, time);
   outputs_->publish(report);
   if (on_step) on_step(report);
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "slam_core/common/atomic_file.hpp"
 #include "slam_core/product/landmark_file.hpp"
 
 namespace slam_ros {
@@ -30,17 +31,29 @@ void RunRecorder::attempt(Action&& action) {
   }
 }
 
-void RunRecorder::write(const slam::StepReport& report) {
+void RunRecorder::write(const slam::StepReport& report, RunMetrics::Clock::duration time) {
+  if (!metrics_ || report.restarted) {
+    metrics_.emplace();
+    first_stamp_ = report.stamp;
+  }
+  if (report.observed) metrics_->addUpdate(time);
   last_stamp_ = report.stamp;
   if (writer_) attempt([&] { writer_->write(report); });
 }
 
 void RunRecorder::restart() {
+  metrics_.reset();
   if (writer_) attempt([&] { writer_ = std::make_unique<slam::RunWriter>(config_.output_dir); });
 }
 
-void RunRecorder::finish(const slam::Backend& backend) {
-  if (writer_) attempt([&] { writer_->finish(backend, map_frame_, values_in_force_); });
+void RunRecorder::finish(const slam::Backend& backend, std::uint64_t dropped_messages) {
+  if (writer_)
+    attempt([&] {
+      writer_->finish(backend, map_frame_, values_in_force_);
+      if (metrics_)
+        slam::writeFileAtomically(config_.output_dir + "/metrics.json",
+                                  metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
+    });
   if (config_.save_on_exit.empty()) return;
   attempt([&] {
     slam::saveLandmarks(config_.save_on_exit + "/landmarks.yaml",

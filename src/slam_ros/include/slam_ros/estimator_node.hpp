@@ -59,7 +59,7 @@ class EstimatorNode {
   void subscribe(ros::NodeHandle handle);
   BackendActions actions();
   std::string waiting() const;
-  void publishStep(const slam::StepReport& report);
+  void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
   void publishProgress();
   void reset();
 

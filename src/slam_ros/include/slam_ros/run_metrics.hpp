@@ -31,7 +31,7 @@ class RunMetrics {
   double wallSeconds() const;
 
   /// The metrics up to now, of this process. Keys without a value are absent.
-  /// @param data_time what the bag covers
+  /// @param data_time what the data cover
   std::string toJson(slam::Duration data_time, std::uint64_t dropped_messages) const;
 
  private:

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/outputs_config.hpp"
+#include "slam_ros/run_metrics.hpp"
 
 namespace slam_ros {
 
@@ -20,11 +22,12 @@ class RunRecorder {
   RunRecorder(OutputsConfig config, std::string map_frame, std::string values_in_force,
               Diagnostics& diagnostics);
 
-  void write(const slam::StepReport& report);
+  /// @param time the step took
+  void write(const slam::StepReport& report, RunMetrics::Clock::duration time);
   /// The run begins anew; so do its files.
   void restart();
   /// Completes all files.
-  void finish(const slam::Backend& backend);
+  void finish(const slam::Backend& backend, std::uint64_t dropped_messages);
 
   slam::Stamp lastStamp() const { return last_stamp_; }
 
@@ -36,7 +39,8 @@ class RunRecorder {
   std::string map_frame_, values_in_force_;
   Diagnostics& diagnostics_;
   std::unique_ptr<slam::RunWriter> writer_;
-  slam::Stamp last_stamp_;
+  std::optional<RunMetrics> metrics_;  ///< since the first step
+  slam::Stamp first_stamp_, last_stamp_;
 };
 
 }  // namespace slam_ros

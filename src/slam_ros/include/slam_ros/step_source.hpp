@@ -19,6 +19,7 @@ class StepSource {
   virtual slam::Estimator& estimator() = 0;
   virtual slam::Status execute() = 0;
   virtual slam::Counters counters() const = 0;
+  virtual std::uint64_t dropped() const = 0;
   virtual void reset() = 0;
 };
 
@@ -35,6 +36,7 @@ class BackendAlone final : public StepSource {
   slam::Estimator& estimator() override { return estimator_; }
   slam::Status execute() override { return estimator_.execute(); }
   slam::Counters counters() const override { return estimator_.counters(); }
+  std::uint64_t dropped() const override { return estimator_.dropped(); }
   void reset() override { estimator_.reset(); }
 
  private:
@@ -49,6 +51,7 @@ class WholeProduct final : public StepSource {
   slam::Estimator& estimator() override { return coordinator_.estimator(); }
   slam::Status execute() override { return coordinator_.execute(); }
   slam::Counters counters() const override { return coordinator_.counters(); }
+  std::uint64_t dropped() const override { return coordinator_.dropped(); }
   void reset() override { coordinator_.reset(); }
   void set(const slam::OdometrySample& sample) { coordinator_.set(sample); }
 

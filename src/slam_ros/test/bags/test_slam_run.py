@@ -80,23 +80,6 @@ class Launch(unittest.TestCase):
             self.assertIn(word, command)
 
 
-class Usage(unittest.TestCase):
-    def test_is_empty_without_a_manager(self):
-        self.assertEqual(slam_run.usage(os.getpid()), {})
-
-    def test_is_read_from_a_manager_further_below(self):
-        script = ("import subprocess, sys; subprocess.run([sys.executable, '-c', "
-                  "'open(\"/proc/self/comm\", \"w\").write(\"slam_manager\"); "
-                  "print(sum(range(10**7)), flush=True); input()'])")
-        with subprocess.Popen([sys.executable, "-c", script], stdin=subprocess.PIPE,
-                              stdout=subprocess.PIPE) as process:
-            process.stdout.readline()
-            used = slam_run.usage(os.getpid())
-            process.communicate(b"\n")
-        self.assertGreater(used["cpu_s"], 0)
-        self.assertGreater(used["max_rss_mb"], 1)
-
-
 class Output(unittest.TestCase):
     def of(self, text):
         shown = io.StringIO()
