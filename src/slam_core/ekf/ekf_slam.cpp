@@ -69,6 +69,8 @@ Status EkfSlam::execute() {
   statistics_.landmarks = static_cast<int>(state_.landmarks());
   if (matches.innovations.empty() && matches.gated >= kLost)
     return Status::warning("no observation fits the map, all are gated: the pose may be lost");
+  if (config_.mode == "localization" && state_.landmarks() == 0)
+    return Status::warning("there is no map to localise in; load one");
   return status;
 }
 

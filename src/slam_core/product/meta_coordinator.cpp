@@ -14,7 +14,10 @@ void MetaCoordinator::configure(Settings& settings) {
   FaultCollector faults;
   faults.attempt([&] { settings.read(product); });
   faults.attempt([&] { loadLibraries(product.libraries); });
-  faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
+  faults.attempt([&] {
+    frames_ = settings.read<FramesConfig>();
+    frames_.requireDistinctNames();
+  });
   odometry_ = nullptr;
   std::unique_ptr<Backend> backend;
   faults.attempt(

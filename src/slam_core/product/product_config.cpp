@@ -31,6 +31,18 @@ void FramesConfig::describe(Fields& fields) {
   fields.add("base", &base, "the robot's frame, where the data do not name one").ofRobot();
 }
 
+void FramesConfig::requireDistinctNames() const {
+  FaultCollector faults;
+  for (const auto& [key, name] : {std::pair("map", map), {"odom", odom}, {"base", base}})
+    if (name.empty() || name[0] == '/' || name.find(' ') != std::string::npos)
+      faults.add(std::string("frames.") + key + ": '" + name +
+                 "' is no frame's name; it must not be empty, begin with a slash or hold a space");
+  if (map == odom || odom == base || base == map)
+    faults.add("frames: map, odom and base are " + map + ", " + odom + " and " + base +
+               "; they must differ");
+  faults.raise();
+}
+
 void FramesConfig::complete(std::string& odometry_frame, std::string& base_frame) const {
   if (odometry_frame.empty()) odometry_frame = odom;
   if (base_frame.empty()) base_frame = base;

@@ -38,6 +38,8 @@ struct FramesConfig {
   std::string base = "base_link";
 
   void describe(Fields& fields);
+  /// @throw ConfigError when a name is empty, begins with a slash, or stands for two frames
+  void requireDistinctNames() const;
   /// Gives names to those frames of odometry data that have none.
   void complete(std::string& odometry_frame, std::string& base_frame) const;
 };

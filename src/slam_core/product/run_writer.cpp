@@ -51,6 +51,7 @@ std::string tumLine(Stamp stamp, const Pose2& pose) {
 }
 
 RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
+  if (folder.empty()) throw std::runtime_error("the output folder has no name");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)

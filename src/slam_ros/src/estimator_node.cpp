@@ -23,11 +23,16 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   source_.configure(settings);
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
   auto& estimator = source_.estimator();
-  if (!outputs.load_map.empty())
-    estimator.startWith(slam::loadLandmarks(outputs.load_map, map_frame_).map);
+  slam::MapState start;
+  if (!outputs.load_map.empty()) {
+    start = slam::loadLandmarks(outputs.load_map, map_frame_).map;
+    estimator.startWith(start);
+  }
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return source_.counters(); }, [this] { return waiting(); }});
+  if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
+    diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
   outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
   outputs_->refresh();

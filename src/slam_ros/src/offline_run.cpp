@@ -97,6 +97,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     if (!status.isOk()) warn(status.message);
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
+    if (report->restarted) warn("the stamps went back: map and pose begin anew");
     if (report->observed) metrics_.addUpdate(time);
     writer.write(*report);
   }

@@ -79,6 +79,15 @@ TEST(EkfMap, LeavesOutAndCountsStrangersInLocalization) {
   EXPECT_EQ(ekf.counters()["not_in_map"], std::uint64_t(ekf.statistics().unknown));
 }
 
+TEST(EkfMap, IsAskedForWhereThereIsNoneToLocalizeIn) {
+  EkfSlam ekf;
+  ekf.configure(localization());
+  ekf.set(LandmarkObservationArray{});
+  const auto status = ekf.execute();
+  EXPECT_EQ(status.level, Status::Level::kWarning);
+  EXPECT_NE(status.message.find("load one"), std::string::npos) << status.message;
+}
+
 TEST(EkfMap, LocalizesAsWellAsItsCovarianceSays) {
   constexpr int kSeeds = 60;
   double sum = 0.0;

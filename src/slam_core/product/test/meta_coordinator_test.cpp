@@ -55,6 +55,17 @@ TEST(MetaCoordinatorConfig, FindsASectionWithATypo) {
       oneSays(faultsOf("{version: 1, efk: {mode: slam}}"), {"section efk", "did you mean 'ekf'"}));
 }
 
+TEST(MetaCoordinatorConfig, RefusesFramesThatAreNone) {
+  const auto faults = faultsOf("", "{version: 1, frames: {map: /map, odom: '', base: base_link}}");
+  EXPECT_EQ(faults.size(), 2u) << join(faults, "\n");
+  EXPECT_TRUE(oneSays(faults, {"frames.map", "'/map'", "slash"}));
+  EXPECT_TRUE(oneSays(faults, {"frames.odom", "empty"}));
+}
+
+TEST(MetaCoordinatorConfig, RefusesOneNameForTwoFrames) {
+  EXPECT_TRUE(oneSays(faultsOf("", "{version: 1, frames: {map: odom}}"), {"must differ"}));
+}
+
 TEST(MetaCoordinatorConfig, SaysWhyALibraryDoesNotLoad) {
   EXPECT_TRUE(oneSays(faultsOf("{version: 1, libraries: [libslam_nowhere.so]}"),
                       {"libslam_nowhere.so", "cannot open shared object file"}));
