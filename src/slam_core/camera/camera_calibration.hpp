@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+namespace slam {
+
+/// The intrinsics of a camera, as sensor_msgs/CameraInfo has them: for the raw, distorted image.
+struct CameraCalibration {
+  int width = 0, height = 0;     ///< [px]
+  std::string distortion_model;  ///< "plumb_bob", "rational_polynomial", "equidistant"
+  double fx = 0.0, fy = 0.0;     ///< focal lengths [px]
+  double cx = 0.0, cy = 0.0;     ///< principal point [px]
+  std::vector<double> distortion;
+
+  bool operator==(const CameraCalibration& other) const;
+};
+
+/// Empty, or what makes the calibration unusable (K all zero, NaN, a distortion model that is not
+/// known, a wrong number of coefficients).
+std::string faultOf(const CameraCalibration& calibration);
+
+/// Where a camera is mounted: its optical frame (x right, y down, z forward, REP-103) in the
+/// robot's base frame.
+struct CameraMount {
+  std::string camera_frame;
+  Eigen::Isometry3d T_base_camera = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace slam
