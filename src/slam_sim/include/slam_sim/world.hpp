@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slam::sim {
+
+/// A vertical rectangle that stands on the floor; both its sides are seen.
+struct Wall {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();  ///< [m]
+  double height = 2.5;                                                           ///< [m]
+  double gray = 0.8;  ///< part of the light that it throws back, 0 black to 1 white
+};
+
+/// A piece of furniture, a box that stands on the floor.
+struct Box {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();       ///< [m]
+  double yaw = 0.0;                                       ///< [rad]
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(1.0);  ///< along its own x, y and up [m]
+  double gray = 0.5;
+};
+
+/// A printed marker. Its frame: x to the right and y up as one looks at it, z out of the face
+/// toward the viewer, the origin in the middle.
+struct Marker {
+  std::string family;  ///< one of markerFamilies()
+  std::int64_t id = 0;
+  double size = 0.16;  ///< edge of the square whose corners a detector returns [m]
+  Eigen::Isometry3d T_world_marker = Eigen::Isometry3d::Identity();
+};
+
+/// One plane above everything.
+struct Ceiling {
+  double height = 2.5;            ///< [m]
+  std::string texture = "tiles";  ///< one of ceilingTextures()
+  double scale = 0.6;             ///< edge of a tile, or size of the largest blots [m]
+};
+
+/// What the robot drives: a smooth closed curve through the way-points, `laps` times.
+struct DrivePath {
+  std::vector<Eigen::Vector2d> points;  ///< [m], the last is not the first one again
+  double speed = 0.3;                   ///< where no curve and no end slows it down [m/s]
+  int laps = 2;
+};
+
+/// What the simulation takes place in. Frame `world`: x and y in the floor, z up [m].
+struct World {
+  std::string name;
+  std::vector<Wall> walls;
+  std::vector<Box> furniture;
+  std::vector<Marker> markers;
+  Ceiling ceiling;
+  double floor_gray = 0.45;
+  DrivePath path;
+};
+
+/// The textures a ceiling can have: "tiles", "plaster" (blots of all sizes), "plain".
+const std::vector<std::string>& ceilingTextures();
+
+/// A marker on a vertical surface: `facing` is the heading of its normal [rad].
+Eigen::Isometry3d uprightMarker(const Eigen::Vector3d& position, double facing);
+
+}  // namespace slam::sim
