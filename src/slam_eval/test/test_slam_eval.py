@@ -65,7 +65,7 @@ class SlamEval(unittest.TestCase):
         self.assertEqual(metrics['landmarks'], 18)
         self.assertEqual(metrics['cpu_s'], 0.8)
         self.assertLess(metrics['ate_rmse_m'], 0.15)
-        for name in ('trajectory.png', 'map.png', 'consistency.png'):
+        for name in ('map.png', 'trajectory.png', 'landmark_errors.png', 'consistency.png'):
             self.assertEqual((self.run_folder / name).read_bytes()[:4], b'\x89PNG')
         self.assertIn('Absolute trajectory error', done.stdout)
         self.assertFalse([n for n in self.names() if n.startswith('.')])
@@ -74,10 +74,11 @@ class SlamEval(unittest.TestCase):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)
         report = (self.run_folder / 'report.html').read_text()
-        self.assertEqual(report.count('src="data:image/png;base64,'), 3)
+        self.assertEqual(report.count('src="data:image/png;base64,'), 4)
         self.assertNotIn('http', report)
         self.assertIn('gate_probability: 0.99', report)
         self.assertIn('3 is expected', report)
+        self.assertIn('Steps with landmarks</td><td class="v">', report)
 
     def test_works_without_truth_and_says_what_is_missing(self):
         run_maker.make_run(self.run_folder, count=300, truth=False)

@@ -7,7 +7,7 @@ from slam_eval import bench_mrpt_config as mrpt
 from slam_eval.bench_runs import PRODUCT, kf_slam_on_rawlog, ours_on_rawlog
 from slam_eval.bench_table import Section, number, table, verdict
 from slam_eval.metrics import evaluate
-from slam_eval.plot_map import plot_map
+from slam_eval.plot_landmark_errors import plot_landmark_errors
 from slam_eval.run_folder import read_run
 
 LOG = pathlib.Path('/usr/share/mrpt/datasets/kf-slam_demo.rawlog')
@@ -29,7 +29,7 @@ def row(name, result):
 
 def _picture(folder, path):
     run = read_run(folder)
-    plot_map(run, evaluate(run), path)
+    plot_landmark_errors(run, evaluate(run), path)
     return path
 
 

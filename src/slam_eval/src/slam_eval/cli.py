@@ -11,6 +11,7 @@ from slam_eval.errors import InputError
 from slam_eval.metric_table import merge, terminal_table
 from slam_eval.metrics import evaluate
 from slam_eval.plot_consistency import plot_consistency
+from slam_eval.plot_landmark_errors import plot_landmark_errors
 from slam_eval.plot_map import plot_map, plot_trajectory
 from slam_eval.report import render
 from slam_eval.run_folder import read_run
@@ -51,13 +52,16 @@ def missing_parts(run, result):
 
 def draw(run, result, reference):
     """Write the pictures the run allows; returns their paths."""
-    pictures = [run.path / 'trajectory.png']
-    plot_trajectory(run, result, pictures[0], reference)
+    pictures = []
     if run.landmarks is not None:
         pictures.append(run.path / 'map.png')
-        plot_map(run, result, pictures[-1])
-    if plot_consistency(run, result, run.path / 'consistency.png'):
-        pictures.append(run.path / 'consistency.png')
+        plot_map(run, result, pictures[-1], reference)
+    pictures.append(run.path / 'trajectory.png')
+    plot_trajectory(run, result, pictures[-1], reference)
+    for plot, name in ((plot_landmark_errors, 'landmark_errors.png'),
+                       (plot_consistency, 'consistency.png')):
+        if plot(run, result, run.path / name):
+            pictures.append(run.path / name)
     return pictures
 
 

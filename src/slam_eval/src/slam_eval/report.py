@@ -4,6 +4,8 @@
 import base64
 import html
 
+import numpy as np
+
 from slam_eval.metric_table import GROUPS, KEYS, format_value, rows
 
 _CSS = """
@@ -27,15 +29,19 @@ line-height:1.45;margin:8px 0 0}
 """
 
 CAPTIONS = {
-    'trajectory.png': (
-        'Trajectory',
-        'The estimated path and map in the map frame. Truth, where there is one, is moved onto '
-        'the estimate by the rigid alignment of the trajectory error; dead reckoning starts at '
-        'the first pose of the estimate. Dotted: no pose was written for a while.'),
     'map.png': (
-        'Map',
-        'Landmarks with the 95 % ellipses the filter claims. True landmarks are moved onto the map '
-        'by the alignment of the landmark error; red lines point from each landmark to the truth.'),
+        'Path and map',
+        'The estimated path and the landmarks with the 95 % ellipses the filter claims, in the map '
+        'frame (the thesis\'s figure 6.2a). Truth, where there is one, is moved onto the estimate '
+        'by the rigid alignment of the trajectory error. Dotted: no pose was written for a while.'),
+    'trajectory.png': (
+        'SLAM and dead reckoning',
+        'The estimated path beside that of the odometry alone, which starts at the first pose of '
+        'the estimate (the thesis\'s figure 6.2b).'),
+    'landmark_errors.png': (
+        'Landmark errors',
+        'Red lines point from each landmark to the truth, moved onto the map by the alignment of '
+        'the landmark error; 95 of 100 should end inside their ellipses.'),
     'consistency.png': (
         'Consistency',
         'Errors in the map frame, truth moved there by its first pose and not fitted. A consistent '
@@ -64,6 +70,26 @@ def _metric_section(metrics, notes):
     return text + '</section>'
 
 
+def _observation_section(updates):
+    """What became of the observations, by updates.csv."""
+    counts = updates.counts
+    seen = sum(counts[name] for name in ('used', 'gated', 'added', 'unknown'))
+    steps = len(updates)
+    lines = [
+        ('Steps', steps, 'Arrays of observations that the back-end took a step for.'),
+        ('Steps with landmarks', int(np.count_nonzero(seen)),
+         f'{100.0 * np.count_nonzero(seen) / steps:.1f} % of the steps; the others saw nothing.'),
+        ('Used', int(np.sum(counts['used'])), 'Observations of landmarks that the map held.'),
+        ('Gated', int(np.sum(counts['gated'])),
+         'Observations that fitted their landmark too badly to be used.'),
+        ('Added', int(np.sum(counts['added'])), 'First observations: each made a landmark.'),
+        ('Unknown', int(np.sum(counts['unknown'])), 'Observations without an id, or of landmarks that a fixed map has not.'),
+    ]
+    cells = ''.join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
+                    f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
+    return f'<section><h2>Observations</h2><table>{cells}</table></section>'
+
+
 def _picture_section(path):
     title, caption = CAPTIONS[path.name]
     data = base64.b64encode(path.read_bytes()).decode('ascii')
@@ -86,6 +112,8 @@ def render(run, metrics, pictures, notes):
              f'<p>{html.escape(" · ".join(facts))}</p></header>',
              _metric_section(metrics, notes)]
     parts += [_picture_section(path) for path in pictures]
+    if run.updates is not None:
+        parts.append(_observation_section(run.updates))
     if run.config_text:
         parts.append('<section><h2>Configuration in force</h2>'
                      f'<pre>{html.escape(run.config_text)}</pre></section>')
