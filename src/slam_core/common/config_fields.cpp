@@ -5,26 +5,89 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
+#include <type_traits>
 
 #include "slam_core/common/config_error.hpp"
 
 namespace slam {
 namespace {
 
-std::string numberText(double value) {
+std::string scalarText(double value) {
   std::ostringstream text;
   text.precision(15);
   text << value;
   return text.str();
 }
+std::string scalarText(bool value) { return value ? "true" : "false"; }
+std::string scalarText(int value) { return std::to_string(value); }
+std::string scalarText(std::int64_t value) { return std::to_string(value); }
+std::string scalarText(std::uint64_t value) { return std::to_string(value); }
+std::string scalarText(const std::string& value) { return value; }
 
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
+/// One value of a field, which may be one of many, against the field's range or choices.
+std::string faultOfValue(const Field& field, double value, const std::string& text) {
+  if (std::isfinite(value) && field.range.contains(value)) return "";
+  return text + " is not allowed; the range is " + field.range.text();
+}
+std::string faultOfValue(const Field& field, const std::string& value, const std::string&) {
+  const auto& choices = field.choices;
+  if (choices.empty() || std::count(choices.begin(), choices.end(), value) > 0) return "";
+  return "'" + value + "' is not one of: " + join(choices) + didYouMean(value, choices);
+}
+
+template <class T>
+std::string faultOfScalar(const Field& field, const T& value) {
+  if constexpr (std::is_same_v<T, bool>) return "";
+  if constexpr (std::is_arithmetic_v<T>)
+    return faultOfValue(field, static_cast<double>(value), scalarText(value));
+  else
+    return faultOfValue(field, value, "");
+}
+
+/// What to do with each kind of target: a scalar, a list, a map.
+struct TextOfTarget {
+  template <class T>
+  std::string operator()(const T* value) const {
+    return scalarText(*value);
+  }
+  template <class T>
+  std::string operator()(const std::vector<T>* list) const {
+    std::vector<std::string> texts;
+    for (const auto& value : *list) texts.push_back(scalarText(value));
+    return "[" + join(texts) + "]";
+  }
+  template <class K, class V>
+  std::string operator()(const std::map<K, V>* map) const {
+    std::vector<std::string> texts;
+    for (const auto& [key, value] : *map)
+      texts.push_back(scalarText(key) + ": " + scalarText(value));
+    return "{" + join(texts) + "}";
+  }
 };
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
+
+struct FaultOfTarget {
+  const Field& field;
+
+  template <class T>
+  std::string operator()(const T* value) const {
+    return faultOfScalar(field, *value);
+  }
+  template <class T>
+  std::string operator()(const std::vector<T>* list) const {
+    for (const auto& value : *list)
+      if (auto fault = faultOfScalar(field, value); !fault.empty()) return fault;
+    return "";
+  }
+  template <class K, class V>
+  std::string operator()(const std::map<K, V>* map) const {
+    for (const auto& [key, value] : *map)
+      if (const auto fault = faultOfScalar(field, value); !fault.empty())
+        return scalarText(key) + ": " + fault;
+    return "";
+  }
+};
 
 }  // namespace
 
@@ -36,47 +99,38 @@ bool Range::isEverything() const { return std::isinf(min) && std::isinf(max); }
 
 std::string Range::text() const {
   if (isEverything()) return "any number";
-  if (std::isinf(max)) return (min_open ? "> " : ">= ") + numberText(min);
-  if (std::isinf(min)) return (max_open ? "< " : "<= ") + numberText(max);
-  return (min_open ? "(" : "[") + numberText(min) + ", " + numberText(max) + (max_open ? ")" : "]");
+  if (std::isinf(max)) return (min_open ? "> " : ">= ") + scalarText(min);
+  if (std::isinf(min)) return (max_open ? "< " : "<= ") + scalarText(max);
+  return (min_open ? "(" : "[") + scalarText(min) + ", " + scalarText(max) + (max_open ? ")" : "]");
 }
 
 std::string Field::typeName() const {
-  static const char* const kNames[] = {"bool",   "integer", "non-negative integer",
-                                       "number", "text",    "list of texts"};
+  static const char* const kNames[] = {"bool",
+                                       "integer",
+                                       "non-negative integer",
+                                       "number",
+                                       "text",
+                                       "list of texts",
+                                       "list of integers",
+                                       "list of numbers",
+                                       "map of integers to numbers",
+                                       "map of texts to integers"};
+  static_assert(std::size(kNames) == std::variant_size_v<Target>);
   return kNames[target.index()];
 }
 
-std::string Field::valueText() const {
-  return std::visit(
-      Overloaded{[](const bool* v) { return std::string(*v ? "true" : "false"); },
-                 [](const int* v) { return std::to_string(*v); },
-                 [](const std::uint64_t* v) { return std::to_string(*v); },
-                 [](const double* v) { return numberText(*v); },
-                 [](const std::string* v) { return *v; },
-                 [](const std::vector<std::string>* v) { return "[" + join(*v) + "]"; }},
+bool Field::isListOrMap() const {
+  return !std::visit(
+      [](const auto* value) {
+        using Value = std::decay_t<decltype(*value)>;
+        return std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string>;
+      },
       target);
 }
 
-std::string Field::fault() const {
-  const auto outside = [this](double value) {
-    return std::isfinite(value) && range.contains(value)
-               ? std::string()
-               : valueText() + " is not allowed; the range is " + range.text();
-  };
-  return std::visit(
-      Overloaded{[](const bool*) { return std::string(); },
-                 [&](const int* v) { return outside(*v); },
-                 [&](const std::uint64_t* v) { return outside(static_cast<double>(*v)); },
-                 [&](const double* v) { return outside(*v); },
-                 [this](const std::string* v) {
-                   if (choices.empty() || std::count(choices.begin(), choices.end(), *v) > 0)
-                     return std::string();
-                   return "'" + *v + "' is not one of: " + join(choices) + didYouMean(*v, choices);
-                 },
-                 [](const std::vector<std::string>*) { return std::string(); }},
-      target);
-}
+std::string Field::valueText() const { return std::visit(TextOfTarget{}, target); }
+
+std::string Field::fault() const { return std::visit(FaultOfTarget{*this}, target); }
 
 const Field* Fields::find(const std::string& name) const {
   const auto found = std::find_if(fields_.begin(), fields_.end(),

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,10 +34,13 @@ struct Range {
 enum class Scope { kProduct, kRobot };
 
 /// One field of a configuration struct, described once: the description feeds the YAML reader, the
-/// ROS reader, the validator and the parameter tables of the documentation.
+/// ROS reader, the validator and the parameter tables of the documentation. Range and choices of a
+/// list or map hold for each of its values.
 struct Field {
   using Target =
-      std::variant<bool*, int*, std::uint64_t*, double*, std::string*, std::vector<std::string>*>;
+      std::variant<bool*, int*, std::uint64_t*, double*, std::string*, std::vector<std::string>*,
+                   std::vector<std::int64_t>*, std::vector<double>*,
+                   std::map<std::int64_t, double>*, std::map<std::string, std::int64_t>*>;
 
   std::string name;
   Target target;
@@ -52,7 +56,8 @@ struct Field {
   Field& ofRobot() { return scope = Scope::kRobot, *this; }
 
   std::string typeName() const;
-  std::string valueText() const;
+  bool isListOrMap() const;
+  std::string valueText() const;  ///< as YAML would have it, texts unquoted
   /// Empty when the value in force is allowed, else what is wrong with it.
   std::string fault() const;
 };
