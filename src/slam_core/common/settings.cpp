@@ -37,10 +37,24 @@ std::string assign(const Field& field, const YAML::Node& node) {
     using Value = std::remove_pointer_t<decltype(target)>;
     // yaml-cpp reads "-1" into an unsigned number without complaint
     const bool negative = std::is_unsigned_v<Value> && node.IsScalar() && node.Scalar()[0] == '-';
-    return !negative && YAML::convert<Value>::decode(node, *target);
+    try {
+      return !negative && YAML::convert<Value>::decode(node, *target);
+    } catch (const YAML::Exception&) {  // of an entry of a list or map
+      return false;
+    }
   };
   if (!std::visit(convert, field.target)) return text(node) + " is not of type " + field.typeName();
   return field.fault();
+}
+
+/// The text of an override is YAML where the field is a list or map: [1, 2], {3: 0.2}.
+YAML::Node nodeOf(const Field& field, const std::string& text) {
+  if (!field.isListOrMap()) return YAML::Node(text);
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception&) {
+    return YAML::Node(text);
+  }
 }
 
 const ConfigDocument& requireMap(const ConfigDocument& document) {
@@ -112,6 +126,15 @@ void Settings::readSection(const std::string& section, const Fields& fields) {
   if (!faults.empty()) throw ConfigError(faults);
 }
 
+void Settings::checkUnusedSection(const std::string& section, const Fields& fields) {
+  if (read_.count(section) > 0) return;
+  unused_.insert(section);
+  std::vector<std::string> faults;
+  applyDocument(product_, Scope::kProduct, section, fields, faults);
+  applyDocument(robot_, Scope::kRobot, section, fields, faults);
+  if (!faults.empty()) throw ConfigError(faults);
+}
+
 void Settings::applyDocument(const ConfigDocument& document, Scope scope,
                              const std::string& section, const Fields& fields,
                              std::vector<std::string>& faults) const {
@@ -151,20 +174,21 @@ void Settings::applyOverrides(const std::string& section, const Fields& fields,
       faults.push_back(where + "unknown" + didYouMean(given.key, fields.names()));
       continue;
     }
-    const auto fault = assign(*field, YAML::Node(given.text));
+    const auto fault = assign(*field, nodeOf(*field, given.text));
     if (!fault.empty()) faults.push_back(where + fault);
   }
 }
 
 void Settings::requireAllRead() const {
   FaultCollector faults;
-  const std::vector<std::string> known(read_.begin(), read_.end());
+  std::vector<std::string> known(read_.begin(), read_.end());
+  known.insert(known.end(), unused_.begin(), unused_.end());
   for (const auto* document : {&product_, &robot_}) {
     if (!document->root || !document->root.IsMap()) continue;
     for (const auto& entry : document->root) {
       const auto key = entry.first.Scalar();
       const bool is_section = entry.second.IsMap() || entry.second.IsNull();
-      if (is_section && read_.count(key) == 0)
+      if (is_section && read_.count(key) == 0 && unused_.count(key) == 0)
         faults.add("section " + key + " in " + place(*document, entry.first) +
                    " belongs to no component of this product" + didYouMean(key, known));
     }

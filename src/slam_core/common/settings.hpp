@@ -51,7 +51,19 @@ class Settings {
     readSection(Config::kSection, fields);
   }
 
-  /// Sections that nobody has read, with the place where they stand: leftovers or typos.
+  /// Checks the section of a component that this product does not use, which may stand in the files
+  /// all the same (a robot has a camera, the product looks at no image). Does nothing where the
+  /// section has been read. @throw ConfigError as read()
+  template <class Config>
+  void checkUnused() {
+    Config config;
+    Fields fields;
+    config.describe(fields);
+    checkUnusedSection(Config::kSection, fields);
+  }
+
+  /// Sections that nobody has read or checked, with the place where they stand: leftovers or typos;
+  /// overrides of sections that nobody has read.
   /// @throw ConfigError when there are any
   void requireAllRead() const;
 
@@ -64,6 +76,7 @@ class Settings {
   };
 
   void readSection(const std::string& section, const Fields& fields);
+  void checkUnusedSection(const std::string& section, const Fields& fields);
   void applyDocument(const ConfigDocument& document, Scope scope, const std::string& section,
                      const Fields& fields, std::vector<std::string>& faults) const;
   void applyOverrides(const std::string& section, const Fields& fields,
@@ -71,7 +84,7 @@ class Settings {
 
   ConfigDocument product_, robot_;
   std::vector<Override> overrides_;
-  std::set<std::string> read_;
+  std::set<std::string> read_, unused_;
   std::vector<std::pair<std::string, std::string>> in_force_;  // section, its YAML text
 };
 

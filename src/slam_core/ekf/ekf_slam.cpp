@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
 // Symbols: x state, P its covariance, u motion increment with covariance Q, z observation with
@@ -14,6 +15,7 @@ namespace slam::ekf {
 namespace {
 
 const Registrar<Backend, EkfSlam> kRegistrar("ekf");
+const SectionRegistrar<EkfConfig> kSectionRegistrar;
 
 /// So many gated ones at once, and none that fits, are no chance outliers.
 constexpr int kLost = 3;

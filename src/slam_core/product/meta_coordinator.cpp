@@ -5,61 +5,64 @@
 
 #include <utility>
 
-#include "slam_core/contract/registry.hpp"
-
 namespace slam {
 
 void MetaCoordinator::configure(Settings& settings) {
-  ProductConfig product;
-  FaultCollector faults;
-  faults.attempt([&] { settings.read(product); });
-  faults.attempt([&] { loadLibraries(product.libraries); });
-  faults.attempt([&] {
-    frames_ = settings.read<FramesConfig>();
-    frames_.requireDistinctNames();
-  });
-  odometry_ = nullptr;
-  std::unique_ptr<Backend> backend;
-  faults.attempt(
-      [&] { odometry_ = Registry<OdometrySource>::instance().create(product.odometry); });
-  faults.attempt([&] { backend = Registry<Backend>::instance().create(product.backend); });
-  const bool complete = odometry_ && backend;  // else nobody knows which sections are left over
-  if (odometry_) faults.attempt([&] { odometry_->configure(settings); });
-  if (backend) faults.attempt([&] { estimator_.configure(settings, std::move(backend)); });
-  if (complete) faults.attempt([&] { settings.requireAllRead(); });
-  faults.raise();
+  parts_ = makeComponents(settings);
   front_end_status_ = Status::ok();
 }
 
 void MetaCoordinator::set(OdometrySample sample) {
-  frames_.complete(sample.odometry_frame, sample.base_frame);
-  odometry_->set(sample);
-  const auto status = odometry_->execute();
+  parts_.frames.complete(sample.odometry_frame, sample.base_frame);
+  parts_.odometry->set(sample);
+  note(parts_.odometry->execute());
+  if (parts_.odometry->motion()) parts_.estimator.set(*parts_.odometry->motion());
+}
+
+template <class Input>
+void MetaCoordinator::setForDetector(const Input& input) {
+  if (!parts_.detector) return;
+  parts_.detector->set(input);
+  do {
+    note(parts_.detector->execute());
+    if (parts_.detector->observations()) parts_.estimator.set(*parts_.detector->observations());
+  } while (parts_.detector->observations());
+}
+
+template void MetaCoordinator::setForDetector(const Image&);
+template void MetaCoordinator::setForDetector(const CameraCalibration&);
+template void MetaCoordinator::setForDetector(const CameraMount&);
+
+void MetaCoordinator::note(const Status& status) {
   if (!status.isOk()) front_end_status_ = status;
-  if (odometry_->motion()) estimator_.set(*odometry_->motion());
 }
 
 Status MetaCoordinator::execute() {
-  const auto status = estimator_.execute();
+  const auto status = parts_.estimator.execute();
   const auto front_end_status = std::exchange(front_end_status_, Status::ok());
   return front_end_status.isOk() ? status : front_end_status;
 }
 
 Counters MetaCoordinator::counters() const {
-  Counters all = estimator_.counters();
-  for (const auto& [reason, count] : odometry_->counters().all())
-    all.add("odometry_" + reason, count);
+  Counters all = parts_.estimator.counters();
+  const auto add = [&](const std::string& prefix, const Counters& part) {
+    for (const auto& [reason, count] : part.all()) all.add(prefix + reason, count);
+  };
+  add("odometry_", parts_.odometry->counters());
+  if (parts_.detector) add("detector_", parts_.detector->counters());
   return all;
 }
 
 std::uint64_t MetaCoordinator::dropped() const {
-  const auto& odometry = odometry_->counters();
-  return estimator_.dropped() + odometry["late"] + odometry["invalid"];
+  const auto& odometry = parts_.odometry->counters();
+  const auto late_images = parts_.detector ? parts_.detector->counters()["late"] : 0;
+  return parts_.estimator.dropped() + odometry["late"] + odometry["invalid"] + late_images;
 }
 
 void MetaCoordinator::reset() {
-  odometry_->reset();
-  estimator_.reset();
+  parts_.odometry->reset();
+  if (parts_.detector) parts_.detector->reset();
+  parts_.estimator.reset();
   front_end_status_ = Status::ok();
 }
 

@@ -3,10 +3,7 @@
 
 #pragma once
 
-#include <memory>
-
-#include "slam_core/contract/odometry_source.hpp"
-#include "slam_core/product/estimator.hpp"
+#include "slam_core/product/product_components.hpp"
 
 namespace slam {
 
@@ -19,26 +16,34 @@ class MetaCoordinator {
   void configure(Settings& settings);
 
   void set(OdometrySample sample);
+  /// Nothing comes of these three where the product looks at no images.
+  void set(const Image& image) { setForDetector(image); }
+  void set(const CameraCalibration& calibration) { setForDetector(calibration); }
+  void set(const CameraMount& mount) { setForDetector(mount); }
   /// For data that already carry what a component would make.
-  void set(const Motion& motion) { estimator_.set(motion); }
-  void set(const LandmarkObservationArray& observations) { estimator_.set(observations); }
+  void set(const Motion& motion) { parts_.estimator.set(motion); }
+  void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
 
   /// One step, as Estimator::execute(); a warning of the front-end comes first.
   Status execute();
 
-  Estimator& estimator() { return estimator_; }
-  const Estimator& estimator() const { return estimator_; }
-  const FramesConfig& frames() const { return frames_; }
-  /// Of the front-end and the estimator.
+  Estimator& estimator() { return parts_.estimator; }
+  const Estimator& estimator() const { return parts_.estimator; }
+  /// Of the product's images; null where it looks at none.
+  const LandmarkDetector* detector() const { return parts_.detector.get(); }
+  const FramesConfig& frames() const { return parts_.frames; }
+  /// Of the front-end ("odometry_...", "detector_...") and the estimator.
   Counters counters() const;
   std::uint64_t dropped() const;
 
   void reset();
 
  private:
-  FramesConfig frames_;
-  std::unique_ptr<OdometrySource> odometry_;
-  Estimator estimator_;
+  template <class Input>
+  void setForDetector(const Input& input);
+  void note(const Status& status);
+
+  ProductComponents parts_;
   Status front_end_status_;
 };
 

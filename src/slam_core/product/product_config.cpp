@@ -15,6 +15,9 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("libraries", &libraries, "shared libraries with components beyond the built-in ones");
   fields.add("backend", &backend, "name of the back-end component");
   fields.add("odometry", &odometry, "name of the odometry source");
+  fields.add("detector", &detector,
+             "name of the detector that finds landmarks in the camera's images; none: they come as "
+             "observations");
   fields.add("map", &map, "representation of the map").oneOf({"landmarks"});
   fields.add("seed", &seed, "of every random stream");
   fields

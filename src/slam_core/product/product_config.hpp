@@ -21,12 +21,14 @@ struct ProductConfig {
   std::vector<std::string> libraries;
   std::string backend = "ekf";
   std::string odometry = "wheel";
+  std::string detector = "none";
   std::string map = "landmarks";
   std::uint64_t seed = 1;
   double source_timeout = 1.0;
   std::string robot;
 
   void describe(Fields& fields);
+  bool usesImages() const { return detector != "none"; }
 };
 
 /// The robot's frames (REP-105).

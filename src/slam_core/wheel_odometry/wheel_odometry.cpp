@@ -3,12 +3,14 @@
 
 #include "slam_core/wheel_odometry/wheel_odometry.hpp"
 
+#include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
 namespace slam::wheel_odometry {
 namespace {
 
 const Registrar<OdometrySource, WheelOdometry> kRegistrar("wheel");
+const SectionRegistrar<WheelOdometryConfig> kSectionRegistrar;
 
 /// A stamp this much older than the last one is the beginning of a new run.
 constexpr Duration kRestartGap = std::chrono::seconds(5);
