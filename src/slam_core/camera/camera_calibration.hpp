@@ -10,6 +10,7 @@
 namespace slam {
 
 /// The intrinsics of a camera, as sensor_msgs/CameraInfo has them: for the raw, distorted image.
+/// The centre of the upper left pixel is (0, 0).
 struct CameraCalibration {
   int width = 0, height = 0;     ///< [px]
   std::string distortion_model;  ///< "plumb_bob", "rational_polynomial", "equidistant"
@@ -21,7 +22,7 @@ struct CameraCalibration {
 };
 
 /// Empty, or what makes the calibration unusable (K all zero, NaN, a distortion model that is not
-/// known, a wrong number of coefficients).
+/// known, a wrong number of coefficients). No distortion: no coefficients, with or without a model.
 std::string faultOf(const CameraCalibration& calibration);
 
 /// Where a camera is mounted: its optical frame (x right, y down, z forward, REP-103) in the
@@ -30,5 +31,8 @@ struct CameraMount {
   std::string camera_frame;
   Eigen::Isometry3d T_base_camera = Eigen::Isometry3d::Identity();
 };
+
+/// Empty, or what makes the mount unusable (NaN, a matrix that does not rotate).
+std::string faultOf(const CameraMount& mount);
 
 }  // namespace slam
