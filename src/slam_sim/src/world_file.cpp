@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_sim/world_file.hpp"
+
+#include <cmath>
+
+#include "slam_core/common/settings.hpp"
+#include "slam_sim/marker_family.hpp"
+#include "world_check.hpp"
+#include "yaml_map.hpp"
+
+namespace slam::sim {
+namespace {
+
+constexpr int kVersion = 1;
+const Range kGray = Range::closed(0.0, 1.0);
+const Range kPositive = Range::above(0.0);
+
+/// Reads one file; the parts' places are kept for the checks that come after.
+class WorldReader {
+ public:
+  explicit WorldReader(FaultCollector& faults) : faults_(faults) {}
+
+  World read(const std::string& path) {
+    const auto document = loadConfigFile(path);
+    YamlMap root(path, "", document.root, faults_);
+    faults_.raise();
+    readVersion(root);
+    root.require("world", world_.name);
+    root.read("floor_gray", world_.floor_gray, kGray);
+    readCeiling(root.map("ceiling"));
+    for (auto& wall : root.list("walls")) readWall(wall);
+    for (auto& box : root.list("furniture")) readFurniture(box);
+    readMarkerDefaults(root.map("marker"));
+    for (auto& marker : root.list("markers")) readMarker(marker);
+    for (auto& row : root.list("marker_rows")) readRow(row);
+    readPath(root.map("path"), path);
+    root.finish();
+    places_.world = path;
+    return world_;
+  }
+
+  const WorldPlaces& places() const { return places_; }
+
+ private:
+  void readVersion(YamlMap& root) {
+    int version = kVersion;
+    root.require("version", version);
+    if (version != kVersion)
+      root.fault("has version " + std::to_string(version) + "; this program reads version " +
+                 std::to_string(kVersion));
+  }
+
+  void readCeiling(YamlMap map) {
+    map.read("height", world_.ceiling.height, kPositive);
+    map.read("texture", world_.ceiling.texture, ceilingTextures());
+    map.read("scale", world_.ceiling.scale, kPositive);
+    map.finish();
+  }
+
+  /// A line of one or more walls.
+  void readWall(YamlMap& map) {
+    std::vector<Eigen::Vector2d> points;
+    bool closed = false;
+    Wall wall;
+    wall.height = world_.ceiling.height;
+    map.require("points", points);
+    map.read("closed", closed);
+    map.read("height", wall.height, kPositive);
+    map.read("gray", wall.gray, kGray);
+    map.finish();
+    if (points.size() < 2) map.fault("needs at least 2 points");
+    if (closed && !points.empty()) points.push_back(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      wall.from = points[i - 1];
+      wall.to = points[i];
+      if (wall.from == wall.to) map.fault("has a part of length 0");
+      world_.walls.push_back(wall);
+      places_.walls.push_back(map.where());
+    }
+  }
+
+  void readFurniture(YamlMap& map) {
+    Box box;
+    map.require("centre", box.centre);
+    map.require("size", box.size, kPositive);
+    map.read("yaw", box.yaw);
+    map.read("gray", box.gray, kGray);
+    map.finish();
+    world_.furniture.push_back(box);
+    places_.furniture.push_back(map.where());
+  }
+
+  void readMarkerDefaults(YamlMap map) {
+    default_.family = "36h11";
+    map.read("family", default_.family, markerFamilyNames());
+    map.read("size", default_.size, kPositive);
+    map.finish();
+  }
+
+  void readMarker(YamlMap& map) {
+    Marker marker = default_;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    double facing = 0.0;
+    map.require("id", marker.id);
+    map.read("family", marker.family, markerFamilyNames());
+    map.read("size", marker.size, kPositive);
+    map.require("position", position);
+    map.require("facing", facing);
+    map.finish();
+    add(marker, position, facing, map.where());
+  }
+
+  /// Markers of successive ids at equal distances on a straight line.
+  void readRow(YamlMap& map) {
+    Marker marker = default_;
+    std::int64_t first_id = 0;
+    int count = 1;
+    Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
+    double facing = 0.0;
+    map.require("first_id", first_id, Range::atLeast(0.0));
+    map.require("count", count, Range::closed(2.0, 10000.0));
+    map.read("family", marker.family, markerFamilyNames());
+    map.read("size", marker.size, kPositive);
+    map.require("from", from);
+    map.require("to", to);
+    map.require("facing", facing);
+    map.finish();
+    for (int i = 0; i < count && count <= 10000; ++i) {
+      marker.id = first_id + i;
+      const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+      add(marker, from + share * (to - from), facing, map.where());
+    }
+  }
+
+  void add(Marker& marker, const Eigen::Vector3d& position, double facing,
+           const std::string& place) {
+    marker.T_world_marker = uprightMarker(position, facing);
+    world_.markers.push_back(marker);
+    places_.markers.push_back(place);
+  }
+
+  void readPath(YamlMap map, const std::string& file) {
+    map.read("points", world_.path.points);
+    map.read("speed", world_.path.speed, kPositive);
+    map.read("laps", world_.path.laps, Range::closed(1.0, 1000.0));
+    map.finish();
+    places_.path = world_.path.points.empty() ? file + ": path" : map.where();
+  }
+
+  FaultCollector& faults_;
+  World world_;
+  Marker default_;
+  WorldPlaces places_;
+};
+
+}  // namespace
+
+World readWorldFile(const std::string& path) {
+  FaultCollector faults;
+  WorldReader reader(faults);
+  const World world = reader.read(path);
+  faults.raise();
+  checkFit(world, reader.places(), faults);
+  faults.raise();
+  return world;
+}
+
+}  // namespace slam::sim
