@@ -12,7 +12,7 @@ import types
 import unittest
 
 from slam_eval import (bench_cli, bench_consistency, bench_landmarks, bench_mrpt_config as mrpt,
-                       bench_table, bench_update)
+                       bench_options, bench_table, bench_update)
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_process import Usage
 from slam_eval.bench_runs import Result
@@ -56,35 +56,51 @@ class Table(unittest.TestCase):
 class Options(unittest.TestCase):
 
     def test_sizes_are_sorted_and_taken_once(self):
-        self.assertEqual(bench_cli.number_list('300,100,300'), (100, 300))
+        self.assertEqual(bench_options.number_list('300,100,300'), (100, 300))
 
     def test_a_size_that_is_no_number_above_0_is_refused(self):
         for text in ('', '100,', '0', '-5', '1.5', 'many'):
             with self.subTest(text), self.assertRaises(argparse.ArgumentTypeError):
-                bench_cli.number_list(text)
+                bench_options.number_list(text)
 
     def test_parts_run_in_their_own_order(self):
-        self.assertEqual(bench_cli.part_list('update,demo'), ['demo', 'update'])
+        known = bench_cli.BENCHMARKS['ekf'].parts
+        self.assertEqual(bench_options.part_list('update,demo', known), ['demo', 'update'])
 
     def test_an_unknown_part_is_refused_with_the_known_ones(self):
+        known = bench_cli.BENCHMARKS['ekf'].parts
         with self.assertRaisesRegex(argparse.ArgumentTypeError, 'demos.*consistency'):
-            bench_cli.part_list('demo,demos')
+            bench_options.part_list('demo,demos', known)
+
+    def parse(self, *arguments):
+        """The options of a call."""
+        return bench_options.parse(list(arguments), bench_cli.BENCHMARKS)
+
+    def test_without_a_name_the_back_end_is_measured(self):
+        self.assertEqual(self.parse().benchmark, 'ekf')
+        self.assertEqual(self.parse('--only', 'demo').only, ['demo'])
+
+    def test_each_benchmark_has_its_own_options(self):
+        self.assertEqual((self.parse('ekf').seeds, self.parse('office').seeds), (50, 20))
+        self.assertEqual(self.parse('office', '--world', 'corridor').world, 'corridor')
+        self.assertEqual(self.parse('online').composition, 'pubsub')
+
+    def test_a_name_or_option_that_does_not_exist_is_wrong_use(self):
+        for arguments in (['offce'], ['office', '--sizes', '1'], ['online', '--bag', '/none.bag']):
+            with self.subTest(arguments), contextlib.redirect_stderr(io.StringIO()):
+                with self.assertRaises(SystemExit) as wrong_use:
+                    self.parse(*arguments)
+                self.assertEqual(wrong_use.exception.code, 2)
 
 
 class Parts(unittest.TestCase):
 
     def run_parts(self, parts, folder):
         """Run the given functions as parts; returns (failed, text of the page)."""
-        saved, page = dict(bench_cli.PARTS), folder / 'page.md'
+        page = folder / 'page.md'
         context = types.SimpleNamespace(out=folder, progress=bench_cli.Progress())
-        bench_cli.PARTS.update(parts)
-        try:
-            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(
-                    io.StringIO()):
-                failed = bench_cli.run_parts(list(parts), context, page, '# Title\n')
-        finally:
-            bench_cli.PARTS.clear()
-            bench_cli.PARTS.update(saved)
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            failed = bench_cli.run_parts(parts, list(parts), context, page, '# Title\n')
         return failed, page.read_text(encoding='utf-8')
 
     def test_a_part_that_fails_does_not_keep_the_others_from_running(self):

@@ -80,6 +80,25 @@ class SlamEval(unittest.TestCase):
         self.assertIn('3 is expected', report)
         self.assertIn('Steps with landmarks</td><td class="v">', report)
 
+    def test_draws_the_walls_of_the_world(self):
+        run_maker.make_run(self.run_folder, count=300)
+        self.evaluate(self.run_folder)
+        bare = (self.run_folder / 'map.png').read_bytes()
+        world = self.run_folder / 'world.yaml'
+        world.write_text('walls:\n  - {points: [[0, 0], [4, 0], [4, 3]], closed: true}\n'
+                         'furniture:\n  - {centre: [1, 1], size: [0.5, 0.4, 1.0], yaw: 0.3}\n')
+        done = self.evaluate(self.run_folder, '--world', world)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotEqual((self.run_folder / 'map.png').read_bytes(), bare)
+
+    def test_a_file_that_is_no_world_is_named(self):
+        run_maker.make_run(self.run_folder, count=30)
+        for text in ('just words\n', 'walls:\n  - {from: [0, 0]}\n', 'walls: [\n'):
+            (self.run_folder / 'world.yaml').write_text(text)
+            done = self.evaluate(self.run_folder, '--world', self.run_folder / 'world.yaml')
+            self.assertEqual((done.returncode, done.stderr.count('\n')), (1, 1), done.stderr)
+            self.assertIn('world.yaml', done.stderr)
+
     def test_works_without_truth_and_says_what_is_missing(self):
         run_maker.make_run(self.run_folder, count=300, truth=False)
         done = self.evaluate(self.run_folder)

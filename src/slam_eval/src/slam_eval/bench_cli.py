@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The program behind `./slam bench`: tables on stdout, progress on stderr, a page with pictures."""
-import argparse
 import contextlib
+import dataclasses
 import datetime
 import os
 import pathlib
@@ -11,90 +11,41 @@ import signal
 import sys
 import tempfile
 
-from slam_eval import bench_consistency, bench_demo, bench_landmarks, bench_mrclam, bench_update
+from slam_eval import (bench_consistency, bench_demo, bench_fiducial, bench_landmarks, bench_mrclam,
+                       bench_office, bench_online, bench_options, bench_update)
+from slam_eval.atomic_file import write_atomically
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_progress import Progress
-from slam_eval.bench_programs import data_folder
 from slam_eval.bench_runs import Context
-from slam_eval.cli import write_atomically
 from slam_eval.errors import InputError
 
-PARTS = {
-    'demo': bench_demo.measure,
-    'mrclam': bench_mrclam.measure,
-    'consistency': bench_consistency.measure,
-    'landmarks': bench_landmarks.measure,
-    'update': bench_update.measure,
+
+@dataclasses.dataclass(frozen=True)
+class Benchmark:
+    """A benchmark: what it is, its parts by name, and what adds its options to a parser."""
+
+    title: str
+    summary: str
+    parts: dict
+    add_options: object
+
+
+BENCHMARKS = {
+    'ekf': Benchmark(
+        'the back-end ekf', 'the EKF on logs and simulations, beside MRPT\'s; some ten minutes',
+        {'demo': bench_demo.measure, 'mrclam': bench_mrclam.measure,
+         'consistency': bench_consistency.measure, 'landmarks': bench_landmarks.measure,
+         'update': bench_update.measure}, bench_options.add_ekf),
+    'office': Benchmark(
+        'a product in the simulated office', 'a product in the simulated office, many seeds',
+        {'office': bench_office.measure}, bench_options.add_office),
+    'fiducial': Benchmark(
+        'the fiducial detectors', 'time of the detectors, and what they see from where',
+        {'fiducial': bench_fiducial.measure}, bench_options.add_fiducial),
+    'online': Benchmark(
+        'a product online', 'latency, losses and CPU of a product as nodes, in real time',
+        {'online': bench_online.measure}, bench_options.add_online),
 }
-
-
-def _positive(text):
-    value = int(text)
-    if value < 1:
-        raise ValueError(text)
-    return value
-
-
-def number_list(text):
-    """Whole numbers above 0, separated by commas, rising; each once."""
-    try:
-        return tuple(sorted({_positive(part) for part in text.split(',')}))
-    except ValueError:
-        raise argparse.ArgumentTypeError(
-            f'"{text}" is no list of whole numbers above 0, like 100,300') from None
-
-
-def seed_count(text):
-    """A whole number above 0."""
-    try:
-        return _positive(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f'"{text}" is no whole number above 0') from None
-
-
-def part_list(text):
-    """Names of parts, separated by commas, in the order in which they run."""
-    names = text.split(',')
-    for name in names:
-        if name not in PARTS:
-            raise argparse.ArgumentTypeError(
-                f'there is no part "{name}"; the parts are {", ".join(PARTS)}')
-    return [name for name in PARTS if name in names]
-
-
-def _folder(text):
-    path = pathlib.Path(text)
-    if not path.is_dir():
-        raise argparse.ArgumentTypeError(f'there is no folder {text}')
-    return path.absolute()
-
-
-def _default_out():
-    """Beside the front door's other files where called from the clone, else in `bench`."""
-    return pathlib.Path('.slam/bench' if pathlib.Path('.slam').is_dir() else 'bench')
-
-
-def parse(arguments):
-    """The options of the call."""
-    parser = argparse.ArgumentParser(
-        prog='slam_bench', description='Accuracy, consistency, time and memory of a back-end as '
-        f'tables and pictures. Parts: {", ".join(PARTS)}. All of them take some ten minutes.')
-    parser.add_argument('backend', nargs='?', choices=['ekf'], default='ekf',
-                        help='what is measured (%(default)s)')
-    parser.add_argument('--data', metavar='DIR', type=_folder,
-                        help='MRCLAM data set (default: mrclam_dataset6 in $SLAM_DATA_DIR, else in '
-                        'shared/data beside the repository)')
-    parser.add_argument('--sizes', metavar='N,...', type=number_list, default=(100, 300, 1000),
-                        help='numbers of landmarks of the part landmarks (100,300,1000)')
-    parser.add_argument('--seeds', metavar='N', type=seed_count, default=50,
-                        help='runs of the part consistency (%(default)s)')
-    parser.add_argument('--only', metavar='PART,...', type=part_list, default=list(PARTS),
-                        help='only these parts')
-    parser.add_argument('--out', metavar='DIR', type=pathlib.Path, default=_default_out(),
-                        help='folder for the page and the pictures (%(default)s)')
-    parser.add_argument('--keep', metavar='DIR', type=pathlib.Path,
-                        help='keep bags, runs and logs in this folder')
-    return parser.parse_args(arguments)
 
 
 def _processor():
@@ -105,9 +56,9 @@ def _processor():
     return os.uname().machine
 
 
-def heading(backend):
+def heading(title):
     """Title of the page and where and when it was measured."""
-    return (f'# Benchmark of the back-end {backend}\n\n{datetime.date.today()}, {_processor()}, '
+    return (f'# Benchmark of {title}\n\n{datetime.date.today()}, {_processor()}, '
             f'{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the start.\n')
 
 
@@ -125,12 +76,12 @@ def _work_folder(keep):
         shutil.rmtree(path, ignore_errors=True)
 
 
-def run_parts(names, context, page, text):
-    """Measure the parts, print each when it is done; returns the names of those that failed."""
+def run_parts(parts, names, context, page, text):
+    """Measure the named parts, print each when it is done; returns the names that failed."""
     failed = []
     for name in names:
         try:
-            section = PARTS[name](context)
+            section = parts[name](context)
         except (BenchError, InputError) as error:
             context.progress.end()
             print(f'slam_bench: part {name}: {error}', file=sys.stderr)
@@ -147,12 +98,12 @@ def bench(options):
     """Run what was asked for; returns the exit code."""
     out = options.out.absolute()
     out.mkdir(parents=True, exist_ok=True)
-    page, text = out / f'bench_{options.backend}.md', heading(options.backend)
+    benchmark = BENCHMARKS[options.benchmark]
+    page, text = out / f'bench_{options.benchmark}.md', heading(benchmark.title)
     print(text, end='', flush=True)
     with _work_folder(options.keep) as work:
-        context = Context(out, work, Progress(), options.data or data_folder('mrclam_dataset6'),
-                          options.sizes, options.seeds)
-        failed = run_parts(options.only, context, page, text)
+        context = Context(out, work, Progress(), options)
+        failed = run_parts(benchmark.parts, options.only, context, page, text)
     if len(failed) < len(options.only):
         print(f'\nTables and pictures: {page}')
     return 1 if failed else 0
@@ -160,7 +111,7 @@ def bench(options):
 
 def main(arguments=None):
     """Entry point: exit code 0 done, 1 a part failed, 2 wrong use."""
-    options = parse(arguments)
+    options = bench_options.parse(sys.argv[1:] if arguments is None else arguments, BENCHMARKS)
     # A stop from outside ends the running program and removes the temporary files as well.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:

@@ -39,8 +39,8 @@ def run_loop(context, loop):
     """What slam_eval_consistency says of a loop [m]."""
     log = context.work / f'consistency_{loop}.json'
     command = [workspace_program('slam_eval', 'slam_eval_consistency'), '--loop', str(loop),
-               '--seeds', str(context.seeds)]
-    call(context, f'consistency, loop of {loop} m, {context.seeds} seeds', command, log)
+               '--seeds', str(context.options.seeds)]
+    call(context, f'consistency, loop of {loop} m, {context.options.seeds} seeds', command, log)
     try:
         return json.loads(log.read_text(encoding='utf-8'))
     except json.JSONDecodeError:
@@ -57,12 +57,13 @@ def row(loop, result):
 
 def measure(context):
     """The section of this part."""
+    seeds = context.options.seeds
     results = {loop: run_loop(context, loop) for loop in LOOPS}
-    low, high = bounds(context.seeds)
+    low, high = bounds(seeds)
     section = Section('Consistency: a simulated loop')
     section.paragraphs += [
         table(HEADER, [row(loop, result) for loop, result in results.items()]),
-        f'Three laps past 20 landmarks, {context.seeds} seeds. "In bounds": share of the steps '
+        f'Three laps past 20 landmarks, {seeds} seeds. "In bounds": share of the steps '
         f'after the first {FIRST_STEP} whose NEES, averaged over the seeds, lies inside its 95 % '
         f'bounds ({low:.2f} to {high:.2f}; 3 and 1 are expected of NEES and NIS/dof).']
     path = context.out / 'consistency_nees.png'

@@ -96,7 +96,7 @@ def measure(context):
         section.paragraphs.append('Left out: simul-landmarks is not installed (Debian package '
                                   'mrpt-apps).')
         return section
-    worlds = [mrpt.World(size) for size in context.sizes]
+    worlds = [mrpt.World(size) for size in context.options.sizes]
     sizes = [measure_size(context, world) for world in worlds]
     cost, accuracy = _remarks(worlds[0], sizes[0].theirs is not None)
     section.paragraphs += [table(COST, [cost_row(size) for size in sizes]), cost,

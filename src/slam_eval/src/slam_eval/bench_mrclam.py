@@ -7,6 +7,7 @@ from typing import Optional
 import numpy as np
 
 from slam_eval.bench_plots import plot_trajectories
+from slam_eval.bench_programs import data_folder
 from slam_eval.bench_runs import import_log, run_ours
 from slam_eval.bench_table import Section, mean_row, number, table, verdict
 from slam_eval.metrics import evaluate, inside_bounds
@@ -45,10 +46,10 @@ class Robot:
                 len(self.run.trajectory), u.wall_s, u.cpu_s, u.max_rss_mb]
 
 
-def run_robot(context, robot):
+def run_robot(context, data, robot):
     """Import, run and evaluate one robot."""
     name = f'robot{robot}'
-    bag = import_log(context, name, ['mrclam', context.data, '--robot', str(robot)])
+    bag = import_log(context, name, ['mrclam', data, '--robot', str(robot)])
     folder, usage = run_ours(context, name, bag, 'mrclam')
     run = read_run(folder)
     return Robot(str(robot), run, evaluate(run), usage)
@@ -57,18 +58,19 @@ def run_robot(context, robot):
 def measure(context):
     """The section of this part."""
     section = Section('Accuracy: MRCLAM')
-    if not context.data.is_dir():
-        section.paragraphs.append(f'Left out: there is no folder {context.data} with a MRCLAM data '
+    data = context.options.data or data_folder('mrclam_dataset6')
+    if not data.is_dir():
+        section.paragraphs.append(f'Left out: there is no folder {data} with a MRCLAM data '
                                   'set (--data DIR or $SLAM_DATA_DIR name another one).')
         return section
-    robots = [run_robot(context, robot) for robot in ROBOTS]
+    robots = [run_robot(context, data, robot) for robot in ROBOTS]
     values = [robot.values() for robot in robots]
     mean = mean_row('mean', values)
     rows = [[v[0], *(number(x, f) for x, f in zip(v[1:], FORMS))] for v in [*values, mean]]
     remarks = [f'{what} {value:.3f} m ({verdict(value, limit, True)})' for what, value, limit in (
         ('mean ATE', mean[1], ATE_LIMIT), ('mean landmark RMSE', mean[2], LANDMARK_LIMIT))
         if value is not None]
-    section.paragraphs += [table(HEADER, rows), f'{context.data.name}: ' + '; '.join(remarks)
+    section.paragraphs += [table(HEADER, rows), f'{data.name}: ' + '; '.join(remarks)
                            + '. Errors after a rigid alignment; "in bounds" is the share of steps '
                            'whose NEES lies inside its 95 % bounds. Import not counted.']
     path = context.out / 'mrclam_trajectories.png'

@@ -121,3 +121,26 @@ def plot_trajectories(robots, path):
                    line([], [], color=look.LANDMARK, marker='+', linestyle='none')]
         grid.flat[-1].legend(handles, ['estimate', 'ground truth', 'true landmark'], loc='center')
         look.save(figure, path)
+
+
+def plot_seeds(errors, goal, path):
+    """Trajectory errors [m] by name, a dot a seed, with the goal that the first of them has."""
+    with look.style():
+        figure, axes = look.plt.subplots(figsize=(9.2, 4.2), constrained_layout=True)
+        for colour, (name, values) in zip((look.ESTIMATE, look.ODOMETRY), errors.items()):
+            seeds = np.arange(1, len(values) + 1)
+            axes.plot(seeds, values, 'o', color=colour, markersize=6)
+            _name_line(axes, seeds[-1], values[-1], name, colour)
+        if goal is not None:
+            axes.axhline(goal, color=look.MUTED, linewidth=0.9, linestyle=(0, (4, 3)))
+            axes.annotate(f'goal {goal:g} m', (1, goal), xytext=(0, 3), fontsize=8.5,
+                          textcoords='offset points', color=look.MUTED)
+        axes.set_yscale('log')
+        axes.set_xticks(seeds)
+        axes.yaxis.set_major_formatter(look.plt.FuncFormatter(lambda value, _: f'{value:g}'))
+        axes.margins(x=0.08)
+        axes.set_xlabel('seed')
+        axes.set_ylabel('ATE [m]')
+        axes.set_title('Trajectory error by seed')
+        _plain(axes)
+        look.save(figure, path)

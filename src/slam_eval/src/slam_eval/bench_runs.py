@@ -16,14 +16,12 @@ PRODUCT = 'ekf_wheel'
 
 @dataclasses.dataclass
 class Context:
-    """What all parts share: folders for pictures and for temporary files, options, progress."""
+    """What all parts share: folders for pictures and for temporary files, progress, options."""
 
     out: pathlib.Path
     work: pathlib.Path
     progress: object
-    data: pathlib.Path
-    sizes: tuple
-    seeds: int
+    options: object
 
     def folder(self, name):
         """A folder for temporary files."""
@@ -55,12 +53,29 @@ def import_log(context, name, arguments):
     return bag
 
 
-def run_ours(context, name, bag, robot):
-    """Run the product offline on a bag; returns (folder of the run, usage)."""
+def simulate(context, name, world, seed, sensors, label=None):
+    """Simulate a drive through a world with the sensors given as NAME.bag; returns the bag."""
+    bag = context.work / f'{name}.bag'
+    command = [workspace_program('slam_sim', 'slam_sim'), bag, '--world', world,
+               '--seed', str(seed), '--only', sensors]
+    call(context, f'{label or name}: simulation', command, context.work / f'{name}_simulation.log')
+    return bag
+
+
+def run_ours(context, name, bag, robot=None, product=PRODUCT, settings=(),
+             label=None):
+    """Run a product offline on a bag; returns (folder of the run, usage).
+
+    robot: its name or file, instead of the one that the bag names.
+    settings: section.key=value, instead of the files' values.
+    """
     folder = context.work / f'{name}_run'
-    command = [workspace_program('slam_ros', 'slam_offline'), PRODUCT, '--robot', robot,
-               '--bag', bag, '--out', folder]
-    usage = call(context, f'{PRODUCT} on {name}', command, context.work / f'{name}_run.log')
+    command = [workspace_program('slam_ros', 'slam_offline'), product, '--bag', bag,
+               '--out', folder]
+    command += ['--robot', robot] if robot else []
+    command += [word for setting in settings for word in ('--set', setting)]
+    usage = call(context, f'{label or name}: {product}', command,
+                 context.work / f'{name}_run.log')
     return folder, usage
 
 

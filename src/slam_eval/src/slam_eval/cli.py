@@ -3,10 +3,10 @@
 """The program behind `./slam eval DIR`."""
 import argparse
 import json
-import os
 import pathlib
 import sys
 
+from slam_eval.atomic_file import write_atomically
 from slam_eval.errors import InputError
 from slam_eval.metric_table import merge, terminal_table
 from slam_eval.metrics import evaluate
@@ -15,19 +15,7 @@ from slam_eval.plot_landmark_errors import plot_landmark_errors
 from slam_eval.plot_map import plot_map, plot_trajectory
 from slam_eval.report import render
 from slam_eval.run_folder import read_run
-
-
-def write_atomically(path, text):
-    """Write a text file completely or not at all."""
-    temporary = path.with_name(f'.{path.name}.{os.getpid()}')
-    try:
-        with open(temporary, 'w', encoding='utf-8') as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+from slam_eval.world_plan import read_world
 
 
 def missing_parts(run, result):
@@ -50,14 +38,14 @@ def missing_parts(run, result):
     return notes
 
 
-def draw(run, result, reference):
+def draw(run, result, reference, world):
     """Write the pictures the run allows; returns their paths."""
     pictures = []
     if run.landmarks is not None:
         pictures.append(run.path / 'map.png')
-        plot_map(run, result, pictures[-1], reference)
+        plot_map(run, result, pictures[-1], reference, world)
     pictures.append(run.path / 'trajectory.png')
-    plot_trajectory(run, result, pictures[-1], reference)
+    plot_trajectory(run, result, pictures[-1], reference, world)
     for plot, name in ((plot_landmark_errors, 'landmark_errors.png'),
                        (plot_consistency, 'consistency.png')):
         if plot(run, result, run.path / name):
@@ -65,13 +53,14 @@ def draw(run, result, reference):
     return pictures
 
 
-def evaluate_folder(folder, reference='ground truth'):
+def evaluate_folder(folder, reference='ground truth', world_file=None):
     """Evaluate a run folder: metrics.json, pictures, report and a table on stdout."""
     run = read_run(folder)
+    world = read_world(world_file) if world_file else None
     result = evaluate(run)
     metrics = merge(run.metrics, result.metrics)
     notes = missing_parts(run, result)
-    pictures = draw(run, result, reference)
+    pictures = draw(run, result, reference, world)
     write_atomically(run.path / 'metrics.json', json.dumps(metrics, indent=2) + '\n')
     write_atomically(run.path / 'report.html', render(run, metrics, pictures, notes))
     print(run.title)
@@ -89,9 +78,11 @@ def main(arguments=None):
                         help='folder that a run wrote (with trajectory.tum)')
     parser.add_argument('--reference-title', default='ground truth', metavar='TEXT',
                         help='what the reference is called in the pictures (%(default)s)')
+    parser.add_argument('--world', metavar='FILE', type=pathlib.Path,
+                        help='world file of the simulation: its walls are drawn behind the map')
     options = parser.parse_args(arguments)
     try:
-        evaluate_folder(options.folder, options.reference_title)
+        evaluate_folder(options.folder, options.reference_title, options.world)
     except InputError as error:
         print(f'slam_eval: {error}', file=sys.stderr)
         return 1

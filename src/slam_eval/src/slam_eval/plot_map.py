@@ -16,15 +16,17 @@ def _finish(figure, axes, title, errors, path):
     look.save(figure, path)
 
 
-def plot_map(run, result, path, reference='ground truth'):
-    """Figure 6.2a: the path and the landmarks with their 95 % ellipses and ids."""
+def plot_map(run, result, path, reference='ground truth', world=None):
+    """Figure 6.2a: the path and the landmarks with their 95 % ellipses and ids, in a WorldPlan."""
     estimate, landmarks = run.trajectory.poses[:, :2], run.landmarks
     truth, true = plan.truth_in_map(run, result), plan.true_landmarks_in_map(run, result)
+    world = plan.world_in_map(world, result)
     with look.style():
-        points = plan.bounds(estimate, truth, true, landmarks.positions)
+        points = plan.bounds(estimate, truth, true, landmarks.positions, world=world)
         span = float(np.max(np.ptp(points, axis=0)))
         scale = plan.magnification(landmarks, [], span, 0.02) if len(landmarks) else 1
         figure, axes = look.plan_axes(plan.bounds(points, *plan.extent(landmarks, scale)))
+        plan.draw_world(axes, world)
         plan.draw_estimate(axes, run)
         plan.draw_truth(axes, truth, reference)
         if len(landmarks):
@@ -34,11 +36,14 @@ def plot_map(run, result, path, reference='ground truth'):
                 {'ATE': result.ate, 'landmarks': result.landmark_error}, path)
 
 
-def plot_trajectory(run, result, path, reference='ground truth'):
-    """Figure 6.2b: the path of SLAM against that of dead reckoning."""
+def plot_trajectory(run, result, path, reference='ground truth', world=None):
+    """Figure 6.2b: the path of SLAM against that of dead reckoning, in a WorldPlan."""
     truth, odometry = plan.truth_in_map(run, result), plan.odometry_in_map(run)
+    world = plan.world_in_map(world, result)
     with look.style():
-        figure, axes = look.plan_axes(plan.bounds(run.trajectory.poses[:, :2], truth, odometry))
+        figure, axes = look.plan_axes(plan.bounds(run.trajectory.poses[:, :2], truth, odometry,
+                                                  world=world))
+        plan.draw_world(axes, world)
         if odometry is not None:
             plan.draw_path(axes, run.odometry.stamps, odometry, color=look.ODOMETRY,
                            linewidth=1.3, zorder=2, label='dead reckoning')

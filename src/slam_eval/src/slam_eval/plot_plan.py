@@ -64,6 +64,24 @@ def true_landmarks_in_map(run, result):
     return se2.transform_points(se2.inverse(alignment.T_truth_map), run.true_landmarks.positions)
 
 
+def world_in_map(world, result):
+    """A WorldPlan moved onto the estimate, as the truth is; or None."""
+    alignment = result.ate or result.landmark_error
+    if world is None or alignment is None:
+        return None
+    T = se2.inverse(alignment.T_truth_map)
+    return type(world)([se2.transform_points(T, wall) for wall in world.walls],
+                       [se2.transform_points(T, outline) for outline in world.furniture])
+
+
+def draw_world(axes, world):
+    """Walls and furniture behind everything."""
+    for outline in world.furniture if world else ():
+        axes.fill(*outline.T, facecolor='#eceef1', edgecolor='#d5d9de', linewidth=0.8, zorder=0.5)
+    for wall in world.walls if world else ():
+        axes.plot(*wall.T, color='#b4bac2', linewidth=2.2, zorder=0.6)
+
+
 def odometry_in_map(run):
     """Dead reckoning (N x 2) from the first pose of the estimate on, or None."""
     if run.odometry is None:
@@ -72,8 +90,9 @@ def odometry_in_map(run):
     return se2.transform_poses(T, run.odometry.poses)[:, :2]
 
 
-def bounds(*parts):
-    """The finite points of all parts that are there."""
+def bounds(*parts, world=None):
+    """The finite points of all parts that are there, the walls' included."""
+    parts = [*parts, *(world.walls if world else ())]
     points = np.vstack([p for p in parts if p is not None and len(p)])
     return points[np.all(np.isfinite(points), axis=1)]
 

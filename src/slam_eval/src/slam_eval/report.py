@@ -83,7 +83,8 @@ def _observation_section(updates):
         ('Gated', int(np.sum(counts['gated'])),
          'Observations that fitted their landmark too badly to be used.'),
         ('Added', int(np.sum(counts['added'])), 'First observations: each made a landmark.'),
-        ('Unknown', int(np.sum(counts['unknown'])), 'Observations without an id, or of landmarks that a fixed map has not.'),
+        ('Unknown', int(np.sum(counts['unknown'])),
+         'Observations without an id, or of landmarks that a fixed map has not.'),
     ]
     cells = ''.join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
                     f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)

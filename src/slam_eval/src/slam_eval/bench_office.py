@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Benchmark office: a product on simulated drives of many seeds, beside dead reckoning."""
+import dataclasses
+import pathlib
+import time
+
+from slam_eval.bench_plots import plot_seeds
+from slam_eval.bench_runs import run_ours, simulate
+from slam_eval.bench_table import Section, mean_row, number, table, verdict
+from slam_eval.metrics import evaluate
+from slam_eval.plot_map import plot_map, plot_trajectory
+from slam_eval.run_folder import read_run
+
+SENSORS = 'odom,camera'
+
+HEADER = ['seed', 'ATE [m]', 'dead reckoning [m]', 'mapped', 'of', 'landmarks [m]',
+          'false markers', 'NEES', 'NIS/dof', 'wall [s]', 'CPU [s]']
+FORMS = ['.4f', '.3f', 'g', 'g', '.4f', 'g', '.2f', '.3f', '.1f', '.1f']
+# What the worst seed is: (column, largest or least value). Little drift makes an office too easy.
+WORST = (max, min, min, min, max, max, max, max, max, max)
+
+
+@dataclasses.dataclass(frozen=True)
+class Goal:
+    """A limit of a figure: column of the table, row of it (worst or mean), at most or at least."""
+
+    what: str
+    column: str
+    worst: bool
+    limit: float
+    at_most: bool = True
+
+
+GOALS = {
+    'office': (Goal('worst ATE', 'ATE [m]', True, 0.03),
+               Goal('worst landmark RMSE', 'landmarks [m]', True, 0.03),
+               Goal('false markers', 'false markers', True, 0),
+               Goal('mean NEES', 'NEES', False, 1.0, False),
+               Goal('mean NEES', 'NEES', False, 4.2),
+               Goal('least drift of dead reckoning', 'dead reckoning [m]', True, 0.25, False)),
+    'corridor': (Goal('worst ATE', 'ATE [m]', True, 0.25),),
+}
+
+
+class RemainingTime:
+    """How long the other seeds may take, by the mean of those that are done."""
+
+    def __init__(self, count):
+        self._count, self._done, self._start = count, 0, time.monotonic()
+
+    def finished(self):
+        """One more is done."""
+        self._done += 1
+
+    def __str__(self):
+        text = f'{self._done + 1} of {self._count}'
+        if not self._done:
+            return text
+        seconds = (time.monotonic() - self._start) * (self._count / self._done - 1)
+        return f'{text}, about {seconds / 60:.0f} min left' if seconds >= 90 else (
+            f'{text}, about {seconds:.0f} s left')
+
+
+def values(seed, run, result, usage):
+    """The numbers of a line of the table."""
+    m, true = result.metrics, set(run.true_landmarks.ids) if run.true_landmarks else set()
+    mapped = set(run.landmarks.ids) if run.landmarks else set()
+    return [str(seed), m.get('ate_rmse_m'), m.get('odometry_ate_rmse_m'), len(mapped & true),
+            len(true), m.get('landmark_rmse_m'), len(mapped - true), m.get('nees_mean'),
+            m.get('nis_mean'), usage.wall_s, usage.cpu_s]
+
+
+def worst_row(rows):
+    """The worst of each column of numbers; None where a value is missing."""
+    columns = list(zip(*rows))[1:]
+    return ['worst'] + [None if None in column else worst(column)
+                        for worst, column in zip(WORST, columns)]
+
+
+def verdicts(world, mean, worst):
+    """A sentence for each goal of this world."""
+    texts = []
+    for goal in GOALS.get(world, ()):
+        value = (worst if goal.worst else mean)[HEADER.index(goal.column)]
+        if value is not None:
+            texts.append(f'{goal.what} {value:.4g} ({verdict(value, goal.limit, goal.at_most)})')
+    if world in GOALS:
+        mapped, of = (worst[HEADER.index(name)] for name in ('mapped', 'of'))
+        texts.append(f'fewest markers mapped {mapped:g} ({verdict(mapped, of, False)})')
+    return '; '.join(texts)
+
+
+def run_seed(context, seed, remaining):
+    """Simulate, run and evaluate one seed; returns (run, result, usage)."""
+    options = context.options
+    world, settings = options.world, [f'detector={options.detector}'] if options.detector else []
+    stem = pathlib.Path(world).stem
+    label, name = f'{stem}, seed {remaining}', f'{stem}_{seed}'
+    bag = simulate(context, name, world, seed, SENSORS, label)
+    folder, usage = run_ours(context, name, bag, product=options.product, settings=settings,
+                             label=label)
+    if options.keep is None:
+        bag.unlink()
+    run = read_run(folder)
+    remaining.finished()
+    return run, evaluate(run), usage
+
+
+def _pictures(context, stem, runs, rows):
+    run, result, _ = runs[0]
+    pictures = {'path and map, seed 1': context.out / f'{stem}_map.png',
+                'SLAM and dead reckoning, seed 1': context.out / f'{stem}_trajectory.png'}
+    paths = list(pictures.values())
+    if run.landmarks is not None:
+        plot_map(run, result, paths[0])
+    plot_trajectory(run, result, paths[1])
+    if len(rows) > 1 and None not in [row[1] for row in rows]:
+        pictures['trajectory error by seed'] = context.out / f'{stem}_seeds.png'
+        plot_seeds({'SLAM': [row[1] for row in rows], 'dead reckoning': [row[2] for row in rows]},
+                   GOALS[stem][0].limit if stem in GOALS else None,
+                   pictures['trajectory error by seed'])
+    return {caption: path for caption, path in pictures.items() if path.exists()}
+
+
+def measure(context):
+    """The section of this benchmark."""
+    options, remaining = context.options, RemainingTime(context.options.seeds)
+    stem = pathlib.Path(options.world).stem
+    runs = [run_seed(context, seed, remaining) for seed in range(1, options.seeds + 1)]
+    rows = [values(seed, *run) for seed, run in enumerate(runs, start=1)]
+    mean, worst = mean_row('mean', rows), worst_row(rows)
+    lines = [[r[0], *(number(x, f) for x, f in zip(r[1:], FORMS))] for r in [*rows, mean, worst]]
+    detector = f' with {options.detector}' if options.detector else ''
+    section = Section(f'{options.product}{detector} in the world {stem}')
+    section.paragraphs += [table(HEADER, lines), verdicts(stem, mean, worst) or 'No goals.',
+                           'Errors after a rigid alignment. NEES 3 and NIS/dof 1 are expected. '
+                           'Worst: the largest error, the fewest markers, the least drift of dead '
+                           'reckoning. Wall and CPU time of the product, detection included.']
+    section.pictures.update(_pictures(context, stem, runs, rows))
+    return section
