@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# How the cameras see a world: part of slam_sim_core.
+find_package(apriltag REQUIRED)
+
+set(slam_sim_cameras ${CMAKE_CURRENT_LIST_DIR}/..)
+target_sources(slam_sim_core PRIVATE
+  ${slam_sim_cameras}/src/camera_rays.cpp
+  ${slam_sim_cameras}/src/camera_renderer.cpp
+  ${slam_sim_cameras}/src/ceiling_texture.cpp
+  ${slam_sim_cameras}/src/fractal_noise.cpp
+  ${slam_sim_cameras}/src/light_map.cpp
+  ${slam_sim_cameras}/src/marker_texture.cpp
+  ${slam_sim_cameras}/src/pixel_noise.cpp
+  ${slam_sim_cameras}/src/sample_pattern.cpp
+  ${slam_sim_cameras}/src/scene.cpp
+  ${slam_sim_cameras}/src/surface_textures.cpp
+  ${slam_sim_cameras}/src/texture.cpp
+  ${slam_sim_cameras}/src/texture_sampler.cpp
+  ${slam_sim_cameras}/src/tile_renderer.cpp
+  ${slam_sim_cameras}/src/viewed_surface.cpp)
+target_link_libraries(slam_sim_core PRIVATE apriltag::apriltag apriltag::apriltag-utils)

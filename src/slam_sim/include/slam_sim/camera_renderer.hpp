@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "slam_core/camera/camera_calibration.hpp"
+#include "slam_core/common/random.hpp"
+#include "slam_sim/camera_optics.hpp"
+#include "slam_sim/camera_rays.hpp"
+#include "slam_sim/scene.hpp"
+
+namespace slam::sim {
+
+struct ViewedSurface;
+
+/// The optical frame's pose in the world at a part of the exposure, 0 its begin and 1 its end.
+using CameraPath = std::function<Eigen::Isometry3d(double part)>;
+
+/// A camera that takes pictures of a scene: pinhole with lens distortion, motion blur,
+/// anti-aliasing and noise. Every sample of a pixel is a ray of its own at a time of its own
+/// (distributed ray tracing; Cook, Porter and Carpenter, SIGGRAPH 1984); what it meets first is
+/// found by projecting the scene's rectangles, tile by tile, with a depth test for each ray.
+class CameraRenderer {
+ public:
+  /// @throw std::invalid_argument the calibration or the optics cannot be
+  CameraRenderer(std::shared_ptr<const Scene> scene, const CameraCalibration& calibration,
+                 const CameraOptics& optics);
+
+  const CameraCalibration& calibration() const { return calibration_; }
+  const CameraOptics& optics() const { return optics_; }
+
+  /// An image of 8 bit, one channel, a function of its arguments only; from any thread.
+  cv::Mat render(const CameraPath& T_world_camera, RandomStream noise) const;
+
+ private:
+  cv::Mat lightOf(const std::vector<ViewedSurface>& viewed) const;
+  void writeTile(int tile, const TileValues& values, cv::Mat& light) const;
+
+  std::shared_ptr<const Scene> scene_;
+  CameraCalibration calibration_;
+  CameraOptics optics_;
+  CameraRays rays_;
+  cv::Mat gain_;  ///< from light to gray values, CV_32F
+};
+
+}  // namespace slam::sim

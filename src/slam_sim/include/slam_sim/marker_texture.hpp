@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+namespace slam::sim {
+
+/// A marker as it is printed, one value a cell, upright, its white margin (at least one cell)
+/// included.
+struct MarkerPattern {
+  cv::Mat cells;     ///< square, 8 bit, 0 or 255
+  int border_first;  ///< cells from the edge of the paper to the square a detector returns
+  int border_cells;  ///< edge of that square [cells]
+};
+
+/// @throw std::invalid_argument no such family or id (see markerFamilies())
+MarkerPattern markerPattern(const std::string& family, std::int64_t id);
+
+/// Edge of the printed paper [m] of a marker of that size (the edge of the square a detector
+/// returns). @throw std::invalid_argument no such family
+double paperSize(const std::string& family, double size);
+
+}  // namespace slam::sim
