@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_sim/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam_core/geometry/angle.hpp"
+
+namespace slam::sim {
+namespace {
+
+constexpr double kStep = 0.005;      // of the speed profile [m]
+constexpr double kSwayLength = 3.0;  // of one swing of the heading, about [m]
+
+double swayFrequency(double length) {
+  return 2.0 * M_PI * std::max(1.0, std::round(length / kSwayLength)) / length;
+}
+
+}  // namespace
+
+Drive::Drive(const DrivePath& path, const RobotModel& robot)
+    : curve_(path.points),
+      sway_(robot.heading_sway),
+      sway_frequency_(swayFrequency(curve_.length())) {
+  const double total = curve_.length() * path.laps;
+  const auto steps = static_cast<std::size_t>(std::ceil(total / kStep));
+  for (std::size_t i = 0; i <= steps; ++i) {
+    distances_.push_back(total * static_cast<double>(i) / static_cast<double>(steps));
+    speeds_.push_back(limitAt(distances_.back(), robot.limits, path.speed));
+  }
+  limitAcceleration(robot.limits.acceleration);
+  times_.push_back(0.0);
+  for (std::size_t i = 0; i < steps; ++i)
+    times_.push_back(times_.back() +
+                     2.0 * (distances_[i + 1] - distances_[i]) / (speeds_[i] + speeds_[i + 1]));
+}
+
+double Drive::turnPerMetre(double s) const {
+  return curve_.curvature(s) + sway_ * sway_frequency_ * std::cos(sway_frequency_ * s);
+}
+
+double Drive::limitAt(double s, const DriveLimits& limits, double wanted) const {
+  const double curvature = std::abs(curve_.curvature(s)), turn = std::abs(turnPerMetre(s));
+  double speed = wanted;
+  if (curvature > 0.0) speed = std::min(speed, std::sqrt(limits.lateral_acceleration / curvature));
+  if (turn > 0.0) speed = std::min(speed, limits.turn_rate / turn);
+  return speed;
+}
+
+/// From rest and to rest, forth and back (the usual two passes of time-optimal path following).
+void Drive::limitAcceleration(double acceleration) {
+  const double gain = 2.0 * acceleration * distances_[1];
+  speeds_.front() = speeds_.back() = 0.0;
+  for (std::size_t i = 1; i < speeds_.size(); ++i)
+    speeds_[i] = std::min(speeds_[i], std::sqrt(speeds_[i - 1] * speeds_[i - 1] + gain));
+  for (std::size_t i = speeds_.size() - 1; i-- > 0;)
+    speeds_[i] = std::min(speeds_[i], std::sqrt(speeds_[i + 1] * speeds_[i + 1] + gain));
+}
+
+std::size_t Drive::segment(double t) const {
+  const auto next = std::upper_bound(times_.begin() + 1, times_.end() - 1, t);
+  return static_cast<std::size_t>(next - times_.begin()) - 1;
+}
+
+double Drive::distance(double t) const {
+  if (t <= 0.0) return 0.0;
+  if (t >= duration()) return length();
+  const auto i = segment(t);
+  const double elapsed = t - times_[i];
+  const double acceleration = (speeds_[i + 1] - speeds_[i]) / (times_[i + 1] - times_[i]);
+  return distances_[i] + elapsed * (speeds_[i] + 0.5 * acceleration * elapsed);
+}
+
+double Drive::speed(double t) const {
+  if (t <= 0.0 || t >= duration()) return 0.0;
+  const auto i = segment(t);
+  const double share = (t - times_[i]) / (times_[i + 1] - times_[i]);
+  return speeds_[i] + share * (speeds_[i + 1] - speeds_[i]);
+}
+
+Pose2 Drive::pose(double t) const { return poseAt(distance(t)); }
+
+Pose2 Drive::poseAt(double s) const {
+  const auto point = curve_.point(s);
+  return Pose2(point.x(), point.y(),
+               wrapAngle(curve_.heading(s) + sway_ * std::sin(sway_frequency_ * s)));
+}
+
+}  // namespace slam::sim
