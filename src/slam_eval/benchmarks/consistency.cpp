@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <Eigen/LU>
 #include <cstdio>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "loop_world.hpp"
+#include "slam_core/common/progress.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/geometry/angle.hpp"
@@ -55,11 +59,13 @@ void run(const std::string& name, const std::vector<std::string>& overrides,
   auto backend = slam::Registry<slam::Backend>::instance().create(name);
   backend->configure(settings);
   Sums sums;
+  slam::Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1);
+  progress.begin("consistency of " + name, static_cast<std::size_t>(seeds));
   for (int seed = 1; seed <= seeds; ++seed) {
     runSeed(*backend, world, static_cast<std::uint64_t>(seed), sums);
-    std::fprintf(stderr, "\rconsistency of %s: seed %d of %d%s", name.c_str(), seed, seeds,
-                 seed == seeds ? "\n" : "");
+    progress.update(static_cast<std::size_t>(seed));
   }
+  progress.end();
   for (auto& value : sums.nees) value /= seeds;
   const double count = static_cast<double>(sums.nees.size()) * seeds;
   const nlohmann::json result = {{"seeds", seeds},

@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <vector>
 
 #include "import_error.hpp"
 #include "importer.hpp"
+#include "slam_core/common/nearest_name.hpp"
 
 namespace {
 
@@ -24,6 +26,19 @@ int runImport(Importer& importer, const std::string& output) {
   std::printf("%s: %zu messages, %.1f s. %s\n", output.c_str(), bag.size(), bag.duration(),
               summary.c_str());
   return 0;
+}
+
+/// CLI11 only says that it did not expect the word.
+/// @throw UsageError that names the formats, and the nearest one
+void requireKnownFormat(int argc, char** argv,
+                        const std::vector<std::unique_ptr<Importer>>& importers) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const auto& importer : importers) names.push_back(importer->name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  throw slam::eval::UsageError("there is no format '" + std::string(argv[1]) + "'" +
+                               slam::didYouMean(argv[1], names) +
+                               "; the formats are: " + slam::join(names));
 }
 
 int fail(const std::exception& error, int code) {
@@ -50,6 +65,7 @@ int main(int argc, char** argv) {
     commands.push_back(command);
   }
   try {
+    requireKnownFormat(argc, argv, importers);
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i) {
       if (commands[i]->parsed()) return runImport(*importers[i], output);

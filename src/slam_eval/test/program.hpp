@@ -10,20 +10,16 @@
 
 namespace slam::eval {
 
-/// What a run of slam_import did.
+/// What a run of a program did.
 struct ProgramRun {
   int exit_code = -1;
   std::string output;  // standard output and error
 };
 
-/// Runs the program slam_import of this build. SLAM_IMPORT is its path.
-/// @param file_blocks largest file it may write [512 byte]; 0: no limit
-inline ProgramRun runSlamImport(const std::string& arguments, int file_blocks = 0) {
-  const std::string limit =
-      file_blocks > 0 ? "ulimit -f " + std::to_string(file_blocks) + "; " : "";
-  const std::string command = limit + "'" SLAM_IMPORT "' " + arguments + " 2>&1";
+/// Runs a command line of the shell.
+inline ProgramRun runCommand(const std::string& command) {
   ProgramRun run;
-  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::FILE* pipe = ::popen(("{ " + command + "; } 2>&1").c_str(), "r");
   if (pipe == nullptr) return run;
   std::array<char, 4096> block;
   std::size_t count = 0;
@@ -33,6 +29,14 @@ inline ProgramRun runSlamImport(const std::string& arguments, int file_blocks = 
   const int status = ::pclose(pipe);
   if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
   return run;
+}
+
+/// Runs the program slam_import of this build. SLAM_IMPORT is its path.
+/// @param file_blocks largest file it may write [512 byte]; 0: no limit
+inline ProgramRun runSlamImport(const std::string& arguments, int file_blocks = 0) {
+  const std::string limit =
+      file_blocks > 0 ? "ulimit -f " + std::to_string(file_blocks) + "; " : "";
+  return runCommand(limit + "'" SLAM_IMPORT "' " + arguments);
 }
 
 }  // namespace slam::eval

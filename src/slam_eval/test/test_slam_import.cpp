@@ -115,7 +115,8 @@ TEST_F(SlamImport, WritesTheSameBytesTwice) {
 TEST_F(SlamImport, RefusesWrongUseWithCodeTwo) {
   writeMrclamSet(in_);
   EXPECT_EQ(runSlamImport("").exit_code, 2);
-  EXPECT_EQ(runSlamImport("nonsense x y").exit_code, 2);
+  expectFailure("nonsense x y", 2, "'nonsense'; the formats are: mrclam, rawlog");
+  expectFailure("mrclan x y", 2, "did you mean 'mrclam'?");
   EXPECT_EQ(runSlamImport("mrclam " + in_.path() + " " + bag()).exit_code, 2);
   EXPECT_EQ(runSlamImport("--help").exit_code, 0);
   expectFailure("mrclam " + in_.path() + " --robot 3 " + bag(), 2, "has no robot 3; it has 2");
