@@ -74,6 +74,19 @@ void requireVersion(const ConfigDocument& document) {
                     "; this program reads version " + std::to_string(Settings::kVersion));
 }
 
+/// yaml-cpp keeps both of two equal keys, and would take the one or the other.
+void findDoubles(const ConfigDocument& document, const YAML::Node& node, const std::string& section,
+                 FaultCollector& faults) {
+  if (!node.IsMap()) return;
+  std::set<std::string> seen;
+  for (const auto& entry : node) {
+    const auto name = path(section, entry.first.Scalar());
+    if (!seen.insert(name).second)
+      faults.add(name + " in " + place(document, entry.first) + " stands there a second time");
+    findDoubles(document, entry.second, name, faults);
+  }
+}
+
 }  // namespace
 
 ConfigDocument loadConfigFile(const std::string& file) {
@@ -93,7 +106,10 @@ Settings::Settings(ConfigDocument product, ConfigDocument robot, std::vector<std
     : product_(std::move(product)), robot_(std::move(robot)) {
   FaultCollector faults;
   for (const auto* document : {&product_, &robot_})
-    faults.attempt([&] { requireVersion(requireMap(*document)); });
+    faults.attempt([&] {
+      requireVersion(requireMap(*document));
+      if (document->root) findDoubles(*document, document->root, "", faults);
+    });
   for (const auto& entry : overrides) {
     const auto equals = entry.find('=');
     const auto dot = entry.substr(0, equals).rfind('.');

@@ -140,6 +140,16 @@ TEST(Settings, RefuseADocumentOrSectionThatIsNoMap) {
   EXPECT_TRUE(oneSays(faultsOfExample("{version: 1, example: 5}"), {"example", "not a map"}));
 }
 
+TEST(Settings, RefuseAKeyThatStandsThereTwice) {
+  EXPECT_TRUE(oneSays(faultsOfExample("version: 1\nexample: {gain: 1}\nexample: {gain: 2}\n"),
+                      {"example in product.yaml:3", "second time"}));
+  const auto inside =
+      faultsOfExample("version: 1\nexample:\n  gain: 1\n  gain: 1\n", "{version: 1}");
+  EXPECT_EQ(inside.size(), 1u);
+  EXPECT_TRUE(oneSays(inside, {"example.gain in product.yaml:4", "second time"}));
+  EXPECT_TRUE(oneSays(faultsOfExample("", "{version: 1, version: 1}"), {"version in robot.yaml"}));
+}
+
 TEST(Settings, FindSectionsThatNobodyReads) {
   const auto faults =
       faultsOfExample("version: 1\nexampel: {gain: 1}\n", "{version: 1, wings: {span: 2}}");
