@@ -23,10 +23,12 @@ template <class Input>
 void MetaCoordinator::setForDetector(const Input& input) {
   if (!parts_.detector) return;
   parts_.detector->set(input);
+  const auto& array = parts_.detector->observations();
   do {
     note(parts_.detector->execute());
-    if (parts_.detector->observations()) parts_.estimator.set(*parts_.detector->observations());
-  } while (parts_.detector->observations());
+    if (array) parts_.estimator.set(*array);
+    if (array && on_detections) on_detections(*array);
+  } while (array);
 }
 
 template void MetaCoordinator::setForDetector(const Image&);

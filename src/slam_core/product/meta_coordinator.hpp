@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <functional>
+
 #include "slam_core/product/product_components.hpp"
 
 namespace slam {
@@ -23,6 +25,9 @@ class MetaCoordinator {
   /// For data that already carry what a component would make.
   void set(const Motion& motion) { parts_.estimator.set(motion); }
   void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
+
+  /// Called with every array that the detector makes.
+  std::function<void(const LandmarkObservationArray&)> on_detections;
 
   /// One step, as Estimator::execute(); a warning of the front-end comes first.
   Status execute();

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What reads bags: kept out of slam_ros, so that only these programs link rosbag.
+# What reads and writes bags: kept out of slam_ros, so that only these programs link rosbag.
 find_package(CLI11 REQUIRED)
 find_package(rosbag_storage REQUIRED)
 find_package(rosgraph_msgs REQUIRED)
@@ -15,8 +15,10 @@ endfunction()
 
 add_library(slam_ros_bags
   src/bag_clock.cpp
+  src/bag_file.cpp
   src/bag_inputs.cpp
   src/bag_reader.cpp
+  src/bag_transforms.cpp
   src/flow_window.cpp
   src/ground_truth.cpp
   src/offline_run.cpp
@@ -49,15 +51,18 @@ catkin_install_python(PROGRAMS scripts/slam_run
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 if(CATKIN_ENABLE_TESTING)
+  find_package(OpenCV REQUIRED COMPONENTS aruco imgcodecs imgproc)
   catkin_add_gtest(slam_ros_test_bags
     test/bags/test_bag_reader.cpp
+    test/bags/test_camera_bags.cpp
     test/bags/test_flow_and_metrics.cpp
     test/bags/test_offline_run.cpp
     test/bags/test_topic_matching.cpp
   )
   slam_ros_bag_target(slam_ros_test_bags)
   target_link_libraries(slam_ros_test_bags
-    slam_ros_bags nlohmann_json::nlohmann_json ${GTEST_MAIN_LIBRARIES})
+    slam_ros_bags nlohmann_json::nlohmann_json
+    opencv_aruco opencv_imgcodecs opencv_imgproc ${GTEST_MAIN_LIBRARIES})
   target_compile_definitions(slam_ros_test_bags PRIVATE
     SLAM_OFFLINE="$<TARGET_FILE:slam_ros_offline>")
   add_dependencies(slam_ros_test_bags slam_ros_offline)

@@ -6,11 +6,20 @@
 #include <fmt/format.h>
 #include <ros/message_traits.h>
 
+#include <algorithm>
+
 #include "slam_core/common/nearest_name.hpp"
+#include "slam_ros/bag_transforms.hpp"
+#include "slam_ros/camera_topics.hpp"
 #include "slam_ros/conversions.hpp"
 
 namespace slam_ros {
 namespace {
+
+// the inputs' names for remappings and messages
+constexpr const char* kCamera = "camera";
+constexpr const char* kCompressedCamera = "camera/compressed";
+constexpr const char* kCameraInfo = "camera_info";
 
 template <class Message>
 Input input(const std::string& name, const std::string& topic) {
@@ -18,113 +27,136 @@ Input input(const std::string& name, const std::string& topic) {
           ros::message_traits::MD5Sum<Message>::value()};
 }
 
-bool isOdometry(const geometry_msgs::TransformStamped& edge, const BagInputs& inputs) {
-  return frameId(edge.header.frame_id) == inputs.odom_frame &&
-         frameId(edge.child_frame_id) == inputs.base_frame;
-}
-
-bool hasOdometryEdge(const BagReader& bag, const std::string& topic, const BagInputs& inputs) {
-  bool found = false;
-  const auto look = [&](const tf2_msgs::TFMessage& message) {
-    for (const auto& edge : message.transforms) found = found || isOdometry(edge, inputs);
-  };
-  bag.read({{topic, onMessage<tf2_msgs::TFMessage>(look)}}, [&](std::size_t) { return !found; });
-  return found;
-}
-
-nav_msgs::Odometry toOdometry(const geometry_msgs::TransformStamped& edge) {
-  nav_msgs::Odometry message;
-  message.header = edge.header;
-  message.child_frame_id = edge.child_frame_id;
-  message.pose.pose.position.x = edge.transform.translation.x;
-  message.pose.pose.position.y = edge.transform.translation.y;
-  message.pose.pose.position.z = edge.transform.translation.z;
-  message.pose.pose.orientation = edge.transform.rotation;
-  return message;
-}
-
-/// An edge that is sent again with the same stamp tells nothing new.
-BagHandler edgeHandler(const BagInputs& inputs,
-                       const std::function<void(const nav_msgs::Odometry&)>& sink) {
-  return onMessage<tf2_msgs::TFMessage>(
-      [inputs, sink, last = ros::Time()](const tf2_msgs::TFMessage& message) mutable {
-        for (const auto& edge : message.transforms) {
-          if (!isOdometry(edge, inputs) || edge.header.stamp == last) continue;
-          last = edge.header.stamp;
-          sink(toOdometry(edge));
-        }
-      });
-}
-
 /// Searches the bag for one input after the other and notes what it finds.
 class Search {
  public:
   Search(const BagReader& bag, const std::vector<Input>& inputs, const std::vector<Remap>& remaps)
       : bag_(bag), inputs_(inputs), remaps_(remaps) {
-    checkRemaps(remaps, inputs, bag.topics());
+    checkRemaps(remaps_, inputs, bag.topics());
   }
 
   /// The bag's topic for an input, or an empty name.
   std::string topic(const std::string& name, std::vector<std::string>& notes) const {
-    for (const auto& entry : inputs_) {
-      if (entry.name != name) continue;
-      const auto match = matchTopic(entry, inputs_, bag_.topics(), remaps_);
-      if (match && !match->note.empty()) notes.push_back(match->note);
-      return match ? match->topic : "";
-    }
-    return "";
+    const auto match = matchTopic(entry(name), inputs_, bag_.topics(), remaps_);
+    if (match && !match->note.empty()) notes.push_back(match->note);
+    return match ? match->topic : "";
+  }
+
+  bool isRemapped(const std::string& name) const {
+    return std::any_of(remaps_.begin(), remaps_.end(), [&](const auto& remap) {
+      return sameTopic(remap.from, name) || sameTopic(remap.to, name);
+    });
+  }
+
+  /// Whether the bag has the input under its own name or a remapped one: its type need not tell.
+  bool isNamed(const std::string& name) const {
+    const auto& wanted = entry(name);
+    const auto* topic = bag_.find(wanted.topic);
+    return isRemapped(name) ||
+           (topic != nullptr && topic->messages > 0 && topic->type == wanted.type);
   }
 
   std::string need(const std::string& name) const {
-    for (const auto& entry : inputs_)
-      if (entry.name == name) return fmt::format("'{}' ({})", entry.topic, entry.type);
-    return name;
+    return fmt::format("'{}' ({})", entry(name).topic, entry(name).type);
   }
 
  private:
+  const Input& entry(const std::string& name) const {
+    return *std::find_if(inputs_.begin(), inputs_.end(),
+                         [&](const auto& input) { return input.name == name; });
+  }
+
   const BagReader& bag_;
   const std::vector<Input>& inputs_;
-  const std::vector<Remap>& remaps_;
+  std::vector<Remap> remaps_;
 };
 
-void findEdge(const BagReader& bag, BagInputs& inputs) {
-  for (const auto& topic : bag.topics()) {
-    if (!sameTopic(topic.name, "tf") || !holdsTransforms(topic)) continue;
-    if (!hasOdometryEdge(bag, topic.name, inputs)) continue;
-    inputs.tf = topic.name;
-    inputs.notes.push_back(fmt::format("odometry is taken from the transform {} -> {} of {}",
-                                       inputs.odom_frame, inputs.base_frame, topic.name));
+/// A camera that is remapped to compressed images, also where only they have the name's beginning,
+/// is the input for those.
+std::vector<Remap> forCompressedImages(std::vector<Remap> remaps, const BagReader& bag) {
+  const auto type = ros::message_traits::DataType<sensor_msgs::CompressedImage>::value();
+  for (auto& remap : remaps) {
+    auto& camera = sameTopic(remap.to, kCamera) ? remap.to : remap.from;
+    auto& topic = &camera == &remap.to ? remap.from : remap.to;
+    if (!sameTopic(camera, kCamera)) continue;
+    if (bag.find(topic) == nullptr) {
+      if (const auto compressed = cameraTopics(topic).compressed; bag.find(compressed) != nullptr)
+        topic = compressed;
+    }
+    if (const auto* found = bag.find(topic); found != nullptr && found->type == type)
+      camera = kCompressedCamera;
   }
+  return remaps;
+}
+
+void findCamera(const BagReader& bag, const Search& search, BagInputs& inputs) {
+  const bool only_compressed = !search.isNamed(kCamera) && search.isNamed(kCompressedCamera);
+  if (!only_compressed) inputs.image = search.topic(kCamera, inputs.notes);
+  if (inputs.image.empty()) inputs.compressed_image = search.topic(kCompressedCamera, inputs.notes);
+  if (!inputs.hasImages()) return;
+  const auto& image = inputs.image.empty() ? inputs.compressed_image : inputs.image;
+  const auto* sibling = bag.find(cameraTopics(image).info);
+  // another camera's calibration would be worse than none: the type alone does not tell
+  if (search.isRemapped(kCameraInfo))
+    inputs.camera_info = search.topic(kCameraInfo, inputs.notes);
+  else if (sibling != nullptr && sibling->messages > 0)
+    inputs.camera_info = sibling->name;
+  else
+    inputs.warnings.push_back(fmt::format(
+        "the bag has no {} that calibrates the camera {}: nothing can be seen in its images; name "
+        "the topic with --remap camera_info:=TOPIC",
+        cameraTopics(image).info, image));
+}
+
+void findOdometry(const BagReader& bag, const Search& search, BagInputs& inputs) {
+  inputs.motion = search.topic("motion", inputs.notes);
+  if (!inputs.motion.empty()) {
+    inputs.notes.push_back("the bag carries motion: the odometry component is left out");
+    return;
+  }
+  inputs.odom = search.topic("odom", inputs.notes);
+  if (!inputs.odom.empty()) return;
+  inputs.tf = findOdometryEdge(bag, inputs.odom_frame, inputs.base_frame);
+  if (!inputs.tf.empty())
+    inputs.notes.push_back(fmt::format("odometry is taken from the transform {} -> {} of {}",
+                                       inputs.odom_frame, inputs.base_frame, inputs.tf));
 }
 
 }  // namespace
 
 std::vector<Input> inputsOf(const TopicsConfig& topics) {
+  const auto camera = cameraTopics(topics.camera);
   return {input<slam_msgs::Motion>("motion", topics.motion),
           input<nav_msgs::Odometry>("odom", topics.odom),
-          input<slam_msgs::LandmarkObservationArray>("observations", topics.observations)};
+          input<slam_msgs::LandmarkObservationArray>("observations", topics.observations),
+          input<sensor_msgs::Image>(kCamera, camera.raw),
+          input<sensor_msgs::CompressedImage>(kCompressedCamera, camera.compressed),
+          input<sensor_msgs::CameraInfo>(kCameraInfo, camera.info)};
 }
 
-BagInputs findInputs(const BagReader& bag, const TopicsConfig& topics,
-                     const slam::FramesConfig& frames, const std::vector<Remap>& remaps) {
-  const auto all = inputsOf(topics);
-  const Search search(bag, all, remaps);
+BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
+                     const std::vector<Remap>& remaps) {
+  const auto all = inputsOf(needs.topics);
+  const Search search(bag, all, forCompressedImages(remaps, bag));
   BagInputs inputs;
-  inputs.odom_frame = frameId(frames.odom);
-  inputs.base_frame = frameId(frames.base);
-  inputs.motion = search.topic("motion", inputs.notes);
-  if (!inputs.motion.empty())
-    inputs.notes.push_back("the bag carries motion: the odometry component is left out");
-  else
-    inputs.odom = search.topic("odom", inputs.notes);
-  if (inputs.motion.empty() && inputs.odom.empty()) findEdge(bag, inputs);
+  inputs.odom_frame = frameId(needs.frames.odom);
+  inputs.base_frame = frameId(needs.frames.base);
+  findOdometry(bag, search, inputs);
   inputs.observations = search.topic("observations", inputs.notes);
+  if (needs.images && !inputs.observations.empty())
+    inputs.notes.push_back("the bag carries observations: the detector is left out");
+  else if (needs.images)
+    findCamera(bag, search, inputs);
 
   std::vector<std::string> missing;
   if (inputs.motion.empty() && inputs.odom.empty() && inputs.tf.empty())
     missing.push_back(fmt::format("odometry: {}, or the transform {} -> {} in /tf",
                                   search.need("odom"), inputs.odom_frame, inputs.base_frame));
-  if (inputs.observations.empty()) missing.push_back("landmarks: " + search.need("observations"));
+  if (inputs.observations.empty() && !inputs.hasImages())
+    missing.push_back("landmarks: " + search.need("observations") +
+                      (needs.images ? ", or images: " + search.need(kCamera) + " or " +
+                                          search.need(kCompressedCamera)
+                                    : ""));
   if (!missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));
@@ -133,40 +165,18 @@ BagInputs findInputs(const BagReader& bag, const TopicsConfig& topics,
 
 BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks) {
   BagHandlers handlers;
-  if (!inputs.motion.empty()) handlers[inputs.motion] = onMessage<slam_msgs::Motion>(sinks.motion);
-  if (!inputs.odom.empty()) handlers[inputs.odom] = onMessage<nav_msgs::Odometry>(sinks.odom);
-  if (!inputs.tf.empty()) handlers[inputs.tf] = edgeHandler(inputs, sinks.odom);
-  if (!inputs.observations.empty())
-    handlers[inputs.observations] =
-        onMessage<slam_msgs::LandmarkObservationArray>(sinks.observations);
-  return handlers;
-}
-
-/// The old tf/tfMessage has the same layout, hence the same sum.
-bool holdsTransforms(const BagTopic& topic) {
-  return topic.messages > 0 &&
-         topic.md5sum == ros::message_traits::MD5Sum<tf2_msgs::TFMessage>::value();
-}
-
-tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame) {
-  tf2_msgs::TFMessage kept;
-  for (const auto& edge : message.transforms)
-    if (frameId(edge.header.frame_id) != map_frame) kept.transforms.push_back(edge);
-  return kept;
-}
-
-tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& map_frame) {
-  tf2_msgs::TFMessage all;
-  const auto* topic = bag.find("tf_static");
-  if (topic == nullptr || !holdsTransforms(*topic)) return all;
-  std::map<std::string, geometry_msgs::TransformStamped> newest;
-  const auto take = [&](const tf2_msgs::TFMessage& message) {
-    for (const auto& edge : withoutMap(message, map_frame).transforms)
-      newest[frameId(edge.child_frame_id)] = edge;
+  const auto add = [&](const std::string& topic, auto message, const auto& sink) {
+    if (!topic.empty()) handlers[topic] = onMessage<decltype(message)>(sink);
   };
-  bag.read({{topic->name, onMessage<tf2_msgs::TFMessage>(take)}});
-  for (const auto& entry : newest) all.transforms.push_back(entry.second);
-  return all;
+  add(inputs.motion, slam_msgs::Motion(), sinks.motion);
+  add(inputs.odom, nav_msgs::Odometry(), sinks.odom);
+  add(inputs.observations, slam_msgs::LandmarkObservationArray(), sinks.observations);
+  add(inputs.image, sensor_msgs::Image(), sinks.image);
+  add(inputs.compressed_image, sensor_msgs::CompressedImage(), sinks.compressed_image);
+  add(inputs.camera_info, sensor_msgs::CameraInfo(), sinks.camera_info);
+  if (!inputs.tf.empty())
+    handlers[inputs.tf] = odometryOfEdge(inputs.odom_frame, inputs.base_frame, sinks.odom);
+  return handlers;
 }
 
 }  // namespace slam_ros

@@ -17,16 +17,18 @@
 
 #include "slam_ros/bag_clock.hpp"
 #include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/bag_transforms.hpp"
+#include "slam_ros/camera_topics.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/flow_window.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
+#include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
 namespace {
 
-constexpr std::size_t kInFlight = 100;  ///< per input; every queue behind must hold as many
 constexpr FlowWindow::Timeout kPatience(2000);
 const ros::WallDuration kPoll(0.05), kSettle(0.3);
 
@@ -67,14 +69,16 @@ class BagSourceNodelet : public nodelet::Nodelet {
     reportFailure(getName(), [this] {
       config_ = parametersFromRos<BagSourceConfig>(getPrivateNodeHandle());
       auto settings = settingsFromRos(getNodeHandle());
-      topics_ = settings.read<TopicsConfig>();
-      const auto frames = settings.read<slam::FramesConfig>();
-      map_frame_ = frameId(frames.map);
+      const InputNeeds needs{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>(),
+                             settings.read<slam::ProductConfig>().usesImages()};
+      topics_ = needs.topics;
+      map_frame_ = frameId(needs.frames.map);
       bag_ = std::make_unique<BagReader>(config_.bag);
       std::vector<Remap> remaps;
       for (const auto& text : config_.remaps) remaps.push_back(parseRemap(text));
-      inputs_ = findInputs(*bag_, topics_, frames, remaps);
+      inputs_ = findInputs(*bag_, needs, remaps);
       for (const auto& note : inputs_.notes) NODELET_INFO_STREAM(note);
+      for (const auto& warning : inputs_.warnings) NODELET_WARN_STREAM(warning);
       clock_ = std::make_unique<BagClock>(getNodeHandle(), config_.rate, config_.publish_clock);
       connect(getNodeHandle());
     });
@@ -86,8 +90,18 @@ class BagSourceNodelet : public nodelet::Nodelet {
       motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kInFlight);
     else
       odom_ = handle.advertise<nav_msgs::Odometry>(topics_.odom, kInFlight);
-    observations_ =
-        handle.advertise<slam_msgs::LandmarkObservationArray>(topics_.observations, kInFlight);
+    const auto camera = cameraTopics(topics_.camera);
+    if (!inputs_.image.empty())
+      observations_ = handle.advertise<sensor_msgs::Image>(camera.raw, kImageQueue);
+    else if (!inputs_.compressed_image.empty())
+      observations_ =
+          handle.advertise<sensor_msgs::CompressedImage>(camera.compressed, kImageQueue);
+    else
+      observations_ =
+          handle.advertise<slam_msgs::LandmarkObservationArray>(topics_.observations, kInFlight);
+    if (!inputs_.camera_info.empty())
+      camera_info_ = handle.advertise<sensor_msgs::CameraInfo>(camera.info, kQueue);
+    if (inputs_.hasImages()) window_.limit("observations", kImagesInFlight);
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
     progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
   }
@@ -141,7 +155,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
 
   std::string missingPartner() const {
     const auto& odometry = inputs_.motion.empty() ? odom_ : motion_;
-    for (const auto* publisher : {&odometry, &observations_})
+    std::vector<const ros::Publisher*> needed = {&odometry, &observations_};
+    if (!inputs_.camera_info.empty()) needed.push_back(&camera_info_);
+    for (const auto* publisher : needed)
       if (publisher->getNumSubscribers() == 0) return "a subscriber of " + publisher->getTopic();
     return progress_.getNumPublishers() == 0 ? "a back-end that publishes " + progress_.getTopic()
                                              : "";
@@ -153,9 +169,14 @@ class BagSourceNodelet : public nodelet::Nodelet {
     sinks.odom = [this](const auto& message) {
       send(odom_, "motion", message.header.stamp, message);
     };
-    sinks.observations = [this](const auto& message) {
+    // of every image comes an array, which is what is acknowledged
+    const auto observe = [this](const auto& message) {
       send(observations_, "observations", message.header.stamp, message);
     };
+    sinks.observations = observe;
+    sinks.image = observe;
+    sinks.compressed_image = observe;
+    sinks.camera_info = [this](const auto& message) { camera_info_.publish(message); };
     auto handlers = handlersFor(inputs_, sinks);
     if (const auto* tf = bag_->find("tf"); tf != nullptr && holdsTransforms(*tf)) {
       handlers[tf->name] = [pass = passTransforms(),
@@ -201,7 +222,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
   std::unique_ptr<BagClock> clock_;
   FlowWindow window_{kInFlight};
   std::atomic<bool> stop_{false};
-  ros::Publisher motion_, odom_, observations_, tf_, tf_static_;
+  ros::Publisher motion_, odom_, tf_, tf_static_, camera_info_;
+  ros::Publisher observations_;  ///< or the images that they are made of
   ros::Subscriber progress_;
   std::thread thread_;
 };

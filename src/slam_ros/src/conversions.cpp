@@ -148,6 +148,23 @@ slam::Motion fromMsg(const slam_msgs::Motion& message) {
   return motion;
 }
 
+slam_msgs::LandmarkObservationArray toMsg(const slam::LandmarkObservationArray& array) {
+  slam_msgs::LandmarkObservationArray message;
+  message.header.stamp = toRos(array.stamp);
+  message.header.frame_id = array.sensor_frame;
+  message.sequence = array.sequence;
+  message.sensor_pose = toMsg(array.sensor_pose);
+  for (const auto& observation : array.observations) {
+    slam_msgs::LandmarkObservation entry;
+    entry.id = observation.id;
+    entry.range = observation.range;
+    entry.bearing = observation.bearing;
+    copyTo<2>(observation.covariance, entry.covariance);
+    message.observations.push_back(entry);
+  }
+  return message;
+}
+
 slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray& message) {
   slam::LandmarkObservationArray array;
   array.sequence = message.sequence;

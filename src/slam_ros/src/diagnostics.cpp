@@ -22,7 +22,8 @@ const std::map<std::string, std::string>& sentences() {
       {"restart", "time began anew: map and pose were reset"},
       {"unknown_id", "observations without a known id were left out"},
       {"duplicate", "observations repeated an id of their own array and were left out"},
-      {"odometry_late", "odometry messages were not newer than the one before; they were dropped"}};
+      {"odometry_late", "odometry messages were not newer than the one before; they were dropped"},
+      {"detector_late", "images were not newer than the one before; they were dropped"}};
   return kSentences;
 }
 
@@ -99,6 +100,8 @@ void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   else
     status.summary(DiagnosticStatus::OK, "running");
   const auto counters = sources_.counters();
+  if (sources_.values)
+    for (const auto& [name, value] : sources_.values()) status.add(name, value);
   for (const auto& [reason, count] : counters.all()) status.add(reason, count);
   if (!last_warning_.empty()) status.add("last warning", last_warning_);
 }

@@ -6,14 +6,10 @@
 #include <slam_msgs/Progress.h>
 
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
-namespace {
-
-constexpr std::uint32_t kQueue = 1000;
-
-}  // namespace
 
 EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& outputs,
                              StepSource& source)
@@ -151,8 +147,9 @@ void EstimatorNode::reset() {
 std::string EstimatorNode::waiting() const {
   const auto& estimator = source_.estimator();
   if (!estimator.lastMotion()) return "waiting for motion on " + topics_.motion;
-  if (!estimator.lastObservations()) return "waiting for observations on " + topics_.observations;
-  return "";
+  if (estimator.lastObservations()) return "";
+  const auto sensor = front_end_waiting ? front_end_waiting() : "";
+  return sensor.empty() ? "waiting for observations on " + topics_.observations : sensor;
 }
 
 }  // namespace slam_ros

@@ -21,7 +21,7 @@ void FlowWindow::acknowledged(const std::string& input, slam::Stamp up_to) {
 }
 
 bool FlowWindow::waitForRoom(const std::string& input, Timeout patience) {
-  return waitFor([&] { return sent_[input].size() < capacity_; }, patience);
+  return waitFor([&] { return sent_[input].size() < capacityOf(input); }, patience);
 }
 
 bool FlowWindow::waitUntilEmpty(Timeout patience) {
@@ -54,6 +54,11 @@ std::size_t FlowWindow::sum() const {
   std::size_t sum = 0;
   for (const auto& entry : sent_) sum += entry.second.size();
   return sum;
+}
+
+std::size_t FlowWindow::capacityOf(const std::string& input) const {
+  const auto limit = limits_.find(input);
+  return limit == limits_.end() ? capacity_ : limit->second;
 }
 
 void FlowWindow::stop() {

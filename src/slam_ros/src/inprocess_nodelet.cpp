@@ -7,12 +7,17 @@
 #include <nodelet/nodelet.h>
 
 #include <memory>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "slam_ros/camera_subscriber.hpp"
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/detections_publisher.hpp"
 #include "slam_ros/estimator_node.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
+#include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
+#include "slam_ros/transport_config.hpp"
 
 namespace slam_ros {
 namespace {
@@ -21,10 +26,12 @@ struct InprocessConfig {
   static constexpr const char* kSection = "";
 
   OutputsConfig outputs;
+  TransportConfig camera;
   bool publish_tf = false;
 
   void describe(slam::Fields& fields) {
     outputs.describe(fields);
+    camera.describe(fields);
     fields.add("publish_tf", &publish_tf, "also the odometry's transform, where no driver does it");
   }
 };
@@ -33,6 +40,14 @@ struct InprocessConfig {
 
 /// Composition inprocess: the whole product in one nodelet.
 class InprocessNodelet : public nodelet::Nodelet {
+ public:
+  ~InprocessNodelet() override {
+    // inputs first: no callback may find what it needs gone
+    odom_.shutdown();
+    if (camera_) camera_->stop();
+    node_.reset();
+  }
+
  private:
   void onInit() override {
     reportFailure(getName(), [this] {
@@ -45,9 +60,28 @@ class InprocessNodelet : public nodelet::Nodelet {
           odometry_transform_.publish(toRos(report.stamp), report.odometry_frame, report.base_frame,
                                       report.odometry_pose);
         };
+      if (product_.coordinator().detector() != nullptr) connectCamera(config.camera.transport);
       odom_ =
-          getNodeHandle().subscribe(node_->topics().odom, 1000, &InprocessNodelet::onOdom, this);
+          getNodeHandle().subscribe(node_->topics().odom, kQueue, &InprocessNodelet::onOdom, this);
     });
+  }
+
+  void connectCamera(const std::string& transport) {
+    auto& coordinator = product_.coordinator();
+    detections_.emplace(getNodeHandle());
+    coordinator.on_detections = [this](const slam::LandmarkObservationArray& array) {
+      detections_->publish(*product_.coordinator().detector(), array);
+    };
+    const auto take = [this](const auto& input) {
+      node_->checkClock();
+      product_.coordinator().set(input);
+      node_->takeSteps(camera_->topic());
+    };
+    camera_.emplace(getNodeHandle(),
+                    CameraSubscriber::Options{node_->topics().camera, transport,
+                                              frameId(coordinator.frames().base)},
+                    CameraInput::Sinks{take, take, take});
+    node_->front_end_waiting = [this] { return camera_->waiting(); };
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
@@ -55,14 +89,16 @@ class InprocessNodelet : public nodelet::Nodelet {
     node_->checkClock();
     const auto fault = saysNoPose(message) ? "" : poseFault(message);
     if (!fault.empty()) node_->diagnostics().warn(topic + ": " + fault + "; its twist is used");
-    product_.set(fromMsg(message));
+    product_.coordinator().set(fromMsg(message));
     node_->takeSteps(topic);
   }
 
   WholeProduct product_;
   TransformPublisher odometry_transform_;
+  std::optional<DetectionsPublisher> detections_;
+  std::optional<CameraSubscriber> camera_;
   std::unique_ptr<EstimatorNode> node_;
-  ros::Subscriber odom_;  // after node_: no callback may find it gone
+  ros::Subscriber odom_;
 };
 
 }  // namespace slam_ros

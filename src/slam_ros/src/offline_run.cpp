@@ -11,6 +11,8 @@
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/product/landmark_file.hpp"
+#include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
 #include "slam_ros/product_files.hpp"
@@ -39,18 +41,38 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
       progress_(std::cerr, ::isatty(STDERR_FILENO) == 1),
       bag_(options.bag),
       settings_(settingsFor(options, bag_)) {
-  TopicsConfig topics;
+  configure();
+  if (!options.load_map.empty()) loadMap();
+}
+
+void OfflineRun::configure() {
+  InputNeeds needs;
   slam::FaultCollector faults;
-  faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
+  faults.attempt([&] { needs.topics = settings_.read<TopicsConfig>(); });
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
+  needs.frames = coordinator_.frames();
+  needs.images = coordinator_.detector() != nullptr;
   std::vector<Remap> remaps;
-  for (const auto& text : options.remaps) remaps.push_back(parseRemap(text));
-  inputs_ = findInputs(bag_, topics, coordinator_.frames(), remaps);
+  for (const auto& text : options_.remaps) remaps.push_back(parseRemap(text));
+  inputs_ = findInputs(bag_, needs, remaps);
+  camera_.emplace(
+      frameId(needs.frames.base),
+      CameraInput::Sinks{[this](const auto& image) { coordinator_.set(image); },
+                         [this](const auto& calibration) { coordinator_.set(calibration); },
+                         [this](const auto& mount) { coordinator_.set(mount); }});
+}
+
+void OfflineRun::loadMap() {
+  const auto map = slam::loadLandmarks(options_.load_map, frameId(coordinator_.frames().map)).map;
+  if (!map.landmarks.empty() && map.joint_covariance.size() == 0)
+    warn(options_.load_map + " has no joint covariance; its marginals are inflated");
+  coordinator_.estimator().startWith(map);
 }
 
 void OfflineRun::run() {
   for (const auto& note : inputs_.notes) fmt::print("{}\n", note);
+  for (const auto& warning : inputs_.warnings) warn(warning);
   slam::RunWriter writer(options_.folder);
   read(writer);
   const auto truth = writeGroundTruth(bag_, options_.folder);
@@ -67,6 +89,11 @@ void OfflineRun::read(slam::RunWriter& writer) {
   sinks.motion = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
   sinks.odom = [&](const auto& message) { take(message); };
   sinks.observations = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
+  const auto look = [&](const auto& message) { camera_->take(message); };
+  sinks.image = look;
+  sinks.compressed_image = look;
+  sinks.camera_info = look;
+  if (inputs_.hasImages()) look(staticTransforms(bag_, frameId(coordinator_.frames().map)));
   const auto handlers = handlersFor(inputs_, sinks);
   progress_.begin(bag_.path(), bag_.messages(handlers));
   bag_.read(handlers, [&](std::size_t done) {
@@ -112,6 +139,14 @@ void OfflineRun::warn(const std::string& sentence) {
 
 void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
   if (writer.lines() > 0) return;
+  if (inputs_.hasImages() && !camera_->hasCalibration())
+    throw std::runtime_error("no step could be taken: " + inputs_.image + inputs_.compressed_image +
+                             " came without the camera's calibration");
+  if (const auto transform = camera_->missingTransform(); !transform.empty())
+    throw std::runtime_error(
+        "no step could be taken: the bag's /tf_static does not tell the "
+        "transform " +
+        transform);
   throw std::runtime_error(fmt::format(
       "no step could be taken: no observation of the bag {} has a stamp that its odometry covers",
       bag_.path()));

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <nav_msgs/Odometry.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <functional>
 #include <string>
@@ -23,7 +25,12 @@ struct BagInputs {
   std::string motion, odom, observations;
   std::string tf;  ///< the odometry is an edge of this topic
   std::string odom_frame, base_frame;
-  std::vector<std::string> notes;  ///< a sentence each: other names, components left out
+  std::string image, compressed_image;  ///< one of them at most
+  std::string camera_info;
+  std::vector<std::string> notes;     ///< a sentence each: other names, components left out
+  std::vector<std::string> warnings;  ///< a sentence each: what the run will suffer from
+
+  bool hasImages() const { return !image.empty() || !compressed_image.empty(); }
 };
 
 /// Takes what the bag's inputs hold, in bag order.
@@ -31,25 +38,28 @@ struct InputSinks {
   std::function<void(const slam_msgs::Motion&)> motion;
   std::function<void(const nav_msgs::Odometry&)> odom;
   std::function<void(const slam_msgs::LandmarkObservationArray&)> observations;
+  std::function<void(const sensor_msgs::Image&)> image;
+  std::function<void(const sensor_msgs::CompressedImage&)> compressed_image;
+  std::function<void(const sensor_msgs::CameraInfo&)> camera_info;
+};
+
+/// What of a product tells which inputs it needs.
+struct InputNeeds {
+  TopicsConfig topics;
+  slam::FramesConfig frames;
+  bool images = false;  ///< it makes observations of images
 };
 
 std::vector<Input> inputsOf(const TopicsConfig& topics);
 
-/// Motion in the bag comes before odometry, that before the edge odom -> base of /tf.
+/// Motion in the bag comes before odometry, that before the edge odom -> base of /tf; observations
+/// come before images, where both are of the name asked for raw ones before compressed ones.
 /// @throw TopicError when an input the product needs is missing (with what the bag has) or cannot
 /// be told
-BagInputs findInputs(const BagReader& bag, const TopicsConfig& topics,
-                     const slam::FramesConfig& frames, const std::vector<Remap>& remaps);
+BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
+                     const std::vector<Remap>& remaps);
 
 /// The handlers that feed the sinks; for BagReader::read().
 BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks);
-
-bool holdsTransforms(const BagTopic& topic);
-
-/// The transforms that do not lead from the map; those are the back-end's to publish.
-tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame);
-
-/// All of the bag's /tf_static, the newest of each child frame; none from the map.
-tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& map_frame);
 
 }  // namespace slam_ros

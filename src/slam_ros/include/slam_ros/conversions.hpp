@@ -47,6 +47,7 @@ slam::OdometrySample fromMsg(const nav_msgs::Odometry& message);
 slam_msgs::Motion toMsg(const slam::Motion& motion);
 slam::Motion fromMsg(const slam_msgs::Motion& message);
 
+slam_msgs::LandmarkObservationArray toMsg(const slam::LandmarkObservationArray& array);
 slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray& message);
 
 slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,

@@ -10,6 +10,8 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/status.hpp"
@@ -24,6 +26,8 @@ class Diagnostics {
     std::function<slam::Counters()> counters;
     /// "waiting for ...", or empty when all inputs have come
     std::function<std::string()> waiting;
+    /// further lines of name and value; may be empty
+    std::function<std::vector<std::pair<std::string, std::string>>()> values = {};
   };
 
   /// @param name of the nodelet

@@ -50,6 +50,8 @@ class EstimatorNode {
   void takeSteps(const std::string& topic);
   /// Called with every step.
   std::function<void(const slam::StepReport&)> on_step;
+  /// What the front-end in this process waits for ("waiting for ..."), where there is one.
+  std::function<std::string()> front_end_waiting;
 
  private:
   void onMotion(const slam_msgs::Motion& message);

@@ -23,6 +23,9 @@ class FlowWindow {
 
   explicit FlowWindow(std::size_t capacity) : capacity_(capacity) {}
 
+  /// Another capacity for one input, whose messages are large.
+  void limit(const std::string& input, std::size_t capacity) { limits_[input] = capacity; }
+
   void sent(const std::string& input, slam::Stamp stamp);
   void acknowledged(const std::string& input, slam::Stamp up_to);
 
@@ -42,8 +45,10 @@ class FlowWindow {
   template <class Condition>
   bool waitFor(Condition condition, Timeout patience);
   std::size_t sum() const;
+  std::size_t capacityOf(const std::string& input) const;
 
   std::size_t capacity_;
+  std::map<std::string, std::size_t> limits_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::string, std::deque<slam::Stamp>> sent_;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/camera_input.hpp"
 #include "slam_ros/run_metrics.hpp"
 
 namespace slam_ros {
@@ -20,6 +22,7 @@ struct OfflineOptions {
   std::string product;  ///< file or name
   std::string robot;    ///< file or name; empty: the bag tells
   std::string bag, folder;
+  std::string load_map;  ///< landmarks.yaml to start with; empty: none
   std::vector<std::string> overrides, remaps;
 };
 
@@ -35,6 +38,8 @@ class OfflineRun {
   void run();
 
  private:
+  void configure();
+  void loadMap();
   void read(slam::RunWriter& writer);
   void take(const nav_msgs::Odometry& message);
   void drain(slam::RunWriter& writer);
@@ -49,6 +54,7 @@ class OfflineRun {
   slam::Settings settings_;
   BagInputs inputs_;
   slam::MetaCoordinator coordinator_;
+  std::optional<CameraInput> camera_;
   std::string odometry_fault_;
   std::uint64_t odometry_faults_ = 0;
   std::set<std::string> warnings_;

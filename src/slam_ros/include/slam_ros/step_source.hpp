@@ -29,8 +29,7 @@ class BackendAlone final : public StepSource {
   explicit BackendAlone(std::unique_ptr<slam::Backend> backend) : backend_(std::move(backend)) {}
 
   void configure(slam::Settings& settings) override {
-    slam::MetaCoordinator whole_product;  // finds the faults of those sections that others read
-    whole_product.configure(settings);
+    slam::validateProduct(settings);
     estimator_.configure(settings, std::move(backend_));
   }
   slam::Estimator& estimator() override { return estimator_; }
@@ -53,7 +52,7 @@ class WholeProduct final : public StepSource {
   slam::Counters counters() const override { return coordinator_.counters(); }
   std::uint64_t dropped() const override { return coordinator_.dropped(); }
   void reset() override { coordinator_.reset(); }
-  void set(const slam::OdometrySample& sample) { coordinator_.set(sample); }
+  slam::MetaCoordinator& coordinator() { return coordinator_; }
 
  private:
   slam::MetaCoordinator coordinator_;

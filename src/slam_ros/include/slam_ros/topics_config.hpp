@@ -16,6 +16,7 @@ struct TopicsConfig {
   std::string odom = "odom";
   std::string observations = "observations";
   std::string motion = "motion";
+  std::string camera = "camera/image_raw";
 
   void describe(slam::Fields& fields) {
     fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
@@ -23,6 +24,12 @@ struct TopicsConfig {
         .add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray")
         .ofRobot();
     fields.add("motion", &motion, "odometry source's slam_msgs/Motion").ofRobot();
+    fields
+        .add("camera", &camera,
+             "the camera's raw images; its compressed ones are on camera/compressed, its "
+             "calibration "
+             "is on the camera_info beside it")
+        .ofRobot();
   }
 };
 

@@ -19,7 +19,7 @@ struct BagFile : ::testing::Test {
     return messageOf([&] { BagReader(folder / name); });
   }
   BagInputs find(const std::string& name) const {
-    return findInputs(BagReader(folder / name), {}, {}, {});
+    return findInputs(BagReader(folder / name), {}, {});
   }
   test::Folder folder;
 };

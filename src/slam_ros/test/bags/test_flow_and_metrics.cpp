@@ -27,6 +27,15 @@ TEST(FlowWindow, IsFullForOneInputOnlyUntilAcknowledged) {
   EXPECT_EQ(window.inFlight(), 1u);
 }
 
+TEST(FlowWindow, AnInputOfLargeMessagesHasAWindowOfItsOwn) {
+  FlowWindow window(3);
+  window.limit("observations", 1);
+  window.sent("motion", stamp(1));
+  window.sent("observations", stamp(1));
+  EXPECT_TRUE(window.waitForRoom("motion", kShort));
+  EXPECT_FALSE(window.waitForRoom("observations", kShort));
+}
+
 TEST(FlowWindow, AnAcknowledgementCoversEverythingBefore) {
   FlowWindow window(10);
   for (int ns : {1, 2, 3}) window.sent("motion", stamp(ns));

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/product/meta_coordinator.hpp"
+
+namespace slam {
+namespace {
+
+using test::oneSays;
+
+struct LampConfig {
+  static constexpr const char* kSection = "lamp";
+
+  double distance = 2.0;
+
+  void describe(Fields& fields) {
+    fields.add("distance", &distance, "of the lamp").unit("m").in(Range::above(0)).ofRobot();
+  }
+};
+
+/// A detector of one's own: the brightest spot of an image is the lamp, landmark 1.
+class LampDetector final : public LandmarkDetector {
+ public:
+  void configure(Settings& settings) override {
+    config_ = settings.read<LampConfig>();
+    gate_.configure(settings.read<CameraConfig>());
+    sequence_ = 0;
+  }
+  void set(const CameraCalibration& calibration) override { gate_.set(calibration); }
+  void set(const CameraMount& mount) override { gate_.set(mount); }
+  void set(const Image& image) override { gate_.set(image, counters_); }
+
+  Status execute() override {
+    const auto status = gate_.next(counters_);
+    array_.reset();
+    if (!gate_.image()) return status;
+    array_ = LandmarkObservationArray();
+    array_->sequence = sequence_++;
+    array_->stamp = gate_.image()->stamp;
+    if (!gate_.isUsable()) return status;
+    cv::Point spot;
+    cv::minMaxLoc(gate_.image()->gray, nullptr, nullptr, nullptr, &spot);
+    const double bearing = std::atan2(16 - spot.x, 16);
+    array_->observations = {{1, config_.distance, bearing, Eigen::Matrix2d::Identity() * 1e-4}};
+    return status;
+  }
+  const std::optional<LandmarkObservationArray>& observations() const override { return array_; }
+  cv::Mat drawing() const override { return {}; }
+  const Counters& counters() const override { return counters_; }
+  void reset() override {
+    gate_.reset();
+    counters_.clear();
+  }
+
+ private:
+  LampConfig config_;
+  ImageGate gate_;
+  Counters counters_;
+  std::optional<LandmarkObservationArray> array_;
+  std::uint64_t sequence_ = 0;
+};
+
+const Registrar<LandmarkDetector, LampDetector> kRegistrar("lamp");
+const SectionRegistrar<LampConfig> kSectionRegistrar;
+
+std::vector<std::string> faultsOf(const std::string& product, const std::string& robot,
+                                  const std::vector<std::string>& overrides = {}) {
+  return test::faultsOf([&] {
+    Settings settings({"product.yaml", YAML::Load(product)}, {"robot.yaml", YAML::Load(robot)},
+                      overrides);
+    validateProduct(settings);
+  });
+}
+
+TEST(DetectorConfig, AnyRegisteredDetectorCanBeNamed) {
+  EXPECT_TRUE(
+      faultsOf("{version: 1, detector: lamp}", "{version: 1, lamp: {distance: 1}}").empty());
+  EXPECT_TRUE(faultsOf("{version: 1, detector: none}", "").empty());
+  EXPECT_TRUE(oneSays(faultsOf("{version: 1, detector: lmap}", ""),
+                      {"detector 'lmap'", "did you mean 'lamp'", "'none'"}));
+}
+
+TEST(DetectorConfig, SectionsOfUnusedComponentsMayStandInTheFilesButAreChecked) {
+  EXPECT_TRUE(faultsOf("", "{version: 1, lamp: {distance: 3}}").empty());
+  EXPECT_TRUE(oneSays(faultsOf("", "{version: 1, lamp: {distance: 0}}"), {"lamp.distance", "> 0"}));
+  EXPECT_TRUE(oneSays(faultsOf("", "{version: 1, lamp: {distence: 1}}"),
+                      {"lamp.distence", "did you mean 'distance'"}));
+  EXPECT_TRUE(oneSays(faultsOf("", "{version: 1, lmap: {}}"), {"did you mean 'lamp'"}));
+}
+
+TEST(DetectorConfig, AnOverrideThatWouldHaveNoEffectIsRefused) {
+  EXPECT_TRUE(oneSays(faultsOf("", "", {"lamp.distance=3"}), {"lamp.distance=3", "no section"}));
+  EXPECT_TRUE(faultsOf("", "", {"detector=lamp", "lamp.distance=3"}).empty());
+}
+
+TEST(DetectorConfig, ValuesInForceAreThoseOfTheComponentsInUse) {
+  Settings settings({}, {"robot.yaml", YAML::Load("{version: 1, lamp: {distance: 3}}")}, {});
+  validateProduct(settings);
+  EXPECT_EQ(settings.inForce().find("lamp"), std::string::npos);
+}
+
+Stamp at(int milliseconds) {
+  return stampFromNanoseconds(1000000000) + std::chrono::milliseconds(milliseconds);
+}
+
+Image lampAt(int column, int milliseconds) {
+  Image image{at(milliseconds), "camera", cv::Mat::zeros(24, 32, CV_8UC1), ""};
+  image.gray.at<std::uint8_t>(12, column) = 255;
+  return image;
+}
+
+struct DetectorRun : testing::Test {
+  DetectorRun() {
+    Settings settings({}, {}, {"detector=lamp"});
+    coordinator.configure(settings);
+    for (int i = 0; i <= 20; ++i) {
+      OdometrySample sample;
+      sample.stamp = at(100 * i);
+      sample.pose = Pose2(0.01 * i, 0, 0);
+      coordinator.set(sample);
+    }
+  }
+  void giveCalibrationAndMount() {
+    coordinator.set(CameraCalibration{32, 24, "plumb_bob", 16, 16, 16, 12, {}});
+    coordinator.set(CameraMount{"camera", Eigen::Isometry3d::Identity()});
+  }
+  void drain() {
+    do {
+      const auto status = coordinator.execute();
+      if (!status.isOk()) sentences.push_back(status.message);
+      if (coordinator.estimator().report()) reports.push_back(*coordinator.estimator().report());
+    } while (coordinator.estimator().report());
+  }
+
+  MetaCoordinator coordinator;
+  std::vector<StepReport> reports;
+  std::vector<std::string> sentences;
+};
+
+TEST_F(DetectorRun, EveryImageIsAStepAndWhatIsSeenIsMapped) {
+  giveCalibrationAndMount();
+  for (int i = 0; i < 5; ++i) coordinator.set(lampAt(16, 50 + 100 * i));
+  drain();
+  ASSERT_EQ(reports.size(), 5u);
+  EXPECT_EQ(reports.front().stamp, at(50));
+  EXPECT_TRUE(reports.front().observed);
+  ASSERT_EQ(coordinator.estimator().backend().landmarks().size(), 1u);
+  EXPECT_NEAR(coordinator.estimator().backend().landmarks()[0].position.x(), 2.0, 0.1);
+  EXPECT_EQ(sentences, std::vector<std::string>());
+}
+
+TEST_F(DetectorRun, TheOrderOfImagesCalibrationAndMountDoesNotMatter) {
+  for (int i = 0; i < 5; ++i) coordinator.set(lampAt(16 + i, 50 + 100 * i));
+  drain();
+  EXPECT_TRUE(reports.empty());
+  giveCalibrationAndMount();
+  drain();
+  ASSERT_EQ(reports.size(), 5u);
+
+  struct Other : DetectorRun {
+    void TestBody() override {}
+  } other;
+  other.giveCalibrationAndMount();
+  for (int i = 0; i < 5; ++i) other.coordinator.set(lampAt(16 + i, 50 + 100 * i));
+  other.drain();
+  ASSERT_EQ(other.reports.size(), 5u);
+  EXPECT_EQ(other.reports.back().pose.pose.vector(), reports.back().pose.pose.vector());
+  EXPECT_EQ(other.reports.back().pose.covariance, reports.back().pose.covariance);
+}
+
+TEST_F(DetectorRun, WarningsAndCountsOfTheDetectorComeOutAndLateImagesAreDropped) {
+  giveCalibrationAndMount();
+  coordinator.set(lampAt(16, 100));
+  coordinator.set(lampAt(16, 100));
+  drain();
+  EXPECT_TRUE(oneSays(sentences, {"image", "not newer"}));
+  EXPECT_EQ(coordinator.counters()["detector_late"], 1u);
+  EXPECT_EQ(coordinator.dropped(), 1u);
+  coordinator.reset();
+  EXPECT_EQ(coordinator.dropped(), 0u);
+}
+
+TEST_F(DetectorRun, ArraysAreShownToWhoWantsToDrawThem) {
+  std::vector<Stamp> shown;
+  coordinator.on_detections = [&](const auto& array) { shown.push_back(array.stamp); };
+  coordinator.set(lampAt(16, 100));
+  giveCalibrationAndMount();
+  coordinator.set(lampAt(16, 200));
+  EXPECT_EQ(shown, (std::vector<Stamp>{at(100), at(200)}));
+}
+
+TEST(DetectorNone, ImagesHaveNoEffect) {
+  Settings settings;
+  MetaCoordinator coordinator;
+  coordinator.configure(settings);
+  EXPECT_EQ(coordinator.detector(), nullptr);
+  coordinator.set(lampAt(16, 100));
+  EXPECT_TRUE(coordinator.execute().isOk());
+  EXPECT_TRUE(coordinator.counters().all().empty());
+}
+
+}  // namespace
+}  // namespace slam

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "slam_core/camera/image.hpp"
+#include "slam_ros/static_transforms.hpp"
+
+namespace slam_ros {
+
+/// Turns the messages of one camera into the inputs of a component; nodelets and slam_offline share
+/// it. Calibration and mount are passed on when they come and when they change. The component holds
+/// the images until it has both, so that the order of arrival does not matter.
+class CameraInput {
+ public:
+  struct Sinks {
+    std::function<void(const slam::Image&)> image;
+    std::function<void(const slam::CameraCalibration&)> calibration;
+    std::function<void(const slam::CameraMount&)> mount;
+  };
+
+  /// @param base_frame of the robot
+  CameraInput(std::string base_frame, Sinks sinks);
+
+  void take(const sensor_msgs::Image& message);
+  void take(const sensor_msgs::CompressedImage& message);
+  void take(const sensor_msgs::CameraInfo& message);
+  void take(const tf2_msgs::TFMessage& static_transforms);
+
+  bool hasImage() const { return camera_frame_.has_value(); }
+  bool hasCalibration() const { return calibration_.has_value(); }
+  /// "base_link -> camera_optical_frame" while images came and that transform did not, else empty.
+  std::string missingTransform() const;
+
+ private:
+  void pass(const slam::Image& image);
+  void findMount();
+
+  std::string base_frame_;
+  Sinks sinks_;
+  StaticTransforms transforms_;
+  std::optional<std::string> camera_frame_;  ///< of the newest image
+  std::optional<slam::CameraCalibration> calibration_;
+  std::optional<slam::CameraMount> mount_;
+};
+
+}  // namespace slam_ros

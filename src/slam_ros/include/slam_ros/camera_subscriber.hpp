@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <string>
+
+#include "slam_ros/camera_input.hpp"
+#include "slam_ros/camera_topics.hpp"
+#include "slam_ros/latency_window.hpp"
+
+namespace slam_ros {
+
+/// Subscribes a camera: raw and compressed images, camera_info and /tf_static. All callbacks come
+/// from the node handle's queue. Its owner calls stop() before what the sinks need goes away.
+class CameraSubscriber {
+ public:
+  struct Options {
+    std::string topic;  ///< of the raw images
+    std::string transport =
+        "auto";  ///< "raw", "compressed"; "auto": the kind that comes first stays
+    std::string base_frame;
+  };
+
+  CameraSubscriber(ros::NodeHandle handle, const Options& options, CameraInput::Sinks sinks);
+
+  const std::string& topic() const { return topics_.raw; }
+  /// "waiting for ...", or empty when all have come that a component may need.
+  std::string waiting() const;
+  /// When the last image came, by the wall.
+  LatencyWindow::Clock::time_point arrival() const { return arrival_; }
+  /// From here on no callback runs.
+  void stop();
+
+ private:
+  template <class Message>
+  void take(const Message& message);
+  void onImage(const sensor_msgs::Image& message);
+  void onCompressedImage(const sensor_msgs::CompressedImage& message);
+  void onCameraInfo(const sensor_msgs::CameraInfo& message) { input_.take(message); }
+  void onStaticTransforms(const tf2_msgs::TFMessage& message) { input_.take(message); }
+
+  CameraTopics topics_;
+  CameraInput input_;
+  LatencyWindow::Clock::time_point arrival_;
+  ros::Subscriber raw_, compressed_, info_, transforms_;
+};
+
+}  // namespace slam_ros

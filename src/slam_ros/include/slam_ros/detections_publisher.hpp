@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include "slam_core/contract/landmark_detector.hpp"
+
+namespace slam_ros {
+
+/// Publishes the marked-up image of a detector on `detections/image`, and has it drawn only while
+/// somebody looks.
+class DetectionsPublisher {
+ public:
+  explicit DetectionsPublisher(ros::NodeHandle handle);
+
+  /// @param array what `detector` has made of its last image
+  void publish(const slam::LandmarkDetector& detector,
+               const slam::LandmarkObservationArray& array) const;
+
+ private:
+  ros::Publisher publisher_;
+};
+
+}  // namespace slam_ros

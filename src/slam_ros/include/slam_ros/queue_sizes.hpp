@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace slam_ros {
+
+constexpr std::uint32_t kQueue = 1000;
+/// Images are large: what waits here is tens of megabytes already.
+constexpr std::uint32_t kImageQueue = 50;
+
+/// What the bag source sends before the back-end must acknowledge, per input; every queue behind
+/// must hold as many.
+constexpr std::size_t kInFlight = 100;
+/// More than a component holds while it waits for calibration and mount.
+constexpr std::size_t kImagesInFlight = 40;
+
+}  // namespace slam_ros

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/camera_subscriber.hpp"
+
+#include <utility>
+
+#include "slam_ros/queue_sizes.hpp"
+
+namespace slam_ros {
+
+CameraSubscriber::CameraSubscriber(ros::NodeHandle handle, const Options& options,
+                                   CameraInput::Sinks sinks)
+    : topics_(cameraTopics(options.topic)), input_(options.base_frame, std::move(sinks)) {
+  transforms_ = handle.subscribe("/tf_static", kQueue, &CameraSubscriber::onStaticTransforms, this);
+  info_ = handle.subscribe(topics_.info, kQueue, &CameraSubscriber::onCameraInfo, this);
+  if (options.transport != "compressed")
+    raw_ = handle.subscribe(topics_.raw, kImageQueue, &CameraSubscriber::onImage, this);
+  if (options.transport != "raw")
+    compressed_ = handle.subscribe(topics_.compressed, kImageQueue,
+                                   &CameraSubscriber::onCompressedImage, this);
+}
+
+void CameraSubscriber::onImage(const sensor_msgs::Image& message) {
+  compressed_.shutdown();
+  take(message);
+}
+
+void CameraSubscriber::onCompressedImage(const sensor_msgs::CompressedImage& message) {
+  raw_.shutdown();
+  take(message);
+}
+
+template <class Message>
+void CameraSubscriber::take(const Message& message) {
+  arrival_ = LatencyWindow::Clock::now();
+  input_.take(message);
+}
+
+void CameraSubscriber::stop() {
+  for (auto* subscriber : {&raw_, &compressed_, &info_, &transforms_}) subscriber->shutdown();
+}
+
+std::string CameraSubscriber::waiting() const {
+  if (!input_.hasImage())
+    return "waiting for images on " + topics_.raw + " or " + topics_.compressed;
+  if (!input_.hasCalibration()) return "waiting for the camera's calibration on " + topics_.info;
+  if (const auto transform = input_.missingTransform(); !transform.empty())
+    return "waiting for the transform " + transform + " on /tf_static";
+  return "";
+}
+
+}  // namespace slam_ros

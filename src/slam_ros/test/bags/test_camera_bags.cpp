@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "camera_bag.hpp"
+#include "slam_core/product/landmark_file.hpp"
+#include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/offline_run.hpp"
+
+namespace slam_ros {
+namespace {
+
+using test::addCamera;
+using test::BagMaker;
+using test::contains;
+using test::messageOf;
+
+constexpr const char* kRaw = "/camera/image_raw";
+constexpr const char* kCompressed = "/camera/image_raw/compressed";
+constexpr const char* kInfo = "/camera/camera_info";
+
+struct CameraBag : ::testing::Test {
+  BagInputs find(const std::vector<Remap>& remaps = {}) const {
+    InputNeeds needs;
+    needs.images = true;
+    return findInputs(BagReader(folder / "x.bag"), needs, remaps);
+  }
+  test::Folder folder;
+};
+
+TEST_F(CameraBag, ImagesAreFoundByNameRawBeforeCompressed) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kCompressed, kInfo);
+    addCamera(bag, "/rear/image_raw", "/rear/camera_info");
+  }
+  EXPECT_EQ(find().compressed_image, kCompressed);
+  EXPECT_EQ(find().image, "");
+  EXPECT_EQ(find().camera_info, kInfo);
+  EXPECT_TRUE(find().notes.empty());
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kCompressed, kInfo);
+    addCamera(bag, kRaw, "");
+  }
+  EXPECT_EQ(find().image, kRaw);
+  EXPECT_EQ(find().compressed_image, "");
+}
+
+TEST_F(CameraBag, TheOnlyImagesThereAreAreFoundByTypeWithTheCalibrationBesideThem) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, "/eye/image/compressed", "/eye/camera_info");
+    bag.add("/other/camera_info", 1, test::cameraInfo(1));
+    bag.add("/detections/image", 1, test::rawImage(1));
+  }
+  EXPECT_EQ(find().compressed_image, "/eye/image/compressed");
+  EXPECT_EQ(find().image, "");
+  EXPECT_EQ(find().camera_info, "/eye/camera_info");
+  ASSERT_EQ(find().notes.size(), 1u);
+  EXPECT_TRUE(contains(find().notes[0], "the only one of type sensor_msgs/CompressedImage"));
+}
+
+TEST_F(CameraBag, ARemappingMeansRawOrCompressedImages) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, "/left/image/compressed", "/left/camera_info");
+    addCamera(bag, "/right/image/compressed", "/right/camera_info");
+    addCamera(bag, "/rear/image", "/rear/camera_info");
+    addCamera(bag, "/front/image", "/front/camera_info");
+  }
+  EXPECT_TRUE(contains(messageOf([&] { find(); }), "choose with --remap camera:="));
+  EXPECT_EQ(find({{"camera", "/left/image/compressed"}}).compressed_image,
+            "/left/image/compressed");
+  EXPECT_EQ(find({{"camera", "/right/image"}}).compressed_image, "/right/image/compressed");
+  const auto rear = find({{"camera", "/rear/image"}, {"camera_info", "/left/camera_info"}});
+  EXPECT_EQ(rear.image, "/rear/image");
+  EXPECT_EQ(rear.camera_info, "/left/camera_info");
+}
+
+TEST_F(CameraBag, ObservationsInTheBagLeaveTheDetectorOut) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry().addObservations();
+    addCamera(bag, kRaw, kInfo);
+  }
+  EXPECT_FALSE(find().hasImages());
+  ASSERT_EQ(find().notes.size(), 1u);
+  EXPECT_EQ(find().notes[0], "the bag carries observations: the detector is left out");
+}
+
+TEST_F(CameraBag, WithoutObservationsAndImagesSaysWhatIsMissingAndWhatThereIs) {
+  BagMaker(folder / "x.bag").addOdometry();
+  const auto sentence = messageOf([&] { find(); });
+  for (const auto* part :
+       {"lacks landmarks", "'observations'", "'camera/image_raw' (sensor_msgs/Image)",
+        "'camera/image_raw/compressed'", "it has /odom"})
+    EXPECT_TRUE(contains(sentence, part)) << sentence;
+}
+
+TEST_F(CameraBag, ImagesWithoutCalibrationAreAWarning) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kRaw, "");
+    bag.add("/other/camera_info", 1, test::cameraInfo(1));
+  }
+  EXPECT_EQ(find().camera_info, "");
+  ASSERT_EQ(find().warnings.size(), 1u);
+  EXPECT_TRUE(contains(find().warnings[0], "the bag has no /camera/camera_info"));
+}
+
+struct OfflineCamera : CameraBag {
+  OfflineCamera() {
+    product = folder.write("product.yaml", "version: 1\nproduct: test\ndetector: aruco\n");
+    robot = folder.write("robot.yaml",
+                         "version: 1\nrobot: test\nfiducial: {marker_size: 0.4}\n"
+                         "aruco: {dictionaries: [DICT_4X4_50]}\n");
+  }
+  /// What it throws.
+  std::string run(const std::string& out, const std::vector<std::string>& overrides = {},
+                  const std::string& load_map = "") const {
+    OfflineOptions options;
+    options.product = product;
+    options.robot = robot;
+    options.bag = folder / "x.bag";
+    options.folder = folder / out;
+    options.overrides = overrides;
+    options.load_map = load_map;
+    return messageOf([&] { OfflineRun(options).run(); });
+  }
+  long lines(const std::string& out) const {
+    const auto text = folder.read(out + "/trajectory.tum");
+    return std::count(text.begin(), text.end(), '\n');
+  }
+  std::string product, robot;
+};
+
+TEST_F(OfflineCamera, MapsTheMarkerFromRawAndFromCompressedImagesAlike) {
+  for (const auto* topic : {kRaw, kCompressed}) {
+    {
+      BagMaker bag(folder / "x.bag");
+      bag.addOdometry().add("/tf_static", 0, test::cameraMount());
+      addCamera(bag, topic, kInfo);
+    }
+    ASSERT_EQ(run(topic == kRaw ? "raw" : "compressed"), "");
+  }
+  EXPECT_EQ(lines("raw"), 35);
+  const auto map = slam::loadLandmarks(folder / "raw/landmarks.yaml", "map").map;
+  ASSERT_EQ(map.landmarks.size(), 1u);
+  EXPECT_EQ(map.landmarks[0].id, test::kMarkerId);
+  EXPECT_NEAR(map.landmarks[0].position.x(), test::kMarkerX, 0.1);
+  EXPECT_NEAR(map.landmarks[0].position.y(), test::kMarkerY, 0.05);
+  for (const auto* name : {"/trajectory.tum", "/landmarks.yaml", "/updates.csv"})
+    EXPECT_EQ(folder.read(std::string("raw") + name),
+              folder.read(std::string("compressed") + name));
+}
+
+TEST_F(OfflineCamera, CalibrationAndTransformMayComeAfterTheFirstImages) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry().add("/tf_static", 0, test::cameraMount()).add(kInfo, 0, test::cameraInfo(0));
+    addCamera(bag, kRaw, "");
+  }
+  ASSERT_EQ(run("first"), "");
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry().add("/tf_static", 3, test::cameraMount()).add(kInfo, 2, test::cameraInfo(2));
+    addCamera(bag, kRaw, "");
+  }
+  ASSERT_EQ(run("later"), "");
+  for (const auto* name : {"/trajectory.tum", "/landmarks.yaml", "/updates.csv"})
+    EXPECT_EQ(folder.read(std::string("first") + name), folder.read(std::string("later") + name));
+}
+
+TEST_F(OfflineCamera, GoesOnWithoutCalibrationOrTransform) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry().add("/tf_static", 0, test::cameraMount());
+    addCamera(bag, kRaw, "");
+  }
+  EXPECT_EQ(run("no_calibration"), "");
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kRaw, kInfo);
+  }
+  EXPECT_EQ(run("no_transform"), "");
+  for (const auto* out : {"no_calibration", "no_transform"}) {
+    EXPECT_GT(lines(out), 0) << out;
+    EXPECT_TRUE(contains(folder.read(std::string(out) + "/landmarks.yaml"), "landmarks: []"))
+        << out;
+  }
+}
+
+TEST_F(OfflineCamera, SaysWhatTheImagesOfAShortBagWaitedFor) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kRaw, kInfo, 1.0);
+  }
+  EXPECT_TRUE(contains(run("run"), "does not tell the transform base_link -> camera"));
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kRaw, "", 1.0);
+  }
+  EXPECT_TRUE(contains(run("run"), "/camera/image_raw came without the camera's calibration"));
+}
+
+TEST_F(OfflineCamera, ALoadedMapIsThereFromTheStart) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry().add("/tf_static", 0, test::cameraMount());
+    addCamera(bag, kRaw, kInfo);
+  }
+  ASSERT_EQ(run("mapping"), "");
+  EXPECT_EQ(run("known", {"ekf.mode=localization"}, folder / "mapping/landmarks.yaml"), "");
+  const auto map = slam::loadLandmarks(folder / "mapping/landmarks.yaml", "map").map;
+  const auto kept = slam::loadLandmarks(folder / "known/landmarks.yaml", "map").map;
+  ASSERT_EQ(kept.landmarks.size(), 1u);
+  EXPECT_EQ(kept.landmarks[0].position, map.landmarks[0].position);
+  EXPECT_TRUE(contains(run("none", {}, folder / "nothing.yaml"), "does it exist?"));
+}
+
+}  // namespace
+}  // namespace slam_ros
