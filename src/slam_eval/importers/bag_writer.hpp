@@ -3,7 +3,6 @@
 #pragma once
 
 #include <ros/time.h>
-#include <rosbag/bag.h>
 
 #include <cstdint>
 #include <functional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "slam_core/common/progress.hpp"
+#include "slam_ros/bag_file.hpp"
 
 namespace slam::eval {
 
@@ -30,10 +30,11 @@ class BagWriter {
   /// A message like the one above, with a header that takes its receive time.
   template <class Message>
   void addFirstStamped(const std::string& topic, Message message) {
-    first_.push_back({ros::Time(), [topic, message](rosbag::Bag& bag, const ros::Time& t) mutable {
-                        message.header.stamp = t;
-                        bag.write(topic, t, message);
-                      }});
+    first_.push_back(
+        {ros::Time(), [topic, message](slam_ros::BagFile& bag, const ros::Time& t) mutable {
+           message.header.stamp = t;
+           bag.write(topic, t, message);
+         }});
   }
 
   template <class Message>
@@ -53,7 +54,7 @@ class BagWriter {
   void write(const std::string& path, Progress& progress);
 
  private:
-  using Writer = std::function<void(rosbag::Bag&, const ros::Time&)>;
+  using Writer = std::function<void(slam_ros::BagFile&, const ros::Time&)>;
   struct Entry {
     ros::Time stamp;
     Writer write;
@@ -61,10 +62,12 @@ class BagWriter {
 
   template <class Message>
   static Writer writer(const std::string& topic, const Message& message) {
-    return [topic, message](rosbag::Bag& bag, const ros::Time& t) { bag.write(topic, t, message); };
+    return [topic, message](slam_ros::BagFile& bag, const ros::Time& t) {
+      bag.write(topic, t, message);
+    };
   }
 
-  void writeMessages(rosbag::Bag& bag, Progress& progress) const;
+  void writeMessages(slam_ros::BagFile& bag, Progress& progress) const;
 
   std::vector<Entry> first_;
   std::vector<Entry> entries_;
