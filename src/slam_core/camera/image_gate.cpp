@@ -35,7 +35,6 @@ void ImageGate::reset() {
   image_.reset();
   usable_ = false;
   input_status_ = Status::ok();
-  counters_.clear();
 }
 
 void ImageGate::set(const CameraCalibration& calibration) {
@@ -51,9 +50,9 @@ void ImageGate::set(const CameraMount& mount) {
   mount_fault_ = faultOf(*mount_);
 }
 
-void ImageGate::set(const Image& image) {
+void ImageGate::set(const Image& image, Counters& counters) {
   if (last_ && image.stamp <= *last_ && image.stamp > *last_ - kRestartGap) {
-    counters_.add("late");
+    counters.add("late");
     input_status_ = Status::warning("an image is not newer than the one before it; it is left out");
     return;
   }
@@ -61,7 +60,7 @@ void ImageGate::set(const Image& image) {
   held_.push_back(image);
 }
 
-Status ImageGate::next() {
+Status ImageGate::next(Counters& counters) {
   image_.reset();
   usable_ = false;
   auto status = std::exchange(input_status_, Status::ok());
@@ -73,7 +72,7 @@ Status ImageGate::next() {
   image_ = std::move(held_.front());
   held_.pop_front();
   if (const auto fault = faultOfImage()) {
-    counters_.add(fault->reason);
+    counters.add(fault->reason);
     return Status::warning(fault->sentence);
   }
   usable_ = true;

@@ -35,18 +35,17 @@ class ImageGate {
   /// Where the configuration gives the mount only the frame's name counts.
   void set(const CameraMount& mount);
   /// Dropped when its stamp is not after the last one's; 5 s before it and more is a new beginning.
-  void set(const Image& image);
+  void set(const Image& image, Counters& counters);
 
   /// Lets the next image out that is due. Says what is wrong with it, or with the input since the
   /// last call, or what the images wait for.
-  Status next();
+  Status next(Counters& counters);
 
   const std::optional<Image>& image() const { return image_; }
   /// Whether image() can be used, with camera() and mount().
   bool isUsable() const { return usable_; }
   const CameraModel& camera() const { return camera_; }
   const CameraMount& mount() const { return *mount_; }
-  const Counters& counters() const { return counters_; }
 
   /// As after configure(), calibration and mount kept.
   void reset();
@@ -69,7 +68,6 @@ class ImageGate {
   std::optional<Image> image_;
   bool usable_ = false;
   Status input_status_;  ///< of the images since the last next()
-  Counters counters_;
 };
 
 }  // namespace slam

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/fiducial/aruco_detector.hpp"
+
+#include <opencv2/aruco.hpp>
+
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/fiducial/fiducial_detector.hpp"
+#include "slam_core/fiducial/id_ranges.hpp"
+
+namespace slam::fiducial {
+namespace {
+
+const Registrar<LandmarkDetector, FiducialDetectorWith<ArucoDetector>> kRegistrar("aruco");
+const SectionRegistrar<ArucoConfig> kSection;
+
+const std::map<std::string, cv::aruco::PREDEFINED_DICTIONARY_NAME> kDictionaries = {
+    {"DICT_4X4_50", cv::aruco::DICT_4X4_50},
+    {"DICT_4X4_100", cv::aruco::DICT_4X4_100},
+    {"DICT_4X4_250", cv::aruco::DICT_4X4_250},
+    {"DICT_4X4_1000", cv::aruco::DICT_4X4_1000},
+    {"DICT_5X5_50", cv::aruco::DICT_5X5_50},
+    {"DICT_5X5_100", cv::aruco::DICT_5X5_100},
+    {"DICT_5X5_250", cv::aruco::DICT_5X5_250},
+    {"DICT_5X5_1000", cv::aruco::DICT_5X5_1000},
+    {"DICT_6X6_50", cv::aruco::DICT_6X6_50},
+    {"DICT_6X6_100", cv::aruco::DICT_6X6_100},
+    {"DICT_6X6_250", cv::aruco::DICT_6X6_250},
+    {"DICT_6X6_1000", cv::aruco::DICT_6X6_1000},
+    {"DICT_7X7_50", cv::aruco::DICT_7X7_50},
+    {"DICT_7X7_100", cv::aruco::DICT_7X7_100},
+    {"DICT_7X7_250", cv::aruco::DICT_7X7_250},
+    {"DICT_7X7_1000", cv::aruco::DICT_7X7_1000},
+    {"DICT_ARUCO_ORIGINAL", cv::aruco::DICT_ARUCO_ORIGINAL},
+    {"DICT_APRILTAG_16h5", cv::aruco::DICT_APRILTAG_16h5},
+    {"DICT_APRILTAG_25h9", cv::aruco::DICT_APRILTAG_25h9},
+    {"DICT_APRILTAG_36h10", cv::aruco::DICT_APRILTAG_36h10},
+    {"DICT_APRILTAG_36h11", cv::aruco::DICT_APRILTAG_36h11}};
+
+const std::map<std::string, cv::aruco::CornerRefineMethod> kRefinements = {
+    {"none", cv::aruco::CORNER_REFINE_NONE},
+    {"subpix", cv::aruco::CORNER_REFINE_SUBPIX},
+    {"contour", cv::aruco::CORNER_REFINE_CONTOUR}};
+
+template <class Value>
+std::vector<std::string> namesOf(const std::map<std::string, Value>& map) {
+  std::vector<std::string> names;
+  for (const auto& entry : map) names.push_back(entry.first);
+  return names;
+}
+
+}  // namespace
+
+void ArucoConfig::describe(Fields& fields) {
+  fields.add("dictionaries", &dictionaries, "dictionaries of markers to look for")
+      .oneOf(namesOf(kDictionaries))
+      .ofRobot();
+  fields.add("id_offsets", &id_offsets, "by dictionary, what is added to the ids of its markers")
+      .in(Range::atLeast(0))
+      .ofRobot();
+  fields.add("corner_refinement", &corner_refinement, "how corners are found within a pixel")
+      .oneOf(namesOf(kRefinements));
+  fields
+      .add(
+          "error_correction_rate", &error_correction_rate,
+          "share of the wrong bits that the dictionary could correct, above which a marker is none")
+      .unit("1")
+      .in(Range::closed(0, 1));
+}
+
+struct ArucoDetector::Library {
+  struct Dictionary {
+    cv::Ptr<cv::aruco::Dictionary> pointer;
+    std::int64_t offset;
+  };
+  std::vector<Dictionary> dictionaries;
+  cv::Ptr<cv::aruco::DetectorParameters> parameters = cv::aruco::DetectorParameters::create();
+  // of the last image, kept for their memory
+  std::vector<std::vector<cv::Point2f>> corners;
+  std::vector<int> ids;
+};
+
+ArucoDetector::ArucoDetector() = default;
+ArucoDetector::~ArucoDetector() = default;
+
+void ArucoDetector::configure(Settings& settings) { configure(settings.read<ArucoConfig>()); }
+
+void ArucoDetector::configure(const ArucoConfig& config) {
+  validate(config);
+  auto library = std::make_unique<Library>();
+  std::vector<IdRange> ranges;
+  for (const auto& name : config.dictionaries) {
+    const auto dictionary = cv::aruco::getPredefinedDictionary(kDictionaries.at(name));
+    const auto offset = config.id_offsets.find(name);
+    ranges.push_back(
+        {name, offset == config.id_offsets.end() ? 0 : offset->second, dictionary->bytesList.rows});
+    library->dictionaries.push_back({dictionary, ranges.back().offset});
+  }
+  requireUniqueIds(ArucoConfig::kSection, ranges, config.id_offsets);
+  library->parameters->cornerRefinementMethod = kRefinements.at(config.corner_refinement);
+  library->parameters->errorCorrectionRate = config.error_correction_rate;
+  library_ = std::move(library);
+}
+
+void ArucoDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>& found) {
+  auto& [dictionaries, parameters, corners, ids] = *library_;
+  for (const auto& dictionary : dictionaries) {
+    cv::aruco::detectMarkers(gray, dictionary.pointer, corners, ids, parameters);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      MarkerDetection marker;
+      marker.id = dictionary.offset + ids[i];
+      for (std::size_t k = 0; k < 4; ++k) marker.corners[k] = {corners[i][k].x, corners[i][k].y};
+      found.push_back(marker);
+    }
+  }
+}
+
+}  // namespace slam::fiducial

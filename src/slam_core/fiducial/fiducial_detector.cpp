@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/fiducial/fiducial_detector.hpp"
+
+#include <algorithm>
+
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/fiducial/drawing.hpp"
+#include "slam_core/fiducial/range_bearing.hpp"
+#include "slam_core/fiducial/rejection.hpp"
+
+namespace slam::fiducial {
+namespace {
+
+const SectionRegistrar<FiducialConfig> kFiducialSection;
+const SectionRegistrar<CameraConfig> kCameraSection;
+
+}  // namespace
+
+FiducialDetector::FiducialDetector(std::unique_ptr<CornerDetector> corner_detector)
+    : corner_detector_(std::move(corner_detector)) {}
+
+void FiducialDetector::configure(Settings& settings) {
+  FaultCollector faults;
+  faults.attempt([&] { config_ = settings.read<FiducialConfig>(); });
+  faults.attempt([&] { gate_.configure(settings.read<CameraConfig>()); });
+  faults.attempt([&] { corner_detector_->configure(settings); });
+  faults.raise();
+  reset();
+}
+
+void FiducialDetector::reset() {
+  gate_.reset();
+  detections_.clear();
+  observations_.reset();
+  next_sequence_ = 0;
+  counters_.clear();
+}
+
+Status FiducialDetector::execute() {
+  observations_.reset();
+  auto status = gate_.next(counters_);
+  if (!gate_.image()) return status;
+  detections_.clear();
+  observations_ = emptyArray();
+  if (!gate_.isUsable()) return status;
+
+  corner_detector_->detect(gate_.image()->gray, detections_);
+  sortById(detections_);
+  rejectByImage(config_, gate_.image()->gray.size(), detections_);
+  estimatePoses();
+  rejectByPose(config_, detections_);
+  observe();
+  count();
+  return status;
+}
+
+LandmarkObservationArray FiducialDetector::emptyArray() {
+  LandmarkObservationArray array;
+  array.sequence = next_sequence_++;
+  array.stamp = gate_.image()->stamp;
+  array.sensor_frame = gate_.image()->frame;
+  if (gate_.isUsable()) {
+    const auto& position = gate_.mount().T_base_camera.translation();
+    array.sensor_pose = Pose2(position.x(), position.y(), 0.0);
+  }
+  return array;
+}
+
+void FiducialDetector::estimatePoses() {
+  for (auto& marker : detections_) {
+    if (!marker.isAccepted()) continue;
+    const auto pose = estimatePose(gate_.camera(), marker.corners, config_.sizeOf(marker.id),
+                                   config_.corner_sigma);
+    if (pose)
+      marker.pose = *pose;
+    else
+      marker.rejection = "no_pose";
+  }
+}
+
+void FiducialDetector::observe() {
+  for (auto& marker : detections_) {
+    if (!marker.isAccepted()) continue;
+    auto z = rangeAndBearing(marker.pose.position, marker.pose.covariance,
+                             gate_.mount().T_base_camera.linear(), config_.max_relative_sigma);
+    if (!z || !faultOf(*z).empty()) {
+      marker.rejection = "ill_conditioned";
+      continue;
+    }
+    z->id = marker.id;
+    marker.observation = *z;
+    observations_->observations.push_back(*z);
+  }
+}
+
+void FiducialDetector::count() {
+  for (const auto& marker : detections_)
+    if (!marker.isAccepted()) counters_.add(marker.rejection);
+}
+
+cv::Mat FiducialDetector::drawing() const {
+  return gate_.image() ? draw(gate_.image()->gray, detections_) : cv::Mat();
+}
+
+}  // namespace slam::fiducial

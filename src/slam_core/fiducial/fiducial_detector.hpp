@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/contract/landmark_detector.hpp"
+#include "slam_core/fiducial/corner_detector.hpp"
+#include "slam_core/fiducial/fiducial_config.hpp"
+
+namespace slam::fiducial {
+
+/// Finds square markers in images and tells where they stand in the robot's plane (thesis 5.2).
+/// Only a marker's position is used: its orientation may flip (Collins and Bartoli 2014).
+///
+/// Counted: the reasons of the gate and of rejections: "low_margin", "hamming", "unlisted_id",
+/// "duplicate_id", "image_border", "too_small", "too_oblique", "reprojection_error", "no_pose",
+/// "ill_conditioned".
+class FiducialDetector : public LandmarkDetector {
+ public:
+  explicit FiducialDetector(std::unique_ptr<CornerDetector> corner_detector);
+
+  void configure(Settings& settings) override;
+  void set(const CameraCalibration& calibration) override { gate_.set(calibration); }
+  void set(const CameraMount& mount) override { gate_.set(mount); }
+  void set(const Image& image) override { gate_.set(image, counters_); }
+  Status execute() override;
+  const std::optional<LandmarkObservationArray>& observations() const override {
+    return observations_;
+  }
+  cv::Mat drawing() const override;
+  const Counters& counters() const override { return counters_; }
+  void reset() override;
+
+  /// All that was found in the last image, accepted or not, sorted by id.
+  const std::vector<MarkerDetection>& detections() const { return detections_; }
+
+ private:
+  LandmarkObservationArray emptyArray();
+  void estimatePoses();
+  void observe();
+  void count();
+
+  FiducialConfig config_;
+  std::unique_ptr<CornerDetector> corner_detector_;
+  ImageGate gate_;
+  std::vector<MarkerDetection> detections_;
+  std::optional<LandmarkObservationArray> observations_;
+  std::uint64_t next_sequence_ = 0;
+  Counters counters_;
+};
+
+/// The coordinator with one kind of corner detector, for the registry.
+template <class Corners>
+class FiducialDetectorWith final : public FiducialDetector {
+ public:
+  FiducialDetectorWith() : FiducialDetector(std::make_unique<Corners>()) {}
+};
+
+}  // namespace slam::fiducial

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/fiducial/rejection.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace slam::fiducial {
+namespace {
+
+bool isNearBorder(const Corners& corners, const cv::Size& image, double border) {
+  return std::any_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& corner) {
+    return corner.x() < border || corner.x() > image.width - 1 - border ||  //
+           corner.y() < border || corner.y() > image.height - 1 - border;
+  });
+}
+
+double meanSide(const Corners& corners) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) sum += (corners[(i + 1) % 4] - corners[i]).norm();
+  return sum / 4.0;
+}
+
+void rejectDuplicates(std::vector<MarkerDetection>& detections) {
+  std::vector<MarkerDetection*> readable;
+  for (auto& marker : detections)
+    if (marker.isAccepted()) readable.push_back(&marker);
+  for (std::size_t i = 1; i < readable.size(); ++i)
+    if (readable[i]->id == readable[i - 1]->id)
+      readable[i]->rejection = readable[i - 1]->rejection = "duplicate_id";
+}
+
+}  // namespace
+
+void sortById(std::vector<MarkerDetection>& detections) {
+  const auto key = [](const MarkerDetection& marker) {
+    return std::make_tuple(marker.id, marker.corners[0].x(), marker.corners[0].y());
+  };
+  std::sort(detections.begin(), detections.end(),
+            [&](const auto& a, const auto& b) { return key(a) < key(b); });
+}
+
+void rejectByImage(const FiducialConfig& config, const cv::Size& image,
+                   std::vector<MarkerDetection>& detections) {
+  for (auto& marker : detections)
+    if (marker.isAccepted() && !config.isListed(marker.id)) marker.rejection = "unlisted_id";
+  rejectDuplicates(detections);
+  for (auto& marker : detections) {
+    if (!marker.isAccepted()) continue;
+    if (isNearBorder(marker.corners, image, config.border))
+      marker.rejection = "image_border";
+    else if (meanSide(marker.corners) < config.min_side)
+      marker.rejection = "too_small";
+  }
+}
+
+void rejectByPose(const FiducialConfig& config, std::vector<MarkerDetection>& detections) {
+  for (auto& marker : detections) {
+    if (!marker.isAccepted()) continue;
+    if (marker.pose.reprojectionError() > config.max_reprojection_error)
+      marker.rejection = "reprojection_error";
+    else if (marker.pose.obliqueness() > config.max_obliqueness)
+      marker.rejection = "too_oblique";
+  }
+}
+
+}  // namespace slam::fiducial
