@@ -65,7 +65,7 @@ Status ImageGate::next(Counters& counters) {
   usable_ = false;
   auto status = std::exchange(input_status_, Status::ok());
   if (held_.empty()) return status;
-  if (const auto wanted = missing(); wanted && held_.size() <= kCapacity) {
+  if (const auto wanted = missing(held_.front()); wanted && held_.size() <= kCapacity) {
     const bool worth_a_word = held_.back().stamp - held_.front().stamp > kPatience;
     return status.isOk() && worth_a_word ? Status::warning(wanted->sentence) : status;
   }
@@ -79,14 +79,15 @@ Status ImageGate::next(Counters& counters) {
   return status;
 }
 
-std::optional<ImageGate::Fault> ImageGate::missing() const {
+std::optional<ImageGate::Fault> ImageGate::missing(const Image& image) const {
   if (!calibration_)
     return Fault{"no_calibration",
                  "images come without the camera's calibration; its driver must publish it as "
                  "camera_info"};
-  if (!mount_)
+  // of another frame it is another camera's
+  if (!mount_ || (!configured_mount_ && mount_->camera_frame != image.frame))
     return Fault{"no_mount",
-                 "it is not known where the camera of frame '" + held_.front().frame +
+                 "it is not known where the camera of frame '" + image.frame +
                      "' is mounted; publish its transform to the robot's base frame or give "
                      "camera.sensor_pose in the robot file"};
   return std::nullopt;
@@ -97,7 +98,7 @@ std::optional<ImageGate::Fault> ImageGate::faultOfImage() const {
   if (!image_->fault.empty()) return Fault{"unreadable", image_->fault};
   if (gray.empty() || gray.type() != CV_8UC1)
     return Fault{"unreadable", "an image is empty or is not of 8 bit gray"};
-  if (auto fault = missing()) return fault;
+  if (auto fault = missing(*image_)) return fault;
   if (!calibration_fault_.empty())
     return Fault{"bad_calibration", "the camera's calibration cannot be used: " +
                                         calibration_fault_ + "; correct its camera_info"};

@@ -32,7 +32,7 @@ class ImageGate {
 
   /// In force for all images that have not come out.
   void set(const CameraCalibration& calibration);
-  /// Where the configuration gives the mount only the frame's name counts.
+  /// For images of its frame. Where the configuration gives the mount only the frame's name counts.
   void set(const CameraMount& mount);
   /// Dropped when its stamp is not after the last one's; 5 s before it and more is a new beginning.
   void set(const Image& image, Counters& counters);
@@ -55,7 +55,7 @@ class ImageGate {
     std::string reason, sentence;
   };
 
-  std::optional<Fault> missing() const;
+  std::optional<Fault> missing(const Image& image) const;
   std::optional<Fault> faultOfImage() const;
 
   std::optional<Eigen::Isometry3d> configured_mount_;
