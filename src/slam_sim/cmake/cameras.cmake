@@ -21,3 +21,15 @@ target_sources(slam_sim_core PRIVATE
   ${slam_sim_cameras}/src/tile_renderer.cpp
   ${slam_sim_cameras}/src/viewed_surface.cpp)
 target_link_libraries(slam_sim_core PRIVATE apriltag::apriltag apriltag::apriltag-utils)
+
+if(CATKIN_ENABLE_TESTING)
+  catkin_add_gtest(slam_sim_camera_tests
+    ${slam_sim_cameras}/test/camera_geometry_test.cpp
+    ${slam_sim_cameras}/test/camera_image_test.cpp
+    ${slam_sim_cameras}/test/tag_reader.cpp
+    ${slam_sim_cameras}/test/textures_test.cpp)
+  slam_sim_target(slam_sim_camera_tests)
+  target_link_libraries(slam_sim_camera_tests
+    slam_sim_core apriltag::apriltag opencv_imgproc opencv_imgcodecs opencv_aruco
+    ${GTEST_MAIN_LIBRARIES})
+endif()

@@ -6,7 +6,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <mutex>
 #include <opencv2/imgproc.hpp>
+#include <string>
 
 #include "slam_sim/marker_texture.hpp"
 #include "slam_sim/surface_textures.hpp"
@@ -27,8 +31,14 @@ constexpr std::uint64_t kLook = 20;  // the textures' seed: a world always looks
 
 using TexturePtr = std::shared_ptr<const Texture>;
 
-TexturePtr repeated(const cv::Mat& gray) {
-  return std::make_shared<const Texture>(gray, Texture::Wrap::kRepeat);
+/// The seamless texture of that name; painted once, for all worlds.
+TexturePtr seamless(const std::string& name, const std::function<cv::Mat()>& paint) {
+  static std::map<std::string, TexturePtr> painted;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  TexturePtr& texture = painted[name];
+  if (!texture) texture = std::make_shared<const Texture>(paint(), Texture::Wrap::kRepeat);
+  return texture;
 }
 
 Eigen::Vector3d onFloor(const Eigen::Vector2d& xy, double z = 0.0) { return {xy.x(), xy.y(), z}; }
@@ -96,10 +106,12 @@ void Scene::addFloorAndCeiling(const World& world, const Lamps& lamps) {
                         size.y()};
   const Rectangle ceiling{onFloor(extent.min(), height), Eigen::Vector3d::UnitX(),
                           Eigen::Vector3d::UnitY(), size.x(), size.y()};
-  surfaces_.push_back(textured(floor, repeated(floorTexture(kEdge, kLook)), kFloorPeriod,
-                               world.floor_gray, LightMap(floor, lamps)));
+  surfaces_.push_back(textured(floor, seamless("floor", [] { return floorTexture(kEdge, kLook); }),
+                               kFloorPeriod, world.floor_gray, LightMap(floor, lamps)));
 
-  const auto tiles = repeated(ceilingTexture(world.ceiling.texture, kCeilingEdge, kLook + 1));
+  const auto tiles = seamless("ceiling " + world.ceiling.texture, [&] {
+    return ceilingTexture(world.ceiling.texture, kCeilingEdge, kLook + 1);
+  });
   const double period = kCeilingTiles * world.ceiling.scale;
   Surface above = textured(ceiling, tiles, period, 1.0, LightMap::even(1.0));
   above.gain = 1.0;  // lamps shine by themselves
@@ -112,9 +124,9 @@ void Scene::addFloorAndCeiling(const World& world, const Lamps& lamps) {
 }
 
 void Scene::addWalls(const World& world, const Lamps& lamps) {
-  const auto plaster = repeated(plasterTexture(kEdge, kLook + 2));
-  const auto wallpaper = repeated(wallpaperTexture(kEdge, kLook + 4));
-  const auto wood = repeated(woodTexture(kEdge, kLook + 6));
+  const auto plaster = seamless("plaster", [] { return plasterTexture(kEdge, kLook + 2); });
+  const auto wallpaper = seamless("wallpaper", [] { return wallpaperTexture(kEdge, kLook + 4); });
+  const auto wood = seamless("wood", [] { return woodTexture(kEdge, kLook + 6); });
   double start = 0.0;  // no two walls show the same part
   for (std::size_t i = 0; i < world.walls.size(); ++i) {
     const Wall& wall = world.walls[i];
@@ -136,7 +148,7 @@ void Scene::addWalls(const World& world, const Lamps& lamps) {
 }
 
 void Scene::addFurniture(const World& world, const Lamps& lamps) {
-  const auto wood = repeated(woodTexture(kEdge, kLook + 8));
+  const auto wood = seamless("wood", [] { return woodTexture(kEdge, kLook + 6); });
   for (const Box& box : world.furniture) {
     const Eigen::Rotation2Dd turn(box.yaw);
     const auto corner = [&](double x, double y) -> Eigen::Vector2d {

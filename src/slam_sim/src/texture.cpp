@@ -13,8 +13,10 @@ namespace {
 
 bool isPowerOfTwo(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
-Texture::Level makeLevel(const cv::Mat& gray, Texture::Wrap wrap) {
+Texture::Level makeLevel(const cv::Mat& exact, Texture::Wrap wrap) {
   const bool repeat = wrap == Texture::Wrap::kRepeat;
+  cv::Mat gray;
+  exact.convertTo(gray, CV_8U);
   cv::Mat rimmed;
   cv::copyMakeBorder(gray, rimmed, repeat ? 0 : 1, 1, repeat ? 0 : 1, 1,
                      repeat ? cv::BORDER_WRAP : cv::BORDER_REPLICATE);
@@ -32,9 +34,9 @@ Texture::Level makeLevel(const cv::Mat& gray, Texture::Wrap wrap) {
   return level;
 }
 
-cv::Mat halved(const cv::Mat& gray) {
+cv::Mat halved(const cv::Mat& exact) {
   cv::Mat even, small;
-  cv::copyMakeBorder(gray, even, 0, gray.rows % 2, 0, gray.cols % 2, cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(exact, even, 0, exact.rows % 2, 0, exact.cols % 2, cv::BORDER_REPLICATE);
   cv::resize(even, small, cv::Size(), 0.5, 0.5, cv::INTER_AREA);
   return small;
 }
@@ -50,7 +52,8 @@ Texture::Texture(const cv::Mat& gray, Wrap wrap) {
   }
   mean_ = cv::mean(gray)[0];
   constexpr int kSmallest = 4;  // [texels]
-  for (cv::Mat level = gray;; level = halved(level)) {
+  cv::Mat level;
+  for (gray.convertTo(level, CV_32F);; level = halved(level)) {
     levels_.push_back(makeLevel(level, wrap));
     if (std::min(level.cols, level.rows) <= kSmallest) break;
   }

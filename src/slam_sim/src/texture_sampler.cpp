@@ -56,8 +56,8 @@ void sampleTexture(const TextureView& view, const float* x, const float* y, int 
   for (int i = 0; i < n; ++i) {
     const float depth = 1.0F / (w.x * x[i] + w.y * y[i] + w.c);
     // Rounding may put a ray beyond the edge by a hair; the rim of the texture is wider.
-    const float u = std::max((uw.x * x[i] + uw.y * y[i] + uw.c) * depth, 0.0F);
-    const float v = std::max((vw.x * x[i] + vw.y * y[i] + vw.c) * depth, 0.0F);
+    const float u = (uw.x * x[i] + uw.y * y[i] + uw.c) * depth;
+    const float v = (vw.x * x[i] + vw.y * y[i] + vw.c) * depth;
     const auto whole_u = static_cast<std::int32_t>(u), whole_v = static_cast<std::int32_t>(v);
     part_u[i] = u - static_cast<float>(whole_u);
     part_v[i] = v - static_cast<float>(whole_v);
