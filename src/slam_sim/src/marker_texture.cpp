@@ -21,6 +21,10 @@
 namespace slam::sim {
 namespace {
 
+/// OpenCV takes a marker's outline and that of its paper for one where they are nearer than a
+/// twentieth of the marker's perimeter, and drops the marker.
+constexpr int kMargin = 2;  // [cells]
+
 using AprilTagFamily = std::unique_ptr<apriltag_family_t, std::function<void(apriltag_family_t*)>>;
 
 AprilTagFamily aprilTagFamily(const std::string& name) {
@@ -31,9 +35,9 @@ AprilTagFamily aprilTagFamily(const std::string& name) {
   return nullptr;
 }
 
-cv::Mat withMargin(const cv::Mat& cells) {
+cv::Mat withMargin(const cv::Mat& cells, int n) {
   cv::Mat margin;
-  cv::copyMakeBorder(cells, margin, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
+  cv::copyMakeBorder(cells, margin, n, n, n, n, cv::BORDER_CONSTANT, cv::Scalar(255));
   return margin;
 }
 
@@ -42,10 +46,10 @@ MarkerPattern aprilTagPattern(apriltag_family_t& family, std::int64_t id) {
       apriltag_to_image(&family, static_cast<int>(id)), image_u8_destroy);
   const cv::Mat cells(image->height, image->width, CV_8UC1, image->buf,
                       static_cast<std::size_t>(image->stride));
+  // Families with the border inside have data where the others have a margin of one cell.
   const int first = (family.total_width - family.width_at_border) / 2;
-  // Families with the border inside have data where the others have their margin.
-  if (family.reversed_border) return {withMargin(cells), first + 1, family.width_at_border};
-  return {cells.clone(), first, family.width_at_border};
+  const int margin = family.reversed_border ? kMargin : kMargin - 1;
+  return {withMargin(cells, margin), first + margin, family.width_at_border};
 }
 
 MarkerPattern arucoPattern(const std::string& name, std::int64_t id) {
@@ -69,7 +73,7 @@ MarkerPattern arucoPattern(const std::string& name, std::int64_t id) {
   const int border_cells = dictionary->markerSize + 2;
   cv::Mat cells;
   dictionary->drawMarker(static_cast<int>(id), border_cells, cells, 1);
-  return {withMargin(cells), 1, border_cells};
+  return {withMargin(cells, kMargin), kMargin, border_cells};
 }
 
 }  // namespace

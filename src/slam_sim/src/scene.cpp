@@ -25,6 +25,7 @@ constexpr double kWallPeriod = 2.0;   // [m]
 constexpr double kFloorPeriod = 1.5;  // [m]
 constexpr double kWoodPeriod = 1.0;   // [m]
 constexpr double kPaper = 0.9;        // reflectance of white paper
+constexpr double kInk = 0.08;         // and of what is printed black on it
 constexpr double kSkirtingHeight = 0.08, kSkirtingDepth = 0.006;  // [m]
 constexpr double kOutdoors = 2.0;    // floor and ceiling beyond the outermost wall [m]
 constexpr std::uint64_t kLook = 20;  // the textures' seed: a world always looks the same
@@ -173,6 +174,7 @@ void Scene::addMarkers(const World& world, const Lamps& lamps) {
     const double cell = marker.size / pattern.border_cells;
     cv::Mat print;
     cv::resize(pattern.cells, print, cv::Size(), kTexelsPerCell, kTexelsPerCell, cv::INTER_NEAREST);
+    print = cv::max(print, 255.0 * kInk / kPaper);
     const Eigen::Matrix3d R = marker.T_world_marker.linear();
     const double edge = cell * pattern.cells.cols;
     // The pattern's square is in the middle of its paper.

@@ -9,8 +9,7 @@
 
 namespace slam::sim {
 
-/// A marker as it is printed, one value a cell, upright, its white margin (at least one cell)
-/// included.
+/// A marker as it is printed, one value a cell, upright, its white margin of two cells included.
 struct MarkerPattern {
   cv::Mat cells;     ///< square, 8 bit, 0 or 255
   int border_first;  ///< cells from the edge of the paper to the square a detector returns
