@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "slam_core/common/config_error.hpp"
 #include "slam_core/geometry/angle.hpp"
 
 namespace slam::sim {
 namespace {
 
+constexpr double kCheckStep = 0.05;  // of the way's clearance [s]
 constexpr double kStep = 0.005;      // of the speed profile [m]
 constexpr double kSwayLength = 3.0;  // of one swing of the heading, about [m]
 
@@ -86,6 +89,18 @@ Pose2 Drive::poseAt(double s) const {
   const auto point = curve_.point(s);
   return Pose2(point.x(), point.y(),
                wrapAngle(curve_.heading(s) + sway_ * std::sin(sway_frequency_ * s)));
+}
+
+void requireClearance(const Drive& drive, const FloorPlan& plan, double radius) {
+  for (double t = 0.0; t < drive.duration(); t += kCheckStep) {
+    double distance = 0.0;
+    const auto* face = plan.nearest(drive.pose(t).position(), 0.0, &distance);
+    if (face == nullptr || distance > radius) continue;
+    std::ostringstream text;
+    text << "the path leads past " << face->name << " at " << distance << " m near "
+         << pointText(drive.pose(t).position()) << ", the robot's radius is " << radius << " m";
+    throw ConfigError(text.str());
+  }
 }
 
 }  // namespace slam::sim

@@ -62,19 +62,19 @@ void checkMarker(const Marker& marker, const std::string& place, const FloorPlan
                    " looks at a wall or furniture ", free, " m away; does it face the other way?"));
 }
 
+/// Landmarks are told apart by their ids, whatever the family.
 void checkIds(const World& world, const WorldPlaces& places, FaultCollector& faults) {
-  std::map<std::pair<std::string, std::int64_t>, std::string> seen;
+  std::map<std::int64_t, std::string> seen;
   for (std::size_t i = 0; i < world.markers.size(); ++i) {
     const auto& marker = world.markers[i];
     const auto* family = findMarkerFamily(marker.family);
     if (family != nullptr && (marker.id < 0 || marker.id >= family->ids))
       faults.add(say(places.markers[i], ": the family ", family->name, " has no marker ", marker.id,
                      "; its ids are 0 to ", family->ids - 1));
-    const auto [first, is_new] =
-        seen.emplace(std::pair(marker.family, marker.id), places.markers[i]);
+    const auto [first, is_new] = seen.emplace(marker.id, places.markers[i]);
     if (!is_new)
-      faults.add(say(places.markers[i], ": marker ", marker.id, " of the family ", marker.family,
-                     " is there already, in ", first->second));
+      faults.add(
+          say(places.markers[i], ": there is a marker ", marker.id, " already, ", first->second));
   }
 }
 

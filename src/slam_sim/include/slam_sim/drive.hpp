@@ -7,6 +7,7 @@
 
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_sim/closed_spline.hpp"
+#include "slam_sim/floor_plan.hpp"
 #include "slam_sim/robot_model.hpp"
 #include "slam_sim/world.hpp"
 
@@ -38,5 +39,8 @@ class Drive {
   double sway_, sway_frequency_;                    ///< [rad], [rad/m]
   std::vector<double> distances_, speeds_, times_;  ///< constant acceleration in between
 };
+
+/// @throw ConfigError a base of this radius [m] touches something on its way
+void requireClearance(const Drive& drive, const FloorPlan& plan, double radius);
 
 }  // namespace slam::sim

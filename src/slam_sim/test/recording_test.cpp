@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "recording.hpp"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/LaserScan.h>
+#include <slam_msgs/LandmarkMap.h>
+#include <std_msgs/String.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <sstream>
+
+#include "slam_sim/world_file.hpp"
+#include "temporary_folder.hpp"
+
+namespace slam::sim {
+namespace {
+
+std::string folder() { return SLAM_SIM_FOLDER; }
+
+class RecordingOfTheOffice : public testing::Test {
+ protected:
+  /// The first moments of the office, with a small camera.
+  std::string record(const std::string& name, RecordingOptions options) {
+    auto robot = readRobotFile(folder() + "/robots/segway.yaml");
+    robot.cameras[0].optics.samples = 2;
+    robot.cameras[1].optics.samples = 2;
+    if (options.duration == 0.0) options.duration = 0.3;
+    Recording recording(readWorldFile(folder() + "/worlds/office.yaml"), robot, options);
+    std::ostringstream log;
+    Progress progress(log, false);
+    recording.write(files_ / name, progress, stop_);
+    return files_ / name;
+  }
+
+  template <class Message>
+  static std::vector<typename Message::Ptr> messages(const std::string& path,
+                                                     const std::string& topic) {
+    rosbag::Bag bag(path);
+    rosbag::View view(bag, rosbag::TopicQuery(topic));
+    std::vector<typename Message::Ptr> all;
+    for (const auto& instance : view) all.push_back(instance.instantiate<Message>());
+    return all;
+  }
+
+  TemporaryFolder files_;
+  std::atomic<bool> stop_{false};
+};
+
+TEST_F(RecordingOfTheOffice, GivesTheSameBytesForTheSameSeedAndAnyNumberOfThreads) {
+  const auto once = contentOf(record("once.bag", {1, {}, 0.3, 1}));
+  const auto again = contentOf(record("again.bag", {1, {}, 0.3, 3}));
+  EXPECT_GT(once.size(), 10000u);
+  EXPECT_TRUE(once == again);
+}
+
+TEST_F(RecordingOfTheOffice, GivesOtherNoiseForAnotherSeed) {
+  const auto one = record("one.bag", {1, {"odom", "scan"}, 2.0, 1});
+  const auto two = record("two.bag", {2, {"odom", "scan"}, 2.0, 1});
+  const auto a = messages<nav_msgs::Odometry>(one, "/odom");
+  const auto b = messages<nav_msgs::Odometry>(two, "/odom");
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_NE(a.back()->pose.pose.position.x, b.back()->pose.pose.position.x);
+  EXPECT_NE(messages<sensor_msgs::LaserScan>(one, "/scan")[0]->ranges,
+            messages<sensor_msgs::LaserScan>(two, "/scan")[0]->ranges);
+  const auto truth_a = messages<geometry_msgs::PoseStamped>(one, "/ground_truth/pose");
+  const auto truth_b = messages<geometry_msgs::PoseStamped>(two, "/ground_truth/pose");
+  EXPECT_EQ(truth_a.back()->pose.position.x, truth_b.back()->pose.position.x);
+}
+
+TEST_F(RecordingOfTheOffice, HoldsEveryStreamAtItsRateWithStampsAsReceiveTimes) {
+  const auto path = record("all.bag", {1, {}, 1.0, 2});
+  rosbag::Bag bag(path);
+  rosbag::View view(bag);
+  std::map<std::string, int> counts;
+  std::vector<std::string> order;
+  for (const auto& instance : view) {
+    ++counts[instance.getTopic()];
+    order.push_back(instance.getTopic());
+    if (const auto odometry = instance.instantiate<nav_msgs::Odometry>()) {
+      EXPECT_EQ(odometry->header.stamp, instance.getTime());
+    }
+  }
+  EXPECT_EQ(counts["/odom"], 51);
+  EXPECT_EQ(counts["/tf"], 51);
+  EXPECT_EQ(counts["/ground_truth/pose"], 51);
+  EXPECT_EQ(counts["/scan"], 10);
+  EXPECT_EQ(counts["/camera/image_raw/compressed"], 10);
+  EXPECT_EQ(counts["/camera/camera_info"], 11);
+  EXPECT_EQ(counts["/ceiling_camera/image_raw/compressed"], 15);
+  EXPECT_EQ(counts["/ceiling_camera/camera_info"], 16);
+  ASSERT_GE(order.size(), 5u);
+  EXPECT_EQ(order[0], "/robot");
+  EXPECT_EQ(order[1], "/ground_truth/landmarks");
+  EXPECT_EQ(order[2], "/tf_static");
+}
+
+TEST_F(RecordingOfTheOffice, HoldsOnlyTheStreamsThatAreWanted) {
+  const auto path = record("some.bag", {1, {"scan"}, 1.0, 1});
+  EXPECT_EQ(messages<nav_msgs::Odometry>(path, "/odom").size(), 0u);
+  EXPECT_EQ(messages<sensor_msgs::LaserScan>(path, "/scan").size(), 10u);
+  EXPECT_EQ(messages<slam_msgs::LandmarkMap>(path, "/ground_truth/landmarks").size(), 1u);
+}
+
+TEST_F(RecordingOfTheOffice, ImagesAreGrayPicturesOfTheCalibratedSize) {
+  const auto path = record("image.bag", {1, {"camera"}, 0.1, 1});
+  const auto images = messages<sensor_msgs::CompressedImage>(path, "/camera/image_raw/compressed");
+  const auto infos = messages<sensor_msgs::CameraInfo>(path, "/camera/camera_info");
+  ASSERT_EQ(images.size(), 1u);
+  ASSERT_EQ(infos.size(), 2u);
+  EXPECT_EQ(images[0]->header.stamp, infos[1]->header.stamp);
+  EXPECT_EQ(images[0]->header.frame_id, "camera_optical_frame");
+  const cv::Mat pixels = cv::imdecode(images[0]->data, cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(pixels.type(), CV_8UC1);
+  EXPECT_EQ(pixels.cols, static_cast<int>(infos[0]->width));
+  EXPECT_EQ(pixels.rows, static_cast<int>(infos[0]->height));
+}
+
+TEST_F(RecordingOfTheOffice, TheMountsLeadFromTheBaseToEverySensor) {
+  const auto path = record("mounts.bag", {1, {"odom"}, 0.1, 1});
+  const auto mounts = messages<tf2_msgs::TFMessage>(path, "/tf_static");
+  ASSERT_EQ(mounts.size(), 1u);
+  std::map<std::string, std::string> parents;
+  for (const auto& edge : mounts[0]->transforms)
+    parents[edge.child_frame_id] = edge.header.frame_id;
+  EXPECT_EQ(parents["laser"], "base_link");
+  EXPECT_EQ(parents["camera_optical_frame"], "camera_link");
+  EXPECT_EQ(parents["camera_link"], "base_link");
+  EXPECT_EQ(parents["ceiling_camera_optical_frame"], "ceiling_camera_link");
+}
+
+TEST_F(RecordingOfTheOffice, LeavesNothingWhenItIsInterrupted) {
+  stop_ = true;
+  EXPECT_THROW(record("none.bag", {1, {"odom"}, 1.0, 1}), Interrupted);
+  EXPECT_EQ(files_.files(), 0u);
+}
+
+/// Exit code and error output of the program.
+std::pair<int, std::string> run(const std::string& arguments, const std::string& errors) {
+  const auto command = std::string(SLAM_SIM_PROGRAM) + " " + arguments + " 2>" + errors;
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), contentOf(errors)};
+}
+
+TEST(SlamSimProgram, TellsWrongUseFromAFailureInOneSentenceAndLeavesNoBag) {
+  const TemporaryFolder files;
+  const auto errors = files / "errors.txt", bag = files / "a.bag";
+  const auto broken = files.write("broken.yaml", "version: 1\nworld: x\nwals: []\n");
+  const struct {
+    std::string arguments, sentence;
+    int code;
+  } cases[] = {{"", "OUT.bag is required", 2},
+               {bag + " --wrold office", "did you mean '--world'?", 2},
+               {bag + " --world ofice", "did you mean 'office'?", 2},
+               {bag + " --robot segwy", "did you mean 'segway'?", 2},
+               {bag + " --only odm", "did you mean 'odom'?", 2},
+               {bag + " --duration -1", "--duration", 2},
+               {bag + " --seed x", "--seed", 2},
+               {files / "none/a.bag --only odom", "there is no folder", 2},
+               {bag + " --world " + broken, "wals is unknown (did you mean 'walls'?)", 1},
+               {bag + " --world " + (files / "none.yaml"), "does it exist?", 1}};
+  for (const auto& [arguments, sentence, code] : cases) {
+    const auto [exit_code, said] = run(arguments, errors);
+    EXPECT_EQ(exit_code, code) << arguments;
+    EXPECT_NE(said.find(sentence), std::string::npos) << arguments << ": " << said;
+  }
+  EXPECT_EQ(files.files(), 2u);
+}
+
+}  // namespace
+}  // namespace slam::sim

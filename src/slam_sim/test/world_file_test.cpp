@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_sim/world_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "slam_core/common/config_error.hpp"
+
+namespace slam::sim {
+namespace {
+
+constexpr char kRoom[] = R"(version: 1
+world: room
+walls:
+  - {points: [[0, 0], [4, 0], [4, 4], [0, 4]], closed: true}
+furniture:
+  - {centre: [2, 2], size: [0.5, 0.5, 1.0]}
+markers:
+  - {id: 0, position: [3.99, 2, 0.6], facing: 3.1416}
+path: {points: [[1, 1], [3, 1], [3, 3], [1, 3]]}
+)";
+
+class WorldFile : public testing::Test {
+ protected:
+  WorldFile() : path_(testing::TempDir() + "world_file_test.yaml") {}
+  ~WorldFile() override { std::filesystem::remove(path_); }
+
+  World read(const std::string& text) {
+    std::ofstream(path_) << text;
+    return readWorldFile(path_);
+  }
+
+  /// The room with the first `from` replaced.
+  static std::string room(const std::string& from, const std::string& to) {
+    std::string text = kRoom;
+    return text.replace(text.find(from), from.size(), to);
+  }
+
+  /// The faults of a file that must not be read.
+  std::vector<std::string> faults(const std::string& text) {
+    try {
+      read(text);
+    } catch (const ConfigError& error) {
+      return error.faults();
+    }
+    return {};
+  }
+
+  void expectFault(const std::string& text, const std::string& place, const std::string& sentence) {
+    const auto found = faults(text);
+    ASSERT_EQ(found.size(), 1u) << text << "\n" << join(found, "\n");
+    EXPECT_NE(found[0].find(path_ + place), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find(sentence), std::string::npos) << found[0];
+    EXPECT_EQ(found[0].find('\n'), std::string::npos) << found[0];
+  }
+
+  std::string path_;
+};
+
+TEST_F(WorldFile, IsReadAsItStands) {
+  const auto world = read(kRoom);
+  EXPECT_EQ(world.name, "room");
+  ASSERT_EQ(world.walls.size(), 4u);
+  EXPECT_EQ(world.walls[3].to, Eigen::Vector2d(0, 0));
+  ASSERT_EQ(world.markers.size(), 1u);
+  EXPECT_EQ(world.markers[0].family, "36h11");
+  // facing west: to the right of who looks at it is south
+  EXPECT_NEAR(world.markers[0].T_world_marker.linear()(0, 2), -1.0, 1e-4);
+  EXPECT_NEAR(world.markers[0].T_world_marker.linear()(1, 0), -1.0, 1e-4);
+  EXPECT_NEAR(world.markers[0].T_world_marker.linear().determinant(), 1.0, 1e-9);
+}
+
+TEST_F(WorldFile, RowsOfMarkersAreSpreadEvenlyFromEndToEnd) {
+  const auto world = read(room("markers:", R"(marker_rows:
+  - {first_id: 10, count: 3, from: [1, 0.1, 0.5], to: [3, 0.1, 0.7], facing: 1.5708}
+markers:)"));
+  ASSERT_EQ(world.markers.size(), 4u);
+  EXPECT_EQ(world.markers[2].id, 11);
+  EXPECT_TRUE(
+      world.markers[2].T_world_marker.translation().isApprox(Eigen::Vector3d(2, 0.1, 0.6), 1e-12));
+}
+
+TEST_F(WorldFile, EveryShippedWorldIsSound) {
+  for (const auto& [name, markers] :
+       {std::pair("office", 12u), std::pair("corridor", 100u), std::pair("hall", 500u)}) {
+    const auto world = readWorldFile(std::string(SLAM_SIM_FOLDER) + "/worlds/" + name + ".yaml");
+    EXPECT_EQ(world.name, name);
+    EXPECT_EQ(world.markers.size(), markers);
+    EXPECT_EQ(world.path.laps, 2);
+  }
+}
+
+TEST_F(WorldFile, ATypoIsNamedWithLineAndNearestKey) {
+  expectFault(room("facing", "facng") + "", ":8", "facng is unknown (did you mean 'facing'?)");
+}
+
+TEST_F(WorldFile, AnUnknownFamilyIsNamedWithTheNearest) {
+  expectFault(room("id: 0", "id: 0, family: 36h1"), ":8", "'36h1' is none of 36h11");
+}
+
+TEST_F(WorldFile, AMarkerOfSizeZeroIsRefused) {
+  expectFault(room("id: 0", "id: 0, size: 0"), ":8", "size holds '0', which is not in > 0");
+}
+
+TEST_F(WorldFile, AnIdThatTheFamilyDoesNotHaveIsRefused) {
+  expectFault(room("id: 0", "id: 587"), ":8", "has no marker 587; its ids are 0 to 586");
+}
+
+TEST_F(WorldFile, TheSameIdTwiceIsRefused) {
+  expectFault(room("path:", "  - {id: 0, position: [0.01, 2, 0.6], facing: 0}\npath:"), ":9",
+              "there is a marker 0 already");
+}
+
+TEST_F(WorldFile, AMarkerInsideFurnitureIsRefused) {
+  expectFault(room("[3.99, 2, 0.6]", "[2.1, 2, 0.6]"), ":8", "is inside the furniture at (2, 2)");
+}
+
+TEST_F(WorldFile, AMarkerOnTopOfFurnitureIsNotInsideIt) {
+  EXPECT_NO_THROW(read(room("[3.99, 2, 0.6]", "[2.1, 2, 1.2]")));
+}
+
+TEST_F(WorldFile, AMarkerInsideAWallIsRefused) {
+  expectFault(room("[3.99, 2, 0.6]", "[4, 2, 0.6]"), ":8",
+              "is inside the wall from (4, 0) to (4, 4)");
+}
+
+TEST_F(WorldFile, AMarkerThatLooksAtItsWallIsRefused) {
+  expectFault(room("facing: 3.1416", "facing: 0"), ":8", "does it face the other way?");
+}
+
+TEST_F(WorldFile, AMarkerBelowTheFloorIsRefused) {
+  expectFault(room("[3.99, 2, 0.6]", "[3.99, 2, 0.05]"), ":8", "beyond the floor");
+}
+
+TEST_F(WorldFile, APathThroughFurnitureIsRefused) {
+  expectFault(room("[3, 1], [3, 3]", "[3, 3]"), ":9", "runs through the furniture at (2, 2)");
+}
+
+TEST_F(WorldFile, APathThroughAWallIsRefused) {
+  expectFault(room("[3, 1]", "[5, 1]"), ":9", "runs through the wall from (4, 0) to (4, 4)");
+}
+
+TEST_F(WorldFile, APathOfTwoPointsIsRefused) {
+  expectFault(room(", [3, 3], [1, 3]", ""), ":9", "fewer than 3 points");
+}
+
+TEST_F(WorldFile, AnEmptyWorldIsRefused) {
+  expectFault("version: 1\nworld: nothing\npath: {points: [[1, 1], [3, 1], [3, 3]]}\n", "",
+              "is an empty world");
+}
+
+TEST_F(WorldFile, AnEmptyFileIsRefused) { expectFault("\n", "", "is empty"); }
+
+TEST_F(WorldFile, ANumberThatIsNoneIsRefused) {
+  expectFault(room("[2, 2]", "[2, .nan]"), ":6", "centre is a list, not a list of 2 numbers");
+}
+
+TEST_F(WorldFile, AnotherVersionIsRefused) {
+  expectFault(room("version: 1", "version: 2"), "", "has version 2; this program reads version 1");
+}
+
+TEST_F(WorldFile, AllFaultsAreToldAtOnce) {
+  EXPECT_EQ(faults(room("facing", "facng") + "ceilng: {}\n").size(), 3u);
+}
+
+}  // namespace
+}  // namespace slam::sim
