@@ -10,7 +10,7 @@
 #include "slam_core/camera/camera_model.hpp"
 #include "slam_sim/marker_family.hpp"
 #include "slam_sim/marker_texture.hpp"
-#include "studio.hpp"
+#include "slam_sim/studio.hpp"
 #include "tag_reader.hpp"
 
 namespace slam::sim {

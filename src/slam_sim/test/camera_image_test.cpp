@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
-#include "studio.hpp"
+#include "slam_sim/studio.hpp"
 #include "tag_reader.hpp"
 
 namespace slam::sim {

@@ -10,10 +10,11 @@
 
 #include "slam_sim/camera_renderer.hpp"
 
-// One marker on a wall and a camera in front of it, for the tests of rendering.
+// One marker on a wall and a camera in front of it: for tests and benchmarks that need the truth.
 
 namespace slam::sim {
 
+/// VGA, 63 degrees wide, with a distortion of 10 px in the corners.
 inline CameraCalibration studioCalibration() {
   CameraCalibration camera;
   camera.width = 640;
@@ -24,6 +25,16 @@ inline CameraCalibration studioCalibration() {
   camera.cy = 236.8;
   camera.distortion_model = "plumb_bob";
   camera.distortion = {-0.28, 0.09, 0.0006, -0.0004, 0.0};
+  return camera;
+}
+
+/// The same camera, of which only `width` x `height` pixels about the principal point are read.
+inline CameraCalibration studioWindow(int width, int height) {
+  CameraCalibration camera = studioCalibration();
+  camera.cx -= (camera.width - width) / 2;
+  camera.cy -= (camera.height - height) / 2;
+  camera.width = width;
+  camera.height = height;
   return camera;
 }
 
