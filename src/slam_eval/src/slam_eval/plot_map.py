@@ -24,7 +24,7 @@ def plot_map(run, result, path, reference='ground truth', world=None):
     with look.style():
         points = plan.bounds(estimate, truth, true, landmarks.positions, world=world)
         span = float(np.max(np.ptp(points, axis=0)))
-        scale = plan.magnification(landmarks, [], span, 0.02) if len(landmarks) else 1
+        scale = plan.magnification(landmarks, [], span, 0.03) if len(landmarks) else 1
         figure, axes = look.plan_axes(plan.bounds(points, *plan.extent(landmarks, scale)))
         plan.draw_world(axes, world)
         plan.draw_estimate(axes, run)

@@ -30,7 +30,7 @@ def draw_path(axes, stamps, positions, **options):
 def draw_estimate(axes, run):
     """The estimated path with its start and the pose at its end."""
     estimate = run.trajectory.poses[:, :2]
-    draw_path(axes, run.trajectory.stamps, estimate, color=look.ESTIMATE, linewidth=1.3, zorder=3,
+    draw_path(axes, run.trajectory.stamps, estimate, color=look.ESTIMATE, linewidth=2.0, zorder=3,
               label='SLAM')
     axes.plot(*estimate[0], 'o', color='white', markeredgecolor=look.ESTIMATE,
               markeredgewidth=1.6, markersize=7, zorder=8, label='start')
@@ -38,9 +38,10 @@ def draw_estimate(axes, run):
 
 
 def draw_truth(axes, truth, name):
-    """The true path: thin and dashed, over the estimate that it may hide behind."""
+    """The true path: thin and dashed, over the estimate that it would hide behind."""
     if truth is not None:
-        axes.plot(*truth.T, color=look.TRUTH, linewidth=0.8, linestyle=(0, (5, 3)), zorder=3.5,
+        # Short dashes far apart: those of a second lap fill the gaps of the first.
+        axes.plot(*truth.T, color='black', linewidth=0.9, linestyle=(0, (4, 10)), zorder=3.5,
                   label=name)
 
 
