@@ -35,7 +35,7 @@ def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4):
 class Office(unittest.TestCase):
 
     def verdicts(self, rows, world='office'):
-        """The sentence below the table."""
+        """The lines below the table."""
         return bench_office.verdicts(world, bench_office.mean_row('mean', rows),
                                      bench_office.worst_row(rows))
 
@@ -70,8 +70,8 @@ class Office(unittest.TestCase):
                           (seed_row(2, 0.02, [1, 2, 9], [1, 2]), 'false markers'),
                           (seed_row(2, 0.02, [1, 2], [1, 2], nees=9.0), 'mean NEES'),
                           (seed_row(2, 0.02, [1, 2], [1, 2], drift=0.2), 'least drift')):
-            missed = [part for part in self.verdicts([good, bad]).split('; ') if 'MISSED' in part]
-            self.assertEqual([part.startswith(what) for part in missed], [True], missed)
+            missed = [part for part in self.verdicts([good, bad]).split('\n') if 'MISSED' in part]
+            self.assertEqual([part.startswith('- ' + what) for part in missed], [True], missed)
 
     def test_a_world_of_ones_own_has_no_goals(self):
         self.assertEqual(self.verdicts([seed_row(1, 5.0, [], [1])], 'mine'), '')

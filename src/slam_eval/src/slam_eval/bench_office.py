@@ -79,16 +79,16 @@ def worst_row(rows):
 
 
 def verdicts(world, mean, worst):
-    """A sentence for each goal of this world."""
+    """A line for each goal of this world."""
     texts = []
     for goal in GOALS.get(world, ()):
         value = (worst if goal.worst else mean)[HEADER.index(goal.column)]
         if value is not None:
-            texts.append(f'{goal.what} {value:.4g} ({verdict(value, goal.limit, goal.at_most)})')
+            texts.append(f'- {goal.what} {value:.3g} ({verdict(value, goal.limit, goal.at_most)})')
     if world in GOALS:
         mapped, of = (worst[HEADER.index(name)] for name in ('mapped', 'of'))
-        texts.append(f'fewest markers mapped {mapped:g} ({verdict(mapped, of, False)})')
-    return '; '.join(texts)
+        texts.append(f'- fewest markers mapped {mapped:g} ({verdict(mapped, of, False)})')
+    return '\n'.join(texts)
 
 
 def run_seed(context, seed, remaining):
