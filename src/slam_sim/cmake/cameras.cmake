@@ -11,6 +11,7 @@ target_sources(slam_sim_core PRIVATE
   ${slam_sim_cameras}/src/ceiling_texture.cpp
   ${slam_sim_cameras}/src/fractal_noise.cpp
   ${slam_sim_cameras}/src/light_map.cpp
+  ${slam_sim_cameras}/src/marker_stand.cpp
   ${slam_sim_cameras}/src/marker_texture.cpp
   ${slam_sim_cameras}/src/pixel_noise.cpp
   ${slam_sim_cameras}/src/sample_pattern.cpp
@@ -20,7 +21,8 @@ target_sources(slam_sim_core PRIVATE
   ${slam_sim_cameras}/src/texture_sampler.cpp
   ${slam_sim_cameras}/src/tile_renderer.cpp
   ${slam_sim_cameras}/src/viewed_surface.cpp)
-target_link_libraries(slam_sim_core PRIVATE apriltag::apriltag apriltag::apriltag-utils)
+target_link_libraries(slam_sim_core PRIVATE apriltag::apriltag
+  $<TARGET_NAME_IF_EXISTS:apriltag::apriltag-utils>)
 
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(slam_sim_camera_tests
