@@ -3,10 +3,13 @@
 
 #include "slam_core/fiducial/aruco_detector.hpp"
 
+#include <algorithm>
 #include <opencv2/aruco.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/fiducial/edge_refinement.hpp"
 #include "slam_core/fiducial/fiducial_detector.hpp"
 #include "slam_core/fiducial/id_ranges.hpp"
 
@@ -42,13 +45,33 @@ const std::map<std::string, cv::aruco::PREDEFINED_DICTIONARY_NAME> kDictionaries
 const std::map<std::string, cv::aruco::CornerRefineMethod> kRefinements = {
     {"none", cv::aruco::CORNER_REFINE_NONE},
     {"subpix", cv::aruco::CORNER_REFINE_SUBPIX},
-    {"contour", cv::aruco::CORNER_REFINE_CONTOUR}};
+    {"contour", cv::aruco::CORNER_REFINE_CONTOUR},
+    {"edges", cv::aruco::CORNER_REFINE_NONE}};
 
 template <class Value>
 std::vector<std::string> namesOf(const std::map<std::string, Value>& map) {
   std::vector<std::string> names;
   for (const auto& entry : map) names.push_back(entry.first);
   return names;
+}
+
+double perimeter(const std::vector<cv::Point2f>& corners) { return cv::arcLength(corners, true); }
+
+/// Whether a marker was found a second time, in a contour around or inside this one.
+bool isSameMarker(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
+  const auto centre = [](const auto& c) { return 0.25F * (c[0] + c[1] + c[2] + c[3]); };
+  return cv::norm(centre(a) - centre(b)) < std::max(perimeter(a), perimeter(b)) / 8.0;
+}
+
+/// Where the i-th marker is the inner one of two finds of the same.
+bool isInnerOfTwo(const std::vector<std::vector<cv::Point2f>>& corners, const std::vector<int>& ids,
+                  std::size_t i) {
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if (k == i || ids[k] != ids[i] || !isSameMarker(corners[k], corners[i])) continue;
+    const double mine = perimeter(corners[i]), other = perimeter(corners[k]);
+    if (mine < other || (mine == other && k < i)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -63,6 +86,12 @@ void ArucoConfig::describe(Fields& fields) {
   fields.add("corner_refinement", &corner_refinement, "how corners are found within a pixel")
       .oneOf(namesOf(kRefinements));
   fields
+      .add("min_distance_rate", &min_distance_rate,
+           "of two squares whose corners are nearer than this share of their perimeter only the "
+           "larger is looked at")
+      .unit("1")
+      .in(Range::closed(0, 1));
+  fields
       .add(
           "error_correction_rate", &error_correction_rate,
           "share of the wrong bits that the dictionary could correct, above which a marker is none")
@@ -74,9 +103,11 @@ struct ArucoDetector::Library {
   struct Dictionary {
     cv::Ptr<cv::aruco::Dictionary> pointer;
     std::int64_t offset;
+    bool is_upside_down;  ///< OpenCV has the AprilTags the other way up than their authors
   };
   std::vector<Dictionary> dictionaries;
   cv::Ptr<cv::aruco::DetectorParameters> parameters = cv::aruco::DetectorParameters::create();
+  bool refine_by_edges = false;
   // of the last image, kept for their memory
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;
@@ -96,22 +127,30 @@ void ArucoDetector::configure(const ArucoConfig& config) {
     const auto offset = config.id_offsets.find(name);
     ranges.push_back(
         {name, offset == config.id_offsets.end() ? 0 : offset->second, dictionary->bytesList.rows});
-    library->dictionaries.push_back({dictionary, ranges.back().offset});
+    const bool is_april_tag = name.rfind("DICT_APRILTAG_", 0) == 0;
+    library->dictionaries.push_back({dictionary, ranges.back().offset, is_april_tag});
   }
   requireUniqueIds(ArucoConfig::kSection, ranges, config.id_offsets);
   library->parameters->cornerRefinementMethod = kRefinements.at(config.corner_refinement);
+  library->parameters->minMarkerDistanceRate = config.min_distance_rate;
+  library->refine_by_edges = config.corner_refinement == "edges";
   library->parameters->errorCorrectionRate = config.error_correction_rate;
   library_ = std::move(library);
 }
 
 void ArucoDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>& found) {
-  auto& [dictionaries, parameters, corners, ids] = *library_;
+  auto& [dictionaries, parameters, refine_by_edges, corners, ids] = *library_;
   for (const auto& dictionary : dictionaries) {
     cv::aruco::detectMarkers(gray, dictionary.pointer, corners, ids, parameters);
     for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (isInnerOfTwo(corners, ids, i)) continue;
       MarkerDetection marker;
       marker.id = dictionary.offset + ids[i];
-      for (std::size_t k = 0; k < 4; ++k) marker.corners[k] = {corners[i][k].x, corners[i][k].y};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& corner = corners[i][dictionary.is_upside_down ? (k + 2) % 4 : k];
+        marker.corners[k] = {corner.x, corner.y};
+      }
+      if (refine_by_edges) refineByEdges(gray, marker.corners);
       found.push_back(marker);
     }
   }

@@ -19,7 +19,8 @@ struct ArucoConfig {
   std::vector<std::string> dictionaries = {"DICT_APRILTAG_36h11"};
   std::map<std::string, std::int64_t> id_offsets;
 
-  std::string corner_refinement = "subpix";
+  std::string corner_refinement = "edges";
+  double min_distance_rate = 0.02;
   double error_correction_rate = 0.6;
 
   void describe(Fields& fields);

@@ -20,7 +20,7 @@ struct FiducialConfig {
   double marker_size = 0.16;
   std::map<std::int64_t, double> marker_sizes;
   std::vector<std::int64_t> ids;
-  double corner_sigma = 0.3;
+  double corner_sigma = 0.2;
 
   double min_side = 12.0;
   double max_obliqueness = 1.3;

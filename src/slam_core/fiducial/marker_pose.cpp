@@ -22,44 +22,42 @@ struct Peak {
   double width;  ///< volume of the peak over its height, up to a factor common to all
 };
 
-/// The mean of what the noise adds to the projected corners in second order, from differences along
-/// the axes of the covariance.
-std::optional<Vector8d> meanCurvature(const CameraModel& camera, const Corners& corners,
-                                      const std::array<Eigen::Vector3d, 4>& square,
-                                      const RefinedPose& pose, const Vector8d& error,
-                                      const Matrix6d& covariance) {
-  constexpr double kLargestTurn = 0.3;  // [rad], beyond it the second order says nothing
+/// The mean of what noise of the pose adds to the projected corners in second order, from
+/// differences along the axes of the covariance. Where an axis is so long that the second order
+/// alone would explain the noise the covariance overestimates it: what it adds is limited.
+std::optional<Vector8d> meanCurvature(const SquareView& view, const RefinedPose& pose,
+                                      const Vector8d& error, const Matrix6d& covariance,
+                                      double sigma) {
+  constexpr double kLargestTurn = 0.3;   // [rad], beyond it the second order says nothing
+  constexpr double kLargestShare = 0.4;  // of sigma; from simulation, see marker_pose_test
   const Matrix6d axes = covariance.llt().matrixL();
-  Vector8d mean = Vector8d::Zero();
+  Vector8d sum = Vector8d::Zero();
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double turn = axes.col(i).tail<3>().norm();
     const Eigen::Matrix<double, 6, 1> step = std::min(1.0, kLargestTurn / turn) * axes.col(i);
-    for (const double sign : {-1.0, 1.0}) {
-      const auto there =
-          reprojectionError(camera, corners, square, moved(pose.T_camera_marker, sign * step));
-      if (!there) return std::nullopt;
-      mean += 0.5 * (*there - error);
-    }
+    const auto ahead = reprojectionError(view, moved(pose.T_camera_marker, step));
+    const auto behind = reprojectionError(view, moved(pose.T_camera_marker, -step));
+    if (!ahead || !behind) return std::nullopt;
+    const Vector8d mean = 0.5 * (*ahead + *behind) - error;
+    sum += std::min(1.0, kLargestShare * sigma / mean.norm()) * mean;
   }
-  return mean;
+  return sum;
 }
 
-/// Nothing when the corners leave a direction of the pose open
-std::optional<Peak> peakOf(const CameraModel& camera, const Corners& corners,
-                           const std::array<Eigen::Vector3d, 4>& square, const RefinedPose& pose,
-                           double sigma) {
+/// Nothing when the corners leave a direction of the pose open.
+std::optional<Peak> peakOf(const SquareView& view, const RefinedPose& pose, double sigma) {
   if (!std::isfinite(pose.squared_error)) return std::nullopt;
   const Eigen::LDLT<Matrix6d> information(pose.information);
+  const double volume = information.vectorD().prod();
   const Matrix6d covariance = sigma * sigma * information.solve(Matrix6d::Identity());
-  if (!information.isPositive() || !covariance.allFinite()) return std::nullopt;
+  if (!(volume > 0.0) || !covariance.allFinite()) return std::nullopt;
   Eigen::Matrix<double, 8, 6> J;
-  const auto error = reprojectionError(camera, corners, square, pose.T_camera_marker, &J);
-  const auto curvature = meanCurvature(camera, corners, square, pose, *error, covariance);
+  const auto error = reprojectionError(view, pose.T_camera_marker, &J);
+  const auto curvature = meanCurvature(view, pose, *error, covariance, sigma);
   if (!curvature) return std::nullopt;
   const Eigen::Vector3d bias = -information.solve(J.transpose() * *curvature).head<3>();
   return Peak{pose.T_camera_marker.translation() - bias,
-              covariance.topLeftCorner<3, 3>() + bias * bias.transpose(),
-              1.0 / std::sqrt(information.vectorD().prod())};
+              covariance.topLeftCorner<3, 3>() + bias * bias.transpose(), 1.0 / std::sqrt(volume)};
 }
 
 /// Mean and covariance of both peaks together.
@@ -97,10 +95,10 @@ std::optional<MarkerPose> estimatePose(const CameraModel& camera, const Corners&
   const auto starts = posesOfSquare(on_plane, size);
   if (!starts) return std::nullopt;
 
-  const auto square = cornersOfSquare(size);
+  const SquareView view{camera, corners, cornersOfSquare(size)};
   MarkerPose pose;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto refined = refinePose(camera, corners, square, (*starts)[i]);
+    const auto refined = refinePose(view, (*starts)[i]);
     pose.solutions[i].squared_error = std::numeric_limits<double>::infinity();
     if (refined) pose.solutions[i] = *refined;
   }
@@ -108,8 +106,8 @@ std::optional<MarkerPose> estimatePose(const CameraModel& camera, const Corners&
     std::swap(pose.solutions[0], pose.solutions[1]);
   if (!std::isfinite(pose.solutions[0].squared_error)) return std::nullopt;
 
-  const auto better = peakOf(camera, corners, square, pose.solutions[0], corner_sigma);
-  const auto other = peakOf(camera, corners, square, pose.solutions[1], corner_sigma);
+  const auto better = peakOf(view, pose.solutions[0], corner_sigma);
+  const auto other = peakOf(view, pose.solutions[1], corner_sigma);
   if (!better) return std::nullopt;
   mix(*better, other, corner_sigma, pose);
   return pose;

@@ -29,18 +29,17 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Vector6d& step) {
   return result;
 }
 
-std::optional<Vector8d> reprojectionError(const CameraModel& camera, const Corners& corners,
-                                          const std::array<Eigen::Vector3d, 4>& square,
+std::optional<Vector8d> reprojectionError(const SquareView& view,
                                           const Eigen::Isometry3d& T_camera_marker, Matrix86d* J) {
   Vector8d error;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto row = static_cast<Eigen::Index>(2 * i);
-    const Eigen::Vector3d turned = T_camera_marker.linear() * square[i];
+    const Eigen::Vector3d turned = T_camera_marker.linear() * view.square[i];
     Eigen::Matrix<double, 2, 3> J_pixel_point;
-    const auto pixel = camera.project(turned + T_camera_marker.translation(),
-                                      J == nullptr ? nullptr : &J_pixel_point);
+    const auto pixel = view.camera.project(turned + T_camera_marker.translation(),
+                                           J == nullptr ? nullptr : &J_pixel_point);
     if (!pixel) return std::nullopt;
-    error.segment<2>(row) = *pixel - corners[i];
+    error.segment<2>(row) = *pixel - view.corners[i];
     if (J == nullptr) continue;
     J->block<2, 3>(row, 0) = J_pixel_point;
     J->block<2, 3>(row, 3) = -J_pixel_point * crossMatrix(turned);
@@ -48,15 +47,14 @@ std::optional<Vector8d> reprojectionError(const CameraModel& camera, const Corne
   return error;
 }
 
-std::optional<RefinedPose> refinePose(const CameraModel& camera, const Corners& corners,
-                                      const std::array<Eigen::Vector3d, 4>& square,
+std::optional<RefinedPose> refinePose(const SquareView& view,
                                       const Eigen::Isometry3d& T_camera_marker) {
   constexpr int kMaxIterations = 30;
   constexpr double kGain = 1e-10;  // relative, below which the minimum is reached
   RefinedPose best;
   best.T_camera_marker = T_camera_marker;
   Matrix86d J;
-  auto error = reprojectionError(camera, corners, square, T_camera_marker, &J);
+  auto error = reprojectionError(view, T_camera_marker, &J);
   if (!error) return std::nullopt;
   best.squared_error = error->squaredNorm();
   best.information = J.transpose() * J;
@@ -67,7 +65,7 @@ std::optional<RefinedPose> refinePose(const CameraModel& camera, const Corners& 
     const Vector6d step = -damped.ldlt().solve(J.transpose() * *error);
     const auto pose = moved(best.T_camera_marker, step);
     Matrix86d J_there;
-    const auto there = reprojectionError(camera, corners, square, pose, &J_there);
+    const auto there = reprojectionError(view, pose, &J_there);
     if (!there || !(there->squaredNorm() <= best.squared_error)) {
       damping *= 10.0;
       continue;

@@ -11,6 +11,14 @@
 
 namespace slam::fiducial {
 
+/// The corners of a square in the image, and the same corners in its own frame [m]. Refers to the
+/// camera and the corners.
+struct SquareView {
+  const CameraModel& camera;
+  const Corners& corners;
+  std::array<Eigen::Vector3d, 4> square;
+};
+
 /// A marker's pose and the part of its corners that it does not explain.
 struct RefinedPose {
   Eigen::Isometry3d T_camera_marker = Eigen::Isometry3d::Identity();
@@ -26,14 +34,13 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Eigen::Matrix<doubl
 /// The error of the projected corners at a pose, 8x1 [px], and its 8x6 Jacobian in (position,
 /// rotation about the camera's axes); nothing when a corner cannot be projected.
 std::optional<Eigen::Matrix<double, 8, 1>> reprojectionError(
-    const CameraModel& camera, const Corners& corners, const std::array<Eigen::Vector3d, 4>& square,
-    const Eigen::Isometry3d& T_camera_marker, Eigen::Matrix<double, 8, 6>* J = nullptr);
+    const SquareView& view, const Eigen::Isometry3d& T_camera_marker,
+    Eigen::Matrix<double, 8, 6>* J = nullptr);
 
 /// The local minimum of the squared reprojection error near a pose (Levenberg-Marquardt): for
 /// Gaussian noise of the corners the maximum-likelihood estimate. Nothing when the pose cannot be
 /// projected.
-std::optional<RefinedPose> refinePose(const CameraModel& camera, const Corners& corners,
-                                      const std::array<Eigen::Vector3d, 4>& square,
+std::optional<RefinedPose> refinePose(const SquareView& view,
                                       const Eigen::Isometry3d& T_camera_marker);
 
 }  // namespace slam::fiducial

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/fiducial/edge_refinement.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace slam::fiducial {
+namespace {
+
+using Eigen::Vector2d;
+using Line = Eigen::Hyperplane<double, 2>;
+
+/// The gray level between pixels; nothing outside the image.
+std::optional<double> grayAt(const cv::Mat& gray, const Vector2d& place) {
+  const double left = std::floor(place.x()), top = std::floor(place.y());
+  if (!(left >= 0 && top >= 0 && left < gray.cols - 1 && top < gray.rows - 1)) return std::nullopt;
+  const int u = static_cast<int>(left), v = static_cast<int>(top);
+  const double a = place.x() - left, b = place.y() - top;
+  const auto* row = gray.ptr<std::uint8_t>(v) + u;
+  const auto* next = gray.ptr<std::uint8_t>(v + 1) + u;
+  return (1 - b) * ((1 - a) * row[0] + a * row[1]) + b * ((1 - a) * next[0] + a * next[1]);
+}
+
+/// Where on the way from white to black through `place` along `inward` it gets darker: the mean of
+/// the way, weighed by the square of the slope. Looked for up to `reach` [px] to either side.
+std::optional<Vector2d> descent(const cv::Mat& gray, const Vector2d& place, const Vector2d& inward,
+                                double reach) {
+  constexpr double kStep = 0.25, kBase = 1.0;  // [px]; a slope is taken over twice the base
+  double weights = 0.0, sum = 0.0;
+  for (double way = -reach; way <= reach; way += kStep) {
+    const auto outside = grayAt(gray, place + (way - kBase) * inward);
+    const auto inside = grayAt(gray, place + (way + kBase) * inward);
+    if (!outside || !inside) return std::nullopt;
+    const double slope = std::max(0.0, *outside - *inside);
+    weights += slope * slope;
+    sum += slope * slope * way;
+  }
+  if (!(weights > 0.0)) return std::nullopt;
+  return place + sum / weights * inward;
+}
+
+/// The line through the edge from a to b, the inside on its right; nothing where it is not found.
+std::optional<Line> lineOfEdge(const cv::Mat& gray, const Vector2d& a, const Vector2d& b,
+                               double reach) {
+  const Vector2d along = b - a;
+  const double length = along.norm();
+  const Vector2d inward = Vector2d(-along.y(), along.x()) / length;
+  const int samples = std::max(8, static_cast<int>(length));
+  int found = 0;
+  Vector2d sum = Vector2d::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  for (int i = 1; i <= samples; ++i) {  // the corners themselves are round
+    const auto place = descent(gray, a + along * i / (samples + 1.0), inward, reach);
+    if (!place) continue;
+    ++found;
+    sum += *place;
+    squares += *place * place->transpose();
+  }
+  if (2 * found < samples) return std::nullopt;
+  const Vector2d mean = sum / found;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread;
+  spread.computeDirect(squares / found - mean * mean.transpose());
+  return Line(spread.eigenvectors().col(0), mean);
+}
+
+/// Once; @return whether all corners were moved, none further than `reach` allows.
+bool moveToEdges(const cv::Mat& gray, Corners& corners, double reach) {
+  std::array<std::optional<Line>, 4> edges;
+  for (std::size_t i = 0; i < 4; ++i) {
+    edges[i] = lineOfEdge(gray, corners[i], corners[(i + 1) % 4], reach);
+    if (!edges[i]) return false;
+  }
+  Corners moved;
+  for (std::size_t i = 0; i < 4; ++i) {
+    moved[i] = edges[i]->intersection(*edges[(i + 3) % 4]);
+    if (!((moved[i] - corners[i]).norm() < 2.0 * reach)) return false;
+  }
+  corners = moved;
+  return true;
+}
+
+}  // namespace
+
+void refineByEdges(const cv::Mat& gray, Corners& corners) {
+  constexpr double kFirstReach = 3.0, kLastReach = 1.5;  // [px]
+  double side = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) side += (corners[(i + 1) % 4] - corners[i]).norm() / 4.0;
+  // the border of a marker is a sixth to a ninth of it wide: not into the code
+  const double reach = std::clamp(side / 9.0, kLastReach, kFirstReach);
+  if (moveToEdges(gray, corners, reach)) moveToEdges(gray, corners, kLastReach);
+}
+
+}  // namespace slam::fiducial
