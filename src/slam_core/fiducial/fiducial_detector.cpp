@@ -40,7 +40,7 @@ void FiducialDetector::reset() {
 
 Status FiducialDetector::execute() {
   observations_.reset();
-  auto status = gate_.next(counters_);
+  const auto status = gate_.next(counters_);
   if (!gate_.image()) return status;
   detections_.clear();
   observations_ = emptyArray();
@@ -53,7 +53,7 @@ Status FiducialDetector::execute() {
   rejectByPose(config_, detections_);
   observe();
   count();
-  return status;
+  return status.isOk() ? warningOf(detections_) : status;
 }
 
 LandmarkObservationArray FiducialDetector::emptyArray() {

@@ -65,4 +65,17 @@ void rejectByPose(const FiducialConfig& config, std::vector<MarkerDetection>& de
   }
 }
 
+Status warningOf(const std::vector<MarkerDetection>& detections) {
+  for (const auto& marker : detections) {
+    const auto name = "marker " + std::to_string(marker.id);
+    if (marker.rejection == "duplicate_id")
+      return Status::warning(name +
+                             " is in one image more than once; none of them is used, take "
+                             "the other ones down");
+    if (marker.rejection == "unlisted_id")
+      return Status::warning(name + " is not listed in fiducial.ids; it is left out");
+  }
+  return Status::ok();
+}
+
 }  // namespace slam::fiducial

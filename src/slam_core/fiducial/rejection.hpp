@@ -6,6 +6,7 @@
 #include <opencv2/core/types.hpp>
 #include <vector>
 
+#include "slam_core/common/status.hpp"
 #include "slam_core/fiducial/fiducial_config.hpp"
 #include "slam_core/fiducial/marker_detection.hpp"
 
@@ -21,5 +22,8 @@ void rejectByImage(const FiducialConfig& config, const cv::Size& image,
 
 /// Rejects by the pose of those accepted so far: "reprojection_error", "too_oblique".
 void rejectByPose(const FiducialConfig& config, std::vector<MarkerDetection>& detections);
+
+/// A warning of markers that no one should have put up: ids that are not listed or there twice.
+Status warningOf(const std::vector<MarkerDetection>& detections);
 
 }  // namespace slam::fiducial
