@@ -21,6 +21,7 @@ add_library(slam_ros_bags
   src/bag_transforms.cpp
   src/flow_window.cpp
   src/ground_truth.cpp
+  src/input_publishers.cpp
   src/offline_run.cpp
   src/product_files.cpp
   src/topic_matching.cpp

@@ -12,15 +12,16 @@
 #include <atomic>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <thread>
 
 #include "slam_ros/bag_clock.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/bag_transforms.hpp"
-#include "slam_ros/camera_topics.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/flow_window.hpp"
+#include "slam_ros/input_publishers.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
@@ -86,21 +87,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
   }
 
   void connect(ros::NodeHandle handle) {
-    if (!inputs_.motion.empty())
-      motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kInFlight);
-    else
-      odom_ = handle.advertise<nav_msgs::Odometry>(topics_.odom, kInFlight);
-    const auto camera = cameraTopics(topics_.camera);
-    if (!inputs_.image.empty())
-      observations_ = handle.advertise<sensor_msgs::Image>(camera.raw, kImageQueue);
-    else if (!inputs_.compressed_image.empty())
-      observations_ =
-          handle.advertise<sensor_msgs::CompressedImage>(camera.compressed, kImageQueue);
-    else
-      observations_ =
-          handle.advertise<slam_msgs::LandmarkObservationArray>(topics_.observations, kInFlight);
-    if (!inputs_.camera_info.empty())
-      camera_info_ = handle.advertise<sensor_msgs::CameraInfo>(camera.info, kQueue);
+    publishers_.emplace(handle, topics_, inputs_, [this](const std::string& input, auto stamp) {
+      return waitForRoom(input, stamp);
+    });
     if (inputs_.hasImages()) window_.limit("observations", kImagesInFlight);
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
     progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
@@ -154,30 +143,13 @@ class BagSourceNodelet : public nodelet::Nodelet {
   }
 
   std::string missingPartner() const {
-    const auto& odometry = inputs_.motion.empty() ? odom_ : motion_;
-    std::vector<const ros::Publisher*> needed = {&odometry, &observations_};
-    if (!inputs_.camera_info.empty()) needed.push_back(&camera_info_);
-    for (const auto* publisher : needed)
-      if (publisher->getNumSubscribers() == 0) return "a subscriber of " + publisher->getTopic();
-    return progress_.getNumPublishers() == 0 ? "a back-end that publishes " + progress_.getTopic()
-                                             : "";
+    const auto subscriber = publishers_->missingSubscriber();
+    if (!subscriber.empty() || progress_.getNumPublishers() > 0) return subscriber;
+    return "a back-end that publishes " + progress_.getTopic();
   }
 
   BagHandlers handlers() {
-    InputSinks sinks;
-    sinks.motion = [this](const auto& message) { send(motion_, "motion", message.end, message); };
-    sinks.odom = [this](const auto& message) {
-      send(odom_, "motion", message.header.stamp, message);
-    };
-    // of every image comes an array, which is what is acknowledged
-    const auto observe = [this](const auto& message) {
-      send(observations_, "observations", message.header.stamp, message);
-    };
-    sinks.observations = observe;
-    sinks.image = observe;
-    sinks.compressed_image = observe;
-    sinks.camera_info = [this](const auto& message) { camera_info_.publish(message); };
-    auto handlers = handlersFor(inputs_, sinks);
+    auto handlers = handlersFor(inputs_, publishers_->sinks());
     if (const auto* tf = bag_->find("tf"); tf != nullptr && holdsTransforms(*tf)) {
       handlers[tf->name] = [pass = passTransforms(),
                             odometry = handlers[tf->name]](const rosbag::MessageInstance& message) {
@@ -201,17 +173,15 @@ class BagSourceNodelet : public nodelet::Nodelet {
     });
   }
 
-  template <class Message>
-  void send(const ros::Publisher& publisher, const std::string& input, const ros::Time& stamp,
-            const Message& message) {
+  /// @return false when the nodelet is being unloaded
+  bool waitForRoom(const std::string& input, slam::Stamp stamp) {
     if (!window_.waitForRoom(input, kPatience) && !stop_) {
-      NODELET_WARN_STREAM_THROTTLE(10, publisher.getTopic()
-                                           << ": nothing was acknowledged for 2 s; going on");
+      NODELET_WARN_STREAM_THROTTLE(
+          10, "nothing of the " << input << " sent was acknowledged for 2 s; going on");
       window_.clear();
     }
-    if (stop_) return;
-    window_.sent(input, fromRos(stamp));
-    publisher.publish(boost::make_shared<const Message>(message));  // by pointer within the manager
+    if (!stop_) window_.sent(input, stamp);
+    return !stop_;
   }
 
   BagSourceConfig config_;
@@ -222,8 +192,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
   std::unique_ptr<BagClock> clock_;
   FlowWindow window_{kInFlight};
   std::atomic<bool> stop_{false};
-  ros::Publisher motion_, odom_, tf_, tf_static_, camera_info_;
-  ros::Publisher observations_;  ///< or the images that they are made of
+  std::optional<InputPublishers> publishers_;
+  ros::Publisher tf_, tf_static_;
   ros::Subscriber progress_;
   std::thread thread_;
 };

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <functional>
+#include <string>
+
+#include "slam_core/common/time.hpp"
+#include "slam_ros/bag_inputs.hpp"
+
+namespace slam_ros {
+
+/// Publishes a product's inputs, those that a bag has, to the topics of the robot file.
+class InputPublishers {
+ public:
+  /// Waits until a message of an input ("motion" or "observations", as they are acknowledged) may
+  /// be sent. @return false: it is not to be sent
+  using Gate = std::function<bool(const std::string& input, slam::Stamp stamp)>;
+
+  InputPublishers(ros::NodeHandle handle, const TopicsConfig& topics, const BagInputs& inputs,
+                  Gate gate);
+
+  /// Publish what they take, when the gate lets it through. They refer to this object.
+  InputSinks sinks() const;
+
+  /// "a subscriber of /odom" while one is missing, else empty.
+  std::string missingSubscriber() const;
+
+ private:
+  template <class Message>
+  void send(const ros::Publisher& publisher, const std::string& input, const ros::Time& stamp,
+            const Message& message) const;
+
+  Gate gate_;
+  ros::Publisher odometry_;      ///< or the motion made of it
+  ros::Publisher observations_;  ///< or the images that they are made of
+  ros::Publisher camera_info_;
+};
+
+}  // namespace slam_ros
