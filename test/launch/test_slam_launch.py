@@ -2,17 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """slam.launch as a user calls it: replay equals the offline run, wrong arguments end at once."""
 
-import json
 import os
 import pathlib
 import shutil
-import signal
-import socket
 import subprocess
 import tempfile
 import unittest
 
-from catkin.find_in_workspaces import find_in_workspaces
+from launching import play_into_launch, program, run_launch, run_offline, SameAsOffline
 import rosbag
 import rospkg
 
@@ -20,35 +17,7 @@ RAWLOG = "/usr/share/mrpt/datasets/kf-slam_demo.rawlog"
 SECONDS = 15  # of the log
 
 
-def program(package, name):
-    return find_in_workspaces(["libexec"], package, name, first_match_only=True)[0]
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-def start_launch(*arguments):
-    """Starts slam.launch with a master of its own."""
-    port = free_port()
-    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
-    launch = subprocess.Popen(["roslaunch", "-p", str(port), "slam_launch", "slam.launch",
-                               *arguments], env=environment, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    return launch, environment
-
-
-def run_launch(*arguments):
-    launch, _ = start_launch(*arguments)
-    try:
-        return launch.communicate(timeout=100)[0], launch.returncode
-    finally:
-        launch.kill()
-
-
-class SlamLaunchTest(unittest.TestCase):
+class SlamLaunchTest(SameAsOffline, unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.root = pathlib.Path(tempfile.mkdtemp())
@@ -61,24 +30,14 @@ class SlamLaunchTest(unittest.TestCase):
             for topic, message, stamp in source.read_messages():
                 if stamp.to_sec() < start + SECONDS:
                     short.write(topic, message, stamp)
-        subprocess.run([program("slam_ros", "slam_offline"), "ekf_wheel", "--bag", cls.bag, "--out",
-                        cls.root / "offline"], check=True, stdout=subprocess.DEVNULL)
+        run_offline(cls.bag, cls.root / "offline")
 
     @classmethod
     def tearDownClass(cls):
         shutil.rmtree(cls.root)
 
     def assert_same_as_offline(self, run, output):
-        for name in ("trajectory.tum", "landmarks.yaml", "updates.csv"):
-            self.assertTrue((run / name).exists(), output)
-            self.assertEqual((run / name).read_bytes(),
-                             (self.root / "offline" / name).read_bytes(), name)
-        self.assertGreater((run / "trajectory.tum").stat().st_size, 0)
-        metrics = json.loads((run / "metrics.json").read_text(encoding="ascii"))
-        self.assertEqual(metrics["dropped_messages"], 0)
-        offline = json.loads((self.root / "offline" / "metrics.json").read_text(encoding="ascii"))
-        self.assertEqual(metrics["updates"], offline["updates"])
-        self.assertEqual(metrics.keys(), offline.keys())
+        self.assert_same_runs(run, self.root / "offline", output)
 
     def replay_without_loss(self, composition):
         run = self.root / f"{composition}_0"
@@ -88,16 +47,8 @@ class SlamLaunchTest(unittest.TestCase):
 
     def replay_three_times_as_fast(self, composition):
         run = self.root / f"{composition}_3"
-        launch, environment = start_launch("robot:=mrpt_demo", "use_sim_time:=true",
-                                           f"composition:={composition}", f"output_dir:={run}")
-        try:
-            subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r", "3",
-                            self.bag, "--topics", "/odom", "/observations"], env=environment,
-                           check=True, timeout=60, stdout=subprocess.DEVNULL)
-            launch.send_signal(signal.SIGINT)
-            output, _ = launch.communicate(timeout=40)
-        finally:
-            launch.kill()
+        output = play_into_launch(self.bag, ("/odom", "/observations"), 3, "robot:=mrpt_demo",
+                                  f"composition:={composition}", f"output_dir:={run}")
         self.assert_same_as_offline(run, output)
         self.assertNotIn("has died", output)
 
@@ -128,6 +79,9 @@ class SlamLaunchTest(unittest.TestCase):
 
     def test_misspelt_robot_names_the_nearest(self):
         self.assert_ends_with("did you mean 'mrclam'?", "robot:=mrcalm")
+
+    def test_misspelt_detector_names_the_nearest(self):
+        self.assert_ends_with("did you mean 'aruco'?", "robot:=mrclam", "detector:=aruko")
 
     def test_localization_needs_a_map(self):
         self.assert_ends_with("load_map:=FILE", "mode:=localization", "robot:=mrclam")

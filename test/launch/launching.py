@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Calls slam.launch and the programs as a user does."""
+
+import json
+import os
+import socket
+import signal
+import subprocess
+
+from catkin.find_in_workspaces import find_in_workspaces
+
+
+def program(package, name):
+    return find_in_workspaces(["libexec"], package, name, first_match_only=True)[0]
+
+
+def run_offline(bag, folder, *options):
+    """Returns what slam_offline printed."""
+    return subprocess.run([program("slam_ros", "slam_offline"), "ekf_wheel", "--bag", bag, "--out",
+                           folder, *options], check=True, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT).stdout
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def start_launch(*arguments):
+    """Starts slam.launch with a master of its own."""
+    port = free_port()
+    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+    launch = subprocess.Popen(["roslaunch", "-p", str(port), "slam_launch", "slam.launch",
+                               *arguments], env=environment, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return launch, environment
+
+
+def run_launch(*arguments):
+    launch, _ = start_launch(*arguments)
+    try:
+        return launch.communicate(timeout=100)[0], launch.returncode
+    finally:
+        launch.kill()
+
+
+def play_into_launch(bag, topics, rate, *arguments):
+    """Plays a bag's topics with `rosbag play`; returns what the launch printed until Ctrl-C."""
+    launch, environment = start_launch("use_sim_time:=true", *arguments)
+    try:
+        subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r", str(rate),
+                        bag, "--topics", *topics], env=environment, check=True, timeout=60,
+                       stdout=subprocess.DEVNULL)
+        launch.send_signal(signal.SIGINT)
+        return launch.communicate(timeout=40)[0]
+    finally:
+        launch.kill()
+
+
+class SameAsOffline:
+    """For a TestCase: compares a run's files with those of the offline run."""
+
+    def assert_same_runs(self, run, offline, output):
+        for name in ("trajectory.tum", "landmarks.yaml", "updates.csv"):
+            self.assertTrue((run / name).exists(), output)
+            self.assertEqual((run / name).read_bytes(), (offline / name).read_bytes(), name)
+        self.assertGreater((run / "trajectory.tum").stat().st_size, 0)
+        ours, theirs = (json.loads((folder / "metrics.json").read_text(encoding="ascii"))
+                        for folder in (run, offline))
+        self.assertEqual(ours["dropped_messages"], 0)
+        self.assertEqual(ours["updates"], theirs["updates"])
+        self.assertEqual(ours.keys(), theirs.keys())
