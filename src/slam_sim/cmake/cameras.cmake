@@ -3,6 +3,10 @@
 
 # How the cameras see a world: part of slam_sim_core.
 find_package(apriltag REQUIRED)
+if(TARGET apriltag::apriltag-utils)
+  # The package makes only its other target global, and then refuses to be found by another folder.
+  set_target_properties(apriltag::apriltag-utils PROPERTIES IMPORTED_GLOBAL TRUE)
+endif()
 
 set(slam_sim_cameras ${CMAKE_CURRENT_LIST_DIR}/..)
 target_sources(slam_sim_core PRIVATE
