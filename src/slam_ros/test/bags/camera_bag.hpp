@@ -22,18 +22,19 @@ constexpr int kMarkerId = 7;                                         // of DICT_
 
 /// What a camera at the robot's origin, looking ahead, sees of the marker from (t, 0).
 inline cv::Mat picture(double t) {
-  cv::Mat marker, image(kImageHeight, kImageWidth, CV_8UC1, cv::Scalar(200));
+  constexpr int kFine = 8;  // subpixels a pixel, whose mean is what a camera gives
+  cv::Mat marker, image;
+  cv::Mat fine(kFine * kImageHeight, kFine * kImageWidth, CV_8UC1, cv::Scalar(200));
   cv::aruco::drawMarker(cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), kMarkerId, 60,
                         marker);
-  // corners of the marker's black square: u to the right, v down
+  // of the marker's black square: u to the right, v down
   const double scale = kFocalLength / (kMarkerX - t);
-  const auto u = static_cast<float>(kImageWidth / 2 - scale * kMarkerY);
-  const auto v = static_cast<float>(kImageHeight / 2);
-  const auto h = static_cast<float>(scale * kMarkerSize / 2);
-  const cv::Point2f from[] = {{-0.5F, -0.5F}, {59.5F, -0.5F}, {59.5F, 59.5F}, {-0.5F, 59.5F}};
-  const cv::Point2f to[] = {{u - h, v - h}, {u + h, v - h}, {u + h, v + h}, {u - h, v + h}};
-  cv::warpPerspective(marker, image, cv::getPerspectiveTransform(from, to), image.size(),
-                      cv::INTER_AREA, cv::BORDER_TRANSPARENT);
+  const double u = kImageWidth / 2 - scale * kMarkerY, v = kImageHeight / 2;
+  const double h = scale * kMarkerSize / 2;
+  const auto at = [](double x) { return static_cast<int>(std::lround(kFine * (x + 0.5))); };
+  cv::Mat square = fine(cv::Rect(cv::Point(at(u - h), at(v - h)), cv::Point(at(u + h), at(v + h))));
+  cv::resize(marker, square, square.size(), 0, 0, cv::INTER_NEAREST);
+  cv::resize(fine, image, {kImageWidth, kImageHeight}, 0, 0, cv::INTER_AREA);
   return image;
 }
 

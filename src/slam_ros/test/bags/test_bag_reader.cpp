@@ -62,7 +62,8 @@ TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {
   std::vector<ros::Time> stamps;
   const auto take = [&](const auto& message) { stamps.push_back(message.header.stamp); };
   InputSinks sinks;
-  sinks.odom = sinks.observations = take;
+  sinks.odom = take;
+  sinks.observations = take;
   bag.read(handlersFor(find("x.bag"), sinks));
   EXPECT_EQ(stamps.size(), 98u);
   EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
