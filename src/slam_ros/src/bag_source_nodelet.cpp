@@ -40,6 +40,7 @@ struct BagSourceConfig {
   double rate = 0.0;
   bool publish_clock = true;
   bool exit_at_end = true;
+  bool odometry_tf = true;
   std::vector<std::string> remaps;
 
   void describe(slam::Fields& fields) {
@@ -49,6 +50,8 @@ struct BagSourceConfig {
         .in(slam::Range::atLeast(0));
     fields.add("publish_clock", &publish_clock, "/clock from the bag's times");
     fields.add("exit_at_end", &exit_at_end, "ends the process when the bag is through");
+    fields.add("odometry_tf", &odometry_tf,
+               "the bag's transform of the odometry too; not where the product publishes it");
     fields.add("remaps", &remaps, "input:=topic of the bag");
   }
 };
@@ -165,10 +168,11 @@ class BagSourceNodelet : public nodelet::Nodelet {
     return handlers;
   }
 
-  /// All transforms but those into the map, which are the back-end's.
+  /// All transforms but those that the product publishes itself.
   BagHandler passTransforms() {
     return onMessage<tf2_msgs::TFMessage>([this](const tf2_msgs::TFMessage& message) {
-      const auto kept = withoutMap(message, map_frame_);
+      auto kept = withoutMap(message, map_frame_);
+      if (!config_.odometry_tf) kept = withoutEdge(kept, inputs_.odom_frame, inputs_.base_frame);
       if (!kept.transforms.empty()) tf_.publish(kept);
     });
   }

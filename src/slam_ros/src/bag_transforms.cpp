@@ -43,6 +43,14 @@ tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::st
   return kept;
 }
 
+tf2_msgs::TFMessage withoutEdge(const tf2_msgs::TFMessage& message, const std::string& parent,
+                                const std::string& child) {
+  tf2_msgs::TFMessage kept;
+  for (const auto& edge : message.transforms)
+    if (!leads(edge, parent, child)) kept.transforms.push_back(edge);
+  return kept;
+}
+
 tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& map_frame) {
   tf2_msgs::TFMessage all;
   const auto* topic = bag.find("tf_static");

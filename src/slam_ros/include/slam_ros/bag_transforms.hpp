@@ -18,6 +18,9 @@ bool holdsTransforms(const BagTopic& topic);
 /// The transforms that do not lead from the map; those are the back-end's to publish.
 tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame);
 
+tf2_msgs::TFMessage withoutEdge(const tf2_msgs::TFMessage& message, const std::string& parent,
+                                const std::string& child);
+
 /// All of the bag's /tf_static, the newest of each child frame; none from the map.
 tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& map_frame);
 

@@ -113,6 +113,14 @@ TEST_F(BagFile, WithOtherTransformsOnlyHasNoOdometry) {
   EXPECT_TRUE(contains(messageOf([&] { find("x.bag"); }), "odom -> base_link in /tf"));
 }
 
+TEST(BagTransforms, AnEdgeThatTheProductPublishesIsLeftOut) {
+  auto both = test::transform("/odom", "base_link", 1);
+  both.transforms.push_back(test::transform("base_link", "arm", 2).transforms[0]);
+  const auto kept = withoutEdge(both, "odom", "base_link");
+  ASSERT_EQ(kept.transforms.size(), 1u);
+  EXPECT_EQ(kept.transforms[0].child_frame_id, "arm");
+}
+
 TEST_F(BagFile, GivesStaticTransformsButThoseOfTheMap) {
   BagMaker(folder / "x.bag")
       .add("/tf_static", 0, test::transform("base_link", "camera", 1))
