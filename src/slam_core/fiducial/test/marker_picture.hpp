@@ -34,6 +34,8 @@ inline PrintedMarker printedMarker(int id, double size = 0.16,
   marker.cells = cv::Mat(cells + 2, cells + 2, CV_8UC1, cv::Scalar(255));
   cv::Mat inside;
   codes->drawMarker(id, cells, inside, 1);
+  // OpenCV has the AprilTags the other way up than their authors
+  if (dictionary >= cv::aruco::DICT_APRILTAG_16h5) cv::flip(inside, inside, -1);
   inside.copyTo(marker.cells(cv::Rect(1, 1, cells, cells)));
   return marker;
 }
