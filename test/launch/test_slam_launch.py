@@ -77,6 +77,12 @@ class SlamLaunchTest(SameAsOffline, unittest.TestCase):
     def test_unknown_robot_names_those_there_are(self):
         self.assert_ends_with("there are: mrclam, mrpt_demo", "robot:=marvin")
 
+    def test_a_key_that_stands_twice_in_a_file_is_named(self):
+        robot = self.root / "twice.yaml"
+        robot.write_text("version: 1\nrobot: twice\nwheel_odometry: {alpha1: 1}\n"
+                         "wheel_odometry: {alpha1: 2}\n", encoding="utf-8")
+        self.assert_ends_with("wheel_odometry stands there a second time", f"robot:={robot}")
+
     def test_misspelt_robot_names_the_nearest(self):
         self.assert_ends_with("did you mean 'mrclam'?", "robot:=mrcalm")
 
