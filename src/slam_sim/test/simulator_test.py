@@ -89,5 +89,5 @@ class SimulatorTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rospy.init_node("simulator_test")
-    rostest.rosrun("slam_sim", "simulator", SimulatorTest, sys.argv)
+    rospy.init_node("live_simulator")
+    rostest.rosrun("slam_sim", "live_simulator", SimulatorTest, sys.argv)

@@ -96,7 +96,7 @@ TEST_F(WorldFile, EveryShippedWorldIsSound) {
 }
 
 TEST_F(WorldFile, ATypoIsNamedWithLineAndNearestKey) {
-  expectFault(room("facing", "facng") + "", ":8", "facng is unknown (did you mean 'facing'?)");
+  expectFault(room("closed", "closd"), ":4", "closd is unknown (did you mean 'closed'?)");
 }
 
 TEST_F(WorldFile, AnUnknownFamilyIsNamedWithTheNearest) {
@@ -138,7 +138,7 @@ TEST_F(WorldFile, AMarkerBelowTheFloorIsRefused) {
 }
 
 TEST_F(WorldFile, APathThroughFurnitureIsRefused) {
-  expectFault(room("[3, 1], [3, 3]", "[3, 3]"), ":9", "runs through the furniture at (2, 2)");
+  expectFault(room("[3, 1]", "[2, 1.9]"), ":9", "runs through the furniture at (2, 2)");
 }
 
 TEST_F(WorldFile, APathThroughAWallIsRefused) {
