@@ -52,7 +52,6 @@ catkin_install_python(PROGRAMS scripts/slam_run
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 if(CATKIN_ENABLE_TESTING)
-  find_package(OpenCV REQUIRED COMPONENTS aruco imgcodecs imgproc)
   catkin_add_gtest(slam_ros_test_bags
     test/bags/test_bag_reader.cpp
     test/bags/test_camera_bags.cpp
