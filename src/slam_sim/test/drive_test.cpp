@@ -122,11 +122,11 @@ TEST_F(DriveOfARobot, AnOmnidirectionalBaseDoesButKeepsItsTurnRate) {
 
 TEST_F(DriveOfARobot, IsRefusedWhereTheBaseDoesNotFit) {
   World world;
-  world.walls.push_back({{-2.0, -0.6}, {4.0, -0.6}});
+  world.walls.push_back({{-2.0, -1.0}, {4.0, -1.0}});
   const FloorPlan plan(world);
   const Drive drive(path_, robot_);
-  EXPECT_NO_THROW(requireClearance(drive, plan, 0.15));
-  EXPECT_THROW(requireClearance(drive, plan, 0.2), ConfigError);
+  EXPECT_NO_THROW(requireClearance(drive, plan, 0.4));
+  EXPECT_THROW(requireClearance(drive, plan, 0.7), ConfigError);
 }
 
 }  // namespace
