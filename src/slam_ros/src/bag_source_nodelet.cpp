@@ -125,7 +125,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
     const auto transforms = staticTransforms(*bag_, map_frame_);
     if (transforms.transforms.empty()) return;
     tf_static_ = getNodeHandle().advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
-    tf_static_.publish(transforms);
+    tf_static_.publish(boost::make_shared<const tf2_msgs::TFMessage>(transforms));
   }
 
   /// @return false when the nodelet is unloaded before they are there
@@ -146,6 +146,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
   }
 
   std::string missingPartner() const {
+    // without it the images would wait for the camera's mount
+    if (inputs_.hasImages() && tf_static_ && tf_static_.getNumSubscribers() == 0)
+      return "a subscriber of " + tf_static_.getTopic();
     const auto subscriber = publishers_->missingSubscriber();
     if (!subscriber.empty() || progress_.getNumPublishers() > 0) return subscriber;
     return "a back-end that publishes " + progress_.getTopic();

@@ -10,6 +10,16 @@
 #include "slam_ros/queue_sizes.hpp"
 
 namespace slam_ros {
+namespace {
+
+/// By pointer, which is there at once for whoever is in the same manager; by reference it would go
+/// through a queue of its own and images overtake their calibration.
+template <class Message>
+void publish(const ros::Publisher& publisher, const Message& message) {
+  publisher.publish(boost::make_shared<const Message>(message));
+}
+
+}  // namespace
 
 InputPublishers::InputPublishers(ros::NodeHandle handle, const TopicsConfig& topics,
                                  const BagInputs& inputs, Gate gate)
@@ -41,7 +51,7 @@ InputSinks InputPublishers::sinks() const {
   sinks.observations = observe;
   sinks.image = observe;
   sinks.compressed_image = observe;
-  sinks.camera_info = [this](const auto& message) { camera_info_.publish(message); };
+  sinks.camera_info = [this](const auto& message) { publish(camera_info_, message); };
   return sinks;
 }
 
@@ -55,8 +65,7 @@ std::string InputPublishers::missingSubscriber() const {
 template <class Message>
 void InputPublishers::send(const ros::Publisher& publisher, const std::string& input,
                            const ros::Time& stamp, const Message& message) const {
-  if (!gate_(input, fromRos(stamp))) return;
-  publisher.publish(boost::make_shared<const Message>(message));  // by pointer within the manager
+  if (gate_(input, fromRos(stamp))) publish(publisher, message);
 }
 
 }  // namespace slam_ros
