@@ -89,9 +89,4 @@ MarkerPattern markerPattern(const std::string& family, std::int64_t id) {
   return arucoPattern(family, id);
 }
 
-double paperSize(const std::string& family, double size) {
-  const MarkerPattern pattern = markerPattern(family, 0);
-  return size * pattern.cells.cols / pattern.border_cells;
-}
-
 }  // namespace slam::sim

@@ -19,8 +19,4 @@ struct MarkerPattern {
 /// @throw std::invalid_argument no such family or id (see markerFamilies())
 MarkerPattern markerPattern(const std::string& family, std::int64_t id);
 
-/// Edge of the printed paper [m] of a marker of that size (the edge of the square a detector
-/// returns). @throw std::invalid_argument no such family
-double paperSize(const std::string& family, double size);
-
 }  // namespace slam::sim
