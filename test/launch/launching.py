@@ -4,9 +4,12 @@
 
 import json
 import os
-import socket
+import pathlib
 import signal
+import socket
 import subprocess
+import tempfile
+import time
 
 from catkin.find_in_workspaces import find_in_workspaces
 
@@ -46,13 +49,33 @@ def run_launch(*arguments):
         launch.kill()
 
 
-def play_into_launch(bag, topics, rate, *arguments):
-    """Plays a bag's topics with `rosbag play`; returns what the launch printed until Ctrl-C."""
+def stamp_of(landmarks):
+    """Returns the line of a landmarks.yaml that tells its last step."""
+    return next(line for line in landmarks.read_text(encoding="ascii").splitlines()
+                if line.startswith("stamp"))
+
+
+def wait_for_last_step(environment, offline, timeout=40):
+    """Waits until the launch has come as far as the offline run did."""
+    end = time.monotonic() + timeout
+    with tempfile.TemporaryDirectory() as folder:
+        saved = pathlib.Path(folder) / "landmarks.yaml"
+        while time.monotonic() < end:
+            subprocess.run(["rosservice", "call", "save_map", str(saved)], env=environment,
+                           check=True, stdout=subprocess.DEVNULL)
+            if stamp_of(saved) == stamp_of(offline / "landmarks.yaml"):
+                return
+
+
+def play_into_launch(bag, topics, rate, offline, *arguments):
+    """Plays a bag's topics with `rosbag play`, ends the launch with Ctrl-C when it has come as far
+    as the offline run; returns what it printed."""
     launch, environment = start_launch("use_sim_time:=true", *arguments)
     try:
         subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r", str(rate),
                         bag, "--topics", *topics], env=environment, check=True, timeout=60,
                        stdout=subprocess.DEVNULL)
+        wait_for_last_step(environment, offline)
         launch.send_signal(signal.SIGINT)
         return launch.communicate(timeout=40)[0]
     finally:

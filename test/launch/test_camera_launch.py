@@ -62,8 +62,9 @@ class CameraLaunchTest(SameAsOffline, unittest.TestCase):
 
     def play_twice_as_fast(self, composition):
         run = self.root / f"{composition}_played"
-        output = play_into_launch(self.bag, ("/odom", *CAMERA), 2, "robot:=sim_segway",
-                                  f"composition:={composition}", f"output_dir:={run}")
+        output = play_into_launch(self.bag, ("/odom", *CAMERA), 2, self.root / "apriltag",
+                                  "robot:=sim_segway", f"composition:={composition}",
+                                  f"output_dir:={run}")
         self.assert_same_runs(run, self.root / "apriltag", output)
         self.assertNotIn("has died", output)
 

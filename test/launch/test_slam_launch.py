@@ -47,8 +47,9 @@ class SlamLaunchTest(SameAsOffline, unittest.TestCase):
 
     def replay_three_times_as_fast(self, composition):
         run = self.root / f"{composition}_3"
-        output = play_into_launch(self.bag, ("/odom", "/observations"), 3, "robot:=mrpt_demo",
-                                  f"composition:={composition}", f"output_dir:={run}")
+        output = play_into_launch(self.bag, ("/odom", "/observations"), 3, self.root / "offline",
+                                  "robot:=mrpt_demo", f"composition:={composition}",
+                                  f"output_dir:={run}")
         self.assert_same_as_offline(run, output)
         self.assertNotIn("has died", output)
 
