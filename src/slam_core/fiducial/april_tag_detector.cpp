@@ -13,6 +13,7 @@
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/fiducial/edge_refinement.hpp"
 #include "slam_core/fiducial/fiducial_detector.hpp"
 #include "slam_core/fiducial/id_ranges.hpp"
 
@@ -24,6 +25,8 @@ const SectionRegistrar<AprilTagConfig> kSection;
 
 /// Smaller than any tag; the library's tiles of 4 px need a few of them.
 constexpr int kSmallestImage = 16;
+/// How far off the library's corners may be, in the image in which it looks for squares [px].
+constexpr double kCornerError = 1.0;
 
 struct FamilyFunctions {
   apriltag_family_t* (*create)();
@@ -74,7 +77,11 @@ void AprilTagConfig::describe(Fields& fields) {
   fields.add("decode_sharpening", &decode_sharpening, "of the bits of small tags")
       .unit("1")
       .in(Range::closed(0, 10));
-  fields.add("refine_edges", &refine_edges, "move the edges onto the strongest gradients");
+  fields
+      .add(
+          "corner_refinement", &corner_refinement,
+          "how corners are found within a pixel: as ArUco's, by the library's refine_edges, or not")
+      .oneOf({"edges", "library", "none"});
   fields.add("threads", &threads, "threads of the detector").in(Range::closed(1, 64));
   fields.add("max_hamming", &max_hamming, "tags with more wrong bits are rejected")
       .in(Range::closed(0, 2));
@@ -108,6 +115,8 @@ void AprilTagDetector::configure(Settings& settings) { configure(settings.read<A
 
 void AprilTagDetector::configure(const AprilTagConfig& config) {
   validate(config);
+  if (config.families.empty())
+    throw ConfigError("apriltag.families: the list is empty; name one at least");
   auto library = std::make_unique<Library>();
   std::vector<IdRange> ranges;
   for (const auto& name : config.families) {
@@ -125,7 +134,7 @@ void AprilTagDetector::configure(const AprilTagConfig& config) {
   detector.quad_decimate = static_cast<float>(config.quad_decimate);
   detector.quad_sigma = static_cast<float>(config.quad_sigma);
   detector.decode_sharpening = config.decode_sharpening;
-  detector.refine_edges = config.refine_edges;
+  detector.refine_edges = config.corner_refinement == "library";
   detector.nthreads = config.threads;
   config_ = config;
   library_ = std::move(library);
@@ -147,6 +156,11 @@ void AprilTagDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>&
     marker.corners = cornersOf(*detection);
     marker.hamming = detection->hamming;
     marker.margin = static_cast<double>(detection->decision_margin);
+    if (config_.corner_refinement == "edges") {
+      const bool is_reversed = detection->family->reversed_border;
+      refineByEdges(gray, marker.corners, kCornerError * config_.quad_decimate,
+                    is_reversed ? Contrast::kWhiteOnBlack : Contrast::kBlackOnWhite);
+    }
     if (marker.hamming > config_.max_hamming) marker.rejection = "hamming";
     if (marker.margin < config_.min_margin) marker.rejection = "low_margin";
     found.push_back(marker);

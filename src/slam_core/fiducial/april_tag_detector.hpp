@@ -22,7 +22,7 @@ struct AprilTagConfig {
   double quad_decimate = 1.0;
   double quad_sigma = 0.0;
   double decode_sharpening = 0.25;
-  bool refine_edges = true;
+  std::string corner_refinement = "edges";
   int threads = 1;
   int max_hamming = 1;
   double min_margin = 20.0;

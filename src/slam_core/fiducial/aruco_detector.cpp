@@ -19,6 +19,9 @@ namespace {
 const Registrar<LandmarkDetector, FiducialDetectorWith<ArucoDetector>> kRegistrar("aruco");
 const SectionRegistrar<ArucoConfig> kSection;
 
+/// How far off corners of the library's polygons may be [px].
+constexpr double kCornerError = 3.0;
+
 const std::map<std::string, cv::aruco::PREDEFINED_DICTIONARY_NAME> kDictionaries = {
     {"DICT_4X4_50", cv::aruco::DICT_4X4_50},
     {"DICT_4X4_100", cv::aruco::DICT_4X4_100},
@@ -120,6 +123,8 @@ void ArucoDetector::configure(Settings& settings) { configure(settings.read<Aruc
 
 void ArucoDetector::configure(const ArucoConfig& config) {
   validate(config);
+  if (config.dictionaries.empty())
+    throw ConfigError("aruco.dictionaries: the list is empty; name one at least");
   auto library = std::make_unique<Library>();
   std::vector<IdRange> ranges;
   for (const auto& name : config.dictionaries) {
@@ -150,7 +155,7 @@ void ArucoDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>& fo
         const auto& corner = corners[i][dictionary.is_upside_down ? (k + 2) % 4 : k];
         marker.corners[k] = {corner.x, corner.y};
       }
-      if (refine_by_edges) refineByEdges(gray, marker.corners);
+      if (refine_by_edges) refineByEdges(gray, marker.corners, kCornerError);
       found.push_back(marker);
     }
   }

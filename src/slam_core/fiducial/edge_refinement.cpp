@@ -27,36 +27,37 @@ std::optional<double> grayAt(const cv::Mat& gray, const Vector2d& place) {
   return (1 - b) * ((1 - a) * row[0] + a * row[1]) + b * ((1 - a) * next[0] + a * next[1]);
 }
 
-/// Where on the way from white to black through `place` along `inward` it gets darker: the mean of
-/// the way, weighed by the square of the slope. Looked for up to `reach` [px] to either side.
-std::optional<Vector2d> descent(const cv::Mat& gray, const Vector2d& place, const Vector2d& inward,
-                                double reach) {
+/// Where on the way through `place` along `towards_black` it gets darker: the mean of the way,
+/// weighed by the square of the slope. Looked for up to `reach` [px] to either side.
+std::optional<Vector2d> descent(const cv::Mat& gray, const Vector2d& place,
+                                const Vector2d& towards_black, double reach) {
   constexpr double kStep = 0.25, kBase = 1.0;  // [px]; a slope is taken over twice the base
   double weights = 0.0, sum = 0.0;
   for (double way = -reach; way <= reach; way += kStep) {
-    const auto outside = grayAt(gray, place + (way - kBase) * inward);
-    const auto inside = grayAt(gray, place + (way + kBase) * inward);
-    if (!outside || !inside) return std::nullopt;
-    const double slope = std::max(0.0, *outside - *inside);
+    const auto before = grayAt(gray, place + (way - kBase) * towards_black);
+    const auto beyond = grayAt(gray, place + (way + kBase) * towards_black);
+    if (!before || !beyond) return std::nullopt;
+    const double slope = std::max(0.0, *before - *beyond);
     weights += slope * slope;
     sum += slope * slope * way;
   }
   if (!(weights > 0.0)) return std::nullopt;
-  return place + sum / weights * inward;
+  return place + sum / weights * towards_black;
 }
 
-/// The line through the edge from a to b, the inside on its right; nothing where it is not found.
+/// The line through the edge from a to b, where black is on the right of the way; nothing where it
+/// is not found.
 std::optional<Line> lineOfEdge(const cv::Mat& gray, const Vector2d& a, const Vector2d& b,
                                double reach) {
   const Vector2d along = b - a;
   const double length = along.norm();
-  const Vector2d inward = Vector2d(-along.y(), along.x()) / length;
+  const Vector2d towards_black = Vector2d(-along.y(), along.x()) / length;
   const int samples = std::max(8, static_cast<int>(length));
   int found = 0;
   Vector2d sum = Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   for (int i = 1; i <= samples; ++i) {  // the corners themselves are round
-    const auto place = descent(gray, a + along * i / (samples + 1.0), inward, reach);
+    const auto place = descent(gray, a + along * i / (samples + 1.0), towards_black, reach);
     if (!place) continue;
     ++found;
     sum += *place;
@@ -69,31 +70,37 @@ std::optional<Line> lineOfEdge(const cv::Mat& gray, const Vector2d& a, const Vec
   return Line(spread.eigenvectors().col(0), mean);
 }
 
-/// Once; @return whether all corners were moved, none further than `reach` allows.
-bool moveToEdges(const cv::Mat& gray, Corners& corners, double reach) {
+/// The corners between the edges that are found within `reach` [px] of the lines from corner to
+/// corner; nothing where one is not.
+std::optional<Corners> cornersBetweenEdges(const cv::Mat& gray, const Corners& corners,
+                                           double reach, Contrast contrast) {
   std::array<std::optional<Line>, 4> edges;
   for (std::size_t i = 0; i < 4; ++i) {
-    edges[i] = lineOfEdge(gray, corners[i], corners[(i + 1) % 4], reach);
-    if (!edges[i]) return false;
+    const auto &a = corners[i], &b = corners[(i + 1) % 4];
+    edges[i] = contrast == Contrast::kBlackOnWhite ? lineOfEdge(gray, a, b, reach)
+                                                   : lineOfEdge(gray, b, a, reach);
+    if (!edges[i]) return std::nullopt;
   }
-  Corners moved;
-  for (std::size_t i = 0; i < 4; ++i) {
-    moved[i] = edges[i]->intersection(*edges[(i + 3) % 4]);
-    if (!((moved[i] - corners[i]).norm() < 2.0 * reach)) return false;
-  }
-  corners = moved;
-  return true;
+  Corners crossings;
+  for (std::size_t i = 0; i < 4; ++i) crossings[i] = edges[i]->intersection(*edges[(i + 3) % 4]);
+  return crossings;
 }
 
 }  // namespace
 
-void refineByEdges(const cv::Mat& gray, Corners& corners) {
-  constexpr double kFirstReach = 3.0, kLastReach = 1.5;  // [px]
+void refineByEdges(const cv::Mat& gray, Corners& corners, double max_move, Contrast contrast) {
+  constexpr double kReach = 1.5;  // [px], of edges that are about known
   double side = 0.0;
   for (std::size_t i = 0; i < 4; ++i) side += (corners[(i + 1) % 4] - corners[i]).norm() / 4.0;
   // the border of a marker is a sixth to a ninth of it wide: not into the code
-  const double reach = std::clamp(side / 9.0, kLastReach, kFirstReach);
-  if (moveToEdges(gray, corners, reach)) moveToEdges(gray, corners, kLastReach);
+  const double first_reach = std::max(kReach, std::min(max_move, side / 9.0));
+  auto refined = cornersBetweenEdges(gray, corners, first_reach, contrast);
+  if (refined && first_reach > kReach)
+    refined = cornersBetweenEdges(gray, *refined, kReach, contrast);
+  if (!refined) return;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (!(((*refined)[i] - corners[i]).norm() <= max_move)) return;
+  corners = *refined;
 }
 
 }  // namespace slam::fiducial
