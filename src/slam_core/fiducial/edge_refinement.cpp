@@ -95,8 +95,7 @@ void refineByEdges(const cv::Mat& gray, Corners& corners, double max_move, Contr
   // the border of a marker is a sixth to a ninth of it wide: not into the code
   const double first_reach = std::max(kReach, std::min(max_move, side / 9.0));
   auto refined = cornersBetweenEdges(gray, corners, first_reach, contrast);
-  if (refined && first_reach > kReach)
-    refined = cornersBetweenEdges(gray, *refined, kReach, contrast);
+  if (refined) refined = cornersBetweenEdges(gray, *refined, kReach, contrast);
   if (!refined) return;
   for (std::size_t i = 0; i < 4; ++i)
     if (!(((*refined)[i] - corners[i]).norm() <= max_move)) return;

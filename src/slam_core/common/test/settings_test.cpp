@@ -183,6 +183,75 @@ TEST(Settings, TellTextsInForceWhateverTheyHold) {
   EXPECT_EQ(YAML::Load(settings.inForce())["note"]["text"].as<std::string>(), NoteConfig().text);
 }
 
+struct ListsConfig {
+  static constexpr const char* kSection = "lists";
+  std::vector<double> pose;
+  std::vector<std::int64_t> ids = {3};
+  std::vector<std::string> kinds;
+  std::map<std::int64_t, double> sizes;
+  std::map<std::string, std::int64_t> offsets = {{"36h11", 7}};
+
+  void describe(Fields& fields) {
+    fields.add("pose", &pose, "numbers");
+    fields.add("ids", &ids, "integers").in(Range::atLeast(0));
+    fields.add("kinds", &kinds, "choices").oneOf({"red", "green"});
+    fields.add("sizes", &sizes, "numbers by id").in(Range::above(0));
+    fields.add("offsets", &offsets, "integers by name");
+  }
+};
+
+std::vector<std::string> faultsOfLists(const std::string& section) {
+  return faultsOf(
+      [&] { settingsOf("{version: 1, lists: {" + section + "}}").read<ListsConfig>(); });
+}
+
+TEST(Settings, ReadListsAndMaps) {
+  auto settings = settingsOf(
+      "{version: 1, lists: {pose: [1, -2.5, 3e-1], ids: [], sizes: {5: 0.2, '12': 1}, "
+      "offsets: {25h9: 1000}}}",
+      "", {"lists.kinds=[green, red]", "lists.ids=[4, 5]"});
+  const auto config = settings.read<ListsConfig>();
+  EXPECT_EQ(config.pose, (std::vector<double>{1, -2.5, 0.3}));
+  EXPECT_EQ(config.ids, (std::vector<std::int64_t>{4, 5}));
+  EXPECT_EQ(config.kinds, (std::vector<std::string>{"green", "red"}));
+  EXPECT_EQ(config.sizes, (std::map<std::int64_t, double>{{5, 0.2}, {12, 1.0}}));
+  EXPECT_EQ(config.offsets, (std::map<std::string, std::int64_t>{{"25h9", 1000}}));
+}
+
+TEST(Settings, HoldEveryValueOfAListOrMapAgainstTheRange) {
+  EXPECT_TRUE(oneSays(faultsOfLists("ids: [1, -1]"), {"lists.ids", "-1", ">= 0"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("sizes: {5: 0.1, 6: 0}"), {"lists.sizes", "6: 0", "> 0"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("kinds: [red, gren]"), {"'gren'", "did you mean 'green'"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("pose: [1, .nan]"), {"nan"}));
+}
+
+TEST(Settings, RefuseListsAndMapsOfTheWrongType) {
+  EXPECT_TRUE(oneSays(faultsOfLists("pose: 3"), {"'3'", "list of numbers"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("pose: [a]"), {"list of numbers"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("ids: [1.5]"), {"list of integers"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("kinds: [[red]]"), {"list of texts"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("sizes: {a: 1}"), {"map of integers to numbers"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("sizes: [1]"), {"map of integers to numbers"}));
+  EXPECT_TRUE(oneSays(faultsOfLists("offsets: {a: b}"), {"map of texts to integers"}));
+  EXPECT_TRUE(
+      oneSays(faultsOf([] { settingsOf("", "", {"lists.sizes={5: "}).read<ListsConfig>(); }),
+              {"override lists.sizes", "map of integers to numbers"}));
+}
+
+TEST(Settings, TellListsAndMapsInForceSoThatTheyReadBack) {
+  const std::string values =
+      "{version: 1, lists: {pose: [0.1, 1e-9], ids: [1, 2], kinds: [red], sizes: {5: 0.2}}}";
+  auto settings = settingsOf(values);
+  settings.read<ListsConfig>();
+  auto again = settingsOf("version: 1\n" + settings.inForce());
+  const auto config = again.read<ListsConfig>();
+  EXPECT_EQ(config.pose, (std::vector<double>{0.1, 1e-9}));
+  EXPECT_EQ(config.ids, (std::vector<std::int64_t>{1, 2}));
+  EXPECT_EQ(config.kinds, (std::vector<std::string>{"red"}));
+  EXPECT_EQ(config.sizes, (std::map<std::int64_t, double>{{5, 0.2}}));
+  EXPECT_EQ(config.offsets, (std::map<std::string, std::int64_t>{{"36h11", 7}}));
+}
+
 TEST(Settings, ValidateAStructThatCameFromCode) {
   ExampleConfig config;
   EXPECT_TRUE(faultsOf([&] { validate(config); }).empty());
