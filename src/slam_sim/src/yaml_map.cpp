@@ -40,7 +40,9 @@ YamlMap::YamlMap(std::string file, std::string name, const YAML::Node& node, Fau
   fault("is not a map of keys and values");
 }
 
-std::string YamlMap::where() const { return place(file_, node_) + ": " + name_; }
+std::string YamlMap::where() const {
+  return place(file_, node_) + ":" + (name_.empty() ? "" : " " + name_);
+}
 
 std::string YamlMap::at(const YAML::Node& node, const std::string& key) const {
   return place(file_, node) + ": " + (name_.empty() ? "" : name_ + ": ") + key;

@@ -35,10 +35,8 @@ class YamlMap {
   /// The same; a missing key is a fault.
   template <class T>
   void require(const std::string& key, T& target, const Range& range = {}) {
-    if (has(key))
-      read(key, target, range);
-    else
-      fault("has no '" + key + "'");
+    read(key, target, range);  // also of a missing one, so that finish() knows the key
+    if (!has(key)) fault("has no '" + key + "'");
   }
   void read(const std::string& key, std::string& target, const std::vector<std::string>& choices);
 
@@ -48,7 +46,7 @@ class YamlMap {
   /// An empty map where the key is not there.
   YamlMap map(const std::string& key);
 
-  std::string where() const;  ///< "FILE:LINE: NAME"
+  std::string where() const;  ///< "FILE:LINE: NAME", of the whole file "FILE:LINE:"
   void fault(const std::string& sentence) { faults_->add(where() + " " + sentence); }
   void finish();
 

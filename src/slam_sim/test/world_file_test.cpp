@@ -99,6 +99,17 @@ TEST_F(WorldFile, ATypoIsNamedWithLineAndNearestKey) {
   expectFault(room("closed", "closd"), ":4", "closd is unknown (did you mean 'closed'?)");
 }
 
+TEST_F(WorldFile, ATypoOfANeededKeyIsNamedWithTheNearest) {
+  const auto found = faults(room("facing", "facng"));
+  ASSERT_EQ(found.size(), 2u) << join(found, "\n");
+  EXPECT_NE(found[1].find("facng is unknown (did you mean 'facing'?)"), std::string::npos)
+      << found[1];
+}
+
+TEST_F(WorldFile, AFileWithoutANameIsRefused) {
+  expectFault(room("world: room\n", ""), ":1: has no 'world'", "has no 'world'");
+}
+
 TEST_F(WorldFile, AnUnknownFamilyIsNamedWithTheNearest) {
   expectFault(room("id: 0", "id: 0, family: 36h1"), ":8", "'36h1' is none of 36h11");
 }
