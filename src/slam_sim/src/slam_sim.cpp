@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <thread>
@@ -40,6 +41,18 @@ int fail(const std::string& sentence, int code) {
   return code;
 }
 
+std::string faultOfDuration(const std::string& text) {
+  double seconds = 0.0;
+  if (CLI::detail::lexical_cast(text, seconds) && std::isfinite(seconds) && seconds > 0.0)
+    return "";
+  return "'" + text + "' is no number of seconds above 0";
+}
+
+/// Else a sign would make a large number of it.
+std::string faultOfSeed(const std::string& text) {
+  return text.empty() || text[0] != '-' ? "" : "'" + text + "' is below 0";
+}
+
 void addOptions(CLI::App& app, Options& options) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   auto& recording = options.recording;
@@ -48,11 +61,13 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--world", options.world, "office, corridor, hall or a file.yaml")
       ->capture_default_str();
   app.add_option("--robot", options.robot, "segway, omni or a file.yaml")->capture_default_str();
-  app.add_option("--seed", recording.seed, "of all noise")->capture_default_str();
+  app.add_option("--seed", recording.seed, "of all noise")
+      ->check(faultOfSeed)
+      ->capture_default_str();
   app.add_option("--only", recording.streams, "odom,scan,camera,ceiling_camera: some of them")
       ->delimiter(',');
   app.add_option("--duration", recording.duration, "the drive's first seconds only [s]")
-      ->check(CLI::PositiveNumber);
+      ->check(faultOfDuration);
   app.add_option("--threads", recording.threads, "that render; the bag is the same")
       ->check(CLI::Range(1u, 256u))
       ->capture_default_str();
