@@ -66,6 +66,10 @@ class SimulatorNodelet : public nodelet::Nodelet {
     announce(world);
     advertise();
     startTimers();
+    if (ros::Time::isSimTime())
+      NODELET_WARN(
+          "/use_sim_time is set: the robot stands still until somebody publishes /clock; for real "
+          "time: rosparam set /use_sim_time false");
   }
 
   /// What is said once.
