@@ -41,7 +41,8 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
 
 std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates) {
   const auto nearest = nearestName(name, candidates);
-  return nearest.empty() ? "" : " (did you mean '" + nearest + "'?)";
+  if (nearest.empty() || nearest == name) return "";  // the name itself was not the mistake
+  return " (did you mean '" + nearest + "'?)";
 }
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
