@@ -107,6 +107,13 @@ struct ArucoDetector::Library {
     cv::Ptr<cv::aruco::Dictionary> pointer;
     std::int64_t offset;
     bool is_upside_down;  ///< OpenCV has the AprilTags the other way up than their authors
+
+    /// DICT_5X5_100 begins with the markers of DICT_5X5_50.
+    bool sharesMarkersWith(const Dictionary& other) const {
+      const auto &a = *pointer, &b = *other.pointer;
+      return a.markerSize == b.markerSize &&
+             cv::norm(a.bytesList.row(0), b.bytesList.row(0), cv::NORM_L1) == 0.0;
+    }
   };
   std::vector<Dictionary> dictionaries;
   cv::Ptr<cv::aruco::DetectorParameters> parameters = cv::aruco::DetectorParameters::create();
@@ -134,6 +141,11 @@ void ArucoDetector::configure(const ArucoConfig& config) {
         {name, offset == config.id_offsets.end() ? 0 : offset->second, dictionary->bytesList.rows});
     const bool is_april_tag = name.rfind("DICT_APRILTAG_", 0) == 0;
     library->dictionaries.push_back({dictionary, ranges.back().offset, is_april_tag});
+    for (std::size_t i = 0; i + 1 < ranges.size(); ++i)
+      if (ranges[i].family != name &&
+          library->dictionaries[i].sharesMarkersWith(library->dictionaries.back()))
+        throw ConfigError("aruco.dictionaries: " + ranges[i].family + " and " + name +
+                          " hold the same markers, which would count twice; name the larger only");
   }
   requireUniqueIds(ArucoConfig::kSection, ranges, config.id_offsets);
   library->parameters->cornerRefinementMethod = kRefinements.at(config.corner_refinement);

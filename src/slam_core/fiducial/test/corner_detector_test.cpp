@@ -250,6 +250,16 @@ TEST(CornerDetectors, RefuseIdsThatAreNotUnique) {
                       {"aruco.id_offsets", "DICT_4X4_50 (0 .. 49)", "overlap"}));
 }
 
+TEST(CornerDetectors, RefuseDictionariesThatHoldTheSameMarkers) {
+  auto config = arucoMarkers({"DICT_5X5_50", "DICT_5X5_100"});
+  config.id_offsets = {{"DICT_5X5_100", 50}};
+  EXPECT_TRUE(oneSays(faultsOf([&] { ArucoDetector().configure(config); }),
+                      {"aruco.dictionaries", "DICT_5X5_50", "DICT_5X5_100", "the same markers"}));
+  config = arucoMarkers({"DICT_APRILTAG_36h10", "DICT_APRILTAG_36h11", "DICT_6X6_50"});
+  config.id_offsets = {{"DICT_APRILTAG_36h11", 3000}, {"DICT_6X6_50", 4000}};
+  EXPECT_TRUE(faultsOf([&] { ArucoDetector().configure(config); }).empty());
+}
+
 TEST(CornerDetectors, RefuseAnEmptyListOfFamilies) {
   EXPECT_TRUE(oneSays(faultsOf([] { AprilTagDetector().configure(aprilTags({})); }),
                       {"apriltag.families", "empty"}));
