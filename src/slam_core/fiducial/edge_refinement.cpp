@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -15,6 +16,9 @@ namespace {
 
 using Eigen::Vector2d;
 using Line = Eigen::Hyperplane<double, 2>;
+
+constexpr double kReach = 1.5;  ///< of edges that are about known [px]
+constexpr double kLongestReach = 4.0;
 
 /// The gray level between pixels; nothing outside the image.
 std::optional<double> grayAt(const cv::Mat& gray, const Vector2d& place) {
@@ -31,18 +35,25 @@ std::optional<double> grayAt(const cv::Mat& gray, const Vector2d& place) {
 /// weighed by the square of the slope. Looked for up to `reach` [px] to either side.
 std::optional<Vector2d> descent(const cv::Mat& gray, const Vector2d& place,
                                 const Vector2d& towards_black, double reach) {
-  constexpr double kStep = 0.25, kBase = 1.0;  // [px]; a slope is taken over twice the base
+  constexpr double kStep = 0.5;  // [px]
+  constexpr int kBase = 2;       // steps to either side over which a slope is taken
+  const int steps = static_cast<int>(reach / kStep);
+  std::array<double, 2 * (static_cast<int>(kLongestReach / kStep) + kBase) + 1> profile;
+  const int half = steps + kBase;
+  for (int i = -half; i <= half; ++i) {
+    const auto level = grayAt(gray, place + kStep * i * towards_black);
+    if (!level) return std::nullopt;
+    profile[static_cast<std::size_t>(i + half)] = *level;
+  }
   double weights = 0.0, sum = 0.0;
-  for (double way = -reach; way <= reach; way += kStep) {
-    const auto before = grayAt(gray, place + (way - kBase) * towards_black);
-    const auto beyond = grayAt(gray, place + (way + kBase) * towards_black);
-    if (!before || !beyond) return std::nullopt;
-    const double slope = std::max(0.0, *before - *beyond);
+  for (int i = -steps; i <= steps; ++i) {
+    const auto at = static_cast<std::size_t>(i + half);
+    const double slope = std::max(0.0, profile[at - kBase] - profile[at + kBase]);
     weights += slope * slope;
-    sum += slope * slope * way;
+    sum += slope * slope * i;
   }
   if (!(weights > 0.0)) return std::nullopt;
-  return place + sum / weights * towards_black;
+  return place + kStep * sum / weights * towards_black;
 }
 
 /// The line through the edge from a to b, where black is on the right of the way; nothing where it
@@ -89,11 +100,10 @@ std::optional<Corners> cornersBetweenEdges(const cv::Mat& gray, const Corners& c
 }  // namespace
 
 void refineByEdges(const cv::Mat& gray, Corners& corners, double max_move, Contrast contrast) {
-  constexpr double kReach = 1.5;  // [px], of edges that are about known
   double side = 0.0;
   for (std::size_t i = 0; i < 4; ++i) side += (corners[(i + 1) % 4] - corners[i]).norm() / 4.0;
   // the border of a marker is a sixth to a ninth of it wide: not into the code
-  const double first_reach = std::max(kReach, std::min(max_move, side / 9.0));
+  const double first_reach = std::clamp(std::min(max_move, side / 9.0), kReach, kLongestReach);
   auto refined = cornersBetweenEdges(gray, corners, first_reach, contrast);
   if (refined) refined = cornersBetweenEdges(gray, *refined, kReach, contrast);
   if (!refined) return;
