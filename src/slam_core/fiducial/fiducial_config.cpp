@@ -35,7 +35,8 @@ void FiducialConfig::describe(Fields& fields) {
       .in(Range::closed(0, 1.5707963));
   fields
       .add("border", &border,
-           "markers with a corner this near to the border of the image are rejected")
+           "markers with a corner nearer to the border of the image than this and a twentieth of "
+           "a side are rejected: part of them may be cut off")
       .unit("px")
       .in(Range::atLeast(0));
   fields

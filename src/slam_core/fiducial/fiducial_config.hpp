@@ -24,7 +24,7 @@ struct FiducialConfig {
 
   double min_side = 12.0;
   double max_obliqueness = 1.3;
-  double border = 2.0;
+  double border = 3.0;
   double max_reprojection_error = 2.0;
   double max_relative_sigma = 0.1;
 

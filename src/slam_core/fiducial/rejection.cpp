@@ -9,6 +9,10 @@
 namespace slam::fiducial {
 namespace {
 
+/// Detectors read a marker of which the image shows all but half of its black border, and put its
+/// corners up to a twentieth of a side inside of the image.
+constexpr double kCutShare = 0.05;
+
 bool isNearBorder(const Corners& corners, const cv::Size& image, double border) {
   return std::any_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& corner) {
     return corner.x() < border || corner.x() > image.width - 1 - border ||  //
@@ -48,9 +52,10 @@ void rejectByImage(const FiducialConfig& config, const cv::Size& image,
   rejectDuplicates(detections);
   for (auto& marker : detections) {
     if (!marker.isAccepted()) continue;
-    if (isNearBorder(marker.corners, image, config.border))
+    const double side = meanSide(marker.corners);
+    if (isNearBorder(marker.corners, image, config.border + kCutShare * side))
       marker.rejection = "image_border";
-    else if (meanSide(marker.corners) < config.min_side)
+    else if (side < config.min_side)
       marker.rejection = "too_small";
   }
 }

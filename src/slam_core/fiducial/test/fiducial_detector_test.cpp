@@ -174,6 +174,27 @@ TEST_P(FiducialDetectorTest, RejectsByTheLimitsOfTheConfiguration) {
   EXPECT_EQ(observations().size(), 1u);
 }
 
+TEST_P(FiducialDetectorTest, TakesNoMarkerForWholeThatTheBorderCuts) {
+  configure();
+  constexpr double kSide = 105.0, kRightmost = 639.0;  // [px]
+  int whole = 0;
+  for (double beyond = -0.12 * kSide; beyond < 0.13 * kSide; beyond += 0.01 * kSide) {
+    const double middle = kRightmost + beyond - 0.5 * kSide;
+    const Eigen::Vector2d on_plane = *kCamera.unproject(Eigen::Vector2d(middle, 200.0));
+    auto T = facing({0, 0, 1}, 0.15, 1.0);
+    T.translation() = 0.8 * on_plane.homogeneous();
+    MarkerPicture picture(kCamera);
+    picture.add(printedMarker(7), T);
+    look(picture);
+    if (beyond > 0.02 * kSide) {
+      EXPECT_TRUE(observations().empty()) << beyond << " px are cut off";
+    }
+    whole += observations().empty() ? 0 : 1;
+  }
+  EXPECT_GT(whole, 1);
+  EXPECT_GT(count("image_border"), 1u);
+}
+
 TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
   configure({"fiducial.corner_sigma=0.3"});
   CameraMount up;
