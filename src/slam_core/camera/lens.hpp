@@ -12,9 +12,9 @@
 namespace slam {
 
 /// The distortion of a lens: of points on the plane z = 1 before the camera. Two kinds behind one
-/// interface: Brown's polynomial with its rational extension (plumb_bob is the one with a
-/// denominator of 1; the formulas of OpenCV's calib3d) and the equidistant fish-eye (Kannala and
-/// Brandt 2006).
+/// interface: Brown's polynomial (Brown 1971) with its rational extension (plumb_bob is the one
+/// with a denominator of 1; the formulas of OpenCV's calib3d) and the equidistant fish-eye (Kannala
+/// and Brandt 2006).
 ///
 /// The polynomials are fitted within the image and fold back far outside: beyond the angle where
 /// the image radius stops to grow a point has no image.
