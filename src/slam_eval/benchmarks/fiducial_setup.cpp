@@ -9,6 +9,7 @@
 #include <opencv2/aruco.hpp>
 
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/product/product_config.hpp"
 
 namespace slam::eval {
 namespace {
@@ -58,6 +59,7 @@ std::unique_ptr<LandmarkDetector> makeDetector(const std::string& name,
   auto all = overrides;
   all.push_back("fiducial.marker_size=0.16");
   Settings settings({"product", {}}, {"robot", {}}, all);
+  loadLibraries({});
   auto detector = Registry<LandmarkDetector>::instance().create(name);
   detector->configure(settings);
   return detector;
