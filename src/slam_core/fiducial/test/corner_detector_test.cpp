@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <opencv2/core/utility.hpp>
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/fiducial/april_tag_detector.hpp"
@@ -154,25 +155,35 @@ TEST(AprilTagDetector, ReadsSeveralFamiliesAtOnce) {
   EXPECT_LT(worstError(found[3], right, 0.10), 0.3);
 }
 
-TEST(AprilTagDetector, GivesTheSameForAnyNumberOfThreads) {
+void expectSame(const std::vector<MarkerDetection>& a, const std::vector<MarkerDetection>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].id, b[i].id);
+    EXPECT_EQ(a[i].margin, b[i].margin);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(a[i].corners[k], b[i].corners[k]);
+  }
+}
+
+TEST(CornerDetectors, GiveTheSameForAnyNumberOfThreads) {
   MarkerPicture picture(kCamera);
   for (int i = 0; i < 12; ++i)
     picture.add(printedMarker(i),
                 facing({-0.6 + 0.4 * (i % 4), -0.4 + 0.4 * (i / 4), 1.6}, 0.3, i));
   const auto image = picture.exposed(3.0);
   AprilTagConfig config;
-  const auto one = detect<AprilTagDetector>(image, config);
-  EXPECT_EQ(one.size(), 12u);
+  const auto tags = detect<AprilTagDetector>(image, config);
+  EXPECT_EQ(tags.size(), 12u);
+  const int threads_before = cv::getNumThreads();
+  cv::setNumThreads(1);
+  const auto markers = detect<ArucoDetector>(image, ArucoConfig());
+  EXPECT_EQ(markers.size(), 12u);
   for (const int threads : {2, 4}) {
     config.threads = threads;
-    const auto many = detect<AprilTagDetector>(image, config);
-    ASSERT_EQ(many.size(), one.size());
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      EXPECT_EQ(many[i].id, one[i].id);
-      EXPECT_EQ(many[i].margin, one[i].margin);
-      for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(many[i].corners[k], one[i].corners[k]);
-    }
+    expectSame(detect<AprilTagDetector>(image, config), tags);
+    cv::setNumThreads(threads);
+    expectSame(detect<ArucoDetector>(image, ArucoConfig()), markers);
   }
+  cv::setNumThreads(threads_before);
 }
 
 TEST(AprilTagDetector, LeavesTheImageAsItIs) {
