@@ -84,6 +84,14 @@ class SlamLaunchTest(SameAsOffline, unittest.TestCase):
                          "wheel_odometry: {alpha1: 2}\n", encoding="utf-8")
         self.assert_ends_with("wheel_odometry stands there a second time", f"robot:={robot}")
 
+    def test_maps_by_id_reach_the_nodelets(self):
+        robot = self.root / "sizes.yaml"
+        robot.write_text("version: 1\nrobot: sizes\nfiducial:\n  marker_sizes: {5: 0.2, 7: 0}\n",
+                         encoding="utf-8")
+        output, _ = run_launch(f"robot:={robot}")
+        self.assertIn("fiducial.marker_sizes", output)
+        self.assertIn("7: 0 is not allowed; the range is > 0", output)
+
     def test_misspelt_robot_names_the_nearest(self):
         self.assert_ends_with("did you mean 'mrclam'?", "robot:=mrcalm")
 
