@@ -9,7 +9,6 @@ namespace slam {
 namespace {
 
 /// A stamp this much older than the last one is the beginning of a new run.
-constexpr Duration kRestartGap = std::chrono::seconds(5);
 /// Images that wait longer than this are worth a word: the first ones come before the calibration.
 constexpr Duration kPatience = std::chrono::seconds(1);
 
@@ -51,7 +50,7 @@ void ImageGate::set(const CameraMount& mount) {
 }
 
 void ImageGate::set(const Image& image, Counters& counters) {
-  if (last_ && image.stamp <= *last_ && image.stamp > *last_ - kRestartGap) {
+  if (last_ && image.stamp <= *last_ && image.stamp > *last_ - kStampJump) {
     counters.add("late");
     input_status_ = Status::warning("an image is not newer than the one before it; it is left out");
     return;
@@ -88,8 +87,8 @@ std::optional<ImageGate::Fault> ImageGate::missing(const Image& image) const {
   if (!mount_ || (!configured_mount_ && mount_->camera_frame != image.frame))
     return Fault{"no_mount",
                  "it is not known where the camera of frame '" + image.frame +
-                     "' is mounted; publish its transform to the robot's base frame or give "
-                     "camera.sensor_pose in the robot file"};
+                     "' is mounted; publish its static transform to the robot's base frame or "
+                     "give camera.sensor_pose in the robot file"};
   return std::nullopt;
 }
 

@@ -21,8 +21,8 @@ namespace slam {
 /// has passed it; the increment that spans the stamp is split there.
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
-/// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "source_timeout",
-/// "restart".
+/// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
+/// "source_timeout", "restart".
 template <class Motion, class Trigger>
 class Collator {
  public:

@@ -14,12 +14,12 @@
 namespace slam {
 
 /// The bounded queue of one source, in the order of stamps. What is not newer than the last one is
-/// dropped as "late"; what is older by more than kRestartGap may be the beginning of a new run and
-/// is kept aside until the other sources tell.
+/// dropped as "late"; what is older by more than kStampJump may be the beginning of a new run and
+/// is kept aside until the other sources tell. The last one, when it jumped ahead and the next one
+/// did not, had a wrong stamp: it is dropped as "stamp_jump".
 template <class T>
 class StampedQueue {
  public:
-  static constexpr Duration kRestartGap = std::chrono::seconds(5);
   struct Item {
     Stamp stamp;
     T value;
@@ -28,7 +28,12 @@ class StampedQueue {
   explicit StampedQueue(std::size_t capacity = 1000) : capacity_(capacity) {}
 
   void push(Stamp stamp, std::uint64_t sequence, T value, Counters& counters) {
-    const bool may_be_new_run = last_ && stamp <= *last_ - kRestartGap;
+    if (lastWasWrong(stamp)) {
+      items_.pop_back();
+      last_ = std::exchange(before_jump_, std::nullopt);
+      counters.add("stamp_jump");
+    }
+    const bool may_be_new_run = last_ && stamp <= *last_ - kStampJump;
     const bool follows_new_run = last_ && stamp <= *last_ && !aside_.empty();
     if (may_be_new_run || follows_new_run) {
       pushAside(stamp, sequence, std::move(value), counters);
@@ -42,6 +47,7 @@ class StampedQueue {
     counters.add("late", aside_.size());
     aside_.clear();
     countGap(sequence, counters);
+    before_jump_ = last_ && stamp > *last_ + kStampJump ? last_ : std::nullopt;
     last_ = stamp;
     items_.push_back({stamp, std::move(value)});
     if (items_.size() <= capacity_) return;
@@ -70,11 +76,17 @@ class StampedQueue {
   void restart() {
     items_ = std::exchange(aside_, {});
     last_.reset();
+    before_jump_.reset();
     if (!items_.empty()) last_ = items_.back().stamp;
     next_sequence_ = aside_sequence_;
   }
 
  private:
+  bool lastWasWrong(Stamp stamp) const {
+    return before_jump_ && !items_.empty() && *before_jump_ < stamp && stamp < *last_ &&
+           aside_.empty();
+  }
+
   void pushAside(Stamp stamp, std::uint64_t sequence, T value, Counters& counters) {
     if (aside_.size() >= capacity_ || (!aside_.empty() && stamp <= aside_.back().stamp)) {
       counters.add("late");
@@ -93,6 +105,7 @@ class StampedQueue {
   std::size_t capacity_;
   std::deque<Item> items_, aside_;
   std::optional<Stamp> last_;
+  std::optional<Stamp> before_jump_;  ///< the stamp before last_, when it jumped ahead from there
   std::optional<std::uint64_t> next_sequence_, aside_sequence_;
 };
 

@@ -31,4 +31,8 @@ constexpr Duration durationFromSeconds(double s) {
   return Duration(static_cast<Duration::rep>(s * 1e9 + (s < 0 ? -0.5 : 0.5)));
 }
 
+/// Within a source, stamps that go back by more than this may begin a new run, and one that is
+/// ahead by more than this is believed when the next one is ahead as well.
+constexpr Duration kStampJump = std::chrono::seconds(5);
+
 }  // namespace slam

@@ -37,6 +37,7 @@ void Estimator::reset() {
   last_motion_.reset();
   report_.reset();
   fault_.clear();
+  moved_frame_.clear();
   paused_ = false;
   counters_.clear();
 }
@@ -58,6 +59,7 @@ void Estimator::startWith(MapState map) {
 
 void Estimator::set(Motion motion) {
   frames_.complete(motion.odometry_frame, motion.base_frame);
+  warnOfBaseFrame(motion.base_frame);
   const auto fault = faultOf(motion);
   if (fault.empty()) {
     collator_.push(std::move(motion));
@@ -65,6 +67,12 @@ void Estimator::set(Motion motion) {
   }
   counters_.add("invalid_motion");
   fault_ = fault + "; it is left out";
+}
+
+void Estimator::warnOfBaseFrame(const std::string& moved) {
+  if (moved == std::exchange(moved_frame_, moved) || moved == frames_.base) return;
+  fault_ = "odometry moves '" + moved + "', while the sensors' poses are looked up in '" +
+           frames_.base + "': set frames.base to '" + moved + "' in the robot file";
 }
 
 void Estimator::set(LandmarkObservationArray array) {
@@ -136,7 +144,8 @@ Counters Estimator::counters() const {
 
 std::uint64_t Estimator::dropped() const {
   const auto& collated = collator_.counters();
-  return collated["late"] + collated["lost"] + collated["overflow"] + counters_["invalid_motion"];
+  return collated["late"] + collated["lost"] + collated["overflow"] + collated["stamp_jump"] +
+         counters_["invalid_motion"];
 }
 
 }  // namespace slam

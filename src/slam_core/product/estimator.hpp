@@ -62,6 +62,7 @@ class Estimator {
   using LandmarkCollator = Collator<Motion, LandmarkObservationArray>;
 
   void resetBackend();
+  void warnOfBaseFrame(const std::string& moved);
   void reportStep(const LandmarkCollator::Step& step);
 
   LandmarkSensorConfig sensor_;
@@ -72,7 +73,8 @@ class Estimator {
   LandmarkCollator collator_;
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;
-  std::string fault_;  ///< of an input since the last execute()
+  std::string moved_frame_;  ///< the base frame of the last motion
+  std::string fault_;        ///< of an input since the last execute()
   bool paused_ = false;
   Counters counters_;
 };

@@ -31,7 +31,8 @@ void ProductConfig::describe(Fields& fields) {
 void FramesConfig::describe(Fields& fields) {
   fields.add("map", &map, "the map's frame").ofRobot();
   fields.add("odom", &odom, "the odometry's frame, where the data do not name one").ofRobot();
-  fields.add("base", &base, "the robot's frame, where the data do not name one").ofRobot();
+  fields.add("base", &base, "the robot's frame: odometry moves it, sensors are mounted in it")
+      .ofRobot();
 }
 
 void FramesConfig::requireDistinctNames() const {

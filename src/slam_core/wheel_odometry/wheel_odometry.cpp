@@ -12,9 +12,6 @@ namespace {
 const Registrar<OdometrySource, WheelOdometry> kRegistrar("wheel");
 const SectionRegistrar<WheelOdometryConfig> kSectionRegistrar;
 
-/// A stamp this much older than the last one is the beginning of a new run.
-constexpr Duration kRestartGap = std::chrono::seconds(5);
-
 bool isFinite(const OdometrySample& sample) {
   return sample.twist.allFinite() && (!sample.pose || sample.pose->isFinite());
 }
@@ -35,6 +32,7 @@ void WheelOdometry::configure(Settings& settings) {
 
 void WheelOdometry::reset() {
   last_.reset();
+  ahead_.reset();
   motion_.reset();
   odometry_pose_ = Pose2();
   next_sequence_ = 0;
@@ -44,9 +42,13 @@ void WheelOdometry::reset() {
 Status WheelOdometry::execute() {
   motion_.reset();
   if (!isFinite(input_)) return reject("invalid", "odometry holds a value that is not a number");
-  if (last_ && input_.stamp <= last_->stamp - kRestartGap) last_.reset();
+  if (last_ && input_.stamp <= last_->stamp - kStampJump) last_.reset();
   if (last_ && input_.stamp <= last_->stamp)
     return reject("late", "odometry is not newer than the message before it");
+  if (isDoubtful(input_.stamp))
+    return reject("stamp_jump",
+                  "odometry is stamped far ahead of the message before it; it counts "
+                  "once the next one is ahead as well");
   const bool same_frames = last_ && input_.odometry_frame == last_->odometry_frame &&
                            input_.base_frame == last_->base_frame;
   if (!same_frames) {
@@ -73,6 +75,14 @@ Status WheelOdometry::execute() {
   motion_ = motion;
   last_ = input_;
   return Status::ok();
+}
+
+bool WheelOdometry::isDoubtful(Stamp stamp) {
+  const bool confirms = ahead_ && stamp > *ahead_;
+  ahead_.reset();
+  if (!last_ || confirms || stamp <= last_->stamp + kStampJump) return false;
+  ahead_ = stamp;
+  return true;
 }
 
 Status WheelOdometry::reject(const std::string& reason, const std::string& sentence) {

@@ -33,7 +33,8 @@ struct WheelOdometryConfig {
 /// Turns a wheel driver's messages into motion increments (thesis 5.3.1): the displacement between
 /// two poses, or the arc of a twist that holds until the next message; the covariance from the
 /// motion model or from the twist's. The systematic part of the wheels' error is taken out first
-/// (Borenstein and Feng 1996). Counted: "late", "frame_change", "invalid".
+/// (Borenstein and Feng 1996). Counted: "late", "stamp_jump",
+/// "frame_change", "invalid".
 class WheelOdometry final : public OdometrySource {
  public:
   void configure(const WheelOdometryConfig& config);
@@ -45,6 +46,9 @@ class WheelOdometry final : public OdometrySource {
   void reset() override;
 
  private:
+  /// True for the first stamp of a jump ahead: one message that is stamped wrongly must not make
+  /// the rest late.
+  bool isDoubtful(Stamp stamp);
   Status reject(const std::string& reason, const std::string& sentence);
   Pose2 incrementTo(const OdometrySample& sample) const;
   Pose2 calibrated(const Pose2& increment) const;
@@ -54,7 +58,8 @@ class WheelOdometry final : public OdometrySource {
   std::unique_ptr<MotionModel> model_;
   OdometrySample input_;
   std::optional<OdometrySample> last_;
-  Pose2 odometry_pose_;  ///< T_odom_base at last_
+  std::optional<Stamp> ahead_;  ///< of the message that jumped ahead and waits for another
+  Pose2 odometry_pose_;         ///< T_odom_base at last_
   std::optional<Motion> motion_;
   std::uint64_t next_sequence_ = 0;
   Counters counters_;

@@ -142,9 +142,13 @@ BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
   inputs.odom_frame = frameId(needs.frames.odom);
   inputs.base_frame = frameId(needs.frames.base);
   findOdometry(bag, search, inputs);
-  inputs.observations = search.topic("observations", inputs.notes);
+  const bool asked_for_images =
+      needs.images && (search.isRemapped(kCamera) || search.isRemapped(kCompressedCamera));
+  if (!asked_for_images) inputs.observations = search.topic("observations", inputs.notes);
   if (needs.images && !inputs.observations.empty())
-    inputs.notes.push_back("the bag carries observations: the detector is left out");
+    inputs.notes.push_back(
+        "the bag carries observations: the detector is left out; --remap camera:=TOPIC has it look "
+        "at that camera's images instead");
   else if (needs.images)
     findCamera(bag, search, inputs);
 

@@ -19,9 +19,12 @@ const std::map<std::string, std::string>& sentences() {
       {"lost", "messages were lost on the way, as the gap in their sequence tells"},
       {"overflow", "messages were dropped because nothing came to go with them"},
       {"before_start", "observation arrays were older than the first motion and were left out"},
+      {"stamp_jump", "messages were stamped far ahead of those around them; they were dropped"},
       {"restart", "time began anew: map and pose were reset"},
       {"unknown_id", "observations without a known id were left out"},
       {"duplicate", "observations repeated an id of their own array and were left out"},
+      {"odometry_stamp_jump",
+       "odometry messages were stamped far ahead of those before them; they were left out"},
       {"odometry_late", "odometry messages were not newer than the one before; they were dropped"},
       {"detector_late", "images were not newer than the one before; they were dropped"}};
   return kSentences;
@@ -93,6 +96,10 @@ void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
                       ros::WallTime::now() - last_warning_time_ < ros::WallDuration(kQuietTime);
   if (!failure_.empty())
     status.summary(DiagnosticStatus::ERROR, failure_);
+  else if (ros::Time::isSimTime() && ros::Time::now().isZero())
+    status.summary(DiagnosticStatus::WARN,
+                   "use_sim_time is set and nobody publishes /clock: start the simulator or "
+                   "rosbag play --clock, or unset the parameter");
   else if (warned)
     status.summary(DiagnosticStatus::WARN, last_warning_);
   else if (!waiting.empty())

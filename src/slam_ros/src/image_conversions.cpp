@@ -19,6 +19,7 @@ namespace slam_ros {
 namespace {
 
 constexpr int kNoConversion = -1;
+constexpr double kQuaternionTolerance = 1e-2;  // of the squared norm
 
 /// How an encoding becomes grey.
 struct Encoding {
@@ -173,7 +174,12 @@ slam::CameraCalibration fromMsg(const sensor_msgs::CameraInfo& message) {
 Eigen::Isometry3d fromMsg(const geometry_msgs::Transform& transform) {
   const auto& [t, q] = std::tie(transform.translation, transform.rotation);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  const Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
+  // what is no rotation must not become one: normalized() makes a zero quaternion the identity
+  if (std::abs(rotation.squaredNorm() - 1.0) < kQuaternionTolerance)
+    pose.linear() = rotation.normalized().toRotationMatrix();
+  else
+    pose.linear().setZero();
   pose.translation() << t.x, t.y, t.z;
   return pose;
 }

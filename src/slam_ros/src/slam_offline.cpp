@@ -5,7 +5,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "slam_core/common/nearest_name.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_ros/offline_run.hpp"
 #include "slam_ros/product_files.hpp"
 
@@ -29,16 +29,6 @@ void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& s
   app.add_option("--remap", options.remaps, "input:=topic of the bag");
 }
 
-/// For "--bga": " (did you mean '--bag'?)".
-std::string nearestOption(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const auto* option : app.get_options()) names.push_back(option->get_name());
-  for (const auto& extra : app.remaining())
-    if (const auto hint = slam::didYouMean(extra.substr(0, extra.find('=')), names); !hint.empty())
-      return hint;
-  return "";
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -55,7 +45,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return fail(error.what() + nearestOption(app) + "; --help lists the options", kWrongUse);
+    return fail(slam_ros::sentenceOf(app, error), kWrongUse);
   } catch (const slam_ros::UnknownName& error) {
     return fail(error.what(), kWrongUse);
   } catch (const std::exception& error) {

@@ -12,12 +12,19 @@ void StaticTransforms::set(const tf2_msgs::TFMessage& message) {
   for (auto edge : message.transforms) {
     edge.header.frame_id = frameId(edge.header.frame_id);
     edge.child_frame_id = frameId(edge.child_frame_id);
-    tree_.setTransform(edge, "tf_static", true);
+    const slam::CameraMount edge_as_mount{edge.child_frame_id, fromMsg(edge.transform)};
+    faulty_.erase(edge.child_frame_id);
+    if (slam::faultOf(edge_as_mount).empty())
+      tree_.setTransform(edge, "tf_static", true);
+    else
+      faulty_.emplace(edge.child_frame_id, edge_as_mount);
   }
 }
 
 std::optional<slam::CameraMount> StaticTransforms::mount(const std::string& base_frame,
                                                          const std::string& camera_frame) const {
+  if (const auto faulty = faulty_.find(camera_frame); faulty != faulty_.end())
+    return faulty->second;
   const bool is_known =
       !camera_frame.empty() && tree_.canTransform(base_frame, camera_frame, ros::Time());
   if (!is_known) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "recording.hpp"
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/common/nearest_name.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_ros/product_files.hpp"
 #include "slam_sim/world_file.hpp"
 
@@ -73,16 +74,6 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-/// For "--wrold": " (did you mean '--world'?)".
-std::string nearestOption(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const auto* option : app.get_options()) names.push_back(option->get_name());
-  for (const auto& extra : app.remaining())
-    if (const auto hint = slam::didYouMean(extra.substr(0, extra.find('=')), names); !hint.empty())
-      return hint;
-  return "";
-}
-
 std::string fileOf(const std::string& folder, const std::string& kind, const std::string& name) {
   return slam_ros::findConfigFile(ros::package::getPath("slam_sim") + "/" + folder, kind, name);
 }
@@ -122,7 +113,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return fail(error.what() + nearestOption(app) + "; --help lists the options", kWrongUse);
+    return fail(slam_ros::sentenceOf(app, error), kWrongUse);
   } catch (const slam_ros::UnknownName& error) {
     return fail(error.what(), kWrongUse);
   } catch (const UsageError& error) {

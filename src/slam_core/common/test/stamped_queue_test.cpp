@@ -66,6 +66,27 @@ TEST_F(StampedQueueTest, DropsTheOldestWhenFull) {
   EXPECT_EQ(drain(), (std::vector<int>{2, 3, 4, 5}));
 }
 
+TEST_F(StampedQueueTest, DropsTheOneThatWasStampedFarAhead) {
+  push(1, 0);
+  push(4000, 1);
+  push(2, 2);
+  push(3, 3);
+  EXPECT_EQ(counters["stamp_jump"], 1u);
+  EXPECT_EQ(counters["late"] + counters["lost"], 0u);
+  EXPECT_FALSE(queue.wentBack());
+  EXPECT_EQ(drain(), (std::vector<int>{0, 2, 3}));
+}
+
+TEST_F(StampedQueueTest, BelievesAJumpAheadThatLasts) {
+  push(1, 0);
+  push(4000, 1);
+  push(4001, 2);
+  push(2, 3);
+  EXPECT_EQ(counters["stamp_jump"], 0u);
+  EXPECT_TRUE(queue.wentBack());
+  EXPECT_EQ(drain(), (std::vector<int>{0, 1, 2}));
+}
+
 TEST_F(StampedQueueTest, KeepsAsideWhatMayBeANewRun) {
   push(100, 7);
   push(95.1, 8);

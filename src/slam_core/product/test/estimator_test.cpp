@@ -128,6 +128,18 @@ TEST_F(EstimatorTest, NamesTheFramesOfMotionThatHasNone) {
   EXPECT_EQ(reports[0].base_frame, "base_link");
 }
 
+TEST_F(EstimatorTest, TellsOnceThatOdometryMovesAnotherFrame) {
+  auto steps = simulate(3, 3);
+  std::vector<std::string> sentences;
+  for (auto& step : steps) {
+    step.motion.base_frame = "base_footprint";
+    estimator.set(step.motion);
+    sentences.push_back(estimator.execute().message);
+  }
+  EXPECT_NE(sentences[0].find("set frames.base to 'base_footprint'"), std::string::npos);
+  EXPECT_EQ(sentences[1] + sentences[2], "");
+}
+
 TEST_F(EstimatorTest, AppliesMotionAndNoObservationsWhilePaused) {
   const auto steps = simulate(1, 30);
   for (int i = 0; i < 10; ++i) take(steps[std::size_t(i)]);

@@ -114,6 +114,25 @@ TEST_F(WheelOdometryTest, BeginsAnewWhenTheBagDoes) {
   expectSame(motion().increment, Pose2(1, 0, 0));
 }
 
+TEST_F(WheelOdometryTest, LosesNothingToOneStampFarAhead) {
+  take(poseSample(1, Pose2()));
+  EXPECT_FALSE(take(poseSample(4000, Pose2(1, 0, 0))).isOk());
+  EXPECT_FALSE(odometry.motion().has_value());
+  EXPECT_TRUE(take(poseSample(1.2, Pose2(2, 0, 0))).isOk());
+  EXPECT_EQ(motion().start, at(1));
+  EXPECT_EQ(motion().end, at(1.2));
+  expectSame(motion().increment, Pose2(2, 0, 0));
+  EXPECT_EQ(odometry.counters()["stamp_jump"], 1u);
+}
+
+TEST_F(WheelOdometryTest, SpansAGapOnceTwoMessagesAreBehindIt) {
+  take(poseSample(1, Pose2()));
+  take(poseSample(10, Pose2(1, 0, 0)));
+  EXPECT_TRUE(take(poseSample(10.1, Pose2(2, 0, 0))).isOk());
+  EXPECT_EQ(motion().start, at(1));
+  expectSame(motion().increment, Pose2(2, 0, 0));
+}
+
 TEST_F(WheelOdometryTest, LeavesOutWhatIsNotANumber) {
   take(poseSample(0, Pose2()));
   EXPECT_FALSE(take(poseSample(1, Pose2(std::nan(""), 0, 0))).isOk());

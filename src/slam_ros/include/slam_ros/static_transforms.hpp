@@ -6,6 +6,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -16,15 +17,17 @@ namespace slam_ros {
 /// The tree of /tf_static, from which a sensor's mounting is read.
 class StaticTransforms {
  public:
-  /// What is not a transform (NaN, no quaternion) is left out; tf2 tells the console.
   void set(const tf2_msgs::TFMessage& message);
 
-  /// The camera's optical frame in the base frame; nothing while no transform connects the two.
+  /// The camera's optical frame in the base frame; nothing while no transform connects the two. A
+  /// camera whose own transform is none (NaN, no unit quaternion) gets it as it came: faultOf()
+  /// says what is wrong with it.
   std::optional<slam::CameraMount> mount(const std::string& base_frame,
                                          const std::string& camera_frame) const;
 
  private:
   tf2::BufferCore tree_;
+  std::map<std::string, slam::CameraMount> faulty_;  ///< by child frame
 };
 
 }  // namespace slam_ros

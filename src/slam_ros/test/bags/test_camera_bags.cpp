@@ -93,7 +93,11 @@ TEST_F(CameraBag, ObservationsInTheBagLeaveTheDetectorOut) {
   }
   EXPECT_FALSE(find().hasImages());
   ASSERT_EQ(find().notes.size(), 1u);
-  EXPECT_EQ(find().notes[0], "the bag carries observations: the detector is left out");
+  EXPECT_EQ(find().notes[0],
+            "the bag carries observations: the detector is left out; --remap camera:=TOPIC has it "
+            "look at that camera's images instead");
+  EXPECT_TRUE(find({{"camera", kRaw}}).hasImages()) << "a camera that is named is asked for";
+  EXPECT_EQ(find({{"camera", kRaw}}).observations, "");
 }
 
 TEST_F(CameraBag, WithoutObservationsAndImagesSaysWhatIsMissingAndWhatThereIs) {

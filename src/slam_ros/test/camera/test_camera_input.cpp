@@ -93,11 +93,16 @@ TEST_F(CameraInputTest, WhatChangesIsPassedOnAgain) {
   EXPECT_EQ(mount.T_base_camera.translation().x(), 2.0);
 }
 
-TEST_F(CameraInputTest, ATransformThatIsNoneIsNotUsed) {
-  camera.take(edge("base_link", "camera", std::nan("")));
-  camera.take(image("camera"));
-  EXPECT_EQ(came, (Order{"image"}));
-  EXPECT_EQ(camera.missingTransform(), "base_link -> camera");
+TEST_F(CameraInputTest, ATransformThatIsNoneIsAFaultUntilOneComes) {
+  auto zeros = edge("base_link", "camera", 1.0);
+  zeros.transforms[0].transform.rotation = geometry_msgs::Quaternion();
+  for (const auto& none : {edge("base_link", "camera", std::nan("")), zeros}) {
+    camera.take(none);
+    camera.take(image("camera"));
+    EXPECT_NE(slam::faultOf(mount), "");
+  }
+  camera.take(edge("base_link", "camera", 1.0));
+  EXPECT_EQ(slam::faultOf(mount), "");
 }
 
 TEST_F(CameraInputTest, AnImageWithoutAFrameMissesItsTransform) {
