@@ -10,7 +10,7 @@
 namespace slam::fiducial {
 namespace {
 
-const cv::Scalar kGreen(0, 200, 0), kRed(0, 0, 230), kWhite(255, 255, 255);
+const cv::Scalar kGreen(0, 230, 0), kRed(80, 80, 255), kBlack(0, 0, 0);
 constexpr int kFractionBits = 4;  // corners are drawn to a 16th of a pixel
 
 std::vector<cv::Point> outline(const Corners& corners) {
@@ -39,7 +39,7 @@ cv::Mat draw(const cv::Mat& gray, const std::vector<MarkerDetection>& detections
   if (gray.empty() || gray.type() != CV_8UC1) return picture;
   cv::cvtColor(gray, picture, cv::COLOR_GRAY2BGR);
   constexpr auto kFont = cv::FONT_HERSHEY_SIMPLEX;
-  constexpr double kScale = 0.45;
+  constexpr double kScale = 0.55;
   for (const auto& detection : detections) {
     const auto colour = detection.isAccepted() ? kGreen : kRed;
     cv::polylines(picture, outline(detection.corners), true, colour, 2, cv::LINE_AA, kFractionBits);
@@ -47,7 +47,7 @@ cv::Mat draw(const cv::Mat& gray, const std::vector<MarkerDetection>& detections
     if (!detection.isAccepted()) text += " " + detection.rejection;
     const auto size = cv::getTextSize(text, kFont, kScale, 1, nullptr);
     const auto origin = textOrigin(detection.corners, size, picture.size());
-    cv::putText(picture, text, origin, kFont, kScale, kWhite, 3, cv::LINE_AA);
+    cv::putText(picture, text, origin, kFont, kScale, kBlack, 4, cv::LINE_AA);
     cv::putText(picture, text, origin, kFont, kScale, colour, 1, cv::LINE_AA);
   }
   return picture;
