@@ -21,8 +21,8 @@
 #include <set>
 #include <sstream>
 
+#include "slam_core/common/test/temporary_folder.hpp"
 #include "slam_sim/world_file.hpp"
-#include "temporary_folder.hpp"
 
 namespace slam::sim {
 namespace {
@@ -54,7 +54,7 @@ class RecordingOfTheOffice : public testing::Test {
     return all;
   }
 
-  TemporaryFolder files_;
+  test::TemporaryFolder files_;
   std::atomic<bool> stop_{false};
 };
 
@@ -154,7 +154,7 @@ std::pair<int, std::string> run(const std::string& arguments, const std::string&
 }
 
 TEST(SlamSimProgram, TellsWrongUseFromAFailureInOneSentenceAndLeavesNoBag) {
-  const TemporaryFolder files;
+  const test::TemporaryFolder files;
   const auto errors = files / "errors.txt", bag = files / "a.bag";
   const auto broken = files.write("broken.yaml", "version: 1\nworld: x\nwals: []\n");
   const struct {
