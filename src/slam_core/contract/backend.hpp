@@ -3,9 +3,15 @@
 
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/settings.hpp"
 #include "slam_core/common/status.hpp"
+#include "slam_core/contract/stamped_pose.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
@@ -38,6 +44,9 @@ class Backend {
 
   virtual ~Backend() = default;
 
+  /// Names all its random streams from the next configure() or reset() on. Back-ends that draw
+  /// nothing need it not.
+  virtual void seed(std::uint64_t /*seed*/) {}
   /// A fresh start. @throw ConfigError listing all faults of its section
   virtual void configure(Settings& settings) = 0;
 
@@ -57,6 +66,14 @@ class Backend {
   virtual MapState state() const = 0;         ///< all that save_map writes
   virtual UpdateStatistics statistics() const = 0;
   virtual const Counters& counters() const = 0;
+
+  /// Of back-ends with samples: their poses in the map frame.
+  virtual std::vector<Pose2> particles() const { return {}; }
+  /// Of back-ends that revise the past: the most likely path as it is seen now, a pose for each
+  /// step since the map was begun or loaded. Empty: what pose() told is all there is.
+  virtual std::vector<StampedPose> path() const { return {}; }
+  /// Figures of its own that are worth a diagnostic, by name.
+  virtual std::map<std::string, double> figures() const { return {}; }
 
   /// As after configure().
   virtual void reset() = 0;

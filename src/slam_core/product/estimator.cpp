@@ -14,6 +14,7 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
   backend_ = std::move(backend);
   start_map_.reset();
   FaultCollector faults;
+  faults.attempt([&] { backend_->seed(settings.read<ProductConfig>().seed); });
   faults.attempt([&] { backend_->configure(settings); });
   faults.attempt([&] { sensor_ = settings.read<LandmarkSensorConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });

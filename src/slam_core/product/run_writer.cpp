@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <unordered_map>
+#include <vector>
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/product/landmark_file.hpp"
@@ -33,6 +35,19 @@ std::string updateLine(const StepReport& report) {
       "{},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{},{},{},{},{},{}\n",
       stampText(report.stamp), P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2), s.nis,
       s.nis_dof, s.used, s.gated, s.added, s.unknown, s.landmarks);
+}
+
+/// The lines of a trajectory with the poses that a later look at the path gives for their stamps.
+std::string revised(const std::string& trajectory, const std::vector<StampedPose>& path) {
+  std::unordered_map<std::string, std::string> lines;
+  for (const auto& [stamp, pose] : path) lines[stampText(stamp)] = tumLine(stamp, pose);
+  std::istringstream before(trajectory);
+  std::string after, line;
+  while (std::getline(before, line)) {
+    const auto found = lines.find(line.substr(0, line.find(' ')));
+    after += found == lines.end() ? line + "\n" : found->second;
+  }
+  return after;
 }
 
 std::string readFile(const std::string& path) {
@@ -94,7 +109,8 @@ void RunWriter::finish(const Backend& backend, const std::string& map_frame,
   for (auto* file : {&trajectory_, &odometry_, &updates_})
     if (!file->flush())
       throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
-  writeFileAtomically(folder_ + "/trajectory_final.tum", readFile(folder_ + "/trajectory.tum"));
+  writeFileAtomically(folder_ + "/trajectory_final.tum",
+                      revised(readFile(folder_ + "/trajectory.tum"), backend.path()));
   saveLandmarks(folder_ + "/landmarks.yaml", {map_frame, last_stamp_, backend.state()});
   writeFileAtomically(folder_ + "/config.yaml", config);
 }

@@ -28,6 +28,7 @@ class RunWriter {
   /// @throw std::runtime_error when the disk is full
   void write(const StepReport& report);
 
+  /// The final trajectory has the poses of the back-end's path() where it has one.
   /// @throw std::runtime_error naming the file that could not be written
   void finish(const Backend& backend, const std::string& map_frame, const std::string& config);
 

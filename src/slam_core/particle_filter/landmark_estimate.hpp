@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+namespace slam::particle_filter {
+
+/// The small Gaussian of one landmark in one particle's map [m, m^2] (Eq. 5.5), in five numbers.
+struct LandmarkEstimate {
+  double x = 0.0, y = 0.0;
+  double xx = 0.0, xy = 0.0, yy = 0.0;  ///< covariance
+
+  LandmarkEstimate() = default;
+  LandmarkEstimate(const Eigen::Vector2d& mean, const Eigen::Matrix2d& P)
+      : x(mean.x()), y(mean.y()), xx(P(0, 0)), xy(0.5 * (P(0, 1) + P(1, 0))), yy(P(1, 1)) {}
+
+  Eigen::Vector2d mean() const { return {x, y}; }
+  Eigen::Matrix2d covariance() const { return (Eigen::Matrix2d() << xx, xy, xy, yy).finished(); }
+};
+
+}  // namespace slam::particle_filter

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/particle_filter/landmark_estimate.hpp"
+#include "slam_core/particle_filter/persistent_array.hpp"
+#include "slam_core/particle_filter/shared_path.hpp"
+
+namespace slam::particle_filter {
+
+/// The landmarks by slot: their number in the order in which they were first seen, which is the
+/// same in every particle.
+using ParticleMap = PersistentArray<LandmarkEstimate>;
+
+/// One hypothesis of where the robot has been, and the map that follows from it (Eq. 5.5). Copying
+/// one copies pointers.
+struct Particle {
+  Pose2 pose;  ///< T_map_base
+  ParticleMap map;
+  SharedPath path;
+};
+
+}  // namespace slam::particle_filter

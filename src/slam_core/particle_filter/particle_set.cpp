@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/particle_set.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace slam::particle_filter {
+
+ParticleSet::ParticleSet(std::size_t count, unsigned lanes)
+    : map_memory_(std::make_unique<ParticleMap::Memory>(lanes)),
+      path_memory_(std::make_unique<SharedPath::Memory>()),
+      particles_(count, {Pose2(), ParticleMap(*map_memory_), SharedPath(*path_memory_)}),
+      weights_(count) {}
+
+void ParticleSet::findBest() {
+  for (std::size_t i = 0; i < size(); ++i)
+    if (weights_[i] > weights_[best_]) best_ = i;
+}
+
+void ParticleSet::redraw(const PoseEstimate& around, RandomStream& random) {
+  const Eigen::Matrix3d L = around.covariance.llt().matrixL();
+  std::vector<Eigen::Vector3d> deviations(size(), Eigen::Vector3d::Zero());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < size(); ++i) {
+    const double x = random.gaussian(), y = random.gaussian(), theta = random.gaussian();
+    deviations[i] = L * Eigen::Vector3d(x, y, theta);
+    mean += weights_[i] * deviations[i];
+  }
+  const double others = 1.0 - weights_[0];
+  for (std::size_t i = 1; i < size(); ++i) {
+    if (others > 0.0) deviations[i] -= mean / others;
+    particles_[i].pose = Pose2::fromVector(around.pose.vector() + deviations[i]);
+  }
+  particles_[0].pose = around.pose;
+}
+
+void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation) {
+  ParticleMap shared(*map_memory_);
+  for (const auto& landmark : map)
+    shared.push_back({landmark.position, inflation * inflation * landmark.covariance});
+  for (auto& particle : particles_) {
+    particle.map = shared;
+    particle.path = SharedPath(*path_memory_);
+  }
+  weights_.reset(size());
+  best_ = 0;
+}
+
+void ParticleSet::resample(const std::vector<std::uint32_t>& ancestors) {
+  std::vector<Particle> next;
+  next.reserve(ancestors.size());
+  for (const auto ancestor : ancestors) next.push_back(particles_[ancestor]);
+  const auto best = std::find(ancestors.begin(), ancestors.end(), best_);
+  best_ = best == ancestors.end() ? 0 : static_cast<std::size_t>(best - ancestors.begin());
+  particles_ = std::move(next);
+  weights_.reset(size());
+}
+
+}  // namespace slam::particle_filter

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "slam_core/common/random.hpp"
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/particle_filter/particle.hpp"
+#include "slam_core/particle_filter/weights.hpp"
+
+namespace slam::particle_filter {
+
+/// The particles with their weights and the memory they share.
+class ParticleSet {
+ public:
+  /// `count` equal particles without a map, at the origin.
+  ParticleSet(std::size_t count, unsigned lanes);
+
+  std::size_t size() const { return particles_.size(); }
+  Particle& operator[](std::size_t i) { return particles_[i]; }
+  const Particle& operator[](std::size_t i) const { return particles_[i]; }
+  Weights& weights() { return weights_; }
+  const Weights& weights() const { return weights_; }
+
+  /// The most likely particle, or where particles have just been resampled the first one that
+  /// descends from it.
+  const Particle& best() const { return particles_[best_]; }
+  /// To be called when weights have changed.
+  void findBest();
+
+  /// All poses are drawn anew around one; paths, maps and weights stay. The weighted mean of the
+  /// poses is the one given, and the first particle's is exactly that.
+  void redraw(const PoseEstimate& around, RandomStream& random);
+  /// All particles get this map, equal weights and an empty path.
+  void replaceMaps(const LandmarkMap& map, double inflation);
+  /// Particle i is replaced by a copy of particle ancestors[i]; weights become equal.
+  void resample(const std::vector<std::uint32_t>& ancestors);
+
+  const ParticleMap::Memory& mapMemory() const { return *map_memory_; }
+  const SharedPath::Memory& pathMemory() const { return *path_memory_; }
+
+ private:
+  std::unique_ptr<ParticleMap::Memory> map_memory_;  // before those that live in it
+  std::unique_ptr<SharedPath::Memory> path_memory_;
+  std::vector<Particle> particles_;
+  Weights weights_;
+  std::size_t best_ = 0;
+};
+
+}  // namespace slam::particle_filter

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/common/test/temporary_folder.hpp"
+#include "slam_core/ekf/ekf_slam.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/product/landmark_file.hpp"
+
+namespace slam::particle_filter {
+namespace {
+
+using test::SimulatedWorld;
+
+Pose2 run(Backend& backend, SimulatedWorld& world, int steps) {
+  Pose2 truth;
+  for (int i = 0; i < steps; ++i) {
+    const auto step = world.next();
+    backend.set(step.motion);
+    backend.set(step.observations);
+    backend.execute();
+    truth = step.truth;
+  }
+  return truth;
+}
+
+template <class Component, class Config>
+std::unique_ptr<Component> made(const Config& config) {
+  auto component = std::make_unique<Component>();
+  component->configure(config);
+  return component;
+}
+
+PfConfig localization() {
+  PfConfig config;
+  config.mode = "localization";
+  return config;
+}
+
+/// A mapped world, through a landmark file.
+MapState savedBy(Backend& backend) {
+  SimulatedWorld world(8);
+  run(backend, world, 150);
+  const test::TemporaryFolder folder;
+  saveLandmarks(folder / "landmarks.yaml", {"map", {}, backend.state()});
+  return loadLandmarks(folder / "landmarks.yaml", "map").map;
+}
+
+const PoseEstimate kStart{Pose2(), 1e-4 * Eigen::Matrix3d::Identity()};
+
+TEST(FastSlamMap, OfTheEkfIsOneToLocaliseIn) {
+  const auto map = savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig()));
+  const auto filter = made<FastSlam>(localization());
+  filter->set(map);
+  filter->set(kStart);
+  SimulatedWorld world(9);
+  const auto truth = run(*filter, world, 60);
+  EXPECT_GT(filter->statistics().used, 0);
+  EXPECT_LT((filter->pose().pose.position() - truth.position()).norm(), 0.2);
+  const auto after = filter->landmarks();
+  ASSERT_EQ(after.size(), map.landmarks.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].position, map.landmarks[i].position);
+    EXPECT_TRUE(after[i].covariance.isApprox(map.landmarks[i].covariance, 1e-12))
+        << "not inflated: the file has the joint covariance";
+  }
+}
+
+TEST(FastSlamMap, IsOneForTheEkfToLocaliseIn) {
+  const auto map = savedBy(*made<FastSlam>(PfConfig()));
+  ekf::EkfConfig config;
+  config.mode = "localization";
+  const auto filter = made<ekf::EkfSlam>(config);
+  filter->set(map);
+  filter->set(kStart);
+  SimulatedWorld world(9);
+  const auto truth = run(*filter, world, 60);
+  EXPECT_GT(filter->statistics().used, 0);
+  EXPECT_LT((filter->pose().pose.position() - truth.position()).norm(), 0.2);
+}
+
+TEST(FastSlamMap, IsInflatedWhereItHasNoJointCovariance) {
+  const auto map = savedBy(*made<FastSlam>(PfConfig()));
+  PfConfig config;
+  config.load_inflation = 3.0;
+  const auto filter = made<FastSlam>(config);
+  filter->set(map);
+  filter->execute();
+  const auto loaded = filter->landmarks();
+  for (std::size_t i = 0; i < loaded.size(); ++i)
+    EXPECT_TRUE(loaded[i].covariance.isApprox(9 * map.landmarks[i].covariance, 1e-12));
+  EXPECT_EQ(filter->pose().covariance, map.robot.covariance);
+}
+
+TEST(FastSlamMap, IsSavedWithTheSpreadOfAllParticles) {
+  const auto filter = made<FastSlam>(PfConfig());
+  SimulatedWorld world(8);
+  run(*filter, world, 100);
+  const auto best = filter->landmarks(), saved = filter->state().landmarks;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    EXPECT_EQ(saved[i].position, best[i].position);
+    EXPECT_GT(saved[i].covariance.trace(), 0.9 * best[i].covariance.trace());
+  }
+  EXPECT_EQ(filter->state().joint_covariance.size(), 0);
+}
+
+TEST(FastSlamMap, OfOneCopyIsSharedByAllParticlesThatOnlyLocalise) {
+  const auto filter = made<FastSlam>(localization());
+  filter->set(savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig())));
+  SimulatedWorld world(9);
+  run(*filter, world, 60);
+  EXPECT_EQ(filter->particleSet().mapMemory().leavesInUse(), 4u) << "16 landmarks, 4 a leaf";
+}
+
+TEST(FastSlamMap, LeavesOutAndCountsStrangersInLocalization) {
+  const auto filter = made<FastSlam>(localization());
+  filter->set(LandmarkObservationArray{});
+  EXPECT_TRUE(test::oneSays({filter->execute().message}, {"no map", "load one"}));
+  SimulatedWorld world(9);
+  run(*filter, world, 1);
+  EXPECT_TRUE(filter->landmarks().empty());
+  EXPECT_GT(filter->statistics().unknown, 0);
+  EXPECT_EQ(filter->counters()["not_in_map"], std::uint64_t(filter->statistics().unknown));
+}
+
+TEST(FastSlamMap, IsKeptWhenTheRobotIsRedrawnExactlyThere) {
+  const auto filter = made<FastSlam>(PfConfig());
+  SimulatedWorld world(8);
+  run(*filter, world, 50);
+  const PoseEstimate there{Pose2(1, 2, 3), Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()};
+  filter->set(there);
+  filter->execute();
+  EXPECT_EQ(filter->pose().pose.vector(), there.pose.vector());
+  EXPECT_EQ(filter->pose().covariance, there.covariance);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  const auto particles = filter->particles();
+  for (const auto& pose : particles)
+    mean += there.pose.between(pose).vector() / double(particles.size());
+  EXPECT_LT(mean.norm(), 0.15);
+}
+
+TEST(FastSlamTrouble, ARobotPutElsewhereIsReportedLostAndFoundWithANewPose) {
+  const auto filter = made<FastSlam>(PfConfig());
+  SimulatedWorld world(11);
+  run(*filter, world, 125);  // a lap
+  const auto before = filter->counters()["gated"];
+  std::vector<std::string> sentences;
+  Pose2 truth;
+  for (int i = 0; i < 60; ++i) {
+    const auto step = world.next();
+    if (i >= 40) filter->set(step.motion);  // carried for 8 m before that
+    if (i >= 40) filter->set(step.observations);
+    if (i < 40) continue;
+    const auto status = filter->execute();
+    if (!status.isOk()) sentences.push_back(status.message);
+    truth = step.truth;
+  }
+  EXPECT_TRUE(test::oneSays(sentences, {"less likely", "lost", "initial pose"}));
+  EXPECT_GT(filter->counters()["gated"], before);
+  filter->set(PoseEstimate{truth, 1e-2 * Eigen::Matrix3d::Identity()});
+  filter->execute();
+  for (int i = 0; i < 20; ++i) {
+    const auto step = world.next();
+    filter->set(step.motion);
+    filter->set(step.observations);
+    EXPECT_TRUE(filter->execute().isOk()) << "step " << i;
+    truth = step.truth;
+  }
+  EXPECT_LT((filter->pose().pose.position() - truth.position()).norm(), 0.3);
+}
+
+TEST(FastSlamTrouble, AnIdSeenByChanceOnceFarAwayDoesNoHarm) {
+  const auto with = made<FastSlam>(PfConfig());
+  SimulatedWorld world(12);
+  Pose2 truth;
+  for (int i = 0; i < 125; ++i) {
+    auto step = world.next();
+    auto stray = step.observations.observations.front();
+    if (i == 20) {  // an id of the map, read from a poster at the end of the hall
+      stray.range = 80.0;
+      step.observations.observations.front() = stray;
+    }
+    if (i == 40) {  // an id that nobody has ever seen, and never again
+      stray.id = 999;
+      stray.range = 80.0;
+      step.observations.observations.push_back(stray);
+    }
+    with->set(step.motion);
+    with->set(step.observations);
+    EXPECT_TRUE(with->execute().isOk());
+    if (i == 20) EXPECT_EQ(with->statistics().gated, 1);
+    truth = step.truth;
+  }
+  EXPECT_LT((with->pose().pose.position() - truth.position()).norm(), 0.2);
+  for (const auto& landmark : with->landmarks()) {
+    if (landmark.id == 999) continue;
+    EXPECT_LT((landmark.position - world.landmarks().at(landmark.id)).norm(), 0.3) << landmark.id;
+  }
+}
+
+TEST(FastSlamTrouble, WeightsThatAllVanishAreMadeEqualAndReported) {
+  const auto filter = made<FastSlam>(PfConfig());
+  SimulatedWorld world(13);
+  run(*filter, world, 20);
+  auto step = world.next();
+  for (auto& z : step.observations.observations)  // as good as infinite: no number comes of it
+    z.covariance = 1e308 * Eigen::Matrix2d::Identity();
+  filter->set(step.motion);
+  filter->set(step.observations);
+  EXPECT_TRUE(test::oneSays({filter->execute().message}, {"all weights vanished", "goes on"}));
+  EXPECT_EQ(filter->counters()["weight_underflow"], 1u);
+  const auto truth = run(*filter, world, 20);
+  EXPECT_TRUE(isCovariance(filter->pose().covariance));
+  EXPECT_LT((filter->pose().pose.position() - truth.position()).norm(), 0.2);
+}
+
+}  // namespace
+}  // namespace slam::particle_filter

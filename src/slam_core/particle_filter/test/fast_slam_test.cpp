@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/fast_slam.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/ekf/ekf_slam.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+
+namespace slam::particle_filter {
+namespace {
+
+using test::SimulatedWorld;
+
+Pose2 run(Backend& backend, SimulatedWorld world, int steps) {
+  Pose2 truth;
+  for (int i = 0; i < steps; ++i) {
+    const auto step = world.next();
+    backend.set(step.motion);
+    backend.set(step.observations);
+    backend.execute();
+    truth = step.truth;
+  }
+  return truth;
+}
+
+std::vector<double> numbersOf(const Backend& backend) {
+  std::vector<double> numbers;
+  const auto add = [&](const auto& matrix) {
+    for (Eigen::Index i = 0; i < matrix.size(); ++i) numbers.push_back(matrix.data()[i]);
+  };
+  add(backend.pose().pose.vector());
+  add(backend.pose().covariance);
+  for (const auto& landmark : backend.state().landmarks) {
+    add(landmark.position);
+    add(landmark.covariance);
+  }
+  for (const auto& [stamp, pose] : backend.path()) add(pose.vector());
+  for (const auto& pose : backend.particles()) add(pose.vector());
+  return numbers;
+}
+
+std::vector<double> numbersAfter(const PfConfig& config, std::uint64_t seed, int steps = 80) {
+  FastSlam filter;
+  filter.seed(seed);
+  filter.configure(config);
+  run(filter, SimulatedWorld(3), steps);
+  return numbersOf(filter);
+}
+
+class FastSlamVariant : public testing::TestWithParam<std::string> {
+ protected:
+  static PfConfig config() {
+    PfConfig config;
+    config.proposal = GetParam();
+    return config;
+  }
+};
+
+TEST_P(FastSlamVariant, GivesTheSameBitsOnAnyNumberOfThreads) {
+  auto one = config(), two = config(), seven = config();
+  one.size = two.size = seven.size = "kld";
+  two.threads = 2;
+  seven.threads = 7;
+  const auto numbers = numbersAfter(one, 5);
+  EXPECT_EQ(numbers, numbersAfter(two, 5));
+  EXPECT_EQ(numbers, numbersAfter(seven, 5));
+}
+
+TEST_P(FastSlamVariant, GivesOtherBitsForAnotherSeed) {
+  EXPECT_NE(numbersAfter(config(), 5), numbersAfter(config(), 6));
+}
+
+TEST_P(FastSlamVariant, AgreesWithTheEkfWhereTheWorldIsNearlyLinear) {
+  auto many = config();
+  many.particles = 1000;
+  FastSlam filter;
+  filter.configure(many);
+  ekf::EkfSlam reference;
+  reference.configure(ekf::EkfConfig());
+  run(filter, SimulatedWorld(21), 30);
+  run(reference, SimulatedWorld(21), 30);
+  const auto a = filter.pose(), b = reference.pose();
+  const Eigen::Vector3d sigma = b.covariance.diagonal().cwiseSqrt();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LT(std::abs(a.pose.vector()[i] - b.pose.vector()[i]), 0.6 * sigma[i]) << i;
+    EXPECT_NEAR(std::sqrt(a.covariance(i, i)) / sigma[i], 1.0, 0.35) << i;
+  }
+  const auto state = filter.state(), expected = reference.state();
+  ASSERT_EQ(state.landmarks.size(), expected.landmarks.size());
+  for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
+    const auto& landmark = expected.landmarks[i];
+    EXPECT_EQ(state.landmarks[i].id, landmark.id);
+    const Eigen::Vector2d d = state.landmarks[i].position - landmark.position;
+    EXPECT_LT(d.norm(), 2.5 * std::sqrt(landmark.covariance.trace())) << landmark.id;
+  }
+}
+
+TEST_P(FastSlamVariant, SurvivesNoiseThatIsClaimedFarTooSmall) {
+  FastSlam filter;
+  filter.configure(config());
+  SimulatedWorld world(4);
+  Pose2 truth;
+  for (int i = 0; i < 125; ++i) {
+    auto step = world.next();
+    for (auto& z : step.observations.observations) z.covariance *= 0.01;  // a tenth of the sigma
+    filter.set(step.motion);
+    filter.set(step.observations);
+    filter.execute();
+    truth = step.truth;
+    ASSERT_TRUE(isCovariance(filter.pose().covariance)) << "step " << i;
+  }
+  EXPECT_LT((filter.pose().pose.position() - truth.position()).norm(), 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FastSlamVariant, testing::ValuesIn(proposalNames()),
+                         [](const auto& name) { return name.param; });
+
+TEST(FastSlamTest, WorksWithEveryPolicy) {
+  for (const auto& weighting : weightingNames()) {
+    for (const auto& resampling : resamplingNames()) {
+      PfConfig config;
+      config.weighting = weighting;
+      config.resampling = resampling;
+      config.map = config.pose = "mean";
+      config.map = "mixture";
+      FastSlam filter;
+      filter.configure(config);
+      const auto truth = run(filter, SimulatedWorld(6), 150);
+      EXPECT_LT((filter.pose().pose.position() - truth.position()).norm(), 0.2)
+          << weighting << ", " << resampling;
+    }
+  }
+}
+
+TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
+  PfConfig config;
+  for (const double threshold : {0.0, 0.5, 1.0}) {
+    config.resampling_threshold = threshold;
+    FastSlam filter;
+    filter.configure(config);
+    SimulatedWorld world(7);
+    for (int i = 0; i < 60; ++i) {
+      const auto before = filter.counters()["resampled"];
+      const auto step = world.next();
+      filter.set(step.motion);
+      filter.set(step.observations);
+      filter.execute();
+      const auto figures = filter.figures();
+      const bool below = figures.at("effective_sample_size") < threshold * figures.at("particles");
+      ASSERT_EQ(filter.counters()["resampled"] - before, below ? 1u : 0u);
+    }
+    if (threshold == 0.0) EXPECT_EQ(filter.counters()["resampled"], 0u);
+    if (threshold == 0.5) EXPECT_LT(filter.counters()["resampled"], 50u);
+    if (threshold == 1.0) EXPECT_GT(filter.counters()["resampled"], 50u);
+  }
+}
+
+TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
+  PfConfig config;
+  config.size = "kld";
+  config.min_particles = 40;
+  config.max_particles = 300;
+  config.resampling_threshold = 1.0;
+  config.initial_sigma_position = 0.5;
+  FastSlam filter;
+  filter.configure(config);
+  std::set<std::size_t> sizes;
+  SimulatedWorld world(8);
+  for (int i = 0; i < 60; ++i) {
+    const auto step = world.next();
+    filter.set(step.motion);
+    filter.set(step.observations);
+    filter.execute();
+    sizes.insert(filter.particles().size());
+  }
+  sizes.erase(100);  // where it started
+  EXPECT_GT(sizes.size(), 1u);
+  EXPECT_GE(*sizes.begin(), 40u);
+  EXPECT_LE(*sizes.rbegin(), 300u);
+}
+
+TEST(FastSlamTest, TellsThePathOfTheBestParticleAsItIsSeenNow) {
+  PfConfig config;
+  config.pose = "best";
+  config.resampling_threshold = 0.0;
+  FastSlam filter;
+  filter.configure(config);
+  run(filter, SimulatedWorld(9), 50);
+  const auto path = filter.path();
+  ASSERT_EQ(path.size(), 50u);
+  EXPECT_EQ(nanoseconds(path.back().stamp), 1005000000000);
+  EXPECT_EQ(path.back().pose.vector(), filter.pose().pose.vector());
+  for (std::size_t i = 1; i < path.size(); ++i)  // of one particle: it never jumps
+    EXPECT_LT(path[i - 1].pose.between(path[i].pose).position().norm(), 0.3);
+}
+
+TEST(FastSlamTest, SharesMapsAndPathsBetweenParticles) {
+  FastSlam filter;
+  filter.configure(PfConfig());
+  run(filter, SimulatedWorld(10), 300);
+  const auto& set = filter.particleSet();
+  EXPECT_LT(set.pathMemory().posesInUse(), 300u * set.size() / 5);
+  EXPECT_LE(set.mapMemory().leavesInUse(), 4u * set.size()) << "16 landmarks in leaves of 4";
+}
+
+TEST(FastSlamTest, HasNoMemoryOfTheMapBeforeReset) {
+  FastSlam filter;
+  filter.configure(PfConfig());
+  run(filter, SimulatedWorld(10), 30);
+  filter.reset();
+  EXPECT_EQ(filter.particleSet().mapMemory().leavesInUse(), 0u);
+  EXPECT_EQ(filter.particleSet().pathMemory().posesInUse(), 0u);
+  EXPECT_TRUE(filter.path().empty());
+}
+
+TEST(PfConfigTest, RefusesWhatMakesNoFilter) {
+  PfConfig config;
+  config.particles = 0;
+  config.resampling_threshold = 1.5;
+  config.gate_probability = 0.0;
+  config.proposal = "fastslam3";
+  config.min_particles = 500;
+  config.max_particles = 30;
+  config.threads = 0;
+  const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
+  EXPECT_EQ(faults.size(), 6u);
+  EXPECT_TRUE(test::oneSays(faults, {"pf.particles", "0 is not allowed", "[1, 100000]"}));
+  EXPECT_TRUE(test::oneSays(faults, {"pf.resampling_threshold", "[0, 1]"}));
+  EXPECT_TRUE(test::oneSays(faults, {"pf.min_particles", "more than pf.max_particles"}));
+  EXPECT_TRUE(test::oneSays(faults, {"pf.proposal", "did you mean 'fastslam1'"}));
+}
+
+}  // namespace
+}  // namespace slam::particle_filter

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/persistent_array.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "slam_core/common/random.hpp"
+#include "slam_core/particle_filter/parallel.hpp"
+#include "slam_core/particle_filter/shared_path.hpp"
+
+namespace slam::particle_filter {
+namespace {
+
+using Array = PersistentArray<int>;
+
+Array arrayOf(Array::Memory& memory, int size) {
+  Array array(memory);
+  for (int i = 0; i < size; ++i) array.push_back(i);
+  return array;
+}
+
+void expectEqual(const Array& array, const std::map<std::size_t, int>& reference) {
+  ASSERT_EQ(array.size(), reference.size());
+  for (const auto& [i, value] : reference) ASSERT_EQ(array[i], value) << "element " << i;
+}
+
+TEST(PersistentArray, IsLikeAMapUnderRandomCopiesAndWrites) {
+  Array::Memory memory;
+  RandomStream random(5, 0);
+  std::vector<Array> arrays(6, Array(memory));
+  std::vector<std::map<std::size_t, int>> references(6);
+  const auto below = [&](std::size_t n) { return std::size_t(random.uniform() * double(n)); };
+  for (int operation = 0; operation < 20000; ++operation) {
+    const auto a = below(6), b = below(6);
+    const int value = int(random.bits());
+    if (random.uniform() < 0.05) {
+      arrays[a] = arrays[b];
+      references[a] = references[b];
+    } else if (references[a].empty() || random.uniform() < 0.2) {
+      references[a][arrays[a].size()] = value;
+      arrays[a].push_back(value);
+    } else {
+      const auto i = below(references[a].size());
+      arrays[a].edit(i) = value;
+      references[a][i] = value;
+    }
+    if (operation % 500 == 0) expectEqual(arrays[a], references[a]);
+  }
+  for (std::size_t a = 0; a < 6; ++a) expectEqual(arrays[a], references[a]);
+}
+
+TEST(PersistentArray, SharesEverythingWithItsCopies) {
+  Array::Memory memory;
+  const auto array = arrayOf(memory, 1000);
+  const auto leaves = memory.leavesInUse(), nodes = memory.nodesInUse();
+  EXPECT_EQ(leaves, 250u) << "four elements each";
+  const std::vector<Array> copies(100, array);
+  EXPECT_EQ(memory.leavesInUse(), leaves);
+  EXPECT_EQ(memory.nodesInUse(), nodes);
+}
+
+TEST(PersistentArray, CopiesOneBlockOfEachHeightForOneElement) {
+  Array::Memory memory;
+  for (const int size : {4, 32, 256, 2048, 16384}) {
+    const auto array = arrayOf(memory, size);
+    auto copy = array;
+    const auto leaves = memory.leavesInUse(), nodes = memory.nodesInUse();
+    copy.edit(std::size_t(size) / 2) = -1;
+    const auto heights = std::size_t(std::lround(std::log(size / 4.0) / std::log(8.0)));
+    EXPECT_EQ(memory.leavesInUse() - leaves, 1u);
+    EXPECT_EQ(memory.nodesInUse() - nodes, heights);
+    copy.edit(std::size_t(size) / 2 + 1) = -1;
+    EXPECT_EQ(memory.leavesInUse() - leaves, 1u) << "its own block is written in place";
+    EXPECT_EQ(array[std::size_t(size) / 2], size / 2);
+  }
+}
+
+TEST(PersistentArray, GivesItsMemoryBack) {
+  Array::Memory memory;
+  {
+    auto array = arrayOf(memory, 3000);
+    std::vector<Array> copies(10, array);
+    for (std::size_t i = 0; i < copies.size(); ++i) copies[i].edit(100 * i) = 0;
+    array = Array(memory);
+    EXPECT_GT(memory.leavesInUse(), 0u);
+  }
+  EXPECT_EQ(memory.leavesInUse(), 0u);
+  EXPECT_EQ(memory.nodesInUse(), 0u);
+  const auto reserved = memory.reservedBytes();
+  for (int i = 0; i < 20; ++i) arrayOf(memory, 3000);
+  EXPECT_EQ(memory.reservedBytes(), reserved) << "what is given back is used again";
+}
+
+TEST(PersistentArray, IsWrittenByManyThreads) {
+  constexpr std::size_t kArrays = 64;
+  Array::Memory memory(4);
+  std::vector<Array> arrays(kArrays, arrayOf(memory, 500));
+  for (int round = 0; round < 20; ++round) {
+    forEachInParallel(kArrays, 4, [&](std::size_t a, unsigned lane) {
+      for (std::size_t i = a % 7; i < 500; i += 7) arrays[a].edit(i, lane) += int(a);
+      arrays[a].push_back(round, lane);
+    });
+    for (std::size_t a = 0; a < kArrays; a += 2) arrays[a] = arrays[a + 1];
+  }
+  EXPECT_EQ(arrays[63][63 % 7], int(63 % 7) + 20 * 63);
+  EXPECT_EQ(arrays[62][63 % 7], arrays[63][63 % 7]);
+  EXPECT_EQ(arrays[63][519], 19);
+  arrays.clear();
+  EXPECT_EQ(memory.leavesInUse(), 0u);
+  EXPECT_EQ(memory.nodesInUse(), 0u);
+}
+
+TEST(ForEachInParallel, DoesEachOnce) {
+  for (const unsigned lanes : {1u, 2u, 3u, 8u}) {
+    std::vector<int> done(5, 0);
+    forEachInParallel(done.size(), lanes, [&](std::size_t i, unsigned lane) {
+      EXPECT_LT(lane, lanes);
+      ++done[i];
+    });
+    EXPECT_EQ(done, std::vector<int>(5, 1));
+  }
+}
+
+TEST(SharedPath, SharesWhatItHasInCommonAndForgetsWhatNobodyDescendsFrom) {
+  SharedPath::Memory memory;
+  const auto pose = [](int i) { return StampedPose{stampFromNanoseconds(i), Pose2(i, 0, 0)}; };
+  SharedPath trunk(memory);
+  for (int i = 0; i < 100; ++i) trunk.append(pose(i));
+  {
+    std::vector<SharedPath> branches(10, trunk);
+    for (auto& branch : branches)
+      for (int i = 100; i < 110; ++i) branch.append(pose(i));
+    EXPECT_EQ(memory.posesInUse(), 200u);
+    trunk = branches[3];
+    const auto poses = trunk.poses();
+    ASSERT_EQ(poses.size(), 110u);
+    for (int i = 0; i < 110; ++i) EXPECT_EQ(nanoseconds(poses[std::size_t(i)].stamp), i);
+  }
+  EXPECT_EQ(memory.posesInUse(), 110u);
+  trunk = SharedPath(memory);
+  EXPECT_EQ(memory.posesInUse(), 0u);
+}
+
+TEST(SharedPath, OfAnyLengthIsForgottenWithoutRecursion) {
+  SharedPath::Memory memory;
+  {
+    SharedPath path(memory);
+    for (int i = 0; i < 2000000; ++i) path.append({});
+  }
+  EXPECT_EQ(memory.posesInUse(), 0u);
+}
+
+}  // namespace
+}  // namespace slam::particle_filter
