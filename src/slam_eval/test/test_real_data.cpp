@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "circles_log.hpp"
 #include "mrclam_log.hpp"
 #include "rawlog_log.hpp"
 #include "rawlog_truth.hpp"
@@ -116,6 +117,23 @@ TEST(KfSlamDemo, HasOnePoseOfTheTruthForEachOfItsFrames) {
   }
   // The simulator's sigma is 0.1 degrees: an offset of one frame would show at once.
   EXPECT_NEAR(std::sqrt(squared / static_cast<double>(count)), 0.1 * M_PI / 180.0, 2e-4);
+}
+
+TEST(RealCircles, HasTheNumbersOfItsDocumentation) {
+  const auto path = fs::path(dataFolder()) / "circles" / "map.circles";
+  if (!fs::exists(path)) GTEST_SKIP() << "the real data set is absent: " << path;
+  const CirclesLog log = readCircles(path.string());
+  EXPECT_EQ(log.steps.size(), 3297u);
+  EXPECT_EQ(log.unidentified, 436u);
+  std::set<std::int64_t> ids;
+  double way = 0.0;
+  for (const auto& step : log.steps) {
+    way += step.displacement.head<2>().norm();
+    for (const auto& reading : step.readings)
+      if (reading.id >= 0) ids.insert(reading.id);
+  }
+  EXPECT_EQ(ids.size(), 576u);
+  EXPECT_NEAR(way, 505.0, 1.0);
 }
 
 }  // namespace
