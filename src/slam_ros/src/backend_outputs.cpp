@@ -14,7 +14,8 @@ BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Backend& back
                                const std::string& map_frame, const OutputsConfig& config)
     : pose_(handle, map_frame, config.landmark_rate),
       landmarks_(handle, backend, map_frame, config.landmark_rate),
-      map_odom_(handle, map_frame, config) {
+      map_odom_(handle, map_frame, config),
+      particles_(handle, backend, map_frame, config.landmark_rate) {
   const auto flush = [this](const ros::WallTimerEvent&) {
     pose_.flush();
     landmarks_.flush();
@@ -26,6 +27,7 @@ void BackendOutputs::publish(const slam::StepReport& report) {
   pose_.publish(report);
   landmarks_.update(report.stamp);
   map_odom_.update(report);
+  particles_.update(report.stamp);
 }
 
 void BackendOutputs::restart() {

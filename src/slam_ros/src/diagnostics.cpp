@@ -25,6 +25,7 @@ const std::map<std::string, std::string>& sentences() {
       {"duplicate", "observations repeated an id of their own array and were left out"},
       {"odometry_stamp_jump",
        "odometry messages were stamped far ahead of those before them; they were left out"},
+      {"weight_underflow", "steps left no particle any weight; they were made equal"},
       {"odometry_late", "odometry messages were not newer than the one before; they were dropped"},
       {"detector_late", "images were not newer than the one before; they were dropped"}};
   return kSentences;
@@ -110,6 +111,7 @@ void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (sources_.values)
     for (const auto& [name, value] : sources_.values()) status.add(name, value);
   for (const auto& [reason, count] : counters.all()) status.add(reason, count);
+  for (const auto& [name, value] : sources_.figures()) status.add(name, value);
   if (!last_warning_.empty()) status.add("last warning", last_warning_);
 }
 

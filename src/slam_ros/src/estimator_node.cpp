@@ -26,7 +26,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   }
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
-      Diagnostics::Sources{[this] { return source_.counters(); }, [this] { return waiting(); }});
+      Diagnostics::Sources{[this] { return source_.counters(); }, [this] { return waiting(); },
+                           [this] { return source_.estimator().backend().figures(); }});
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);

@@ -5,6 +5,7 @@
 
 #include "slam_ros/landmark_publisher.hpp"
 #include "slam_ros/map_odom_broadcaster.hpp"
+#include "slam_ros/particle_publisher.hpp"
 #include "slam_ros/pose_publisher.hpp"
 
 namespace slam_ros {
@@ -25,6 +26,7 @@ class BackendOutputs {
   PosePublisher pose_;
   LandmarkPublisher landmarks_;
   MapOdomBroadcaster map_odom_;
+  ParticlePublisher particles_;
   ros::WallTimer flush_timer_;
 };
 

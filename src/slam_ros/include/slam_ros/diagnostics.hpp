@@ -26,6 +26,10 @@ class Diagnostics {
     std::function<slam::Counters()> counters;
     /// "waiting for ...", or empty when all inputs have come
     std::function<std::string()> waiting;
+    /// further figures by name
+    std::function<std::map<std::string, double>()> figures = [] {
+      return std::map<std::string, double>();
+    };
     /// further lines of name and value; may be empty
     std::function<std::vector<std::pair<std::string, std::string>>()> values = {};
   };
