@@ -58,15 +58,26 @@ def _default_out():
     return pathlib.Path('.slam/bench' if pathlib.Path('.slam').is_dir() else 'bench')
 
 
-def add_ekf(parser):
-    """Options of `slam_bench ekf`."""
+def _add_mrclam(parser):
     parser.add_argument('--data', metavar='DIR', type=_folder,
                         help='MRCLAM data set (default: mrclam_dataset6 in $SLAM_DATA_DIR, else in '
                         'shared/data beside the repository)')
+
+
+def add_ekf(parser):
+    """Options of `slam_bench ekf`."""
+    _add_mrclam(parser)
     parser.add_argument('--sizes', metavar='N,...', type=number_list, default=(100, 300, 1000),
                         help='numbers of landmarks of the part landmarks (100,300,1000)')
     parser.add_argument('--seeds', metavar='N', type=count, default=50,
                         help='runs of the part consistency (%(default)s)')
+
+
+def add_pf(parser):
+    """Options of `slam_bench pf`."""
+    _add_mrclam(parser)
+    parser.add_argument('--seeds', metavar='N', type=count, default=5,
+                        help='runs a robot of the part mrclam (%(default)s)')
 
 
 def _add_product(parser):

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Part mrclam of benchmark pf: the five robots of a MRCLAM set, several seeds, beside the EKF."""
+import dataclasses
+
+import numpy as np
+
+from slam_eval.bench_programs import data_folder
+from slam_eval.bench_runs import import_log, run_ours
+from slam_eval.bench_table import Section, number, table, verdict
+from slam_eval.metrics import evaluate
+from slam_eval.run_folder import read_run
+from slam_eval.trajectory import read_trajectory
+
+ROBOTS = (1, 2, 3, 4, 5)
+ATE_LIMIT, LANDMARK_LIMIT, EKF_SHARE, FEW_SHARE = 0.30, 0.13, 1.1, 1.1
+
+HEADER = ['filter', 'ATE [m]', 'worst run [m]', 'landmarks [m]', 'final path [m]', 'NIS/dof',
+          'CPU a run [s]']
+FORMS = ['.3f', '.3f', '.3f', '.3f', '.3f', '.2f']
+
+
+@dataclasses.dataclass(frozen=True)
+class Variant:
+    """A filter that is measured: product and settings of its own."""
+
+    name: str
+    product: str
+    settings: tuple
+    random: bool = True
+
+
+EKF = Variant('ekf', 'ekf_wheel', (), random=False)
+DEFAULT = Variant('pf, 100 particles', 'pf_wheel', ('pf.particles=100',))
+FEW = Variant('fastslam2, 30 particles', 'pf_wheel',
+              ('pf.particles=30', 'pf.proposal=fastslam2'))
+MANY = Variant('fastslam1, 200 particles', 'pf_wheel',
+               ('pf.particles=200', 'pf.proposal=fastslam1'))
+
+
+def _final_error(folder, run):
+    """ATE of the path as the best particle sees it at the end."""
+    final = dataclasses.replace(run, trajectory=read_trajectory(folder / 'trajectory_final.tum'))
+    return evaluate(final).metrics.get('ate_rmse_m')
+
+
+def run_variant(context, variant, bags):
+    """The figures of all robots and seeds: a line each."""
+    rows = []
+    for robot, bag in bags.items():
+        for seed in range(1, context.options.seeds + 1 if variant.random else 2):
+            name = f'robot{robot}_{variant.name.replace(", ", "_").replace(" ", "_")}_{seed}'
+            folder, usage = run_ours(context, name, bag, 'mrclam', variant.product,
+                                     (*variant.settings, f'seed={seed}'))
+            run = read_run(folder)
+            m = evaluate(run).metrics
+            rows.append([m['ate_rmse_m'], m['landmark_rmse_m'], _final_error(folder, run),
+                         m['nis_mean'], usage.cpu_s])
+    return np.array(rows, dtype=float)
+
+
+def summary(rows):
+    """The numbers of a variant's line: means over all runs, and the worst trajectory error."""
+    mean = rows.mean(axis=0)
+    return [mean[0], rows[:, 0].max(), *mean[1:]]
+
+
+def verdicts(of):
+    """A line for each goal."""
+    ekf, default, few, many = (of[v.name] for v in (EKF, DEFAULT, FEW, MANY))
+    goals = (('mean ATE', default[0], ATE_LIMIT),
+             ('mean ATE over that of the EKF', default[0] / ekf[0], EKF_SHARE),
+             ('mean landmark RMSE', default[2], LANDMARK_LIMIT),
+             (f'mean ATE, {FEW.name} over {MANY.name}', few[0] / many[0], FEW_SHARE))
+    return '\n'.join(f'- {what} {value:.3f} ({verdict(value, limit, True)})'
+                     for what, value, limit in goals)
+
+
+def measure(context):
+    """The section of this part."""
+    section = Section('Accuracy: MRCLAM')
+    data = context.options.data or data_folder('mrclam_dataset6')
+    if not data.is_dir():
+        section.paragraphs.append(f'Left out: there is no folder {data} with a MRCLAM data set '
+                                  '(--data DIR or $SLAM_DATA_DIR name another one).')
+        return section
+    bags = {robot: import_log(context, f'robot{robot}',
+                              ['mrclam', data, '--robot', str(robot)])
+            for robot in ROBOTS}
+    of = {variant.name: summary(run_variant(context, variant, bags))
+          for variant in (EKF, DEFAULT, FEW, MANY)}
+    lines = [[name, *(number(x, f) for x, f in zip(values, FORMS))] for name, values in of.items()]
+    section.paragraphs += [table(HEADER, lines), verdicts(of),
+                           f'{data.name}: means over five robots and '
+                           f'{context.options.seeds} seeds, errors after a rigid alignment.']
+    return section

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables and verdicts of benchmark pf."""
+import json
+import unittest
+
+import numpy as np
+
+from slam_eval import bench_pf_mrclam, bench_pf_update
+from slam_eval.bench_error import BenchError
+from slam_eval.bench_pf_update import Size
+
+
+class UpdateTest(unittest.TestCase):
+    def test_sizes_are_read_from_the_list_of_benchmarks(self):
+        text = 'updateOfPf/particles:100/landmarks:1000\nupdateOfPf/particles:10/landmarks:100\n'
+        self.assertEqual(bench_pf_update.parse_sizes(text), [(10, 100), (100, 1000)])
+
+    def test_time_and_share_are_read_from_json(self):
+        entry = {'name': 'x', 'cpu_time': 2.5, 'time_unit': 'ms', 'resampled': 0.25}
+        self.assertEqual(bench_pf_update.parse_time(json.dumps({'benchmarks': [entry]})),
+                         (2.5, 0.25))
+
+    def test_what_is_no_json_of_the_benchmark_is_said(self):
+        for text in ('', '{}', '{"benchmarks": []}',
+                     '{"benchmarks": [{"cpu_time": 1, "time_unit": "s", "resampled": 0}]}'):
+            with self.assertRaisesRegex(BenchError, 'slam_eval_pf_update'):
+                bench_pf_update.parse_time(text)
+
+    def test_goals_are_judged_at_their_sizes_only(self):
+        sizes = [Size(100, 1000, 20.0, 0.1, 50.0), Size(1000, 1000, 90.0, 0.1, 250.0)]
+        text = bench_pf_update.verdicts(sizes)
+        self.assertIn('50 updates a second (>= 100: MISSED)', text)
+        self.assertIn('250 MB (<= 300: reached)', text)
+        self.assertEqual(bench_pf_update.verdicts([Size(10, 100, 1.0, 0.0, 9.0)]), '')
+
+
+class MrclamTest(unittest.TestCase):
+    def test_a_line_holds_means_and_the_worst_run(self):
+        rows = np.array([[0.2, 0.1, 0.2, 1.0, 4.0], [0.4, 0.2, 0.2, 1.0, 6.0]])
+        np.testing.assert_allclose(bench_pf_mrclam.summary(rows), [0.3, 0.4, 0.15, 0.2, 1.0, 5.0])
+
+    def test_every_goal_is_judged(self):
+        def line(ate, landmarks):
+            return [ate, ate, landmarks, ate, 1.0, 1.0]
+        text = bench_pf_mrclam.verdicts({
+            bench_pf_mrclam.EKF.name: line(0.2, 0.1), bench_pf_mrclam.DEFAULT.name: line(0.21, 0.14),
+            bench_pf_mrclam.FEW.name: line(0.24, 0.1), bench_pf_mrclam.MANY.name: line(0.2, 0.1)})
+        self.assertEqual([line.endswith('reached)') for line in text.splitlines()],
+                         [True, True, False, False])
+
+
+if __name__ == '__main__':
+    unittest.main()
