@@ -45,6 +45,7 @@ struct FastSlam::Step {
   std::vector<PoseGaussian> priors, proposals;  ///< one for each particle
   std::vector<double> log_factors;              ///< one for each particle
   std::vector<Prediction> predictions;          ///< all of particle 0, then of particle 1, ...
+  bool is_lost = false;
   std::vector<std::uint32_t> ancestors;  ///< whose prior, proposal and predictions a particle has
 
   bool isNothing() const { return !motion && sight.matches.empty() && unseen.empty(); }
@@ -193,11 +194,12 @@ void FastSlam::propose(Step& step) {
   });
 }
 
-bool FastSlam::weigh(const Step& step) {
+bool FastSlam::weigh(Step& step) {
   if (step.sight.matches.empty()) return true;
   auto& weights = particles_->weights();
   fit_.judge(step.predictions, step.sight.matches.size(), gate_, weights.all(), statistics_);
   counters_.add("gated", static_cast<std::uint64_t>(statistics_.gated));
+  step.is_lost = fit_.isLost();
   const bool are_left = weights.multiply(step.log_factors);
   if (!are_left) counters_.add("weight_underflow");
   particles_->findBest();
@@ -244,7 +246,9 @@ bool FastSlam::draw(const Step& step) {
   }
   for (const auto& z : step.unseen) index_.append(z.id);
   statistics_.added = static_cast<int>(step.unseen.size());
-  return particles_->weights().multiply(log_corrections);
+  const bool weights_are_left = particles_->weights().multiply(log_corrections);
+  particles_->findBest();
+  return weights_are_left;
 }
 
 double FastSlam::drawParticle(const Step& step, std::size_t i, unsigned lane) {
@@ -258,9 +262,10 @@ double FastSlam::drawParticle(const Step& step, std::size_t i, unsigned lane) {
       model_, sight, map, step.priors[ancestor], step.proposals[ancestor], pose, predictions);
   if (config_.mode == "localization") return log_correction;
   for (std::size_t k = 0; k < sight.matches.size(); ++k) {
-    if (predictions[k].gated) continue;
-    auto& landmark = map.edit(sight.matches[k].slot, lane);
-    landmark = updated(model_, pose, sight.sensor, landmark, sight.matches[k].z);
+    const auto& [slot, z] = sight.matches[k];
+    const bool fits = !predictions[k].gated;
+    if (!fits && step.is_lost) continue;  // it is the robot that is elsewhere, not the landmarks
+    takeSighting(model_, pose, sight.sensor, z, fits, map.edit(slot, lane));
   }
   for (const auto& z : step.unseen) map.push_back(initialized(model_, pose, sight.sensor, z), lane);
   return log_correction;
@@ -273,7 +278,7 @@ Status FastSlam::status(const Step& step, bool weights_are_left) const {
         "the filter goes on: check the noise of the sensor in the robot file");
   if (config_.mode == "localization" && index_.size() == 0)
     return Status::warning("there is no map to localise in; load one");
-  if (!step.sight.matches.empty() && fit_.isLost())
+  if (step.is_lost)
     return Status::warning(
         "the latest observations are far less likely than they should be: the pose may be lost; "
         "set an initial pose");

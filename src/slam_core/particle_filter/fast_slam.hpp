@@ -55,7 +55,7 @@ class FastSlam final : public Backend {
   void relocate();
   void associate(Step& step);
   void propose(Step& step);
-  bool weigh(const Step& step);
+  bool weigh(Step& step);
   void estimate(const Step& step);
   void resample(Step& step);
   bool draw(const Step& step);

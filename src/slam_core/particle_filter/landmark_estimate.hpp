@@ -11,10 +11,15 @@ namespace slam::particle_filter {
 struct LandmarkEstimate {
   double x = 0.0, y = 0.0;
   double xx = 0.0, xy = 0.0, yy = 0.0;  ///< covariance
+  /// How often it was seen where it should be, less how often elsewhere: what a wrong reading put
+  /// into the map loses it.
+  int credit = 0;
 
   LandmarkEstimate() = default;
   LandmarkEstimate(const Eigen::Vector2d& mean, const Eigen::Matrix2d& P)
       : x(mean.x()), y(mean.y()), xx(P(0, 0)), xy(0.5 * (P(0, 1) + P(1, 0))), yy(P(1, 1)) {}
+
+  static constexpr int kMostCredit = 5;
 
   Eigen::Vector2d mean() const { return {x, y}; }
   Eigen::Matrix2d covariance() const { return (Eigen::Matrix2d() << xx, xy, xy, yy).finished(); }

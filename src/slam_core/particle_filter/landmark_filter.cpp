@@ -4,6 +4,7 @@
 #include "slam_core/particle_filter/landmark_filter.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace slam::particle_filter {
 
@@ -26,8 +27,20 @@ LandmarkEstimate updated(const ObservationModel& model, const Pose2& robot, cons
   const Eigen::Matrix2d P = landmark.covariance();
   const Eigen::Matrix2d K = P * e->H_landmark.transpose() * e->R.inverse();
   const Eigen::Matrix2d I_KH = Eigen::Matrix2d::Identity() - K * e->H_landmark;
-  return {landmark.mean() + K * e->nu,
-          I_KH * P * I_KH.transpose() + K * z.covariance * K.transpose()};
+  LandmarkEstimate after(landmark.mean() + K * e->nu,
+                         I_KH * P * I_KH.transpose() + K * z.covariance * K.transpose());
+  after.credit = landmark.credit;
+  return after;
+}
+
+void takeSighting(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
+                  const LandmarkObservation& z, bool fits, LandmarkEstimate& landmark) {
+  if (fits) {
+    landmark = updated(model, robot, sensor, landmark, z);
+    landmark.credit = std::min(landmark.credit + 1, LandmarkEstimate::kMostCredit);
+  } else if (--landmark.credit < 0) {
+    landmark = initialized(model, robot, sensor, z);
+  }
 }
 
 LandmarkEstimate initialized(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,

@@ -30,6 +30,13 @@ std::optional<Expectation> expect(const ObservationModel& model, const Pose2& ro
 LandmarkEstimate updated(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
                          const LandmarkEstimate& landmark, const LandmarkObservation& z);
 
+/// A sighting of a landmark of the map: updates it where it fits; else the landmark loses credit
+/// and is begun anew with this sighting when it has none left (after the evidence counter of
+/// Montemerlo 2003, ch. 3). One that was seen by chance once where it is not does not stay there
+/// for ever.
+void takeSighting(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
+                  const LandmarkObservation& z, bool fits, LandmarkEstimate& landmark);
+
 /// The policy of landmark initialisation: where a first observation puts the landmark, Eq. 5.4,
 /// with the observation's noise mapped into the plane. The pose is exact: it is the particle's own.
 LandmarkEstimate initialized(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,

@@ -38,8 +38,11 @@ void ParticleSet::redraw(const PoseEstimate& around, RandomStream& random) {
 
 void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation) {
   ParticleMap shared(*map_memory_);
-  for (const auto& landmark : map)
-    shared.push_back({landmark.position, inflation * inflation * landmark.covariance});
+  for (const auto& landmark : map) {
+    LandmarkEstimate estimate(landmark.position, inflation * inflation * landmark.covariance);
+    estimate.credit = LandmarkEstimate::kMostCredit;
+    shared.push_back(estimate);
+  }
   for (auto& particle : particles_) {
     particle.map = shared;
     particle.path = SharedPath(*path_memory_);

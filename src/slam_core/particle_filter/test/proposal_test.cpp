@@ -206,6 +206,24 @@ TEST(LandmarkFilter, AveragesWhatItSees) {
   EXPECT_NEAR(landmark.covariance().trace(), first / 100, 0.02 * first / 100);
 }
 
+TEST(LandmarkFilter, BeginsALandmarkAnewThatIsNeverSeenWhereItShouldBe) {
+  const Pose2 robot, sensor;
+  const RangeBearingModel model;
+  auto stray = initialized(model, robot, sensor, observation(80.0, 0.0));
+  takeSighting(model, robot, sensor, observation(2.0, 0.0), false, stray);
+  EXPECT_LT((stray.mean() - Eigen::Vector2d(2, 0)).norm(), 1e-12);
+
+  auto trusted = initialized(model, robot, sensor, observation(2.0, 0.0));
+  for (int i = 0; i < 100; ++i)
+    takeSighting(model, robot, sensor, observation(2.0, 0.0), true, trusted);
+  for (int i = 0; i < LandmarkEstimate::kMostCredit; ++i) {
+    takeSighting(model, robot, sensor, observation(4.0, 0.0), false, trusted);
+    EXPECT_LT((trusted.mean() - Eigen::Vector2d(2, 0)).norm(), 1e-9) << "a few may be wrong";
+  }
+  takeSighting(model, robot, sensor, observation(4.0, 0.0), false, trusted);
+  EXPECT_LT((trusted.mean() - Eigen::Vector2d(4, 0)).norm(), 1e-12) << "it was moved";
+}
+
 TEST(LandmarkFilter, StaysPositiveDefiniteWithSensorsThatClaimToBeExact) {
   const Pose2 robot, sensor;
   auto exact = observation(2.0, 0.5);
