@@ -124,7 +124,6 @@ TEST(FastSlamTest, WorksWithEveryPolicy) {
       PfConfig config;
       config.weighting = weighting;
       config.resampling = resampling;
-      config.map = config.pose = "mean";
       config.map = "mixture";
       FastSlam filter;
       filter.configure(config);
@@ -152,9 +151,15 @@ TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
       const bool below = figures.at("effective_sample_size") < threshold * figures.at("particles");
       ASSERT_EQ(filter.counters()["resampled"] - before, below ? 1u : 0u);
     }
-    if (threshold == 0.0) EXPECT_EQ(filter.counters()["resampled"], 0u);
-    if (threshold == 0.5) EXPECT_LT(filter.counters()["resampled"], 50u);
-    if (threshold == 1.0) EXPECT_GT(filter.counters()["resampled"], 50u);
+    if (threshold == 0.0) {
+      EXPECT_EQ(filter.counters()["resampled"], 0u);
+    }
+    if (threshold == 0.5) {
+      EXPECT_LT(filter.counters()["resampled"], 50u);
+    }
+    if (threshold == 1.0) {
+      EXPECT_GT(filter.counters()["resampled"], 50u);
+    }
   }
 }
 

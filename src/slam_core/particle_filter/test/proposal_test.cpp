@@ -123,21 +123,32 @@ TEST_F(ProposalTest, OfFastSlam2StaysPutWithoutMotion) {
   EXPECT_EQ(refined.sample(random).vector(), prior.mean.vector());
 }
 
-TEST_F(ProposalTest, LeavesAnOutlierOutAndCountsItAsOnTheEdgeOfTheGate) {
-  const auto without = [&] {
-    const Sight all = sight;
-    sight.matches.erase(sight.matches.begin() + 1);
-    const auto refined = propose(ConditionedProposal());
+TEST_F(ProposalTest, IsPulledTheLessTheFurtherOutAnOutlierLies) {
+  const auto all = sight;
+  sight.matches.erase(sight.matches.begin() + 1);
+  const auto without = propose(ConditionedProposal());
+  const auto pullOf = [&](double error) {
     sight = all;
-    return refined;
-  }();
-  sight.matches[1].z.range += 50.0;
-  const auto refined = propose(ConditionedProposal());
+    sight.matches[1].z.range += error;
+    const auto refined = propose(ConditionedProposal());
+    return (refined.mean.vector() - without.mean.vector()).norm();
+  };
+  EXPECT_GT(pullOf(2.0), pullOf(10.0));
   EXPECT_TRUE(predictions[1].gated);
-  EXPECT_EQ(refined.mean.vector(), without.mean.vector());
-  const double on_the_edge =
-      -0.5 * kGate - 0.5 * std::log((2 * M_PI * predictions[1].S).determinant());
-  EXPECT_NEAR(predictions[1].log_likelihood, on_the_edge, 1e-9);
+  EXPECT_GT(pullOf(10.0), 3 * pullOf(50.0));
+  EXPECT_LT(pullOf(1e6), 1e-6);
+}
+
+TEST_F(ProposalTest, FindsBothOfTwoOutliersUnlikelyAndTheNearerOneLessSo) {
+  const Eigen::Matrix2d S = Eigen::Vector2d(0.04, 0.01).asDiagonal();
+  const auto likelihood = [&](double sigmas) {
+    return predictionOf({0.2 * sigmas, 0.0}, S, kGate).log_likelihood;
+  };
+  const double edge = std::sqrt(kGate);
+  EXPECT_NEAR(likelihood(edge - 1e-6), likelihood(edge + 1e-6), 1e-4) << "without a step";
+  EXPECT_GT(likelihood(edge), likelihood(6));
+  EXPECT_GT(likelihood(6), likelihood(60));
+  EXPECT_GT(likelihood(60), -0.5 * 60 * 60 / 2) << "but only so much";
 }
 
 TEST_F(ProposalTest, LeavesALandmarkOutThatItStandsOn) {
