@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "slam_core/particle_filter/landmark_filter.hpp"
 #include "slam_core/particle_filter/proposal.hpp"
@@ -26,6 +27,7 @@ PoseGaussian ConditionedProposal::propose(const ObservationModel& model, const S
     const auto& H = e->H_robot;
     const Eigen::Matrix<double, 3, 2> P_Ht = P * H.transpose();
     prediction = predictionOf(e->nu, H * P_Ht + e->R, sight.gate);
+    if (!std::isfinite(prediction.log_likelihood * prediction.excess)) continue;
     // an outlier pulls the less the further out it lies (iteratively reweighted least squares), so
     // that a pose that has gone astray finds back
     const Eigen::Matrix2d S = prediction.excess * prediction.S;

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slam::particle_filter {
 namespace {
@@ -43,6 +44,7 @@ void condition(std::vector<double>& weights, const Prediction* prediction, std::
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < weights.size(); ++i)
     largest = std::max(largest, prediction[i * stride].log_likelihood);
+  if (!std::isfinite(largest)) return;  // nothing can be learned from it
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i)
     sum += weights[i] *= std::exp(prediction[i * stride].log_likelihood - largest);

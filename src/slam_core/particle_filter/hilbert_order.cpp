@@ -20,7 +20,8 @@ constexpr double kReach = 4.0;  // [standard deviations] that the cells cover
 std::uint32_t cellOf(double deviation) {
   const double cells = static_cast<double>(1u << kBits);
   const double cell = (deviation + kReach) / (2.0 * kReach) * cells;
-  return static_cast<std::uint32_t>(std::clamp(cell, 0.0, cells - 1.0));
+  if (!(cell > 0.0)) return 0;  // also where it is no number
+  return static_cast<std::uint32_t>(std::min(cell, cells - 1.0));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ Prediction predictionOf(const Eigen::Vector2d& nu, const Eigen::Matrix2d& S, dou
   prediction.excess = prediction.gated ? distance / gate : 1.0;
   const double exponent = prediction.gated ? gate * (1.0 + std::log(prediction.excess)) : distance;
   prediction.log_likelihood = -0.5 * exponent - 0.5 * std::log(determinant) - std::log(2.0 * M_PI);
+  prediction.gated |= !std::isfinite(prediction.log_likelihood);
   return prediction;
 }
 
