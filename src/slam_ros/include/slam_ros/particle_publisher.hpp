@@ -13,7 +13,8 @@
 
 namespace slam_ros {
 
-/// `particlecloud` of back-ends with particles, at a bounded rate; nothing is advertised for others.
+/// `particlecloud` of back-ends with particles, at a bounded rate; nothing is advertised for
+/// others.
 class ParticlePublisher {
  public:
   ParticlePublisher(ros::NodeHandle handle, const slam::Backend& backend, std::string map_frame,
