@@ -111,7 +111,6 @@ void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (sources_.values)
     for (const auto& [name, value] : sources_.values()) status.add(name, value);
   for (const auto& [reason, count] : counters.all()) status.add(reason, count);
-  for (const auto& [name, value] : sources_.figures()) status.add(name, value);
   if (!last_warning_.empty()) status.add("last warning", last_warning_);
 }
 

@@ -3,6 +3,7 @@
 
 #include "slam_ros/estimator_node.hpp"
 
+#include <fmt/core.h>
 #include <slam_msgs/Progress.h>
 
 #include "slam_ros/conversions.hpp"
@@ -27,7 +28,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return source_.counters(); }, [this] { return waiting(); },
-                           [this] { return source_.estimator().backend().figures(); }});
+                           [this] { return figures(); }});
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
@@ -151,6 +152,13 @@ std::string EstimatorNode::waiting() const {
   if (estimator.lastObservations()) return "";
   const auto sensor = front_end_waiting ? front_end_waiting() : "";
   return sensor.empty() ? "waiting for observations on " + topics_.observations : sensor;
+}
+
+Diagnostics::Values EstimatorNode::figures() const {
+  Diagnostics::Values values;
+  for (const auto& [name, value] : source_.estimator().backend().figures())
+    values.emplace_back(name, fmt::format("{:g}", value));
+  return values;
 }
 
 }  // namespace slam_ros

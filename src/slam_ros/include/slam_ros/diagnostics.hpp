@@ -22,16 +22,13 @@ namespace slam_ros {
 /// counters; and each kind of warning on the console, at most once in five seconds of the wall.
 class Diagnostics {
  public:
+  using Values = std::vector<std::pair<std::string, std::string>>;
   struct Sources {
     std::function<slam::Counters()> counters;
     /// "waiting for ...", or empty when all inputs have come
     std::function<std::string()> waiting;
-    /// further figures by name
-    std::function<std::map<std::string, double>()> figures = [] {
-      return std::map<std::string, double>();
-    };
     /// further lines of name and value; may be empty
-    std::function<std::vector<std::pair<std::string, std::string>>()> values = {};
+    std::function<Values()> values = {};
   };
 
   /// @param name of the nodelet

@@ -61,6 +61,7 @@ class EstimatorNode {
   void subscribe(ros::NodeHandle handle);
   BackendActions actions();
   std::string waiting() const;
+  Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
   void publishProgress();
   void reset();
