@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables and verdicts of benchmark pf."""
 import json
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
 
-from slam_eval import bench_pf_mrclam, bench_pf_update
+from slam_eval import bench_pf_mrclam, bench_pf_office, bench_pf_threads, bench_pf_update
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_pf_update import Size
+from slam_eval.bench_pf_variants import DEFAULT, EKF, FEW, MANY
 
 
 class UpdateTest(unittest.TestCase):
@@ -32,6 +35,7 @@ class UpdateTest(unittest.TestCase):
         text = bench_pf_update.verdicts(sizes)
         self.assertIn('50 updates a second (>= 100: MISSED)', text)
         self.assertIn('250 MB (<= 300: reached)', text)
+        self.assertIn('4.50 times the time (<= 10: reached)', text)
         self.assertEqual(bench_pf_update.verdicts([Size(10, 100, 1.0, 0.0, 9.0)]), '')
 
 
@@ -44,10 +48,44 @@ class MrclamTest(unittest.TestCase):
         def line(ate, landmarks):
             return [ate, ate, landmarks, ate, 1.0, 1.0]
         text = bench_pf_mrclam.verdicts({
-            bench_pf_mrclam.EKF.name: line(0.2, 0.1), bench_pf_mrclam.DEFAULT.name: line(0.21, 0.14),
-            bench_pf_mrclam.FEW.name: line(0.24, 0.1), bench_pf_mrclam.MANY.name: line(0.2, 0.1)})
+            EKF.name: line(0.2, 0.1), DEFAULT.name: line(0.21, 0.14),
+            FEW.name: line(0.24, 0.1), MANY.name: line(0.2, 0.1)})
         self.assertEqual([line.endswith('reached)') for line in text.splitlines()],
                          [True, True, False, False])
+
+
+class OfficeTest(unittest.TestCase):
+    def test_a_line_holds_means_the_worst_drive_and_the_fewest_markers(self):
+        rows = [[0.02, 0.01, 12, 12, 1.0, 4.0], [0.04, 0.03, 11, 12, 2.0, 6.0]]
+        values = bench_pf_office.summary(rows)
+        np.testing.assert_allclose(values, [0.03, 0.04, 0.02, 11, 12, 1.5, 5.0])
+
+    def test_a_drive_without_a_map_makes_no_mean_of_landmarks(self):
+        rows = [[0.02, None, 0, 12, None, 4.0], [0.04, 0.03, 11, 12, 2.0, 6.0]]
+        self.assertEqual(bench_pf_office.summary(rows)[2:6], [None, 0, 12, None])
+
+    def test_every_goal_is_judged(self):
+        def line(ate, worst, mapped):
+            return [ate, worst, 0.01, mapped, 12, 1.0, 4.0]
+        text = bench_pf_office.verdicts({DEFAULT.name: line(0.02, 0.031, 12),
+                                         FEW.name: line(0.021, 0.04, 12),
+                                         MANY.name: line(0.02, 0.04, 12)})
+        self.assertEqual([line.endswith('reached)') for line in text.splitlines()],
+                         [False, True, True])
+
+
+class ThreadsTest(unittest.TestCase):
+    def test_one_byte_makes_a_difference(self):
+        def run(folder, text):
+            for name in bench_pf_threads.FILES:
+                (folder / name).write_text('same', encoding='ascii')
+            (folder / bench_pf_threads.FILES[-1]).write_text(text, encoding='ascii')
+            return bench_pf_threads.digests(folder)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            a, b, c = run(folder, 'map'), run(folder, 'map'), run(folder, 'mop')
+        self.assertIn('reached', bench_pf_threads.verdict([(1, a), (2, b)]))
+        self.assertIn('MISSED', bench_pf_threads.verdict([(1, a), (2, c)]))
 
 
 if __name__ == '__main__':

@@ -12,8 +12,9 @@ import sys
 import tempfile
 
 from slam_eval import (bench_consistency, bench_demo, bench_fiducial, bench_landmarks, bench_mrclam,
-                       bench_office, bench_online, bench_options, bench_pf_mrclam,
-                       bench_pf_update, bench_update)
+                       bench_office, bench_online, bench_options, bench_pf_circles,
+                       bench_pf_mrclam, bench_pf_office, bench_pf_threads, bench_pf_update,
+                       bench_update)
 from slam_eval.atomic_file import write_atomically
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_progress import Progress
@@ -39,8 +40,9 @@ BENCHMARKS = {
          'update': bench_update.measure}, bench_options.add_ekf),
     'pf': Benchmark(
         'the back-end pf', 'the particle filter beside the EKF, and what its updates cost',
-        {'mrclam': bench_pf_mrclam.measure, 'update': bench_pf_update.measure},
-        bench_options.add_pf),
+        {'mrclam': bench_pf_mrclam.measure, 'office': bench_pf_office.measure,
+         'circles': bench_pf_circles.measure, 'update': bench_pf_update.measure,
+         'threads': bench_pf_threads.measure}, bench_options.add_pf),
     'office': Benchmark(
         'a product in the simulated office', 'a product in the simulated office, many seeds',
         {'office': bench_office.measure}, bench_options.add_office),

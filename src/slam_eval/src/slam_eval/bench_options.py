@@ -78,6 +78,11 @@ def add_pf(parser):
     _add_mrclam(parser)
     parser.add_argument('--seeds', metavar='N', type=count, default=5,
                         help='runs a robot of the part mrclam (%(default)s)')
+    parser.add_argument('--drives', metavar='N', type=count, default=20,
+                        help='simulated drives of the part office (%(default)s)')
+    parser.add_argument('--circles', metavar='FILE', type=_file,
+                        help='the DLR data set (default: circles/map.circles in $SLAM_DATA_DIR, '
+                        'else in shared/data beside the repository)')
 
 
 def _add_product(parser):

@@ -5,6 +5,7 @@ import dataclasses
 
 import numpy as np
 
+from slam_eval.bench_pf_variants import DEFAULT, EKF, FEW, MANY, few_verdict
 from slam_eval.bench_programs import data_folder
 from slam_eval.bench_runs import import_log, run_ours
 from slam_eval.bench_table import Section, number, table, verdict
@@ -13,29 +14,11 @@ from slam_eval.run_folder import read_run
 from slam_eval.trajectory import read_trajectory
 
 ROBOTS = (1, 2, 3, 4, 5)
-ATE_LIMIT, LANDMARK_LIMIT, EKF_SHARE, FEW_SHARE = 0.30, 0.13, 1.1, 1.1
+ATE_LIMIT, LANDMARK_LIMIT, EKF_SHARE = 0.30, 0.13, 1.1
 
 HEADER = ['filter', 'ATE [m]', 'worst run [m]', 'landmarks [m]', 'final path [m]', 'NIS/dof',
           'CPU a run [s]']
 FORMS = ['.3f', '.3f', '.3f', '.3f', '.3f', '.2f']
-
-
-@dataclasses.dataclass(frozen=True)
-class Variant:
-    """A filter that is measured: product and settings of its own."""
-
-    name: str
-    product: str
-    settings: tuple
-    random: bool = True
-
-
-EKF = Variant('ekf', 'ekf_wheel', (), random=False)
-DEFAULT = Variant('pf, 100 particles', 'pf_wheel', ('pf.particles=100',))
-FEW = Variant('fastslam2, 30 particles', 'pf_wheel',
-              ('pf.particles=30', 'pf.proposal=fastslam2'))
-MANY = Variant('fastslam1, 200 particles', 'pf_wheel',
-               ('pf.particles=200', 'pf.proposal=fastslam1'))
 
 
 def _final_error(folder, run):
@@ -49,7 +32,7 @@ def run_variant(context, variant, bags):
     rows = []
     for robot, bag in bags.items():
         for seed in range(1, context.options.seeds + 1 if variant.random else 2):
-            name = f'robot{robot}_{variant.name.replace(", ", "_").replace(" ", "_")}_{seed}'
+            name = variant.run_name(f'robot{robot}_{seed}')
             folder, usage = run_ours(context, name, bag, 'mrclam', variant.product,
                                      (*variant.settings, f'seed={seed}'))
             run = read_run(folder)
@@ -70,10 +53,10 @@ def verdicts(of):
     ekf, default, few, many = (of[v.name] for v in (EKF, DEFAULT, FEW, MANY))
     goals = (('mean ATE', default[0], ATE_LIMIT),
              ('mean ATE over that of the EKF', default[0] / ekf[0], EKF_SHARE),
-             ('mean landmark RMSE', default[2], LANDMARK_LIMIT),
-             (f'mean ATE, {FEW.name} over {MANY.name}', few[0] / many[0], FEW_SHARE))
-    return '\n'.join(f'- {what} {value:.3f} ({verdict(value, limit, True)})'
-                     for what, value, limit in goals)
+             ('mean landmark RMSE', default[2], LANDMARK_LIMIT))
+    lines = [f'- {what} {value:.3f} ({verdict(value, limit, True)})'
+             for what, value, limit in goals]
+    return '\n'.join([*lines, few_verdict(few[0], many[0])])
 
 
 def measure(context):

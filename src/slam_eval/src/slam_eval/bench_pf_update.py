@@ -76,7 +76,19 @@ def verdicts(sizes):
         memory = of[MEMORY_GOAL[:2]].max_rss_mb
         lines.append(f'- {MEMORY_GOAL[0]} particles, {MEMORY_GOAL[1]} landmarks: {memory:.0f} MB '
                      f'({verdict(memory, MEMORY_GOAL[2], True)})')
-    return '\n'.join(lines)
+    return '\n'.join([*lines, *_growth(of)])
+
+
+def _growth(of):
+    """A line for each direction in which the time may grow."""
+    def line(few, many, what, limit):
+        if few not in of or many not in of:
+            return []
+        ratio = of[many].time_ms / of[few].time_ms
+        return [f'- {what}: {ratio:.2f} times the time ({verdict(ratio, limit, True)})']
+    return [*line((100, 1000), (1000, 1000), '10 times the particles, 1000 landmarks', 10),
+            # the logarithm of 10000 is twice that of 100
+            *line((100, 100), (100, 10000), '100 times the landmarks, 100 particles', 2)]
 
 
 def measure(context):
