@@ -9,11 +9,10 @@ import subprocess
 import tempfile
 import unittest
 
-from launching import play_into_launch, program, run_launch, run_offline, SameAsOffline
-import rosbag
+from launching import (cut_bag, make_demo_bag, play_into_launch, program, run_launch, run_offline,
+                       SameAsOffline)
 import rospkg
 
-RAWLOG = "/usr/share/mrpt/datasets/kf-slam_demo.rawlog"
 SECONDS = 15  # of the log
 
 
@@ -22,14 +21,9 @@ class SlamLaunchTest(SameAsOffline, unittest.TestCase):
     def setUpClass(cls):
         cls.root = pathlib.Path(tempfile.mkdtemp())
         whole = cls.root / "whole.bag"
-        subprocess.run([program("slam_eval", "slam_import"), "rawlog", RAWLOG, whole], check=True,
-                       stdout=subprocess.DEVNULL)
+        make_demo_bag(whole)
         cls.bag = cls.root / "short.bag"
-        with rosbag.Bag(str(whole)) as source, rosbag.Bag(str(cls.bag), "w") as short:
-            start = source.get_start_time()
-            for topic, message, stamp in source.read_messages():
-                if stamp.to_sec() < start + SECONDS:
-                    short.write(topic, message, stamp)
+        cut_bag(whole, cls.bag, 0, SECONDS)
         run_offline(cls.bag, cls.root / "offline")
 
     @classmethod

@@ -11,7 +11,7 @@ import time
 
 from catkin.find_in_workspaces import find_in_workspaces
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import PoseWithCovarianceStamped
+from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
 from nav_msgs.msg import Odometry, Path
 import rosbag
 from rosgraph_msgs.msg import Clock, Log
@@ -23,8 +23,8 @@ from visualization_msgs.msg import MarkerArray
 
 RAWLOG = "/usr/share/mrpt/datasets/kf-slam_demo.rawlog"
 OUTPUTS = {"pose": PoseWithCovarianceStamped, "path": Path, "landmarks": LandmarkMap,
-           "landmark_markers": MarkerArray, "motion": Motion, "/tf": TFMessage,
-           "/diagnostics": DiagnosticArray, "/rosout": Log}
+           "landmark_markers": MarkerArray, "particlecloud": PoseArray, "motion": Motion,
+           "/tf": TFMessage, "/diagnostics": DiagnosticArray, "/rosout": Log}
 
 
 def read_log():

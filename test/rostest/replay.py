@@ -103,6 +103,19 @@ class ReplayTest(unittest.TestCase):
                 if status.name.startswith("slam")][-1]
         self.assertEqual((last.level, last.message), (0, "running"))
 
+    def test_a_filter_with_particles_shows_them_about_its_pose(self):
+        if rospy.get_param("~backend") != "pf":
+            self.assertEqual(self.full["particlecloud"], [])
+            return
+        poses = {p.header.stamp: p.pose.pose.position for p in self.full["pose"]}
+        self.assertTrue(self.full["particlecloud"])
+        for cloud in self.full["particlecloud"]:
+            self.assertEqual(cloud.header.frame_id, "map")
+            self.assertGreater(len(cloud.poses), 1)
+            mean = numpy.mean([(p.position.x, p.position.y) for p in cloud.poses], axis=0)
+            pose = poses[cloud.header.stamp]
+            self.assertLess(math.dist(mean, (pose.x, pose.y)), 0.2)
+
     def call(self, name, kind, *arguments):
         return rospy.ServiceProxy(name, kind)(*arguments)
 
