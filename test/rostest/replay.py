@@ -160,7 +160,8 @@ class ReplayTest(unittest.TestCase):
     def lasting(self, saved):
         """What a map keeps when it is loaded: without joint covariance, marginals are inflated."""
         kept = re.sub("stamp: .*\n", "", saved)
-        return kept if "joint_covariance" in saved else re.sub(r"covariance: \[.*?\]", "", kept)
+        has_joint = "joint_covariance: true" in saved
+        return kept if has_joint else re.sub(r"covariance: \[.*?\]", "", kept)
 
     def refusal_of(self, text):
         with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
