@@ -59,8 +59,8 @@ class RecordingOfTheOffice : public testing::Test {
 };
 
 TEST_F(RecordingOfTheOffice, GivesTheSameBytesForTheSameSeedAndAnyNumberOfThreads) {
-  const auto once = contentOf(record("once.bag", {1, {}, 0.3, 1}));
-  const auto again = contentOf(record("again.bag", {1, {}, 0.3, 3}));
+  const auto once = test::contentOf(record("once.bag", {1, {}, 0.3, 1}));
+  const auto again = test::contentOf(record("again.bag", {1, {}, 0.3, 3}));
   EXPECT_GT(once.size(), 10000u);
   EXPECT_TRUE(once == again);
 }
@@ -150,7 +150,7 @@ TEST_F(RecordingOfTheOffice, LeavesNothingWhenItIsInterrupted) {
 std::pair<int, std::string> run(const std::string& arguments, const std::string& errors) {
   const auto command = std::string(SLAM_SIM_PROGRAM) + " " + arguments + " 2>" + errors;
   const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), contentOf(errors)};
+  return {WEXITSTATUS(status), test::contentOf(errors)};
 }
 
 TEST(SlamSimProgram, TellsWrongUseFromAFailureInOneSentenceAndLeavesNoBag) {
