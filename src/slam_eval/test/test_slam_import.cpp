@@ -115,7 +115,7 @@ TEST_F(SlamImport, WritesTheSameBytesTwice) {
 TEST_F(SlamImport, RefusesWrongUseWithCodeTwo) {
   writeMrclamSet(in_);
   EXPECT_EQ(runSlamImport("").exit_code, 2);
-  expectFailure("nonsense x y", 2, "'nonsense'; the formats are: mrclam, rawlog");
+  expectFailure("nonsense x y", 2, "'nonsense'; the formats are: circles, mrclam, rawlog");
   expectFailure("mrclan x y", 2, "did you mean 'mrclam'?");
   EXPECT_EQ(runSlamImport("mrclam " + in_.path() + " " + bag()).exit_code, 2);
   EXPECT_EQ(runSlamImport("--help").exit_code, 0);
