@@ -77,17 +77,18 @@ RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
   begin();
 }
 
-std::ofstream RunWriter::open(const std::string& name) const {
+void RunWriter::open(const std::string& name, std::ofstream& file) const {
   const auto path = folder_ + "/" + name;
-  std::ofstream file(path, std::ios::trunc);
+  file.close();  // before the file is emptied: what is still in the buffer must not follow
+  file.clear();
+  file.open(path, std::ios::trunc);
   if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
-  return file;
 }
 
 void RunWriter::begin() {
-  trajectory_ = open("trajectory.tum");
-  odometry_ = open("odometry.tum");
-  updates_ = open("updates.csv");
+  open("trajectory.tum", trajectory_);
+  open("odometry.tum", odometry_);
+  open("updates.csv", updates_);
   updates_ << kUpdatesHeader;
   lines_ = 0;
 }

@@ -36,7 +36,7 @@ class RunWriter {
   std::size_t lines() const { return lines_; }
 
  private:
-  std::ofstream open(const std::string& name) const;
+  void open(const std::string& name, std::ofstream& file) const;
   void begin();
 
   std::string folder_;

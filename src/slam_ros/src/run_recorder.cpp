@@ -43,7 +43,9 @@ void RunRecorder::write(const slam::StepReport& report, RunMetrics::Clock::durat
 
 void RunRecorder::restart() {
   metrics_.reset();
-  if (writer_) attempt([&] { writer_ = std::make_unique<slam::RunWriter>(config_.output_dir); });
+  if (!writer_) return;
+  writer_.reset();  // its files are closed before they are begun anew
+  attempt([&] { writer_ = std::make_unique<slam::RunWriter>(config_.output_dir); });
 }
 
 void RunRecorder::finish(const slam::Backend& backend, std::uint64_t dropped_messages) {

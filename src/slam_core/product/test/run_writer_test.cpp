@@ -110,6 +110,26 @@ TEST_F(RunWriterTest, BeginsAnewWithARestart) {
     EXPECT_EQ(contentOf(once + "/" + file), contentOf(twice + "/" + file)) << file;
 }
 
+TEST_F(RunWriterTest, NothingOfALongRunIsLeftAfterARestart) {
+  StepReport report;
+  report.observed = true;
+  RunWriter writer(folder / "run");
+  for (int i = 0; i < 1000; ++i) {
+    report.stamp = stampFromNanoseconds(1000000000LL * (i + 100));
+    writer.write(report);
+  }
+  report.stamp = stampFromNanoseconds(1);
+  report.restarted = true;
+  writer.write(report);
+  Estimator estimator;
+  Settings settings;
+  estimator.configure(settings, Registry<Backend>::instance().create("ekf"));
+  writer.finish(estimator.backend(), "map", "");
+  for (const auto* name : {"trajectory.tum", "odometry.tum", "trajectory_final.tum"})
+    EXPECT_EQ(contentOf(folder / (std::string("run/") + name)), tumLine(report.stamp, Pose2()));
+  EXPECT_EQ(linesOf(folder / "run/updates.csv"), 2u) << "its header and a line";
+}
+
 TEST_F(RunWriterTest, ReplacesAnEarlierRunAtOnce) {
   run("run", 5);
   for (const auto* name : {"metrics.json", "map.png", "report.html"})
