@@ -3,6 +3,8 @@
 
 #include "slam_core/particle_filter/pf_config.hpp"
 
+#include <cmath>
+
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/particle_filter/proposal.hpp"
 #include "slam_core/particle_filter/resampling.hpp"
@@ -121,6 +123,12 @@ void validatePf(const PfConfig& config) {
   if (config.min_particles > config.max_particles)
     faults.add("pf.min_particles: " + std::to_string(config.min_particles) +
                " is more than pf.max_particles, " + std::to_string(config.max_particles));
+  // an observation outside the gate counts as one on its edge, two degrees of freedom each
+  const double most_nis = -std::log(1.0 - config.gate_probability);
+  if (config.gate_probability > 0.0 && !(config.lost_nis < most_nis))
+    faults.add("pf.lost_nis: " + std::to_string(config.lost_nis) +
+               " is never reached, as pf.gate_probability lets the observations count " +
+               std::to_string(most_nis) + " at most; lower the one or raise the other");
   faults.raise();
 }
 

@@ -232,5 +232,12 @@ TEST(PfConfigTest, RefusesWhatMakesNoFilter) {
   EXPECT_TRUE(test::oneSays(faults, {"pf.proposal", "did you mean 'fastslam1'"}));
 }
 
+TEST(PfConfigTest, RefusesAThresholdOfBeingLostThatIsNeverReached) {
+  PfConfig config;
+  config.gate_probability = 0.99;
+  const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
+  EXPECT_TRUE(test::oneSays(faults, {"pf.lost_nis", "never reached", "pf.gate_probability"}));
+}
+
 }  // namespace
 }  // namespace slam::particle_filter
