@@ -10,10 +10,17 @@ namespace {
 
 constexpr std::size_t kSlabBytes = 1 << 16;
 
+/// Every block of a slab can hold a pointer while it is free.
+std::size_t roomFor(std::size_t block_bytes) {
+  constexpr std::size_t kAlignment = alignof(void*);
+  const auto bytes = std::max(block_bytes, sizeof(void*));
+  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+}
+
 }  // namespace
 
 BlockPool::BlockPool(std::size_t block_bytes, unsigned lanes)
-    : block_bytes_(std::max(block_bytes, sizeof(FreeBlock))),
+    : block_bytes_(roomFor(block_bytes)),
       blocks_per_slab_(std::max<std::size_t>(1, kSlabBytes / block_bytes_)),
       lanes_(lanes) {}
 

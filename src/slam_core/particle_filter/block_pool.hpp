@@ -15,7 +15,6 @@ namespace slam::particle_filter {
 /// from. The memory itself goes back with the pool.
 class BlockPool {
  public:
-  /// @param block_bytes a multiple of the alignment of a pointer
   explicit BlockPool(std::size_t block_bytes, unsigned lanes = 1);
 
   void* allocate(unsigned lane);
