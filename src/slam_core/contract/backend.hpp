@@ -18,6 +18,15 @@
 
 namespace slam {
 
+/// How far an observation of a known landmark was from the prediction.
+struct ObservationInnovation {
+  LandmarkId id = kUnknownId;
+  Eigen::Vector2d nu = Eigen::Vector2d::Zero();  ///< in range [m] and bearing [rad]
+  Eigen::Matrix2d S = Eigen::Matrix2d::Zero();   ///< its covariance, as the back-end believes
+  Eigen::Matrix2d R = Eigen::Matrix2d::Zero();   ///< the observation's part of it
+  bool used = false;                             ///< it passed the gate
+};
+
 /// What the last execute() made of its observations.
 struct UpdateStatistics {
   double nis = 0.0;   ///< normalised innovation squared of the used observations together
@@ -27,6 +36,9 @@ struct UpdateStatistics {
   int added = 0;      ///< landmarks seen for the first time
   int unknown = 0;    ///< without an id, or not in a fixed map; left out
   int landmarks = 0;  ///< in the map after the step
+  double log_likelihood = 0.0;  ///< of the used observations: log N(nu; 0, S)
+  /// One by one, those that were gated included; in the order of the observations.
+  std::vector<ObservationInnovation> innovations;
 };
 
 /// The role of a SLAM back-end: motion and observations in, pose and landmark map out

@@ -3,7 +3,6 @@
 
 #include "slam_core/ekf/association.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <set>
 
@@ -15,8 +14,7 @@ KnownIdAssociation::KnownIdAssociation(double gate_probability)
 
 Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
                                           const EkfState& state, const ObservationModel& model,
-                                          const Linearization& linearization,
-                                          Counters& counters) const {
+                                          int linearizations, Counters& counters) const {
   Association association;
   std::set<LandmarkId> seen;
   for (const auto& z : array.observations) {
@@ -28,20 +26,14 @@ Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
       counters.add("duplicate");
       continue;
     }
-    const auto landmark = state.find(z.id);
-    if (!landmark) {
+    const auto slot = state.slot(z.id);
+    if (!slot) {
       association.unseen.push_back(z);
       continue;
     }
-    const auto m_map = state.landmark(*landmark);
-    if (model.isSingular(model.predict(state.robot(), array.sensor_pose, m_map))) {
-      ++association.gated;
-      continue;
-    }
-    auto innovation = linearization.innovation(model, state.robot(), array.sensor_pose, m_map, z);
-    innovation.landmark = *landmark;
-    if (passesGate(innovation, state.covariance()))
-      association.innovations.push_back(innovation);
+    const Match match{*slot, z};
+    if (passesGate(match, state, model, array.sensor_pose, linearizations, association))
+      association.matches.push_back(match);
     else
       ++association.gated;
   }
@@ -50,13 +42,26 @@ Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
   return association;
 }
 
-bool KnownIdAssociation::passesGate(const Innovation& innovation, const DenseCovariance& P) const {
-  const auto& H_r = innovation.H_robot;
-  const auto& H_m = innovation.H_landmark;
-  const Eigen::Matrix2d cross = H_m * P.landmarkRobot(innovation.landmark) * H_r.transpose();
-  const Eigen::Matrix2d S = H_r * P.robot() * H_r.transpose() + cross + cross.transpose() +
-                            H_m * P.landmark(innovation.landmark) * H_m.transpose() + innovation.R;
-  return innovation.nu.dot(S.inverse() * innovation.nu) <= gate_;
+/// Where the prediction is far off, a right observation may fail its gate for the linearisation
+/// alone: the second look is iterated.
+bool KnownIdAssociation::passesGate(const Match& match, const EkfState& state,
+                                    const ObservationModel& model, const Pose2& sensor,
+                                    int linearizations, Association& association) const {
+  const auto predicted = model.predict(state.robot(), sensor, state.point(match.slot).now);
+  if (model.isSingular(predicted)) return false;
+  const std::vector<Match> one = {match};
+  const auto look = [&](int limit) {
+    const ObservationUpdate update(model, state, sensor, one, limit);
+    if (!update.isSolved()) return false;
+    const bool passes = update.nis() <= gate_;
+    association.innovations.push_back(
+        {match.z.id, update.innovation(0), update.covariance(0), match.z.covariance, passes});
+    return passes;
+  };
+  if (look(1)) return true;
+  if (linearizations == 1 || association.innovations.empty()) return false;
+  association.innovations.pop_back();
+  return look(linearizations);
 }
 
 }  // namespace slam::ekf

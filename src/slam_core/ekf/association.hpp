@@ -7,15 +7,15 @@
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/backend.hpp"
-#include "slam_core/ekf/ekf_state.hpp"
-#include "slam_core/ekf/linearization.hpp"
+#include "slam_core/ekf/observation_update.hpp"
 
 namespace slam::ekf {
 
 /// What the observations of one stamp are to the map.
 struct Association {
-  std::vector<Innovation> innovations;      ///< of known landmarks, within the gate
-  std::vector<LandmarkObservation> unseen;  ///< of landmarks that are not in the map yet
+  std::vector<Match> matches;                      ///< of known landmarks, within the gate
+  std::vector<LandmarkObservation> unseen;         ///< of landmarks that are not in the map yet
+  std::vector<ObservationInnovation> innovations;  ///< of known landmarks, gated ones included
   int gated = 0;
   int unknown = 0;  ///< without an id
 };
@@ -26,12 +26,15 @@ class KnownIdAssociation {
  public:
   explicit KnownIdAssociation(double gate_probability = 0.9999);
 
+  /// The known landmarks must be in the neighbourhood.
+  /// @param linearizations of an observation before it is gated, see ObservationUpdate
   Association associate(const LandmarkObservationArray& array, const EkfState& state,
-                        const ObservationModel& model, const Linearization& linearization,
+                        const ObservationModel& model, int linearizations,
                         Counters& counters) const;
 
  private:
-  bool passesGate(const Innovation& innovation, const DenseCovariance& P) const;
+  bool passesGate(const Match& match, const EkfState& state, const ObservationModel& model,
+                  const Pose2& sensor, int linearizations, Association& association) const;
 
   double gate_;  ///< largest squared Mahalanobis distance
 };

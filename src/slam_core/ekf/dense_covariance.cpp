@@ -10,9 +10,7 @@
 namespace slam::ekf {
 
 DenseCovariance::DenseCovariance(const Eigen::Matrix3d& robot)
-    : P_(Eigen::MatrixXd::Zero(kRobotSize, kRobotSize)) {
-  P_ = robot;
-}
+    : P_(robot.replicate<2, 2>()), size_(kHeadSize) {}
 
 DenseCovariance::DenseCovariance(const Eigen::MatrixXd& joint) : P_(joint), size_(joint.rows()) {}
 
@@ -20,12 +18,12 @@ Eigen::Matrix3d DenseCovariance::robot() const {
   return P_.topLeftCorner<3, 3>().selfadjointView<Eigen::Lower>();
 }
 
-Eigen::Matrix2d DenseCovariance::landmark(Eigen::Index i) const {
-  return P_.block<2, 2>(row(i), row(i)).selfadjointView<Eigen::Lower>();
+Eigen::Matrix2d DenseCovariance::landmark(Eigen::Index slot) const {
+  return P_.block<2, 2>(row(slot), row(slot)).selfadjointView<Eigen::Lower>();
 }
 
-DenseCovariance::Matrix23 DenseCovariance::landmarkRobot(Eigen::Index i) const {
-  return P_.block<2, 3>(row(i), 0);
+double DenseCovariance::relativeHeadingVariance() const {
+  return P_(2, 2) + P_(kHeadingRow, kHeadingRow) - 2.0 * P_(kHeadingRow, 2);
 }
 
 Eigen::MatrixXd DenseCovariance::joint() const {
@@ -34,24 +32,34 @@ Eigen::MatrixXd DenseCovariance::joint() const {
 
 void DenseCovariance::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q) {
   P_.topLeftCorner<3, 3>() = (F * robot() * F.transpose() + Q).eval();
-  auto map_robot = P_.block(kRobotSize, 0, size_ - kRobotSize, kRobotSize);
-  map_robot = (map_robot * F.transpose()).eval();
+  auto others_robot = P_.block(kRobotSize, 0, size_ - kRobotSize, kRobotSize);
+  others_robot = (others_robot * F.transpose()).eval();
+}
+
+void DenseCovariance::transportRobot(const Eigen::Vector2d& c) {
+  Eigen::Matrix3d T = Eigen::Matrix3d::Identity();
+  T.topRightCorner<2, 1>() = c;
+  predict(T, Eigen::Matrix3d::Zero());
 }
 
 Eigen::MatrixXd DenseCovariance::timesTransposed(const std::vector<Innovation>& innovations) const {
   Eigen::MatrixXd PHt(size_, 2 * static_cast<Eigen::Index>(innovations.size()));
   const Eigen::Matrix3d P_rr = robot();
-  const Eigen::Index below_robot = size_ - kRobotSize;
+  const Eigen::Index below_robot = size_ - kRobotSize, below_heading = size_ - kHeadingRow;
   Eigen::Index column = 0;
   for (const auto& innovation : innovations) {
-    const Eigen::Index m = row(innovation.landmark), below = size_ - m - 2;
+    const Eigen::Index m = row(innovation.slot), below = size_ - m - 2;
     const auto& H_m = innovation.H_landmark;
+    const auto& H_h = innovation.H_heading;
     auto out = PHt.middleCols<2>(column);
     out.topRows<3>() = P_rr * innovation.H_robot.transpose();
     out.bottomRows(below_robot) =
         P_.block(kRobotSize, 0, below_robot, kRobotSize) * innovation.H_robot.transpose();
+    out.topRows(kHeadingRow) += P_.row(kHeadingRow).head(kHeadingRow).transpose() * H_h.transpose();
+    out.bottomRows(below_heading) +=
+        P_.col(kHeadingRow).segment(kHeadingRow, below_heading) * H_h.transpose();
     out.topRows(m) += P_.block(m, 0, 2, m).transpose() * H_m.transpose();
-    out.middleRows<2>(m) += landmark(innovation.landmark) * H_m.transpose();
+    out.middleRows<2>(m) += landmark(innovation.slot) * H_m.transpose();
     out.bottomRows(below) += P_.block(m + 2, m, below, 2) * H_m.transpose();
     column += 2;
   }
@@ -67,22 +75,24 @@ void DenseCovariance::subtractOuterProductOfRobot(const Eigen::MatrixXd& W) {
 }
 
 void DenseCovariance::append(const Matrix23& J_m_robot, const Eigen::Matrix2d& R) {
-  reserve(size_ + 2);
-  P_.block<2, 3>(size_, 0) = J_m_robot * robot();
-  P_.block(size_, kRobotSize, 2, size_ - kRobotSize) =
+  Eigen::Matrix2Xd cross(2, size_);
+  cross.leftCols<3>() = J_m_robot * robot();
+  cross.rightCols(size_ - kRobotSize) =
       J_m_robot * P_.block(kRobotSize, 0, size_ - kRobotSize, kRobotSize).transpose();
-  P_.block<2, 2>(size_, size_) = J_m_robot * robot() * J_m_robot.transpose() + R;
-  size_ += 2;
+  appendJoint(cross, J_m_robot * robot() * J_m_robot.transpose() + R);
 }
 
-void DenseCovariance::resetRobot(const Eigen::Matrix3d& robot) {
-  P_.topLeftCorner<3, 3>() = robot;
-  P_.block(kRobotSize, 0, size_ - kRobotSize, kRobotSize).setZero();
+void DenseCovariance::appendJoint(const Eigen::Ref<const Eigen::Matrix2Xd>& cross,
+                                  const Eigen::Matrix2d& itself) {
+  reserve(size_ + 2);
+  P_.block(size_, 0, 2, size_) = cross;
+  P_.block<2, 2>(size_, size_) = itself;
+  size_ += 2;
 }
 
 void DenseCovariance::reserve(Eigen::Index size) {
   if (size <= P_.rows()) return;
-  constexpr Eigen::Index kFirstCapacity = 67;  // 32 landmarks
+  constexpr Eigen::Index kFirstCapacity = 70;  // 32 landmarks
   const Eigen::Index capacity = std::max({size, 2 * P_.rows(), kFirstCapacity});
   Eigen::MatrixXd grown = Eigen::MatrixXd::Zero(capacity, capacity);
   grown.topLeftCorner(size_, size_) = P_.topLeftCorner(size_, size_);

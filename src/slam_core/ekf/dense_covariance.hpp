@@ -10,26 +10,36 @@
 
 namespace slam::ekf {
 
-/// The joint covariance P of (robot, landmark 0, landmark 1, ...), size 3 + 2 N. Only the lower
-/// triangle is kept up to date, which halves the work of an update; storage doubles when it is
-/// full, so that growing by a landmark does not copy.
+/// The joint covariance P of (robot, reference pose, landmark 0, landmark 1, ...) of the
+/// neighbourhood, size 6 + 2 N. Only the lower triangle is kept up to date, which halves the work
+/// of an update; storage doubles when it is full, so that growing by a landmark does not copy.
 class DenseCovariance {
  public:
   using Matrix23 = Eigen::Matrix<double, 2, 3>;
 
+  static constexpr Eigen::Index kReferenceRow = 3, kHeadingRow = 5, kHeadSize = 6;
+  static Eigen::Index row(Eigen::Index slot) { return kHeadSize + 2 * slot; }
+
+  /// Without landmarks; the reference is a copy of the robot.
   explicit DenseCovariance(const Eigen::Matrix3d& robot = Eigen::Matrix3d::Identity());
-  /// From a full symmetric matrix of size 3 + 2 N.
+  /// From a full symmetric matrix of size 6 + 2 N.
   explicit DenseCovariance(const Eigen::MatrixXd& joint);
 
   Eigen::Index size() const { return size_; }
 
   Eigen::Matrix3d robot() const;
-  Eigen::Matrix2d landmark(Eigen::Index i) const;
-  Matrix23 landmarkRobot(Eigen::Index i) const;  ///< the block (landmark i, robot)
-  Eigen::MatrixXd joint() const;                 ///< the whole matrix, both triangles
+  Eigen::Matrix2d landmark(Eigen::Index slot) const;
+  /// Of the robot's heading relative to the reference's.
+  double relativeHeadingVariance() const;
+  double operator()(Eigen::Index row, Eigen::Index column) const {
+    return row >= column ? P_(row, column) : P_(column, row);
+  }
+  Eigen::MatrixXd joint() const;  ///< the whole matrix, both triangles
 
   /// P <- F P F^T + Q, where F differs from the identity in the robot's block only.
   void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q);
+  /// The robot's error e_xy becomes e_xy + c e_theta.
+  void transportRobot(const Eigen::Vector2d& c);
   /// P H^T, one pair of columns for each innovation.
   Eigen::MatrixXd timesTransposed(const std::vector<Innovation>& innovations) const;
   /// P <- P - W W^T
@@ -39,16 +49,15 @@ class DenseCovariance {
   void subtractOuterProductOfRobot(const Eigen::MatrixXd& W);
   /// Appends m = g(robot, z): J = dg/drobot, R the noise of z mapped into the plane.
   void append(const Matrix23& J_m_robot, const Eigen::Matrix2d& R);
-  /// The robot is drawn anew: its block is replaced, its correlations are removed.
-  void resetRobot(const Eigen::Matrix3d& robot);
+  /// Appends a landmark by its covariance with all there is, a column each, and with itself.
+  void appendJoint(const Eigen::Ref<const Eigen::Matrix2Xd>& cross, const Eigen::Matrix2d& itself);
 
  private:
   static constexpr Eigen::Index kRobotSize = 3;
-  static Eigen::Index row(Eigen::Index landmark) { return kRobotSize + 2 * landmark; }
   void reserve(Eigen::Index size);
 
   Eigen::MatrixXd P_;  ///< capacity x capacity, lower triangle
-  Eigen::Index size_ = kRobotSize;
+  Eigen::Index size_ = kHeadSize;
 };
 
 }  // namespace slam::ekf

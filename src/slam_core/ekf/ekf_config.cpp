@@ -10,8 +10,26 @@ namespace slam::ekf {
 void EkfConfig::describe(Fields& fields) {
   fields.add("mode", &mode, "build the map, or keep a loaded one fixed and only localise in it")
       .oneOf({"slam", "localization"});
-  fields.add("linearization", &linearization, "where the Jacobians are evaluated")
+  fields
+      .add("linearization", &linearization,
+           "where the Jacobians are evaluated and which error the covariance describes")
       .oneOf(linearizationNames());
+  fields
+      .add("iterations", &iterations,
+           "an update is linearised at most so often, until its observations are linear in the "
+           "correction")
+      .unit("1")
+      .in(Range::closed(1, 50));
+  fields
+      .add("update", &update,
+           "compressed: an update touches only the landmarks of the neighbourhood; dense: all")
+      .oneOf({"compressed", "dense"});
+  fields
+      .add("neighbourhood", &neighbourhood,
+           "after so many different landmarks the whole map is brought up to date and a new "
+           "neighbourhood begins")
+      .unit("1")
+      .in(Range::atLeast(1));
   fields
       .add("gate_probability", &gate_probability,
            "an observation is left out when a right one would lie nearer with this probability")

@@ -13,7 +13,10 @@ struct EkfConfig {
   static constexpr const char* kSection = "ekf";
 
   std::string mode = "slam";
-  std::string linearization = "textbook";
+  std::string linearization = "right_invariant";
+  int iterations = 5;
+  std::string update = "compressed";
+  int neighbourhood = 64;
   double gate_probability = 0.9999;
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;

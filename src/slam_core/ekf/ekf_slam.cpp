@@ -3,13 +3,11 @@
 
 #include "slam_core/ekf/ekf_slam.hpp"
 
-#include <Eigen/Cholesky>
-
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
-// Symbols: x state, P its covariance, u motion increment with covariance Q, z observation with
-// covariance R, nu innovation with covariance S = L L^T, m landmark.
+// Symbols: x state, P its covariance, Q that of the motion increment, z observation, m landmark;
+// those of the update stand in observation_update.cpp.
 
 namespace slam::ekf {
 namespace {
@@ -35,7 +33,7 @@ void EkfSlam::configure(Settings& settings) { configure(settings.read<EkfConfig>
 void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
-  state_ = EkfState({Pose2(), sigma.cwiseAbs2().asDiagonal()});
+  state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()});
   statistics_ = {};
   counters_.clear();
   map_.reset();
@@ -63,72 +61,63 @@ Status EkfSlam::execute() {
   statistics_.landmarks = static_cast<int>(state_.landmarks());
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
-  const auto matches = association_.associate(z, state_, model_, *linearization_, counters_);
-  statistics_.gated = matches.gated;
-  statistics_.unknown = matches.unknown;
-  const auto status = update(matches.innovations);
-  augment(matches.unseen, z.sensor_pose);
+  state_.take(z.observations);
+  auto association = association_.associate(z, state_, model_, config_.iterations, counters_);
+  const auto status = update(association.matches, z.sensor_pose);
+  augment(association.unseen, z.sensor_pose);
+  statistics_.gated = association.gated;
+  statistics_.unknown += association.unknown;
+  statistics_.innovations = std::move(association.innovations);
   statistics_.landmarks = static_cast<int>(state_.landmarks());
-  if (matches.innovations.empty() && matches.gated >= kLost)
+  if (association.matches.empty() && association.gated >= kLost)
     return Status::warning("no observation fits the map, all are gated: the pose may be lost");
   if (config_.mode == "localization" && state_.landmarks() == 0)
     return Status::warning("there is no map to localise in; load one");
   return status;
 }
 
+StretchLimits EkfSlam::limits() const { return {config_.neighbourhood, config_.update == "dense"}; }
+
 void EkfSlam::replaceMap() {
   if (!map_) return;
-  state_ = EkfState(*map_, config_.load_inflation);
+  state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation);
   map_.reset();
 }
 
 void EkfSlam::relocate() {
   if (!initial_pose_) return;
-  state_.setRobot(initial_pose_->pose);
-  state_.covariance().resetRobot(initial_pose_->covariance);
+  state_.relocate(*initial_pose_);
   initial_pose_.reset();
 }
 
 void EkfSlam::predict() {
   if (!motion_) return;
-  Eigen::Matrix3d F, G;
-  linearization_->motionJacobians(state_.robot(), motion_->increment, F, G);
-  state_.setRobot(state_.robot() * motion_->increment);
-  state_.covariance().predict(F, G * motion_->covariance * G.transpose());
+  state_.predict(motion_->increment, motion_->covariance);
   motion_.reset();
 }
 
-Status EkfSlam::update(const std::vector<Innovation>& innovations) {
-  if (innovations.empty()) return Status::ok();
-  auto& P = state_.covariance();
-  Eigen::MatrixXd W = P.timesTransposed(innovations);  // P H^T
-  const Eigen::Index size = W.cols();
-
-  Eigen::MatrixXd S(size, size);
-  Eigen::VectorXd nu(size);
-  for (Eigen::Index i = 0; i < size; i += 2) {
-    const auto& innovation = innovations[static_cast<std::size_t>(i / 2)];
-    S.middleRows<2>(i) = innovation.H_robot * W.topRows<3>() +
-                         innovation.H_landmark * W.middleRows<2>(3 + 2 * innovation.landmark);
-    S.block<2, 2>(i, i) += innovation.R;
-    nu.segment<2>(i) = innovation.nu;
+Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
+  if (matches.empty()) return Status::ok();
+  const auto solved = [&] {
+    return ObservationUpdate(model_, state_, sensor, matches, config_.iterations);
+  };
+  auto step = std::make_optional(solved());
+  if (step->isSolved() && linearization_->isTooLarge(step->headingCorrection())) {
+    state_.renewReference();
+    step.emplace(solved());
   }
-  const Eigen::LLT<Eigen::MatrixXd> L(S);
-  if (L.info() != Eigen::Success)
+  if (!step->isSolved())
     return Status::error("the innovations' covariance is not positive definite; update left out");
 
-  L.matrixU().solveInPlace<Eigen::OnTheRight>(W);  // P H^T L^-T, so that K S K^T = W W^T
-  L.matrixL().solveInPlace(nu);
-  statistics_.nis = nu.squaredNorm();
-  statistics_.nis_dof = static_cast<int>(size);
-  statistics_.used = static_cast<int>(innovations.size());
-  if (config_.mode == "localization") {
-    state_.add(W.topRows<3>() * nu);
-    P.subtractOuterProductOfRobot(W);
-  } else {
-    state_.add(W * nu);
-    P.subtractOuterProduct(W);
-  }
+  statistics_.nis = step->nis();
+  statistics_.nis_dof = 2 * static_cast<int>(matches.size());
+  statistics_.used = static_cast<int>(matches.size());
+  statistics_.log_likelihood = step->logLikelihood();
+  const auto W = step->gain();
+  if (config_.mode == "localization")
+    state_.updateRobot(step->correction(W), W);
+  else
+    state_.update(step->correction(W), W);
   return Status::ok();
 }
 

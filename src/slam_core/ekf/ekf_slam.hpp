@@ -10,13 +10,14 @@
 #include "slam_core/ekf/association.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
 #include "slam_core/ekf/ekf_state.hpp"
-#include "slam_core/ekf/linearization.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam::ekf {
 
 /// EKF-SLAM with a map of point landmarks (thesis 5.1; Thrun, Burgard, Fox 2005, table 10.1): all
-/// observations of a stamp go into one joint update.
+/// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
+/// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
+/// robot instead of the map's is the state's doing (neighbourhood.hpp).
 class EkfSlam final : public Backend {
  public:
   /// @throw ConfigError
@@ -39,16 +40,17 @@ class EkfSlam final : public Backend {
   void reset() override;
 
  private:
+  StretchLimits limits() const;
   void replaceMap();
   void relocate();
   void predict();
-  Status update(const std::vector<Innovation>& innovations);
+  Status update(const std::vector<Match>& matches, const Pose2& sensor);
   void augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
 
   EkfConfig config_;
   RangeBearingModel model_;
   KnownIdAssociation association_;
-  std::unique_ptr<Linearization> linearization_;
+  EkfState::LinearizationPtr linearization_;
   EkfState state_;
   UpdateStatistics statistics_;
   Counters counters_;

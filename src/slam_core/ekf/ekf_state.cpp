@@ -9,8 +9,8 @@
 namespace slam::ekf {
 namespace {
 
-DenseCovariance covarianceOf(const MapState& map, double inflation) {
-  if (map.joint_covariance.size() > 0) return DenseCovariance(map.joint_covariance);
+Eigen::MatrixXd jointOf(const MapState& map, double inflation) {
+  if (map.joint_covariance.size() > 0) return map.joint_covariance;
   const auto size = 3 + 2 * static_cast<Eigen::Index>(map.landmarks.size());
   Eigen::MatrixXd P = Eigen::MatrixXd::Zero(size, size);
   P.topLeftCorner<3, 3>() = map.robot.covariance;
@@ -18,67 +18,201 @@ DenseCovariance covarianceOf(const MapState& map, double inflation) {
     const auto row = 3 + 2 * static_cast<Eigen::Index>(i);
     P.block<2, 2>(row, row) = inflation * inflation * map.landmarks[i].covariance;
   }
-  return DenseCovariance(P);
+  return P;
 }
+
+std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-EkfState::EkfState(const PoseEstimate& robot) : robot_(robot.pose), P_(robot.covariance) {}
+EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot)
+    : linearization_(std::move(linearization)),
+      limits_(limits),
+      robot_(robot.pose),
+      neighbourhood_(Eigen::MatrixXd(robot.covariance)) {}
 
-EkfState::EkfState(const MapState& map, double inflation)
-    : robot_(map.robot.pose), P_(covarianceOf(map, inflation)) {
+EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const MapState& map,
+                   double inflation)
+    : linearization_(std::move(linearization)),
+      limits_(limits),
+      robot_(map.robot.pose),
+      neighbourhood_(jointOf(map, inflation)) {
   for (const auto& landmark : map.landmarks) {
     index_[landmark.id] = static_cast<Eigen::Index>(ids_.size());
     ids_.push_back(landmark.id);
-    landmarks_.push_back(landmark.position);
+    starts_.push_back(landmark.position);
+  }
+  firsts_ = starts_;
+  born_.assign(ids_.size(), 0.0);
+  is_seen_.assign(ids_.size(), false);
+  takeWholeMap();
+}
+
+std::optional<Eigen::Index> EkfState::slot(LandmarkId id) const {
+  const auto found = index_.find(id);
+  if (found == index_.end()) return std::nullopt;
+  return neighbourhood_.slot(found->second);
+}
+
+LandmarkPoint EkfState::point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,
+                              double born) const {
+  const auto& start = starts_[at(landmark)];
+  return {linearization_->moved(start, correction, turn - born), start, firsts_[at(landmark)]};
+}
+
+LandmarkPoint EkfState::point(Eigen::Index slot, const Eigen::Vector2d& correction,
+                              double turn) const {
+  const auto landmark = neighbourhood_.taken()[at(slot)];
+  const Eigen::Vector2d before = neighbourhood_.correction().segment<2>(DenseCovariance::row(slot));
+  return point(landmark, before + correction, this->turn() + turn, born_[at(landmark)]);
+}
+
+std::vector<LandmarkPoint> EkfState::allPoints() const {
+  const auto corrections = neighbourhood_.allCorrections();
+  std::vector<LandmarkPoint> points;
+  points.reserve(ids_.size());
+  for (Eigen::Index i = 0; i < corrections.cols(); ++i)
+    points.push_back(point(i, corrections.col(i), turn(), born_[at(i)]));
+  return points;
+}
+
+Eigen::Matrix2Xd EkfState::transports(const std::vector<LandmarkPoint>& points) const {
+  Eigen::Matrix2Xd c(2, static_cast<Eigen::Index>(points.size()));
+  for (Eigen::Index i = 0; i < c.cols(); ++i)
+    c.col(i) = linearization_->landmarkTransport(points[at(i)]);
+  return c;
+}
+
+void EkfState::renew() {
+  const auto points = allPoints();
+  neighbourhood_.renew(transports(points));
+  for (std::size_t i = 0; i < points.size(); ++i) starts_[i] = points[i].now;
+  std::fill(born_.begin(), born_.end(), 0.0);
+  std::fill(is_seen_.begin(), is_seen_.end(), false);
+  seen_ = 0;
+  takeWholeMap();
+}
+
+void EkfState::takeWholeMap() {
+  if (!limits_.whole_map) return;
+  for (Eigen::Index i = 0; i < neighbourhood_.landmarks(); ++i) neighbourhood_.take(i);
+}
+
+void EkfState::take(const std::vector<LandmarkObservation>& seen) {
+  Eigen::Index more = 0;  // than were seen in this stretch
+  std::vector<Eigen::Index> known;
+  for (const auto& z : seen) {
+    const auto found = index_.find(z.id);
+    const bool is_known = found != index_.end();
+    if (z.id == kUnknownId || (is_known && is_seen_[at(found->second)])) continue;
+    ++more;
+    if (is_known) known.push_back(found->second);
+  }
+  const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limits_.landmarks;
+  if (is_full ||
+      linearization_->isStale(turn(), neighbourhood_.covariance().relativeHeadingVariance())) {
+    renew();
+    take(seen);
+    return;
+  }
+  for (const auto landmark : known) {
+    if (is_seen_[at(landmark)]) continue;  // twice in one array
+    if (neighbourhood_.slot(landmark) < 0) neighbourhood_.take(landmark);
+    is_seen_[at(landmark)] = true;
+    ++seen_;
   }
 }
 
-std::optional<Eigen::Index> EkfState::find(LandmarkId id) const {
-  const auto found = index_.find(id);
-  if (found == index_.end()) return std::nullopt;
-  return found->second;
+void EkfState::renewReference() {
+  if (neighbourhood_.isFresh()) return;
+  const auto taken = neighbourhood_.taken();
+  const auto is_seen = is_seen_;
+  const auto seen = seen_;
+  renew();
+  for (const auto landmark : taken)
+    if (neighbourhood_.slot(landmark) < 0) neighbourhood_.take(landmark);
+  is_seen_ = is_seen;
+  seen_ = seen;
 }
 
-void EkfState::add(const Eigen::VectorXd& dx) {
-  robot_ = Pose2::fromVector(robot_.vector() + dx.head<3>());
-  for (Eigen::Index row = 3; row < dx.size(); row += 2)
-    landmarks_[static_cast<std::size_t>((row - 3) / 2)] += dx.segment<2>(row);
+void EkfState::predict(const Pose2& increment, const Eigen::Matrix3d& Q) {
+  Eigen::Matrix3d F, G;
+  robot_ = robot_.compose(increment, &F, &G);
+  neighbourhood_.predict(F, G * Q * G.transpose());
+}
+
+void EkfState::correctRobot(const Eigen::Vector3d& dx) {
+  const Pose2 before = robot_;
+  robot_ = linearization_->moved(before, dx);
+  const auto c = linearization_->robotTransport(before, robot_);
+  if (!c.isZero(0.0)) neighbourhood_.transportRobot(c);
+}
+
+void EkfState::update(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W) {
+  neighbourhood_.update(W, dx);
+  correctRobot(dx.head<3>());
+}
+
+void EkfState::updateRobot(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W) {
+  neighbourhood_.updateRobot(W);
+  correctRobot(dx.head<3>());
 }
 
 void EkfState::append(LandmarkId id, const Eigen::Vector2d& m_map,
                       const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R) {
-  P_.append(J_m_robot, R);
+  neighbourhood_.append(J_m_robot, R);
   index_[id] = static_cast<Eigen::Index>(ids_.size());
   ids_.push_back(id);
-  landmarks_.push_back(m_map);
+  starts_.push_back(m_map);
+  firsts_.push_back(m_map);
+  born_.push_back(turn());
+  is_seen_.push_back(true);
+  ++seen_;
+}
+
+void EkfState::relocate(const PoseEstimate& robot) {
+  renew();
+  robot_ = robot.pose;
+  neighbourhood_.resetRobot(robot.covariance);
+  takeWholeMap();
 }
 
 std::vector<Eigen::Index> EkfState::orderById() const {
   std::vector<Eigen::Index> order(ids_.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [this](Eigen::Index a, Eigen::Index b) {
-    return ids_[static_cast<std::size_t>(a)] < ids_[static_cast<std::size_t>(b)];
-  });
+  std::sort(order.begin(), order.end(),
+            [this](Eigen::Index a, Eigen::Index b) { return ids_[at(a)] < ids_[at(b)]; });
   return order;
 }
 
 LandmarkMap EkfState::map() const {
+  const auto points = allPoints();
+  const auto marginals = neighbourhood_.marginals(transports(points));
   LandmarkMap map;
   map.reserve(ids_.size());
   for (const auto i : orderById())
-    map.push_back({ids_[static_cast<std::size_t>(i)], landmark(i), P_.landmark(i)});
+    map.push_back({ids_[at(i)], points[at(i)].now, marginals[at(i)]});
   return map;
 }
 
 MapState EkfState::state() const {
-  const auto joint = P_.joint();
-  Eigen::VectorXi rows(joint.rows());
+  const auto points = allPoints();
+  Neighbourhood updated = neighbourhood_;
+  updated.renew(transports(points));
+  const auto order = orderById();
+  Eigen::VectorXi rows(3 + 2 * static_cast<Eigen::Index>(order.size()));
   rows.head<3>() << 0, 1, 2;
   int row = 3;
-  for (const auto i : orderById())
+  for (const auto i : order)
     for (int axis = 0; axis < 2; ++axis) rows(row++) = static_cast<int>(3 + 2 * i) + axis;
-  return {pose(), map(), joint(rows, rows)};
+  MapState state{pose(), {}, updated.joint()(rows, rows)};
+  row = 3;
+  for (const auto i : order) {
+    state.landmarks.push_back(
+        {ids_[at(i)], points[at(i)].now, state.joint_covariance.block<2, 2>(row, row)});
+    row += 2;
+  }
+  return state;
 }
 
 }  // namespace slam::ekf

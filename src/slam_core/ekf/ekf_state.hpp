@@ -4,49 +4,90 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
-#include "slam_core/ekf/dense_covariance.hpp"
+#include "slam_core/ekf/linearization.hpp"
+#include "slam_core/ekf/neighbourhood.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam::ekf {
 
-/// The Gaussian over robot and map: x = (robot, landmarks in the order they were first seen) and
-/// its covariance P, with the ids of the landmarks.
+/// How much of the map an update touches.
+struct StretchLimits {
+  Eigen::Index landmarks = 64;  ///< so many are seen before the stretch ends
+  bool whole_map = false;       ///< every landmark is in the neighbourhood: no compression
+};
+
+/// The Gaussian over robot and map: estimates, their joint covariance (Neighbourhood), and the ids
+/// of the landmarks in the order in which they were first seen. The linearisation says which error
+/// the covariance describes; what comes out is always that of (x, y, theta) and (x, y). To look at
+/// the state does not change it, not by a bit.
 class EkfState {
  public:
-  explicit EkfState(const PoseEstimate& robot = {});
+  using LinearizationPtr = std::shared_ptr<const Linearization>;
+
+  EkfState() = default;
+  EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot);
   /// Landmarks without a joint covariance get their marginals times `inflation` squared.
-  EkfState(const MapState& map, double inflation);
+  EkfState(LinearizationPtr linearization, StretchLimits limits, const MapState& map,
+           double inflation);
 
   const Pose2& robot() const { return robot_; }
-  Eigen::Vector2d landmark(Eigen::Index i) const { return landmarks_[static_cast<std::size_t>(i)]; }
-  std::optional<Eigen::Index> find(LandmarkId id) const;
   std::size_t landmarks() const { return ids_.size(); }
+  /// The slot of a landmark that was taken into the neighbourhood; nothing where it is not known.
+  std::optional<Eigen::Index> slot(LandmarkId id) const;
+  /// A landmark of the neighbourhood; with a candidate for the corrections of its position and of
+  /// the reference's heading, before they are applied.
+  LandmarkPoint point(Eigen::Index slot,
+                      const Eigen::Vector2d& correction = Eigen::Vector2d::Zero(),
+                      double turn = 0.0) const;
+  const DenseCovariance& covariance() const { return neighbourhood_.covariance(); }
+  const Linearization& linearization() const { return *linearization_; }
 
-  DenseCovariance& covariance() { return P_; }
-  const DenseCovariance& covariance() const { return P_; }
-
-  void setRobot(const Pose2& robot) { robot_ = robot; }
-  /// x <- x + dx; the whole state, or its robot part where dx has three rows.
-  void add(const Eigen::VectorXd& dx);
+  /// Takes the known ones of these into the neighbourhood; where it would grow too large the
+  /// stretch ends first.
+  void take(const std::vector<LandmarkObservation>& seen);
+  void predict(const Pose2& increment, const Eigen::Matrix3d& Q);
+  /// x <- x + dx and P <- P - W W^T, rows as in covariance().
+  void update(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
+  /// The same for the robot only, the map being known (Schmidt-Kalman update).
+  void updateRobot(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
+  /// Appends m = g(robot, z): J = dg/drobot, R the noise of z mapped into the plane.
   void append(LandmarkId id, const Eigen::Vector2d& m_map,
               const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
+  /// The robot is drawn anew: its correlations are removed.
+  void relocate(const PoseEstimate& robot);
+  /// A new stretch with the same landmarks, unless this one has just begun.
+  void renewReference();
 
-  PoseEstimate pose() const { return {robot_, P_.robot()}; }
+  PoseEstimate pose() const { return {robot_, covariance().robot()}; }
   LandmarkMap map() const;  ///< sorted by id, with marginals
   MapState state() const;   ///< sorted by id, with the joint covariance
 
  private:
+  LandmarkPoint point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,
+                      double born) const;
+  double turn() const { return neighbourhood_.correction()(DenseCovariance::kHeadingRow); }
+  std::vector<LandmarkPoint> allPoints() const;
+  Eigen::Matrix2Xd transports(const std::vector<LandmarkPoint>& points) const;
+  void correctRobot(const Eigen::Vector3d& dx);
+  void renew();
+  void takeWholeMap();
   std::vector<Eigen::Index> orderById() const;
 
+  LinearizationPtr linearization_;
+  StretchLimits limits_;
   Pose2 robot_;
-  std::vector<Eigen::Vector2d> landmarks_;
+  Neighbourhood neighbourhood_;
   std::vector<LandmarkId> ids_;
   std::unordered_map<LandmarkId, Eigen::Index> index_;  // looked up only, never iterated
-  DenseCovariance P_;
+  std::vector<Eigen::Vector2d> starts_, firsts_;        ///< see LandmarkPoint
+  std::vector<double> born_;   ///< turn() when the landmark was added, by landmark
+  std::vector<bool> is_seen_;  ///< in this stretch, by landmark
+  Eigen::Index seen_ = 0;      ///< how many of them
 };
 
 }  // namespace slam::ekf

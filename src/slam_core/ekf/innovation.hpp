@@ -7,13 +7,14 @@
 
 namespace slam::ekf {
 
-/// One linearised observation of a landmark in the map: nu = z - h(x), its noise R and the two
-/// blocks of its sparse Jacobian H.
+/// One linearised observation of a landmark in the map: nu = z - h(x), its noise R and the blocks
+/// of its sparse Jacobian H.
 struct Innovation {
-  Eigen::Index landmark = 0;  ///< position in the state
+  Eigen::Index slot = 0;  ///< of the landmark among those of the neighbourhood
   Eigen::Vector2d nu = Eigen::Vector2d::Zero();
   Eigen::Matrix2d R = Eigen::Matrix2d::Zero();
   Eigen::Matrix<double, 2, 3> H_robot = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Vector2d H_heading = Eigen::Vector2d::Zero();  ///< by the heading of the reference pose
   Eigen::Matrix2d H_landmark = Eigen::Matrix2d::Zero();
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr Index kPanel = 16;  ///< rows of W that are packed together
-constexpr Index kGroup = 4;   ///< columns of P whose sums stay in registers
+constexpr Index kPanel = kPanelRows;  ///< rows of W that are packed together
+constexpr Index kGroup = 4;           ///< columns of P whose sums stay in registers
 
 /// C <- C - A B^T. A and B point into packed panels, kPanel doubles for each of the k columns of W;
 /// C is kPanel x kGroup, column-major, its columns `stride` apart.
@@ -87,7 +87,32 @@ std::vector<double> packPanels(const Eigen::MatrixXd& W, Index size) {
   return packed;
 }
 
+/// So many columns of A and B at a time, for two panels of them to stay in the fastest cache.
+constexpr Index kDepth = 96;
+
+void subtractSlice(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                   const std::vector<double*>& panels) {
+  static const BlockUpdate subtract = fastestBlockUpdate();
+  const Index size = A.rows(), k = A.cols();
+  const auto packed_A = packPanels(A, size), packed_B = packPanels(B, size);
+  for (Index panel = 0; panel < static_cast<Index>(panels.size()); ++panel) {
+    const double* a = packed_A.data() + panel * k * kPanel;
+    double* P = panels[static_cast<std::size_t>(panel)];
+    for (Index column = 0; column < (panel + 1) * kPanel; column += kGroup)
+      subtract(a, packed_B.data() + column / kPanel * k * kPanel + column % kPanel, k,
+               P + column * kPanel, kPanel);
+  }
+}
+
 }  // namespace
+
+void subtractProductLower(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                          const std::vector<double*>& panels) {
+  for (Index first = 0; first < A.cols(); first += kDepth) {
+    const Index depth = std::min(kDepth, A.cols() - first);
+    subtractSlice(A.middleCols(first, depth), B.middleCols(first, depth), panels);
+  }
+}
 
 void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Index size, Index stride) {
   static const BlockUpdate subtract = fastestBlockUpdate();

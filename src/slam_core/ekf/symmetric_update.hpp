@@ -4,8 +4,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace slam::ekf {
+
+/// Rows that lie together in the update below, and in PanelTriangle.
+constexpr Eigen::Index kPanelRows = 16;
 
 /// P <- P - W W^T in the lower triangle of a column-major matrix: the one operation that costs the
 /// square of the map. It is compiled for several instruction sets and chosen when the program runs;
@@ -14,5 +18,11 @@ namespace slam::ekf {
 /// @param P lower triangle of `size` rows, columns `stride` apart; the upper one is left alone
 void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Eigen::Index size,
                                Eigen::Index stride);
+
+/// P <- P - A B^T, where that is symmetric, in a lower triangle cut into panels of kPanelRows rows.
+/// @param A, B of the same size
+/// @param panels each column-major, kPanelRows high and complete up to the block on the diagonal
+void subtractProductLower(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                          const std::vector<double*>& panels);
 
 }  // namespace slam::ekf

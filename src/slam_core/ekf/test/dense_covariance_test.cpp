@@ -23,8 +23,9 @@ std::vector<Innovation> randomInnovations(RandomStream& random, Eigen::Index lan
   std::vector<Innovation> innovations;
   for (Eigen::Index i = 0; i < landmarks; i += 1 + i % 3) {
     Innovation innovation;
-    innovation.landmark = (i * 7) % landmarks;  // in no order
+    innovation.slot = (i * 7) % landmarks;  // in no order
     innovation.H_robot = randomMatrix(random, 2, 3);
+    innovation.H_heading = randomMatrix(random, 2, 1);
     innovation.H_landmark = randomMatrix(random, 2, 2);
     innovations.push_back(innovation);
   }
@@ -35,7 +36,8 @@ Eigen::MatrixXd fullJacobian(const std::vector<Innovation>& innovations, Eigen::
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(2 * Eigen::Index(innovations.size()), size);
   for (std::size_t i = 0; i < innovations.size(); ++i) {
     H.block<2, 3>(2 * Eigen::Index(i), 0) = innovations[i].H_robot;
-    H.block<2, 2>(2 * Eigen::Index(i), 3 + 2 * innovations[i].landmark) = innovations[i].H_landmark;
+    H.block<2, 1>(2 * Eigen::Index(i), 5) = innovations[i].H_heading;
+    H.block<2, 2>(2 * Eigen::Index(i), 6 + 2 * innovations[i].slot) = innovations[i].H_landmark;
   }
   return H;
 }
@@ -49,7 +51,7 @@ void expectSame(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 /// Against the same operations on full matrices, for maps below and above the blocks of the update.
 class DenseCovarianceTest : public testing::TestWithParam<int> {
  protected:
-  const Eigen::Index landmarks = GetParam(), size = 3 + 2 * landmarks;
+  const Eigen::Index landmarks = GetParam(), size = 6 + 2 * landmarks;
   RandomStream random{1, std::uint64_t(GetParam())};
   Eigen::MatrixXd P = randomCovariance(random, size);
   DenseCovariance covariance{P};
@@ -59,10 +61,10 @@ TEST_P(DenseCovarianceTest, TellsItsBlocks) {
   expectSame(covariance.joint(), P);
   EXPECT_EQ(covariance.joint(), covariance.joint().transpose());
   expectSame(covariance.robot(), P.topLeftCorner<3, 3>());
-  for (Eigen::Index i = 0; i < landmarks; ++i) {
-    expectSame(covariance.landmark(i), P.block<2, 2>(3 + 2 * i, 3 + 2 * i));
-    expectSame(covariance.landmarkRobot(i), P.block<2, 3>(3 + 2 * i, 0));
-  }
+  EXPECT_EQ(covariance(1, size - 1), covariance(size - 1, 1));
+  EXPECT_NEAR(covariance.relativeHeadingVariance(), P(2, 2) + P(5, 5) - 2 * P(2, 5), 1e-9);
+  for (Eigen::Index i = 0; i < landmarks; ++i)
+    expectSame(covariance.landmark(i), P.block<2, 2>(6 + 2 * i, 6 + 2 * i));
 }
 
 TEST_P(DenseCovarianceTest, PredictsAsTheFullMatrixDoes) {
@@ -73,6 +75,14 @@ TEST_P(DenseCovarianceTest, PredictsAsTheFullMatrixDoes) {
   Eigen::MatrixXd expected = F_full * P * F_full.transpose();
   expected.topLeftCorner<3, 3>() += Q;
   expectSame(covariance.joint(), expected);
+}
+
+TEST_P(DenseCovarianceTest, CarriesTheRobotsErrorAlong) {
+  const Eigen::Vector2d c(0.3, -0.7);
+  covariance.transportRobot(c);
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(size, size);
+  T.block<2, 1>(0, 2) = c;
+  expectSame(covariance.joint(), T * P * T.transpose());
 }
 
 TEST_P(DenseCovarianceTest, MultipliesWithTheSparseJacobian) {
@@ -92,12 +102,12 @@ TEST_P(DenseCovarianceTest, SubtractsAnOuterProductOfAnyWidth) {
 
 TEST_P(DenseCovarianceTest, LeavesTheMapAloneWhenOnlyTheRobotIsUpdated) {
   const auto W = randomMatrix(random, size, 4);
-  const Eigen::MatrixXd map_before =
-      covariance.joint().bottomRightCorner(2 * landmarks, 2 * landmarks);
+  const Eigen::Index rest = size - 3;
+  const Eigen::MatrixXd map_before = covariance.joint().bottomRightCorner(rest, rest);
   covariance.subtractOuterProductOfRobot(W);
-  EXPECT_EQ(covariance.joint().bottomRightCorner(2 * landmarks, 2 * landmarks), map_before);
+  EXPECT_EQ(covariance.joint().bottomRightCorner(rest, rest), map_before);
   Eigen::MatrixXd expected = P - W * W.transpose();
-  expected.bottomRightCorner(2 * landmarks, 2 * landmarks) = map_before;
+  expected.bottomRightCorner(rest, rest) = map_before;
   expectSame(covariance.joint(), expected);
 }
 
@@ -113,23 +123,28 @@ TEST_P(DenseCovarianceTest, AppendsALandmarkWithItsCorrelations) {
   expectSame(covariance.joint(), expected);
 }
 
-TEST_P(DenseCovarianceTest, RemovesTheRobotsCorrelationsWhenItIsRedrawn) {
+TEST_P(DenseCovarianceTest, AppendsALandmarkOfWhichEverythingIsKnown) {
+  const Eigen::MatrixXd larger = randomCovariance(random, size + 2);
+  DenseCovariance grown{Eigen::MatrixXd(larger.topLeftCorner(size, size))};
+  grown.appendJoint(larger.bottomLeftCorner(2, size), larger.bottomRightCorner<2, 2>());
+  expectSame(grown.joint(), larger);
+}
+
+TEST(DenseCovarianceStart, HoldsTheRobotTwice) {
+  RandomStream random(4, 0);
   const Eigen::Matrix3d robot = randomCovariance(random, 3);
-  covariance.resetRobot(robot);
-  Eigen::MatrixXd expected = P;
-  expected.topRows<3>().setZero();
-  expected.leftCols<3>().setZero();
-  expected.topLeftCorner<3, 3>() = robot;
-  expectSame(covariance.joint(), expected);
+  const DenseCovariance covariance{robot};
+  expectSame(covariance.joint(), robot.replicate<2, 2>());
+  EXPECT_NEAR(covariance.relativeHeadingVariance(), 0.0, 1e-15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Landmarks, DenseCovarianceTest, testing::Values(1, 2, 5, 15, 16, 40, 101));
 
 TEST(DenseCovarianceGrowth, KeepsEveryValueOverSeveralDoublings) {
   RandomStream random(5, 0);
-  Eigen::MatrixXd P = randomCovariance(random, 3);
-  DenseCovariance covariance{Eigen::Matrix3d(P)};
-  for (Eigen::Index i = 0; i < 150; ++i) {  // capacity 67, 134, 268, 536
+  Eigen::MatrixXd P = randomCovariance(random, 6);
+  DenseCovariance covariance{P};
+  for (Eigen::Index i = 0; i < 150; ++i) {  // capacity 70, 140, 280, 560
     const DenseCovariance::Matrix23 J = 0.1 * randomMatrix(random, 2, 3);
     const Eigen::Matrix2d R = randomCovariance(random, 2);
     covariance.append(J, R);
@@ -142,7 +157,7 @@ TEST(DenseCovarianceGrowth, KeepsEveryValueOverSeveralDoublings) {
     covariance.subtractOuterProduct(W);
     P -= W * W.transpose();
   }
-  EXPECT_EQ(covariance.size(), 303);
+  EXPECT_EQ(covariance.size(), 306);
   expectSame(covariance.joint(), P);
 }
 

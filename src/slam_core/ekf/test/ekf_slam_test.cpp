@@ -55,6 +55,9 @@ class EkfUpdate : public testing::Test {
 
 TEST_F(EkfUpdate, EqualsTheTextbookWithFullMatrices) {
   EkfConfig config;
+  config.linearization = "textbook";
+  config.iterations = 1;
+  config.neighbourhood = 5;
   config.gate_probability = 1 - 1e-15;
   config.initial_sigma_position = 0.01;
   config.initial_sigma_heading = 0.02;

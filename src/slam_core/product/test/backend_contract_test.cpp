@@ -22,13 +22,33 @@ bool isSymmetricPositiveDefinite(const Eigen::MatrixXd& P) {
          Eigen::LLT<Eigen::MatrixXd>(P).info() == Eigen::Success;
 }
 
+/// A back-end as it comes, or with settings that change how it works.
+struct Variant {
+  std::string backend, name;
+  std::vector<std::string> settings;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const auto& name : Registry<Backend>::instance().names()) all.push_back({name, name, {}});
+  for (const std::string linearization :
+       {"textbook", "first_estimates", "observability_constrained", "right_invariant"})
+    all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});
+  all.push_back({"ekf", "ekf_dense", {"ekf.update=dense"}});
+  all.push_back({"ekf", "ekf_neighbourhood_of_one", {"ekf.neighbourhood=1"}});
+  return all;
+}
+
 /// What every back-end promises; a new one joins by registering itself.
-class BackendContract : public testing::TestWithParam<std::string> {
+class BackendContract : public testing::TestWithParam<Variant> {
  protected:
+  static void configure(Backend& backend) {
+    Settings settings({}, {}, GetParam().settings);
+    backend.configure(settings);
+  }
   static std::unique_ptr<Backend> make() {
-    Settings settings;
-    auto backend = Registry<Backend>::instance().create(GetParam());
-    backend->configure(settings);
+    auto backend = Registry<Backend>::instance().create(GetParam().backend);
+    configure(*backend);
     return backend;
   }
   static void take(Backend& backend, const SimulatedStep& step) {
@@ -114,8 +134,7 @@ TEST_P(BackendContract, IsFreshAfterReset) {
 TEST_P(BackendContract, IsFreshAfterConfigure) {
   const auto fresh = make(), used = make();
   run(*used, SimulatedWorld(4), 50);
-  Settings settings;
-  used->configure(settings);
+  configure(*used);
   run(*fresh, SimulatedWorld(3), 60);
   run(*used, SimulatedWorld(3), 60);
   expectSameBits(*fresh, *used);
@@ -198,9 +217,8 @@ TEST_P(BackendContract, KeepsTheMapWhenTheRobotIsRedrawn) {
   for (std::size_t i = 0; i < map.size(); ++i) EXPECT_EQ(after[i].position, map[i].position);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BackendContract,
-                         testing::ValuesIn(Registry<Backend>::instance().names()),
-                         [](const auto& name) { return name.param; });
+INSTANTIATE_TEST_SUITE_P(All, BackendContract, testing::ValuesIn(variants()),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace slam

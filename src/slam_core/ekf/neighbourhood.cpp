@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/ekf/neighbourhood.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace slam::ekf {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr Index kHeading = DenseCovariance::kHeadingRow;
+
+std::size_t at(Index index) { return static_cast<std::size_t>(index); }
+
+/// The pivot of a variable that the ones before determine wholly must not be 0.
+double pivotRoot(double pivot, double variance) {
+  constexpr double kSmallestShare = 1e-15, kSmallest = 1e-300;
+  return std::sqrt(std::max({pivot, kSmallestShare * variance, kSmallest}));
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const MatrixXd& joint)
+    : prior_(joint), slots_(at((joint.rows() - kPoseSize) / 2), -1) {
+  begin();
+}
+
+void Neighbourhood::begin() {
+  Eigen::Matrix3d robot;
+  for (Index row = 0; row < kPoseSize; ++row)
+    for (Index column = 0; column < kPoseSize; ++column) robot(row, column) = prior_(row, column);
+  local_ = DenseCovariance(robot);
+  correction_ = Eigen::VectorXd::Zero(local_.size());
+  for (const auto landmark : taken_) slots_[at(landmark)] = -1;
+  taken_.clear();
+  is_fresh_ = true;
+  is_updated_ = false;
+  prior_rows_ = {0, 1, 2};
+  local_rows_ = {3, 4, 5};
+  factored_ = 0;
+  known_ = landmarks();
+}
+
+void Neighbourhood::take(Index landmark) {
+  const Index n = local_.size();
+  const Index first = priorRow(landmark);
+  const MatrixXd prior = priorOf({landmark});
+  Eigen::Matrix2d itself;
+  itself << prior_(first, first), prior_(first, first + 1), prior_(first + 1, first),
+      prior_(first + 1, first + 1);
+  Eigen::Matrix2Xd cross = Eigen::Matrix2Xd::Zero(2, n);
+  Eigen::Vector2d correction = Eigen::Vector2d::Zero();
+  if (!is_fresh_) {
+    const MatrixXd gain = solveFactorTransposed(solveFactor(prior));  // P_aa0^-1 P_am0
+    cross = gain.transpose() * localRows();
+    for (Index i = 0; i < gain.rows(); ++i)
+      correction += gain.row(i).transpose() * correction_(local_rows_[at(i)]);
+    if (is_updated_)
+      for (Index i = 0; i < gain.rows(); ++i)
+        itself += (cross.col(local_rows_[at(i)]) - prior.row(i).transpose()) * gain.row(i);
+  }
+  if (!is_updated_)  // as it stands, to the bit
+    for (Index i = 0; i < prior.rows(); ++i) cross.col(local_rows_[at(i)]) = prior.row(i);
+  if (is_fresh_) cross.leftCols<3>() = cross.middleCols<3>(DenseCovariance::kReferenceRow);
+
+  for (Index axis = 0; axis < 2; ++axis) {
+    prior_rows_.push_back(first + axis);
+    local_rows_.push_back(n + axis);
+  }
+  slots_[at(landmark)] = size();
+  taken_.push_back(landmark);
+  local_.appendJoint(cross, itself);
+  correction_.conservativeResize(n + 2);
+  correction_.tail<2>() = correction;
+}
+
+void Neighbourhood::append(const DenseCovariance::Matrix23& J_m_robot, const Eigen::Matrix2d& R) {
+  local_.append(J_m_robot, R);
+  correction_.conservativeResize(local_.size());
+  correction_.tail<2>().setZero();
+  taken_.push_back(landmarks());
+  slots_.push_back(size() - 1);
+}
+
+void Neighbourhood::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q) {
+  local_.predict(F, Q);
+  is_fresh_ = false;
+}
+
+void Neighbourhood::update(const MatrixXd& W, const Eigen::VectorXd& dx) {
+  local_.subtractOuterProduct(W);
+  correction_ += dx;
+  correction_.head<3>().setZero();
+  is_updated_ = true;
+  is_fresh_ = false;
+}
+
+void Neighbourhood::resetRobot(const Eigen::Matrix3d& robot) {
+  for (Index row = 0; row < prior_.size(); ++row)
+    for (Index column = 0; column < std::min(row + 1, kPoseSize); ++column)
+      prior_.at(row, column) = row < kPoseSize ? robot(row, column) : 0.0;
+  begin();
+}
+
+std::vector<Index> Neighbourhood::rest() const {
+  std::vector<Index> rest;
+  for (Index landmark = 0; landmark < landmarks(); ++landmark)
+    if (slot(landmark) < 0) rest.push_back(landmark);
+  return rest;
+}
+
+MatrixXd Neighbourhood::priorOf(const std::vector<Index>& landmarks) const {
+  MatrixXd P(static_cast<Index>(prior_rows_.size()), 2 * static_cast<Index>(landmarks.size()));
+  for (Index column = 0; column < P.cols(); ++column) {
+    const Index of_landmark = priorRow(landmarks[at(column / 2)]) + column % 2;
+    for (Index row = 0; row < P.rows(); ++row)
+      P(row, column) = prior_(prior_rows_[at(row)], of_landmark);
+  }
+  return P;
+}
+
+MatrixXd Neighbourhood::localRows() const {
+  MatrixXd rows(static_cast<Index>(local_rows_.size()), local_.size());
+  for (Index column = 0; column < rows.cols(); ++column)
+    for (Index row = 0; row < rows.rows(); ++row)
+      rows(row, column) = local_(local_rows_[at(row)], column);
+  return rows;
+}
+
+void Neighbourhood::extendFactor() const {
+  const Index size = static_cast<Index>(prior_rows_.size());
+  if (factored_ == size) return;
+  if (L_.rows() < size) {
+    MatrixXd grown = MatrixXd::Zero(2 * size, 2 * size);
+    grown.topLeftCorner(factored_, factored_) = L_.topLeftCorner(factored_, factored_);
+    L_.swap(grown);
+  }
+  for (; factored_ < size; ++factored_) {
+    const Index n = factored_, prior_row = prior_rows_[at(n)];
+    Eigen::VectorXd l(n);
+    for (Index i = 0; i < n; ++i) l(i) = prior_(prior_rows_[at(i)], prior_row);
+    L_.topLeftCorner(n, n).triangularView<Eigen::Lower>().solveInPlace(l);
+    const double variance = prior_(prior_row, prior_row);
+    L_.row(n).head(n) = l.transpose();
+    L_(n, n) = pivotRoot(variance - l.squaredNorm(), variance);
+  }
+}
+
+MatrixXd Neighbourhood::solveFactor(MatrixXd right) const {
+  extendFactor();
+  L_.topLeftCorner(factored_, factored_).triangularView<Eigen::Lower>().solveInPlace(right);
+  return right;
+}
+
+MatrixXd Neighbourhood::solveFactorTransposed(MatrixXd right) const {
+  extendFactor();
+  const auto L = L_.topLeftCorner(factored_, factored_);
+  L.triangularView<Eigen::Lower>().transpose().solveInPlace(right);
+  return right;
+}
+
+Neighbourhood::Whitened Neighbourhood::whitened() const {
+  Whitened whitened;
+  whitened.cross = solveFactor(localRows());
+  const Index size = whitened.cross.rows();
+  MatrixXd of_taken(size, size);
+  for (Index i = 0; i < size; ++i) of_taken.row(i) = whitened.cross.col(local_rows_[at(i)]);
+  of_taken = solveFactor(std::move(of_taken));
+  whitened.gain = MatrixXd::Identity(size, size) - 0.5 * (of_taken + of_taken.transpose());
+  return whitened;
+}
+
+Eigen::Matrix2Xd Neighbourhood::allCorrections() const {
+  Eigen::Matrix2Xd corrections = Eigen::Matrix2Xd::Zero(2, landmarks());
+  for (Index i = 0; i < size(); ++i)
+    corrections.col(taken_[at(i)]) = correction_.segment<2>(DenseCovariance::row(i));
+  const auto others = rest();
+  if (others.empty() || !is_updated_) return corrections;
+  Eigen::VectorXd of_taken(static_cast<Index>(local_rows_.size()));
+  for (Index i = 0; i < of_taken.size(); ++i) of_taken(i) = correction_(local_rows_[at(i)]);
+  const MatrixXd weights = solveFactorTransposed(solveFactor(of_taken));
+  const Eigen::VectorXd of_rest = priorOf(others).transpose() * weights;
+  for (Index i = 0; i < static_cast<Index>(others.size()); ++i)
+    corrections.col(others[at(i)]) = of_rest.segment<2>(2 * i);
+  return corrections;
+}
+
+std::vector<Eigen::Matrix2d> Neighbourhood::marginals(const Eigen::Matrix2Xd& c) const {
+  std::vector<Eigen::Matrix2d> marginals(at(landmarks()));
+  const double variance = local_(kHeading, kHeading);
+  const auto put = [&](Index landmark, const Eigen::Matrix2d& P, const Eigen::Vector2d& heading) {
+    const auto& of = c.col(landmark);
+    const Eigen::Matrix2d cross = (heading + 0.5 * variance * of) * of.transpose();
+    marginals[at(landmark)] = of.isZero(0.0) ? P : Eigen::Matrix2d(P + cross + cross.transpose());
+  };
+  for (Index i = 0; i < size(); ++i) {
+    const Index row = DenseCovariance::row(i);
+    put(taken_[at(i)], local_.landmark(i), {local_(row, kHeading), local_(row + 1, kHeading)});
+  }
+  const auto others = rest();
+  MatrixXd W, change;  // transposed
+  Eigen::VectorXd heading = Eigen::VectorXd::Zero(2 * static_cast<Index>(others.size()));
+  if (is_updated_ && !others.empty()) {
+    const auto taken = whitened();
+    W = solveFactor(priorOf(others));
+    change = taken.gain * W;
+    heading = W.transpose() * taken.cross.col(kHeading);
+  }
+  for (Index i = 0; i < static_cast<Index>(others.size()); ++i) {
+    const Index row = priorRow(others[at(i)]);
+    Eigen::Matrix2d P;
+    P << prior_(row, row), prior_(row, row + 1), prior_(row + 1, row), prior_(row + 1, row + 1);
+    if (W.size() > 0) P -= W.middleCols<2>(2 * i).transpose() * change.middleCols<2>(2 * i);
+    put(others[at(i)], 0.5 * (P + P.transpose()), heading.segment<2>(2 * i));
+  }
+  return marginals;
+}
+
+void Neighbourhood::renew(const Eigen::Matrix2Xd& c) {
+  const auto others = rest();
+  const bool is_same = is_fresh_ && !is_updated_ && c.isZero(0.0) && known_ == landmarks();
+  prior_.grow(priorRow(landmarks()));
+  if (!others.empty() && !is_same) updateRest(others, c);
+  writeTaken(c);
+  begin();
+}
+
+/// The rows of the landmarks that were not taken: among themselves, and with what was.
+void Neighbourhood::updateRest(const std::vector<Index>& rest, const Eigen::Matrix2Xd& c) {
+  const auto taken = whitened();
+  const MatrixXd W = solveFactor(priorOf(rest)).transpose();
+  const MatrixXd cross = W * taken.cross;  // P_b,local
+  const double variance = local_(kHeading, kHeading);
+  const bool is_carried = !c.isZero(0.0);
+  const Index width = (is_updated_ ? W.cols() : 0) + (is_carried ? 2 : 0);
+  MatrixXd A = MatrixXd::Zero(prior_.size(), width), B = MatrixXd::Zero(prior_.size(), width);
+  const MatrixXd change = is_updated_ ? MatrixXd(W * taken.gain) : MatrixXd();
+  for (Index i = 0; i < W.rows(); ++i) {
+    const Index landmark = rest[at(i / 2)], row = priorRow(landmark) + i % 2;
+    if (is_updated_) {
+      A.row(row).head(W.cols()) = change.row(i);
+      B.row(row).head(W.cols()) = W.row(i);
+    }
+    if (!is_carried) continue;
+    const double of = c(i % 2, landmark), half = cross(i, kHeading) + 0.5 * variance * of;
+    A.row(row).tail<2>() << -of, -half;
+    B.row(row).tail<2>() << half, of;
+  }
+  if (width > 0) prior_.subtractProduct(A, B);
+
+  const auto put = [&](Index i, Index row, Index local_row, double of_other) {
+    const double of = c(i % 2, rest[at(i / 2)]);
+    const Index own = priorRow(rest[at(i / 2)]) + i % 2;
+    prior_.at(std::max(own, row), std::min(own, row)) =
+        cross(i, local_row) + of * (local_(kHeading, local_row) + variance * of_other) +
+        cross(i, kHeading) * of_other;
+  };
+  for (Index i = 0; i < W.rows(); ++i) {
+    for (Index row = 0; row < (is_fresh_ ? 0 : kPoseSize); ++row) put(i, row, row, 0.0);
+    for (Index slot = 0; slot < size(); ++slot)
+      for (Index axis = 0; axis < 2; ++axis)
+        if (is_updated_ || is_carried || taken_[at(slot)] >= known_)  // else as it was, to the bit
+          put(i, priorRow(taken_[at(slot)]) + axis, DenseCovariance::row(slot) + axis,
+              c(axis, taken_[at(slot)]));
+  }
+}
+
+/// The rows of the robot and of what was taken, among themselves.
+void Neighbourhood::writeTaken(const Eigen::Matrix2Xd& c) {
+  std::vector<Index> rows = {0, 1, 2}, local_rows = {0, 1, 2};
+  std::vector<double> carried = {0.0, 0.0, 0.0};
+  for (Index slot = 0; slot < size(); ++slot)
+    for (Index axis = 0; axis < 2; ++axis) {
+      rows.push_back(priorRow(taken_[at(slot)]) + axis);
+      local_rows.push_back(DenseCovariance::row(slot) + axis);
+      carried.push_back(c(axis, taken_[at(slot)]));
+    }
+  const double variance = local_(kHeading, kHeading);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      prior_.at(std::max(rows[i], rows[j]), std::min(rows[i], rows[j])) =
+          local_(local_rows[i], local_rows[j]) + carried[i] * local_(kHeading, local_rows[j]) +
+          carried[j] * local_(kHeading, local_rows[i]) + variance * carried[i] * carried[j];
+}
+
+}  // namespace slam::ekf

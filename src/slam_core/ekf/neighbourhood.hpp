@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "slam_core/ekf/dense_covariance.hpp"
+#include "slam_core/ekf/panel_triangle.hpp"
+
+namespace slam::ekf {
+
+/// The errors of robot and map as one Gaussian, of which only the part around the robot is worked
+/// on (Guivant and Nebot 2001). A stretch begins with the robot's pose there, the reference, and
+/// the covariance of (reference, all landmarks), the prior. Landmarks are taken into the
+/// neighbourhood when they are seen; the others are left as they were: what is learnt about them
+/// goes through the landmarks that were taken and the reference, neither of which moves. So with
+/// a: the taken part, b: the rest, 0: at the start,
+///   P_bb = P_bb0 - W (I - L^-1 P_aa L^-T) W^T,  W = P_ba0 L^-T,  P_aa0 = L L^T,
+/// which renew() brings into the prior: the global update. It also begins a new stretch, with the
+/// robot's pose as the reference.
+class Neighbourhood {
+ public:
+  /// @param joint of (pose, landmarks), size 3 + 2 N
+  explicit Neighbourhood(const Eigen::MatrixXd& joint = Eigen::Matrix3d::Identity());
+
+  Eigen::Index landmarks() const { return static_cast<Eigen::Index>(slots_.size()); }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(taken_.size()); }
+  /// Whether robot and reference are still the same.
+  bool isFresh() const { return is_fresh_; }
+  /// The landmark's place in the neighbourhood, or -1.
+  Eigen::Index slot(Eigen::Index landmark) const {
+    return slots_[static_cast<std::size_t>(landmark)];
+  }
+  const std::vector<Eigen::Index>& taken() const { return taken_; }
+  /// The covariance of (robot, reference, taken landmarks).
+  const DenseCovariance& covariance() const { return local_; }
+  /// The corrections of the same since the stretch began; those of the robot are left out.
+  const Eigen::VectorXd& correction() const { return correction_; }
+
+  void take(Eigen::Index landmark);
+  /// A new landmark, see DenseCovariance.
+  void append(const DenseCovariance::Matrix23& J_m_robot, const Eigen::Matrix2d& R);
+  void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q);
+  void transportRobot(const Eigen::Vector2d& c) { local_.transportRobot(c); }
+  /// P <- P - W W^T after a correction dx = W y.
+  void update(const Eigen::MatrixXd& W, const Eigen::VectorXd& dx);
+  /// The same for the robot only.
+  void updateRobot(const Eigen::MatrixXd& W) { local_.subtractOuterProductOfRobot(W); }
+  /// The robot is drawn anew: its block is replaced, its correlations are removed.
+  void resetRobot(const Eigen::Matrix3d& robot);
+
+  /// The corrections of all landmarks since the stretch began, a column each.
+  Eigen::Matrix2Xd allCorrections() const;
+  /// The marginals of all landmarks, each error e_m turned into e_m + c e_theta of the reference.
+  std::vector<Eigen::Matrix2d> marginals(const Eigen::Matrix2Xd& c) const;
+  /// The global update, after which nothing is taken; c as above.
+  void renew(const Eigen::Matrix2Xd& c);
+  /// Of (robot, landmarks), right after renew().
+  Eigen::MatrixXd joint() const { return prior_.full(); }
+
+ private:
+  static constexpr Eigen::Index kPoseSize = 3;
+  static Eigen::Index priorRow(Eigen::Index landmark) { return kPoseSize + 2 * landmark; }
+
+  /// Of the taken part, as whitened by L.
+  struct Whitened {
+    Eigen::MatrixXd cross;  ///< L^-1 P_a,local
+    Eigen::MatrixXd gain;   ///< I - L^-1 P_aa L^-T
+  };
+  Whitened whitened() const;
+  std::vector<Eigen::Index> rest() const;
+  /// Columns of the prior between the taken part and landmarks, P_ab0.
+  Eigen::MatrixXd priorOf(const std::vector<Eigen::Index>& landmarks) const;
+  Eigen::MatrixXd localRows() const;
+  void extendFactor() const;
+  Eigen::MatrixXd solveFactor(Eigen::MatrixXd right) const;            ///< L^-1 right
+  Eigen::MatrixXd solveFactorTransposed(Eigen::MatrixXd right) const;  ///< L^-T right
+  void updateRest(const std::vector<Eigen::Index>& rest, const Eigen::Matrix2Xd& c);
+  void writeTaken(const Eigen::Matrix2Xd& c);
+  void begin();
+
+  PanelTriangle prior_;
+  DenseCovariance local_;
+  Eigen::VectorXd correction_;
+  std::vector<Eigen::Index> taken_;  ///< landmarks by slot
+  std::vector<Eigen::Index> slots_;  ///< slots by landmark
+  Eigen::Index known_ = 0;           ///< landmarks that stand in the prior
+  bool is_fresh_ = true;             ///< nothing was predicted
+  bool is_updated_ = false;          ///< the taken part has been corrected
+
+  // the taken part as far as it stands in the prior: rows there and in local_
+  std::vector<Eigen::Index> prior_rows_, local_rows_;
+  mutable Eigen::MatrixXd L_;  ///< factor of P_aa0, made when it is needed
+  mutable Eigen::Index factored_ = 0;
+};
+
+}  // namespace slam::ekf

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/ekf/observation_update.hpp"
+
+#include <cmath>
+
+// Symbols: x state, P its covariance, z observation with covariance R, H its Jacobian, nu
+// innovation with covariance S = H P H^T + R = L L^T.
+
+namespace slam::ekf {
+namespace {
+
+using Eigen::Index;
+
+/// An observation that is off the linear prediction by less than this share of its sigma, in the
+/// mean, is linear.
+constexpr double kLinear = 0.01;
+
+Index column(std::size_t match) { return 2 * static_cast<Index>(match); }
+
+}  // namespace
+
+ObservationUpdate::ObservationUpdate(const ObservationModel& model, const EkfState& state,
+                                     const Pose2& sensor, const std::vector<Match>& matches,
+                                     int linearizations)
+    : state_(state), matches_(matches), innovations_(matches.size()), S_diagonal_(matches.size()) {
+  gather();
+  dx_ = Eigen::VectorXd::Zero(P_.rows());
+  const int limit = state.linearization().relinearizes() ? linearizations : 1;
+  for (int i = 1; i <= limit; ++i) {
+    linearize(model, sensor);
+    solve();
+    if (!is_solved_ || i == limit || nonlinearity(model, sensor) < kLinear * kLinear) break;
+  }
+  if (is_solved_ || limit == 1) return;
+  dx_.setZero();  // led astray: the plain update
+  linearize(model, sensor);
+  solve();
+}
+
+Eigen::Vector2d ObservationUpdate::innovation(std::size_t match) const {
+  return nu_.segment<2>(column(match));
+}
+
+void ObservationUpdate::gather() {
+  const auto& P = state_.covariance();
+  std::vector<Index> rows;
+  for (Index row = 0; row < kHead; ++row) rows.push_back(row);
+  for (const auto& match : matches_)
+    for (Index axis = 0; axis < 2; ++axis) rows.push_back(DenseCovariance::row(match.slot) + axis);
+  P_.resize(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
+  for (Index j = 0; j < P_.cols(); ++j)
+    for (Index i = 0; i < P_.rows(); ++i)
+      P_(i, j) = P(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
+}
+
+Pose2 ObservationUpdate::candidate() const {
+  return state_.linearization().moved(state_.robot(), dx_.head<3>());
+}
+
+LandmarkPoint ObservationUpdate::candidate(std::size_t match) const {
+  return state_.point(matches_[match].slot, dx_.segment<2>(kHead + column(match)),
+                      dx_(DenseCovariance::kHeadingRow));
+}
+
+void ObservationUpdate::linearize(const ObservationModel& model, const Pose2& sensor) {
+  nu_.resize(2 * static_cast<Index>(matches_.size()));
+  const Pose2 robot = candidate();
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    innovations_[i] = state_.linearization().innovation(model, robot, state_.robot(), sensor,
+                                                        candidate(i), matches_[i].z);
+    innovations_[i].slot = matches_[i].slot;
+    nu_.segment<2>(column(i)) = innovations_[i].nu;
+  }
+  nu_ += jacobianTimes(dx_);
+}
+
+Eigen::VectorXd ObservationUpdate::jacobianTimes(const Eigen::VectorXd& dx) const {
+  Eigen::VectorXd result(2 * static_cast<Index>(innovations_.size()));
+  for (std::size_t i = 0; i < innovations_.size(); ++i)
+    result.segment<2>(column(i)) = innovations_[i].H_robot * dx.head<3>() +
+                                   innovations_[i].H_heading * dx(DenseCovariance::kHeadingRow) +
+                                   innovations_[i].H_landmark * dx.segment<2>(kHead + column(i));
+  return result;
+}
+
+void ObservationUpdate::solve() {
+  const Index size = nu_.size();
+  PHt_.resize(P_.rows(), size);
+  for (std::size_t i = 0; i < innovations_.size(); ++i) {
+    const auto& h = innovations_[i];
+    PHt_.middleCols<2>(column(i)).noalias() = P_.leftCols<3>() * h.H_robot.transpose();
+    PHt_.middleCols<2>(column(i)).noalias() +=
+        P_.col(DenseCovariance::kHeadingRow) * h.H_heading.transpose();
+    PHt_.middleCols<2>(column(i)).noalias() +=
+        P_.middleCols<2>(kHead + column(i)) * h.H_landmark.transpose();
+  }
+  Eigen::MatrixXd S(size, size);
+  for (std::size_t i = 0; i < innovations_.size(); ++i) {
+    const auto& h = innovations_[i];
+    auto rows = S.middleRows<2>(column(i));
+    rows.noalias() = h.H_robot * PHt_.topRows<3>();
+    rows.noalias() += h.H_heading * PHt_.row(DenseCovariance::kHeadingRow);
+    rows.noalias() += h.H_landmark * PHt_.middleRows<2>(kHead + column(i));
+    S.block<2, 2>(column(i), column(i)) += h.R;
+  }
+  for (std::size_t i = 0; i < innovations_.size(); ++i)
+    S_diagonal_[i] = S.block<2, 2>(column(i), column(i));
+  L_.compute(S);
+  whitened_ = L_.matrixL().solve(nu_);
+  is_solved_ = L_.info() == Eigen::Success && whitened_.allFinite();
+  if (is_solved_) dx_ = PHt_ * L_.matrixU().solve(whitened_);
+}
+
+/// The mean squared distance between what is observed from the corrected state and what the
+/// linearisation foretold, in sigmas.
+double ObservationUpdate::nonlinearity(const ObservationModel& model, const Pose2& sensor) const {
+  const Eigen::VectorXd foretold = nu_ - jacobianTimes(dx_);
+  const Pose2 robot = candidate();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    const Eigen::Vector2d nu =
+        model.innovation(matches_[i].z.vector(), model.predict(robot, sensor, candidate(i).now));
+    const Eigen::Vector2d off = nu - foretold.segment<2>(column(i));
+    sum += off.cwiseAbs2().cwiseQuotient(matches_[i].z.covariance.diagonal()).sum();
+  }
+  return sum / static_cast<double>(foretold.size());
+}
+
+double ObservationUpdate::logLikelihood() const {
+  const double log_root = L_.matrixLLT().diagonal().array().log().sum();
+  return -0.5 * (nis() + static_cast<double>(nu_.size()) * std::log(2.0 * M_PI)) - log_root;
+}
+
+Eigen::MatrixXd ObservationUpdate::gain() const {
+  Eigen::MatrixXd W = state_.covariance().timesTransposed(innovations_);
+  L_.matrixU().solveInPlace<Eigen::OnTheRight>(W);
+  return W;
+}
+
+}  // namespace slam::ekf

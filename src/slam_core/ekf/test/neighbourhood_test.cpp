@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "slam_core/common/random.hpp"
+#include "slam_core/ekf/ekf_slam.hpp"
+#include "slam_core/ekf/panel_triangle.hpp"
+
+namespace slam::ekf {
+namespace {
+
+/// A robot that wanders through a wide random world and sees only what is near.
+class WideWorld {
+ public:
+  WideWorld(std::uint64_t seed, int landmarks) : random_(seed, 0) {
+    for (int i = 0; i < landmarks; ++i)
+      landmarks_.emplace_back(30 * random_.uniform() - 15, 30 * random_.uniform() - 15);
+  }
+  Motion drive() {
+    const Eigen::Vector3d sigma(0.02, 0.02, 0.01);
+    const double turn = (truth_.position().norm() > 10 ? 0.4 : 0.1 * random_.gaussian());
+    const Pose2 step(0.5, 0, turn);
+    Motion motion;
+    motion.increment = step;
+    motion.covariance = sigma.cwiseAbs2().asDiagonal();
+    const Eigen::Vector3d noise(random_.gaussian(), random_.gaussian(), random_.gaussian());
+    truth_ = truth_ * Pose2::fromVector(step.vector() + sigma.cwiseProduct(noise));
+    return motion;
+  }
+  LandmarkObservationArray look() {
+    LandmarkObservationArray array;
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+      const auto seen = truth_.inverse().transform(landmarks_[i]);
+      if (seen.norm() > 5 || seen.norm() < 0.3) continue;
+      LandmarkObservation z;
+      z.id = LandmarkId((7 * i) % landmarks_.size());
+      z.range = seen.norm() + 0.05 * random_.gaussian();
+      z.bearing = std::atan2(seen.y(), seen.x()) + 0.01 * random_.gaussian();
+      z.covariance = Eigen::Vector2d(25e-4, 1e-4).asDiagonal();
+      array.observations.push_back(z);
+    }
+    return array;
+  }
+
+ private:
+  RandomStream random_;
+  std::vector<Eigen::Vector2d> landmarks_;
+  Pose2 truth_;
+};
+
+EkfConfig configOf(const std::string& linearization, const std::string& update, int neighbourhood) {
+  EkfConfig config;
+  config.linearization = linearization;
+  config.update = update;
+  config.neighbourhood = neighbourhood;
+  return config;
+}
+
+void expectSame(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const std::string& what) {
+  ASSERT_EQ(a.rows(), b.rows());
+  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-9 * b.cwiseAbs().maxCoeff()) << what;
+}
+
+/// Relative to the diagonal: the small covariances among large ones must be right as well.
+void expectSameState(const MapState& a, const MapState& b) {
+  EXPECT_LT((a.robot.pose.vector() - b.robot.pose.vector()).norm(), 1e-9);
+  ASSERT_EQ(a.landmarks.size(), b.landmarks.size());
+  for (std::size_t i = 0; i < a.landmarks.size(); ++i) {
+    EXPECT_EQ(a.landmarks[i].id, b.landmarks[i].id);
+    EXPECT_LT((a.landmarks[i].position - b.landmarks[i].position).norm(), 1e-9);
+  }
+  const Eigen::VectorXd scale = b.joint_covariance.diagonal().cwiseSqrt().cwiseInverse();
+  expectSame(scale.asDiagonal() * a.joint_covariance * scale.asDiagonal(),
+             scale.asDiagonal() * b.joint_covariance * scale.asDiagonal(), "covariance");
+}
+
+class Compression : public testing::TestWithParam<std::tuple<std::string, int>> {
+ protected:
+  void SetUp() override {
+    const auto [linearization, neighbourhood] = GetParam();
+    compressed.configure(configOf(linearization, "compressed", neighbourhood));
+    dense.configure(configOf(linearization, "dense", neighbourhood));
+  }
+  void step(WideWorld& world) {
+    const auto motion = world.drive();
+    const auto array = world.look();
+    for (auto* ekf : {&compressed, &dense}) {
+      ekf->set(motion);
+      ekf->set(array);
+      ASSERT_NE(ekf->execute().level, Status::Level::kError);
+    }
+    ASSERT_EQ(compressed.statistics().used, dense.statistics().used);
+    ASSERT_NEAR(compressed.statistics().nis, dense.statistics().nis, 1e-6);
+  }
+  EkfSlam compressed, dense;
+};
+
+TEST_P(Compression, EqualsTheDenseFilterAtEveryLookAtTheWholeMap) {
+  WideWorld world(std::uint64_t(std::get<1>(GetParam())), 60);
+  for (int i = 1; i <= 240; ++i) {
+    step(world);
+    if (HasFatalFailure()) return;
+    if (i % 40 == 0) expectSameState(compressed.state(), dense.state());
+  }
+  EXPECT_GT(compressed.landmarks().size(), 20u);
+}
+
+TEST_P(Compression, TellsTheMarginalsOfTheWholeMapWithoutBringingItUpToDate) {
+  WideWorld world(9, 60);
+  for (int i = 1; i <= 120; ++i) {
+    step(world);
+    if (i % 10 != 0) continue;
+    const auto map = compressed.landmarks();
+    const auto state = compressed.state();
+    for (std::size_t k = 0; k < map.size(); ++k) {
+      const auto row = 3 + 2 * Eigen::Index(k);
+      const Eigen::Matrix2d P = state.joint_covariance.block<2, 2>(row, row);
+      ASSERT_LT((map[k].covariance - P).norm(), 1e-9 * P.norm());
+      ASSERT_LT((map[k].position - state.landmarks[k].position).norm(), 1e-12);
+    }
+  }
+}
+
+TEST_P(Compression, GoesOnWithTheSameBitsWhoeverLooks) {
+  WideWorld world(5, 60);
+  EkfSlam undisturbed;
+  const auto [linearization, neighbourhood] = GetParam();
+  undisturbed.configure(configOf(linearization, "compressed", neighbourhood));
+  for (int i = 1; i <= 100; ++i) {
+    const auto motion = world.drive();
+    const auto array = world.look();
+    for (auto* ekf : {&compressed, &undisturbed}) {
+      ekf->set(motion);
+      ekf->set(array);
+      ekf->execute();
+    }
+    compressed.landmarks();
+    compressed.state();
+    ASSERT_EQ(compressed.pose().pose.vector(), undisturbed.pose().pose.vector()) << i;
+    ASSERT_EQ(compressed.pose().covariance, undisturbed.pose().covariance) << i;
+  }
+  EXPECT_EQ(compressed.state().joint_covariance, undisturbed.state().joint_covariance);
+}
+
+TEST_P(Compression, TakesALoadedMapAndANewPoseInTheMiddleOfAStretch) {
+  WideWorld world(11, 60);
+  for (int i = 0; i < 60; ++i) step(world);
+  const auto map = dense.state();
+  for (int i = 0; i < 7; ++i) step(world);
+  for (auto* ekf : {&compressed, &dense}) ekf->set(map);
+  for (int i = 0; i < 3; ++i) step(world);
+  const PoseEstimate there{compressed.pose().pose, Eigen::Vector3d(0.5, 0.5, 0.1).asDiagonal()};
+  for (auto* ekf : {&compressed, &dense}) ekf->set(there);
+  for (int i = 0; i < 40; ++i) step(world);
+  expectSameState(compressed.state(), dense.state());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Compression,
+                         testing::Combine(testing::ValuesIn(linearizationNames()),
+                                          testing::Values(1, 8, 25)),
+                         [](const auto& info) {
+                           return std::get<0>(info.param) + "_" +
+                                  std::to_string(std::get<1>(info.param));
+                         });
+
+TEST(Neighbourhood, KeepsTheRestOfALargeMapUntilItEnds) {
+  const int landmarks = 30;
+  RandomStream random(3, 0);
+  const Eigen::MatrixXd A =
+      Eigen::MatrixXd::NullaryExpr(3 + 2 * landmarks, 80, [&] { return random.gaussian(); });
+  Neighbourhood neighbourhood(A * A.transpose() / 80);
+  EXPECT_EQ(neighbourhood.size(), 0);
+  neighbourhood.predict(Eigen::Matrix3d::Identity(), 0.1 * Eigen::Matrix3d::Identity());
+  neighbourhood.take(17);
+  neighbourhood.take(4);
+  EXPECT_EQ(neighbourhood.slot(4), 1);
+  EXPECT_EQ(neighbourhood.slot(5), -1);
+  EXPECT_EQ(neighbourhood.covariance().size(), 10);
+  neighbourhood.renew(Eigen::Matrix2Xd::Zero(2, landmarks));
+  EXPECT_EQ(neighbourhood.size(), 0);
+  Eigen::MatrixXd expected = A * A.transpose() / 80;
+  expected.topLeftCorner<3, 3>() += 0.1 * Eigen::Matrix3d::Identity();
+  EXPECT_LT((neighbourhood.joint() - expected).norm(), 1e-12);
+}
+
+TEST(PanelTriangleTest, SubtractsAProductOfAnyWidthAndGrows) {
+  RandomStream random(2, 0);
+  const auto gaussian = [&](Eigen::Index rows, Eigen::Index columns) {
+    return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.gaussian(); }).eval();
+  };
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(0, 0);
+  PanelTriangle P(expected);
+  for (const Eigen::Index size : {3, 16, 17, 41, 120}) {
+    P.grow(size);
+    const auto before = expected;
+    expected = Eigen::MatrixXd::Zero(size, size);
+    expected.topLeftCorner(before.rows(), before.cols()) = before;
+    for (const Eigen::Index width : {1, 5, 100, 200}) {
+      const Eigen::MatrixXd W = gaussian(size, width), D = gaussian(width, width);
+      const Eigen::MatrixXd A = W * (D + D.transpose());
+      P.subtractProduct(A, W);
+      expected -= A * W.transpose();
+    }
+    EXPECT_LT((P.full() - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.norm()) << size;
+    EXPECT_EQ(P(size - 1, 0), P(0, size - 1));
+  }
+}
+
+}  // namespace
+}  // namespace slam::ekf
