@@ -27,6 +27,12 @@ struct ObservationInnovation {
   bool used = false;                             ///< it passed the gate
 };
 
+/// The same of several observations of a stamp together, (range, bearing) one after the other.
+struct JointInnovation {
+  Eigen::VectorXd nu;
+  Eigen::MatrixXd S, R;
+};
+
 /// What the last execute() made of its observations.
 struct UpdateStatistics {
   double nis = 0.0;   ///< normalised innovation squared of the used observations together
@@ -36,9 +42,14 @@ struct UpdateStatistics {
   int added = 0;      ///< landmarks seen for the first time
   int unknown = 0;    ///< without an id, or not in a fixed map; left out
   int landmarks = 0;  ///< in the map after the step
-  double log_likelihood = 0.0;  ///< of the used observations: log N(nu; 0, S)
+  /// Of the observations of known landmarks: log N(nu; 0, S); a gated one counts as one that lies
+  /// at the gate.
+  double log_likelihood = 0.0;
   /// One by one, those that were gated included; in the order of the observations.
   std::vector<ObservationInnovation> innovations;
+  JointInnovation joint;  ///< of the first of those that were used, kJoint at most
+
+  static constexpr std::size_t kJoint = 8;
 };
 
 /// The role of a SLAM back-end: motion and observations in, pose and landmark map out

@@ -3,6 +3,7 @@
 
 #include "slam_core/ekf/association.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <set>
 
@@ -58,10 +59,17 @@ bool KnownIdAssociation::passesGate(const Match& match, const EkfState& state,
         {match.z.id, update.innovation(0), update.covariance(0), match.z.covariance, passes});
     return passes;
   };
+  const auto before = association.innovations.size();
   if (look(1)) return true;
-  if (linearizations == 1 || association.innovations.empty()) return false;
-  association.innovations.pop_back();
-  return look(linearizations);
+  if (linearizations > 1) {
+    association.innovations.resize(before);
+    if (look(linearizations)) return true;
+  }
+  if (association.innovations.size() > before)
+    association.gated_log_likelihood -=
+        0.5 * (gate_ + 2.0 * std::log(2.0 * M_PI) +
+               std::log(association.innovations.back().S.determinant()));
+  return false;
 }
 
 }  // namespace slam::ekf

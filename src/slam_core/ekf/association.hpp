@@ -16,6 +16,7 @@ struct Association {
   std::vector<Match> matches;                      ///< of known landmarks, within the gate
   std::vector<LandmarkObservation> unseen;         ///< of landmarks that are not in the map yet
   std::vector<ObservationInnovation> innovations;  ///< of known landmarks, gated ones included
+  double gated_log_likelihood = 0.0;               ///< see UpdateStatistics
   int gated = 0;
   int unknown = 0;  ///< without an id
 };

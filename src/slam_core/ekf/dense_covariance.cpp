@@ -53,14 +53,18 @@ Eigen::MatrixXd DenseCovariance::timesTransposed(const std::vector<Innovation>& 
     const auto& H_h = innovation.H_heading;
     auto out = PHt.middleCols<2>(column);
     out.topRows<3>() = P_rr * innovation.H_robot.transpose();
+    // lazy: the general product would pack these narrow blocks
     out.bottomRows(below_robot) =
-        P_.block(kRobotSize, 0, below_robot, kRobotSize) * innovation.H_robot.transpose();
+        P_.block<Eigen::Dynamic, kRobotSize>(kRobotSize, 0, below_robot, kRobotSize)
+            .lazyProduct(innovation.H_robot.transpose());
     out.topRows(kHeadingRow) += P_.row(kHeadingRow).head(kHeadingRow).transpose() * H_h.transpose();
     out.bottomRows(below_heading) +=
         P_.col(kHeadingRow).segment(kHeadingRow, below_heading) * H_h.transpose();
-    out.topRows(m) += P_.block(m, 0, 2, m).transpose() * H_m.transpose();
+    out.topRows(m) +=
+        P_.block<2, Eigen::Dynamic>(m, 0, 2, m).transpose().lazyProduct(H_m.transpose());
     out.middleRows<2>(m) += landmark(innovation.slot) * H_m.transpose();
-    out.bottomRows(below) += P_.block(m + 2, m, below, 2) * H_m.transpose();
+    out.bottomRows(below) +=
+        P_.block<Eigen::Dynamic, 2>(m + 2, m, below, 2).lazyProduct(H_m.transpose());
     column += 2;
   }
   return PHt;

@@ -26,8 +26,8 @@ void EkfConfig::describe(Fields& fields) {
       .oneOf({"compressed", "dense"});
   fields
       .add("neighbourhood", &neighbourhood,
-           "after so many different landmarks the whole map is brought up to date and a new "
-           "neighbourhood begins")
+           "after so many different landmarks, or twice as many as are in view, the whole map is "
+           "brought up to date and a new neighbourhood begins")
       .unit("1")
       .in(Range::atLeast(1));
   fields
@@ -50,6 +50,12 @@ void EkfConfig::describe(Fields& fields) {
            "factor on the standard deviations of a loaded map that has no joint covariance")
       .unit("1")
       .in(Range::atLeast(1));
+  fields
+      .add("joint_limit", &joint_limit,
+           "a map of more landmarks is saved without its joint covariance, which would fill a file "
+           "of hundreds of megabytes")
+      .unit("1")
+      .in(Range::atLeast(0));
 }
 
 }  // namespace slam::ekf

@@ -21,6 +21,7 @@ struct EkfConfig {
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;
   double load_inflation = 2.0;
+  int joint_limit = 2000;
 
   void describe(Fields& fields);
 };

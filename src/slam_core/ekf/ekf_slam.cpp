@@ -53,6 +53,11 @@ void EkfSlam::set(const Motion& motion) {
                         J_u * motion.covariance * J_u.transpose();
 }
 
+MapState EkfSlam::state() const {
+  if (state_.landmarks() <= static_cast<std::size_t>(config_.joint_limit)) return state_.state();
+  return {state_.pose(), state_.map(), {}};
+}
+
 Status EkfSlam::execute() {
   statistics_ = {};
   replaceMap();
@@ -66,6 +71,7 @@ Status EkfSlam::execute() {
   const auto status = update(association.matches, z.sensor_pose);
   augment(association.unseen, z.sensor_pose);
   statistics_.gated = association.gated;
+  statistics_.log_likelihood += association.gated_log_likelihood;
   statistics_.unknown += association.unknown;
   statistics_.innovations = std::move(association.innovations);
   statistics_.landmarks = static_cast<int>(state_.landmarks());
@@ -112,7 +118,8 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
   statistics_.nis = step->nis();
   statistics_.nis_dof = 2 * static_cast<int>(matches.size());
   statistics_.used = static_cast<int>(matches.size());
-  statistics_.log_likelihood = step->logLikelihood();
+  statistics_.log_likelihood += step->logLikelihood();
+  statistics_.joint = step->joint();
   const auto W = step->gain();
   if (config_.mode == "localization")
     state_.updateRobot(step->correction(W), W);

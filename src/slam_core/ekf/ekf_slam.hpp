@@ -33,7 +33,7 @@ class EkfSlam final : public Backend {
 
   PoseEstimate pose() const override { return state_.pose(); }
   LandmarkMap landmarks() const override { return state_.map(); }
-  MapState state() const override { return state_.state(); }
+  MapState state() const override;
   UpdateStatistics statistics() const override { return statistics_; }
   const Counters& counters() const override { return counters_; }
 

@@ -9,16 +9,12 @@
 namespace slam::ekf {
 namespace {
 
-Eigen::MatrixXd jointOf(const MapState& map, double inflation) {
-  if (map.joint_covariance.size() > 0) return map.joint_covariance;
-  const auto size = 3 + 2 * static_cast<Eigen::Index>(map.landmarks.size());
-  Eigen::MatrixXd P = Eigen::MatrixXd::Zero(size, size);
-  P.topLeftCorner<3, 3>() = map.robot.covariance;
-  for (std::size_t i = 0; i < map.landmarks.size(); ++i) {
-    const auto row = 3 + 2 * static_cast<Eigen::Index>(i);
-    P.block<2, 2>(row, row) = inflation * inflation * map.landmarks[i].covariance;
-  }
-  return P;
+Neighbourhood neighbourhoodOf(const MapState& map, double inflation) {
+  if (map.joint_covariance.size() > 0) return Neighbourhood(map.joint_covariance);
+  std::vector<Eigen::Matrix2d> marginals;
+  for (const auto& landmark : map.landmarks)
+    marginals.push_back(inflation * inflation * landmark.covariance);
+  return {map.robot.covariance, marginals};
 }
 
 std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
@@ -36,7 +32,7 @@ EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const M
     : linearization_(std::move(linearization)),
       limits_(limits),
       robot_(map.robot.pose),
-      neighbourhood_(jointOf(map, inflation)) {
+      neighbourhood_(neighbourhoodOf(map, inflation)) {
   for (const auto& landmark : map.landmarks) {
     index_[landmark.id] = static_cast<Eigen::Index>(ids_.size());
     ids_.push_back(landmark.id);
@@ -108,7 +104,9 @@ void EkfState::take(const std::vector<LandmarkObservation>& seen) {
     ++more;
     if (is_known) known.push_back(found->second);
   }
-  const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limits_.landmarks;
+  // Where much is in view at once, a stretch must last for more than a step.
+  const auto limit = std::max(limits_.landmarks, 2 * static_cast<Eigen::Index>(seen.size()));
+  const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limit;
   if (is_full ||
       linearization_->isStale(turn(), neighbourhood_.covariance().relativeHeadingVariance())) {
     renew();
@@ -199,18 +197,20 @@ MapState EkfState::state() const {
   const auto points = allPoints();
   Neighbourhood updated = neighbourhood_;
   updated.renew(transports(points));
-  const auto order = orderById();
-  Eigen::VectorXi rows(3 + 2 * static_cast<Eigen::Index>(order.size()));
-  rows.head<3>() << 0, 1, 2;
-  int row = 3;
-  for (const auto i : order)
-    for (int axis = 0; axis < 2; ++axis) rows(row++) = static_cast<int>(3 + 2 * i) + axis;
-  MapState state{pose(), {}, updated.joint()(rows, rows)};
-  row = 3;
-  for (const auto i : order) {
-    state.landmarks.push_back(
-        {ids_[at(i)], points[at(i)].now, state.joint_covariance.block<2, 2>(row, row)});
-    row += 2;
+  std::vector<Eigen::Index> rows = {0, 1, 2};
+  MapState state{pose(), {}, {}};
+  for (const auto i : orderById()) {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) rows.push_back(3 + 2 * i + axis);
+    state.landmarks.push_back({ids_[at(i)], points[at(i)].now, Eigen::Matrix2d::Zero()});
+  }
+  auto& joint = state.joint_covariance;
+  joint.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(rows.size()));
+  for (Eigen::Index column = 0; column < joint.cols(); ++column)
+    for (Eigen::Index row = 0; row < joint.rows(); ++row)
+      joint(row, column) = updated.prior(rows[at(row)], rows[at(column)]);
+  for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
+    const auto row = 3 + 2 * static_cast<Eigen::Index>(i);
+    state.landmarks[i].covariance = joint.block<2, 2>(row, row);
   }
   return state;
 }

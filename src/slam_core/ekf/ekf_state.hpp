@@ -17,8 +17,9 @@ namespace slam::ekf {
 
 /// How much of the map an update touches.
 struct StretchLimits {
-  Eigen::Index landmarks = 64;  ///< so many are seen before the stretch ends
-  bool whole_map = false;       ///< every landmark is in the neighbourhood: no compression
+  /// So many are seen before the stretch ends, but at least twice as many as are in view.
+  Eigen::Index landmarks = 64;
+  bool whole_map = false;  ///< every landmark is in the neighbourhood: no compression
 };
 
 /// The Gaussian over robot and map: estimates, their joint covariance (Neighbourhood), and the ids

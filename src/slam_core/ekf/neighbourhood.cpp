@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/ekf/symmetric_update.hpp"
+
 namespace slam::ekf {
 namespace {
 
@@ -27,6 +29,17 @@ double pivotRoot(double pivot, double variance) {
 
 Neighbourhood::Neighbourhood(const MatrixXd& joint)
     : prior_(joint), slots_(at((joint.rows() - kPoseSize) / 2), -1) {
+  begin();
+}
+
+Neighbourhood::Neighbourhood(const Eigen::Matrix3d& robot,
+                             const std::vector<Eigen::Matrix2d>& landmarks)
+    : prior_(robot), slots_(landmarks.size(), -1) {
+  prior_.grow(priorRow(this->landmarks()));
+  for (Index i = 0; i < this->landmarks(); ++i)
+    for (Index column = 0; column < 2; ++column)
+      for (Index row = column; row < 2; ++row)
+        prior_.at(priorRow(i) + row, priorRow(i) + column) = landmarks[at(i)](row, column);
   begin();
 }
 
@@ -56,8 +69,8 @@ void Neighbourhood::take(Index landmark) {
   Eigen::Matrix2Xd cross = Eigen::Matrix2Xd::Zero(2, n);
   Eigen::Vector2d correction = Eigen::Vector2d::Zero();
   if (!is_fresh_) {
-    const MatrixXd gain = solveFactorTransposed(solveFactor(prior));  // P_aa0^-1 P_am0
-    cross = gain.transpose() * localRows();
+    const MatrixXd gain = solvePrior(prior);
+    cross = (localColumns() * gain).transpose();
     for (Index i = 0; i < gain.rows(); ++i)
       correction += gain.row(i).transpose() * correction_(local_rows_[at(i)]);
     if (is_updated_)
@@ -124,12 +137,12 @@ MatrixXd Neighbourhood::priorOf(const std::vector<Index>& landmarks) const {
   return P;
 }
 
-MatrixXd Neighbourhood::localRows() const {
-  MatrixXd rows(static_cast<Index>(local_rows_.size()), local_.size());
-  for (Index column = 0; column < rows.cols(); ++column)
-    for (Index row = 0; row < rows.rows(); ++row)
-      rows(row, column) = local_(local_rows_[at(row)], column);
-  return rows;
+MatrixXd Neighbourhood::localColumns() const {
+  MatrixXd columns(local_.size(), static_cast<Index>(local_rows_.size()));
+  for (Index column = 0; column < columns.cols(); ++column)
+    for (Index row = 0; row < columns.rows(); ++row)
+      columns(row, column) = local_(row, local_rows_[at(column)]);
+  return columns;
 }
 
 void Neighbourhood::extendFactor() const {
@@ -151,26 +164,29 @@ void Neighbourhood::extendFactor() const {
   }
 }
 
-MatrixXd Neighbourhood::solveFactor(MatrixXd right) const {
+MatrixXd Neighbourhood::timesFactorInverse(MatrixXd left) const {
   extendFactor();
-  L_.topLeftCorner(factored_, factored_).triangularView<Eigen::Lower>().solveInPlace(right);
-  return right;
+  solveTransposedFromRight(L_.topLeftCorner(factored_, factored_), left);
+  return left;
 }
 
-MatrixXd Neighbourhood::solveFactorTransposed(MatrixXd right) const {
+/// P_aa0^-1 right
+MatrixXd Neighbourhood::solvePrior(MatrixXd right) const {
   extendFactor();
-  const auto L = L_.topLeftCorner(factored_, factored_);
-  L.triangularView<Eigen::Lower>().transpose().solveInPlace(right);
+  const auto L = L_.topLeftCorner(factored_, factored_).triangularView<Eigen::Lower>();
+  L.solveInPlace(right);
+  L.transpose().solveInPlace(right);
   return right;
 }
 
 Neighbourhood::Whitened Neighbourhood::whitened() const {
   Whitened whitened;
-  whitened.cross = solveFactor(localRows());
-  const Index size = whitened.cross.rows();
+  whitened.cross = timesFactorInverse(localColumns());
+  const Index size = whitened.cross.cols();
   MatrixXd of_taken(size, size);
-  for (Index i = 0; i < size; ++i) of_taken.row(i) = whitened.cross.col(local_rows_[at(i)]);
-  of_taken = solveFactor(std::move(of_taken));
+  for (Index i = 0; i < size; ++i)
+    of_taken.col(i) = whitened.cross.row(local_rows_[at(i)]).transpose();
+  of_taken = timesFactorInverse(std::move(of_taken));
   whitened.gain = MatrixXd::Identity(size, size) - 0.5 * (of_taken + of_taken.transpose());
   return whitened;
 }
@@ -183,11 +199,15 @@ Eigen::Matrix2Xd Neighbourhood::allCorrections() const {
   if (others.empty() || !is_updated_) return corrections;
   Eigen::VectorXd of_taken(static_cast<Index>(local_rows_.size()));
   for (Index i = 0; i < of_taken.size(); ++i) of_taken(i) = correction_(local_rows_[at(i)]);
-  const MatrixXd weights = solveFactorTransposed(solveFactor(of_taken));
+  const MatrixXd weights = solvePrior(of_taken);
   const Eigen::VectorXd of_rest = priorOf(others).transpose() * weights;
   for (Index i = 0; i < static_cast<Index>(others.size()); ++i)
     corrections.col(others[at(i)]) = of_rest.segment<2>(2 * i);
   return corrections;
+}
+
+MatrixXd Neighbourhood::whitenedPrior(const std::vector<Index>& landmarks) const {
+  return timesFactorInverse(priorOf(landmarks).transpose());
 }
 
 std::vector<Eigen::Matrix2d> Neighbourhood::marginals(const Eigen::Matrix2Xd& c) const {
@@ -203,19 +223,19 @@ std::vector<Eigen::Matrix2d> Neighbourhood::marginals(const Eigen::Matrix2Xd& c)
     put(taken_[at(i)], local_.landmark(i), {local_(row, kHeading), local_(row + 1, kHeading)});
   }
   const auto others = rest();
-  MatrixXd W, change;  // transposed
+  MatrixXd W, change;
   Eigen::VectorXd heading = Eigen::VectorXd::Zero(2 * static_cast<Index>(others.size()));
   if (is_updated_ && !others.empty()) {
     const auto taken = whitened();
-    W = solveFactor(priorOf(others));
-    change = taken.gain * W;
-    heading = W.transpose() * taken.cross.col(kHeading);
+    W = whitenedPrior(others);
+    change = timesTransposed(W, taken.gain);
+    heading = W * taken.cross.row(kHeading).transpose();
   }
   for (Index i = 0; i < static_cast<Index>(others.size()); ++i) {
     const Index row = priorRow(others[at(i)]);
     Eigen::Matrix2d P;
     P << prior_(row, row), prior_(row, row + 1), prior_(row + 1, row), prior_(row + 1, row + 1);
-    if (W.size() > 0) P -= W.middleCols<2>(2 * i).transpose() * change.middleCols<2>(2 * i);
+    if (W.size() > 0) P -= W.middleRows<2>(2 * i) * change.middleRows<2>(2 * i).transpose();
     put(others[at(i)], 0.5 * (P + P.transpose()), heading.segment<2>(2 * i));
   }
   return marginals;
@@ -233,40 +253,36 @@ void Neighbourhood::renew(const Eigen::Matrix2Xd& c) {
 /// The rows of the landmarks that were not taken: among themselves, and with what was.
 void Neighbourhood::updateRest(const std::vector<Index>& rest, const Eigen::Matrix2Xd& c) {
   const auto taken = whitened();
-  const MatrixXd W = solveFactor(priorOf(rest)).transpose();
-  const MatrixXd cross = W * taken.cross;  // P_b,local
+  const MatrixXd W = whitenedPrior(rest);
+  const MatrixXd cross = timesTransposed(W, taken.cross);  // P_b,local
+  std::vector<Index> rows;
+  Eigen::VectorXd carried(W.rows());
+  for (Index i = 0; i < W.rows(); ++i) {
+    rows.push_back(priorRow(rest[at(i / 2)]) + i % 2);
+    carried(i) = c(i % 2, rest[at(i / 2)]);
+  }
+  if (is_updated_) prior_.subtractProduct(timesTransposed(W, taken.gain), W, rows);
   const double variance = local_(kHeading, kHeading);
   const bool is_carried = !c.isZero(0.0);
-  const Index width = (is_updated_ ? W.cols() : 0) + (is_carried ? 2 : 0);
-  MatrixXd A = MatrixXd::Zero(prior_.size(), width), B = MatrixXd::Zero(prior_.size(), width);
-  const MatrixXd change = is_updated_ ? MatrixXd(W * taken.gain) : MatrixXd();
-  for (Index i = 0; i < W.rows(); ++i) {
-    const Index landmark = rest[at(i / 2)], row = priorRow(landmark) + i % 2;
-    if (is_updated_) {
-      A.row(row).head(W.cols()) = change.row(i);
-      B.row(row).head(W.cols()) = W.row(i);
-    }
-    if (!is_carried) continue;
-    const double of = c(i % 2, landmark), half = cross(i, kHeading) + 0.5 * variance * of;
-    A.row(row).tail<2>() << -of, -half;
-    B.row(row).tail<2>() << half, of;
+  if (is_carried) {
+    MatrixXd A(W.rows(), 2), B(W.rows(), 2);
+    A << -carried, -cross.col(kHeading) - 0.5 * variance * carried;
+    B << -A.col(1), carried;
+    prior_.subtractProduct(A, B, rows);
   }
-  if (width > 0) prior_.subtractProduct(A, B);
 
-  const auto put = [&](Index i, Index row, Index local_row, double of_other) {
-    const double of = c(i % 2, rest[at(i / 2)]);
-    const Index own = priorRow(rest[at(i / 2)]) + i % 2;
-    prior_.at(std::max(own, row), std::min(own, row)) =
-        cross(i, local_row) + of * (local_(kHeading, local_row) + variance * of_other) +
-        cross(i, kHeading) * of_other;
+  const auto put = [&](Index local_row, Index row, double of_other) {
+    const double heading = local_(kHeading, local_row) + variance * of_other;
+    for (Index i = 0; i < W.rows(); ++i)
+      prior_.at(std::max(rows[at(i)], row), std::min(rows[at(i)], row)) =
+          cross(i, local_row) + carried(i) * heading + cross(i, kHeading) * of_other;
   };
-  for (Index i = 0; i < W.rows(); ++i) {
-    for (Index row = 0; row < (is_fresh_ ? 0 : kPoseSize); ++row) put(i, row, row, 0.0);
-    for (Index slot = 0; slot < size(); ++slot)
-      for (Index axis = 0; axis < 2; ++axis)
-        if (is_updated_ || is_carried || taken_[at(slot)] >= known_)  // else as it was, to the bit
-          put(i, priorRow(taken_[at(slot)]) + axis, DenseCovariance::row(slot) + axis,
-              c(axis, taken_[at(slot)]));
+  for (Index row = 0; row < (is_fresh_ ? 0 : kPoseSize); ++row) put(row, row, 0.0);
+  for (Index slot = 0; slot < size(); ++slot) {
+    const Index landmark = taken_[at(slot)];
+    if (!is_updated_ && !is_carried && landmark < known_) continue;  // as it was, to the bit
+    for (Index axis = 0; axis < 2; ++axis)
+      put(DenseCovariance::row(slot) + axis, priorRow(landmark) + axis, c(axis, landmark));
   }
 }
 

@@ -24,6 +24,8 @@ class Neighbourhood {
  public:
   /// @param joint of (pose, landmarks), size 3 + 2 N
   explicit Neighbourhood(const Eigen::MatrixXd& joint = Eigen::Matrix3d::Identity());
+  /// Of landmarks that are not correlated.
+  Neighbourhood(const Eigen::Matrix3d& robot, const std::vector<Eigen::Matrix2d>& landmarks);
 
   Eigen::Index landmarks() const { return static_cast<Eigen::Index>(slots_.size()); }
   Eigen::Index size() const { return static_cast<Eigen::Index>(taken_.size()); }
@@ -57,8 +59,9 @@ class Neighbourhood {
   std::vector<Eigen::Matrix2d> marginals(const Eigen::Matrix2Xd& c) const;
   /// The global update, after which nothing is taken; c as above.
   void renew(const Eigen::Matrix2Xd& c);
-  /// Of (robot, landmarks), right after renew().
-  Eigen::MatrixXd joint() const { return prior_.full(); }
+  /// The covariance of (reference, landmarks) when the stretch began: right after renew() that of
+  /// (robot, landmarks).
+  double prior(Eigen::Index row, Eigen::Index column) const { return prior_(row, column); }
 
  private:
   static constexpr Eigen::Index kPoseSize = 3;
@@ -66,17 +69,19 @@ class Neighbourhood {
 
   /// Of the taken part, as whitened by L.
   struct Whitened {
-    Eigen::MatrixXd cross;  ///< L^-1 P_a,local
+    Eigen::MatrixXd cross;  ///< P_local,a L^-T
     Eigen::MatrixXd gain;   ///< I - L^-1 P_aa L^-T
   };
   Whitened whitened() const;
   std::vector<Eigen::Index> rest() const;
-  /// Columns of the prior between the taken part and landmarks, P_ab0.
+  /// Of the prior between the taken part and landmarks, P_ab0.
   Eigen::MatrixXd priorOf(const std::vector<Eigen::Index>& landmarks) const;
-  Eigen::MatrixXd localRows() const;
+  Eigen::MatrixXd localColumns() const;  ///< P_local,a
   void extendFactor() const;
-  Eigen::MatrixXd solveFactor(Eigen::MatrixXd right) const;            ///< L^-1 right
-  Eigen::MatrixXd solveFactorTransposed(Eigen::MatrixXd right) const;  ///< L^-T right
+  Eigen::MatrixXd timesFactorInverse(Eigen::MatrixXd left) const;  ///< left L^-T
+  Eigen::MatrixXd solvePrior(Eigen::MatrixXd right) const;         ///< P_aa0^-1 right
+  /// W of these landmarks, and what is to be taken off their covariance is W gain W^T.
+  Eigen::MatrixXd whitenedPrior(const std::vector<Eigen::Index>& landmarks) const;
   void updateRest(const std::vector<Eigen::Index>& rest, const Eigen::Matrix2Xd& c);
   void writeTaken(const Eigen::Matrix2Xd& c);
   void begin();

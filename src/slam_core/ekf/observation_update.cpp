@@ -3,7 +3,10 @@
 
 #include "slam_core/ekf/observation_update.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "slam_core/ekf/symmetric_update.hpp"
 
 // Symbols: x state, P its covariance, z observation with covariance R, H its Jacobian, nu
 // innovation with covariance S = H P H^T + R = L L^T.
@@ -90,20 +93,23 @@ void ObservationUpdate::solve() {
   PHt_.resize(P_.rows(), size);
   for (std::size_t i = 0; i < innovations_.size(); ++i) {
     const auto& h = innovations_[i];
-    PHt_.middleCols<2>(column(i)).noalias() = P_.leftCols<3>() * h.H_robot.transpose();
-    PHt_.middleCols<2>(column(i)).noalias() +=
-        P_.col(DenseCovariance::kHeadingRow) * h.H_heading.transpose();
-    PHt_.middleCols<2>(column(i)).noalias() +=
-        P_.middleCols<2>(kHead + column(i)) * h.H_landmark.transpose();
+    // lazy: the general product would pack these narrow blocks
+    PHt_.middleCols<2>(column(i)) =
+        P_.leftCols<3>().lazyProduct(h.H_robot.transpose()) +
+        P_.col(DenseCovariance::kHeadingRow).lazyProduct(h.H_heading.transpose()) +
+        P_.middleCols<2>(kHead + column(i)).lazyProduct(h.H_landmark.transpose());
   }
-  Eigen::MatrixXd S(size, size);
-  for (std::size_t i = 0; i < innovations_.size(); ++i) {
-    const auto& h = innovations_[i];
-    auto rows = S.middleRows<2>(column(i));
-    rows.noalias() = h.H_robot * PHt_.topRows<3>();
-    rows.noalias() += h.H_heading * PHt_.row(DenseCovariance::kHeadingRow);
-    rows.noalias() += h.H_landmark * PHt_.middleRows<2>(kHead + column(i));
-    S.block<2, 2>(column(i), column(i)) += h.R;
+  Eigen::MatrixXd S(size, size);  // the lower triangle
+  for (std::size_t j = 0; j < innovations_.size(); ++j) {
+    const auto of_z = PHt_.middleCols<2>(column(j));
+    const Eigen::Matrix<double, 3, 2> robot = of_z.topRows<3>();
+    const Eigen::RowVector2d heading = of_z.row(DenseCovariance::kHeadingRow);
+    for (std::size_t i = j; i < innovations_.size(); ++i) {
+      const auto& h = innovations_[i];
+      S.block<2, 2>(column(i), column(j)) = h.H_robot * robot + h.H_heading * heading +
+                                            h.H_landmark * of_z.middleRows<2>(kHead + column(i));
+    }
+    S.block<2, 2>(column(j), column(j)) += innovations_[j].R;
   }
   for (std::size_t i = 0; i < innovations_.size(); ++i)
     S_diagonal_[i] = S.block<2, 2>(column(i), column(i));
@@ -133,9 +139,19 @@ double ObservationUpdate::logLikelihood() const {
   return -0.5 * (nis() + static_cast<double>(nu_.size()) * std::log(2.0 * M_PI)) - log_root;
 }
 
+JointInnovation ObservationUpdate::joint() const {
+  const auto count = std::min(matches_.size(), UpdateStatistics::kJoint);
+  const Index size = column(count);
+  const Eigen::MatrixXd L = L_.matrixLLT().topLeftCorner(size, size).triangularView<Eigen::Lower>();
+  JointInnovation joint{nu_.head(size), L * L.transpose(), Eigen::MatrixXd::Zero(size, size)};
+  for (std::size_t i = 0; i < count; ++i)
+    joint.R.block<2, 2>(column(i), column(i)) = matches_[i].z.covariance;
+  return joint;
+}
+
 Eigen::MatrixXd ObservationUpdate::gain() const {
   Eigen::MatrixXd W = state_.covariance().timesTransposed(innovations_);
-  L_.matrixU().solveInPlace<Eigen::OnTheRight>(W);
+  solveTransposedFromRight(L_.matrixLLT(), W);
   return W;
 }
 

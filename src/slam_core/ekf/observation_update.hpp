@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "slam_core/contract/backend.hpp"
 #include "slam_core/ekf/ekf_state.hpp"
 
 namespace slam::ekf {
@@ -36,6 +37,8 @@ class ObservationUpdate {
   /// The innovation of one match as if linearised at the prediction, and its covariance.
   Eigen::Vector2d innovation(std::size_t match) const;
   const Eigen::Matrix2d& covariance(std::size_t match) const { return S_diagonal_[match]; }
+  /// Of the first matches, UpdateStatistics::kJoint at most.
+  JointInnovation joint() const;
   double headingCorrection() const { return dx_(2); }
 
   /// W = P H^T L^-T of the whole neighbourhood, so that P - W W^T is the covariance afterwards

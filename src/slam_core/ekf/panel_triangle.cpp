@@ -28,10 +28,11 @@ Eigen::MatrixXd PanelTriangle::full() const {
   return full;
 }
 
-void PanelTriangle::subtractProduct(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+void PanelTriangle::subtractProduct(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                                    const std::vector<Eigen::Index>& rows) {
   std::vector<double*> panels;
   for (auto& panel : panels_) panels.push_back(panel.data());
-  subtractProductLower(A, B, panels);
+  subtractProductLower(A, B, rows, panels);
 }
 
 }  // namespace slam::ekf

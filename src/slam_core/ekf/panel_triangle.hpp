@@ -34,8 +34,9 @@ class PanelTriangle {
   }
   Eigen::MatrixXd full() const;
 
-  /// P <- P - A B^T, where that product is symmetric.
-  void subtractProduct(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+  /// P <- P - A B^T, where that product is symmetric, in the given rows and columns, rising.
+  void subtractProduct(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                       const std::vector<Eigen::Index>& rows);
 
  private:
   static constexpr Eigen::Index kRows = 16;

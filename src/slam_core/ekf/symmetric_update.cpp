@@ -75,8 +75,8 @@ BlockUpdate fastestBlockUpdate() {
 }
 
 /// W cut into panels of kPanel rows, each contiguous, the last one filled up with zeros.
-std::vector<double> packPanels(const Eigen::MatrixXd& W, Index size) {
-  const Index panels = (size + kPanel - 1) / kPanel, k = W.cols();
+std::vector<double> packPanels(const Eigen::Ref<const Eigen::MatrixXd>& W) {
+  const Index size = W.rows(), panels = (size + kPanel - 1) / kPanel, k = W.cols();
   std::vector<double> packed(static_cast<std::size_t>(panels * k * kPanel), 0.0);
   for (Index panel = 0; panel < panels; ++panel) {
     const Index row = panel * kPanel, rows = std::min(kPanel, size - row);
@@ -87,37 +87,80 @@ std::vector<double> packPanels(const Eigen::MatrixXd& W, Index size) {
   return packed;
 }
 
+/// The same of a matrix of which only the given rows are not 0.
+std::vector<double> packPanels(const Eigen::Ref<const Eigen::MatrixXd>& W,
+                               const std::vector<Index>& rows, std::size_t panels) {
+  const Index k = W.cols();
+  std::vector<double> packed(panels * static_cast<std::size_t>(k * kPanel), 0.0);
+  for (Index column = 0; column < k; ++column)
+    for (Index i = 0; i < W.rows(); ++i) {
+      const Index row = rows[static_cast<std::size_t>(i)];
+      packed[static_cast<std::size_t>((row / kPanel * k + column) * kPanel + row % kPanel)] =
+          W(i, column);
+    }
+  return packed;
+}
+
 /// So many columns of A and B at a time, for two panels of them to stay in the fastest cache.
 constexpr Index kDepth = 96;
-
-void subtractSlice(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
-                   const std::vector<double*>& panels) {
-  static const BlockUpdate subtract = fastestBlockUpdate();
-  const Index size = A.rows(), k = A.cols();
-  const auto packed_A = packPanels(A, size), packed_B = packPanels(B, size);
-  for (Index panel = 0; panel < static_cast<Index>(panels.size()); ++panel) {
-    const double* a = packed_A.data() + panel * k * kPanel;
-    double* P = panels[static_cast<std::size_t>(panel)];
-    for (Index column = 0; column < (panel + 1) * kPanel; column += kGroup)
-      subtract(a, packed_B.data() + column / kPanel * k * kPanel + column % kPanel, k,
-               P + column * kPanel, kPanel);
-  }
-}
 
 }  // namespace
 
 void subtractProductLower(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
-                          const std::vector<double*>& panels) {
+                          const std::vector<Index>& rows, const std::vector<double*>& panels) {
+  static const BlockUpdate subtract = fastestBlockUpdate();
   for (Index first = 0; first < A.cols(); first += kDepth) {
-    const Index depth = std::min(kDepth, A.cols() - first);
-    subtractSlice(A.middleCols(first, depth), B.middleCols(first, depth), panels);
+    const Index k = std::min(kDepth, A.cols() - first);
+    const auto packed_A = packPanels(A.middleCols(first, k), rows, panels.size());
+    const auto packed_B = packPanels(B.middleCols(first, k), rows, panels.size());
+    for (std::size_t panel = 0; panel < panels.size(); ++panel) {
+      const Index columns = static_cast<Index>(panel + 1) * kPanel;
+      const double* a = packed_A.data() + static_cast<Index>(panel) * k * kPanel;
+      for (Index column = 0; column < columns; column += kGroup)
+        subtract(a, packed_B.data() + column / kPanel * k * kPanel + column % kPanel, k,
+                 panels[panel] + column * kPanel, kPanel);
+    }
+  }
+}
+
+Eigen::MatrixXd timesTransposed(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                                const Eigen::Ref<const Eigen::MatrixXd>& B) {
+  static const BlockUpdate subtract = fastestBlockUpdate();
+  const Index k = A.cols(), panels = (B.rows() + kPanel - 1) / kPanel;
+  const auto packed_A = packPanels(A), packed_B = packPanels(B);
+  Eigen::MatrixXd product(A.rows(), B.rows());
+  std::vector<double> negative(static_cast<std::size_t>(panels * kPanel * kPanel));
+  for (Index row = 0; row < A.rows(); row += kPanel) {
+    std::fill(negative.begin(), negative.end(), 0.0);
+    for (Index column = 0; column < panels * kPanel; column += kGroup)
+      subtract(packed_A.data() + row * k,
+               packed_B.data() + column / kPanel * k * kPanel + column % kPanel, k,
+               negative.data() + column * kPanel, kPanel);
+    const Index rows = std::min(kPanel, A.rows() - row);
+    for (Index column = 0; column < B.rows(); ++column)
+      for (Index r = 0; r < rows; ++r)
+        product(row + r, column) = -negative[static_cast<std::size_t>(column * kPanel + r)];
+  }
+  return product;
+}
+
+void solveTransposedFromRight(const Eigen::Ref<const Eigen::MatrixXd>& L, Eigen::MatrixXd& W) {
+  constexpr Index kBlock = 32;
+  for (Index first = 0; first < L.rows(); first += kBlock) {
+    const Index size = std::min(kBlock, L.rows() - first);
+    auto columns = W.middleCols(first, size);
+    if (first > 0) columns -= timesTransposed(W.leftCols(first), L.block(first, 0, size, first));
+    L.block(first, first, size, size)
+        .triangularView<Eigen::Lower>()
+        .transpose()
+        .solveInPlace<Eigen::OnTheRight>(columns);
   }
 }
 
 void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Index size, Index stride) {
   static const BlockUpdate subtract = fastestBlockUpdate();
   const Index k = W.cols();
-  const auto packed = packPanels(W, size);
+  const auto packed = packPanels(W);
   const auto panelOf = [&](Index row) { return packed.data() + row / kPanel * k * kPanel; };
   for (Index column = 0; column < size; column += kGroup) {
     const double* B = panelOf(column) + column % kPanel;

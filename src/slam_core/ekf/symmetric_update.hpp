@@ -21,8 +21,17 @@ void subtractOuterProductLower(const Eigen::MatrixXd& W, double* P, Eigen::Index
 
 /// P <- P - A B^T, where that is symmetric, in a lower triangle cut into panels of kPanelRows rows.
 /// @param A, B of the same size
+/// @param rows of P to which those of A and B belong, rising; the others are left as they are
 /// @param panels each column-major, kPanelRows high and complete up to the block on the diagonal
 void subtractProductLower(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                          const std::vector<Eigen::Index>& rows,
                           const std::vector<double*>& panels);
+
+/// A B^T, by the same means.
+Eigen::MatrixXd timesTransposed(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                                const Eigen::Ref<const Eigen::MatrixXd>& B);
+
+/// W <- W L^-T for a lower triangle L.
+void solveTransposedFromRight(const Eigen::Ref<const Eigen::MatrixXd>& L, Eigen::MatrixXd& W);
 
 }  // namespace slam::ekf

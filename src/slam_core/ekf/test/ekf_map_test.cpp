@@ -156,6 +156,20 @@ TEST(EkfMap, IsInflatedWhereItHasNoJointCovariance) {
   EXPECT_EQ(ekf.pose().covariance, map.robot.covariance);
 }
 
+TEST(EkfMap, IsSavedWithoutItsJointCovarianceWhereThatWouldBeTooLarge) {
+  const auto map = mappedWorld();
+  EkfConfig config;
+  config.joint_limit = int(map.landmarks.size()) - 1;
+  EkfSlam ekf;
+  ekf.configure(config);
+  ekf.set(map);
+  ekf.execute();
+  const auto state = ekf.state();
+  EXPECT_EQ(state.joint_covariance.size(), 0);
+  ASSERT_EQ(state.landmarks.size(), map.landmarks.size());
+  EXPECT_EQ(state.landmarks[0].covariance, map.landmarks[0].covariance);
+}
+
 TEST(EkfMap, IsEmptyAgainAfterReset) {
   EkfSlam ekf;
   ekf.configure(EkfConfig());
