@@ -3,6 +3,7 @@
 
 #include "slam_core/product/landmark_file.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
@@ -19,19 +20,31 @@ namespace {
 
 /// The shortest digits that read back as the same number.
 template <class Matrix>
-std::string numbers(const Matrix& matrix) {
-  std::string text;
+void appendNumbers(const Matrix& matrix, fmt::memory_buffer& text) {
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", matrix(row, column));
-  return text;
+      fmt::format_to(fmt::appender(text), FMT_COMPILE("{}{}"), row + column == 0 ? "" : ", ",
+                     matrix(row, column));
 }
 
+template <class Matrix>
+std::string numbers(const Matrix& matrix) {
+  fmt::memory_buffer text;
+  appendNumbers(matrix, text);
+  return fmt::to_string(text);
+}
+
+/// Of a large map this is most of the file.
 std::string jointText(const Eigen::MatrixXd& joint) {
-  std::string text = "joint_covariance:  # of pose, then landmarks; lower triangle, a row a line\n";
-  for (Eigen::Index row = 0; row < joint.rows(); ++row)
-    text += "  - [" + numbers(joint.row(row).head(row + 1)) + "]\n";
-  return text;
+  fmt::memory_buffer text;
+  const auto append = [&](const std::string& part) { text.append(part); };
+  append("joint_covariance:  # of pose, then landmarks; lower triangle, a row a line\n");
+  for (Eigen::Index row = 0; row < joint.rows(); ++row) {
+    append("  - [");
+    appendNumbers(joint.row(row).head(row + 1), text);
+    append("]\n");
+  }
+  return fmt::to_string(text);
 }
 
 double number(const YAML::Node& parent, const std::string& key) {
