@@ -16,6 +16,7 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
   FaultCollector faults;
   faults.attempt([&] { backend_->seed(settings.read<ProductConfig>().seed); });
   faults.attempt([&] { backend_->configure(settings); });
+  faults.attempt([&] { consistency_config_ = settings.read<ConsistencyConfig>(); });
   faults.attempt([&] { sensor_ = settings.read<LandmarkSensorConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
   faults.attempt([&] {
@@ -27,6 +28,7 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
 
 void Estimator::resetBackend() {
   backend_->reset();
+  consistency_ = ConsistencyMonitor(consistency_config_);
   if (start_map_) set(*start_map_);
 }
 
@@ -115,9 +117,18 @@ Status Estimator::execute() {
   else if (step->trigger)
     backend_->set(*step->trigger);
   const auto step_status = backend_->execute();
-  if (!step_status.isOk()) status = step_status;
+  const auto consistency_status = watchConsistency();
+  for (const auto& other : {consistency_status, step_status})
+    if (!other.isOk()) status = other;
   reportStep(*step);
   return status;
+}
+
+Status Estimator::watchConsistency() {
+  const auto blamed = consistency_.blamed();
+  consistency_.add(backend_->statistics());
+  const bool is_new = consistency_.blamed() && consistency_.blamed() != blamed;
+  return is_new ? Status::warning(consistency_.warning()) : Status::ok();
 }
 
 void Estimator::reportStep(const LandmarkCollator::Step& step) {

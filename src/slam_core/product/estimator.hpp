@@ -8,6 +8,7 @@
 #include <string>
 
 #include "slam_core/common/collator.hpp"
+#include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/models/landmark_sensor.hpp"
 #include "slam_core/product/product_config.hpp"
@@ -49,6 +50,8 @@ class Estimator {
 
   const std::optional<StepReport>& report() const { return report_; }
   const Backend& backend() const { return *backend_; }
+  /// Of the last updates; its warning is a step's status when it names another source than before.
+  const ConsistencyMonitor& consistency() const { return consistency_; }
   std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
   std::optional<Stamp> lastObservations() const { return collator_.lastTrigger(0); }
   /// Of the collator, the back-end and the estimator itself.
@@ -65,10 +68,14 @@ class Estimator {
   void warnOfBaseFrame(const std::string& moved);
   void reportStep(const LandmarkCollator::Step& step);
 
+  Status watchConsistency();
+
   LandmarkSensorConfig sensor_;
   FramesConfig frames_;
   Duration source_timeout_{};
   std::unique_ptr<Backend> backend_;
+  ConsistencyConfig consistency_config_;
+  ConsistencyMonitor consistency_;
   std::optional<MapState> start_map_;
   LandmarkCollator collator_;
   std::optional<Motion> last_motion_;

@@ -213,5 +213,24 @@ TEST_F(EstimatorTest, GivesTheSensorsNoiseToObservationsWithoutOne) {
   EXPECT_TRUE(map[0].covariance.isApprox(expected[0].covariance, 1e-12));
 }
 
+TEST_F(EstimatorTest, WarnsOnceOfASigmaThatIsThreeTimesTooSmall) {
+  std::vector<std::string> warnings;
+  for (auto& step : simulate(9, 120)) {
+    for (auto& z : step.observations.observations) z.covariance(1, 1) /= 9.0;
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    do {
+      if (const auto status = estimator.execute(); !status.isOk())
+        warnings.push_back(status.message);
+    } while (estimator.report());
+  }
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings.front().find("bearing sigma looks"), std::string::npos) << warnings.front();
+  EXPECT_LE(warnings.size(), 3u) << "said again at every step";
+  EXPECT_EQ(estimator.consistency().warning().find("bearing sigma looks"), 0u);
+  estimator.reset();
+  EXPECT_EQ(estimator.consistency().warning(), "");
+}
+
 }  // namespace
 }  // namespace slam

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/consistency/consistency_monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace slam {
+namespace {
+
+/// A single observation this far off is a wrong one, and says nothing of the noise.
+constexpr double kOutlierNis = 100.0;
+/// So many updates before anything is said.
+constexpr int kFewest = 10;
+/// A window of right sigmas goes beyond this about once in a hundred thousand.
+constexpr double kSignificant = 4.5;
+/// A sensor that has just gone wrong spoils the prediction at once. So the odometry is named only
+/// after so many updates that agree, and where there is no more than this to say of the sensor. It
+/// shows less, so that less must do.
+constexpr int kAgreeing = 5;
+constexpr double kSuspicious = 3.0, kSignificantMotion = 3.5;
+
+/// The cube root of chi-square over its degrees of freedom is nearly normal, with the mean 1 - a
+/// and the variance a (Wilson and Hilferty 1931). z: the quantile of the normal distribution.
+double chiSquareOverDof(double dof, double z) {
+  const double a = 2.0 / (9.0 * dof), root = 1.0 - a + z * std::sqrt(a);
+  return root * root * root;
+}
+
+double normalQuantile(double chi_square_over_dof, double dof) {
+  // An estimate that is too small is no chi-square: it may be negative.
+  if (chi_square_over_dof < 1.0) return (chi_square_over_dof - 1.0) * std::sqrt(0.5 * dof);
+  const double a = 2.0 / (9.0 * dof);
+  return (std::cbrt(chi_square_over_dof) - 1.0 + a) / std::sqrt(a);
+}
+
+JointInnovation alone(const ObservationInnovation& observation) {
+  return {observation.nu, observation.S, observation.R};
+}
+
+}  // namespace
+
+void ConsistencyConfig::describe(Fields& fields) {
+  fields.add("window", &window, "updates that are judged together")
+      .unit("1")
+      .in(Range::closed(kFewest, 100000));
+  fields
+      .add("warning_factor", &warning_factor,
+           "a sigma that looks too small or too large by this factor is told")
+      .unit("1")
+      .in(Range::above(1));
+}
+
+ConsistencyMonitor::ConsistencyMonitor(const ConsistencyConfig& config) : config_(config) {}
+
+const char* ConsistencyMonitor::name(Source source) {
+  static constexpr const char* kNames[] = {"range", "bearing", "odometry"};
+  return kNames[source];
+}
+
+void ConsistencyMonitor::add(const UpdateStatistics& statistics) {
+  Score score;
+  const bool is_joint = statistics.joint.nu.size() > 0;
+  if (is_joint) addGroup(statistics.joint, score);
+  for (const auto& observation : statistics.innovations) {
+    const auto group = alone(observation);
+    const double nis = group.nu.dot(group.S.llt().solve(group.nu));
+    if (!(is_joint && observation.used) && nis < kOutlierNis) addGroup(group, score);
+  }
+  if (score.dof == 0) return;
+  last_nis_ = statistics.nis;
+  window_.push_back(score);
+  if (window_.size() > static_cast<std::size_t>(config_.window)) window_.pop_front();
+  judge();
+}
+
+/// S is the sum of C_range, C_bearing, both diagonal, and C_motion, all the rest. The slope by the
+/// variance of a source is (u^T C u - tr S^-1 C) / 2, u = S^-1 nu, and the information of two
+/// sources tr(S^-1 C S^-1 D) / 2.
+void ConsistencyMonitor::addGroup(const JointInnovation& group, Score& score) {
+  const Eigen::Index size = group.nu.size();
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
+  const Eigen::MatrixXd S_inverse = group.S.llt().solve(identity);
+  const Eigen::VectorXd u = S_inverse * group.nu;
+  const double nis = u.dot(group.nu);
+  std::array<Eigen::MatrixXd, kSources> shares;  // S^-1 C
+  std::array<double, kSources> squares;          // u^T C u
+  for (const auto c : {kRange, kBearing}) {
+    Eigen::VectorXd variances = Eigen::VectorXd::Zero(size);
+    for (auto i = static_cast<Eigen::Index>(c); i < size; i += 2) variances(i) = group.R(i, i);
+    shares[c] = S_inverse * variances.asDiagonal();
+    squares[c] = u.cwiseAbs2().dot(variances);
+  }
+  shares[kMotion] = identity - shares[kRange] - shares[kBearing];
+  squares[kMotion] = nis - squares[kRange] - squares[kBearing];
+  for (std::size_t c = 0; c < kSources; ++c) {
+    score.slope(static_cast<Eigen::Index>(c)) += 0.5 * (squares[c] - shares[c].trace());
+    for (std::size_t d = 0; d < kSources; ++d)
+      score.information(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(d)) +=
+          0.5 * shares[c].cwiseProduct(shares[d].transpose()).sum();
+  }
+  score.nis += nis;
+  score.dof += static_cast<int>(size);
+}
+
+double ConsistencyMonitor::nisMean() const {
+  double nis = 0.0;
+  int dof = 0;
+  for (const auto& score : window_) {
+    nis += score.nis;
+    dof += score.dof;
+  }
+  return dof > 0 ? nis / dof : 0.0;
+}
+
+std::array<double, 2> ConsistencyMonitor::nisBounds() const {
+  double dof = 0.0;
+  for (const auto& score : window_) dof += score.dof;
+  constexpr double kNormal95 = 1.96;
+  if (dof == 0.0) return {0.0, 0.0};
+  return {chiSquareOverDof(dof, -kNormal95), chiSquareOverDof(dof, kNormal95)};
+}
+
+void ConsistencyMonitor::judge() {
+  Score sum;
+  for (const auto& score : window_) {
+    sum.slope += score.slope;
+    sum.information += score.information;
+  }
+  // What is hardly to be seen is pulled towards "as believed" instead of anywhere.
+  constexpr double kPrior = 1.0;
+  const Eigen::Matrix3d covariance = (sum.information + kPrior * Eigen::Matrix3d::Identity())
+                                         .llt()
+                                         .solve(Eigen::Matrix3d::Identity());
+  const Eigen::Vector3d excess = covariance * sum.slope;  // of the variance, as a share of it
+  for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(kSources); ++c) {
+    constexpr double kSmallestShare = 1e-4;
+    const double variance = covariance(c, c);
+    auto& factor = factors_[static_cast<std::size_t>(c)];
+    factor.sigma = std::sqrt(std::max(kSmallestShare, 1.0 + excess(c)));
+    factor.uncertainty = 0.5 * std::sqrt(variance) * factor.sigma;
+    factor.evidence = normalQuantile(1.0 + excess(c), 2.0 / variance);
+  }
+  blame();
+}
+
+void ConsistencyMonitor::blame() {
+  blamed_.reset();
+  const auto evidence = [this](Source source) { return std::abs(factors_[source].evidence); };
+  const auto isWrong = [&](Source source, double significant) {
+    const double sigma = factors_[source].sigma;
+    return evidence(source) > significant && std::max(sigma, 1.0 / sigma) > config_.warning_factor;
+  };
+  const Source sensor = evidence(kRange) > evidence(kBearing) ? kRange : kBearing;
+  const bool is_motion = isWrong(kMotion, kSignificantMotion) && evidence(sensor) < kSuspicious;
+  motion_agreeing_ = is_motion ? motion_agreeing_ + 1 : 0;
+  if (updates() < std::min(kFewest, config_.window)) return;
+  if (isWrong(sensor, kSignificant))
+    blamed_ = sensor;
+  else if (motion_agreeing_ >= kAgreeing)
+    blamed_ = kMotion;
+}
+
+std::string ConsistencyMonitor::warning() const {
+  if (!blamed_) return "";
+  const double sigma = factors_[*blamed_].sigma;
+  return fmt::format("{} sigma looks {:.1f} times too {} (NIS {:.2f} over {} updates, 1 expected)",
+                     name(*blamed_), std::max(sigma, 1.0 / sigma), sigma > 1.0 ? "small" : "large",
+                     nisMean(), updates());
+}
+
+}  // namespace slam

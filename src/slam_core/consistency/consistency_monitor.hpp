@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "slam_core/common/config_fields.hpp"
+#include "slam_core/contract/backend.hpp"
+
+namespace slam {
+
+struct ConsistencyConfig {
+  static constexpr const char* kSection = "consistency";
+
+  int window = 50;
+  double warning_factor = 1.5;
+
+  void describe(Fields& fields);
+};
+
+/// Watches whether the innovations are as large as the back-end believes, and where they are not,
+/// which of the three sources is to blame: the noise of ranges, that of bearings, or what was
+/// foretold by motion and map (the odometry's share). The covariance of the innovations of a stamp
+/// is S = S_motion + R_range + R_bearing; the factors on the three that explain a window of them
+/// best are one step of Fisher scoring on their likelihood (Rao 1971; Mehra 1970 for the Kalman
+/// filter). A sensor's noise differs from one landmark to the next, a wrong prediction is common to
+/// all of a stamp: so they can be told apart where several landmarks are seen.
+class ConsistencyMonitor {
+ public:
+  enum Source : std::size_t { kRange, kBearing, kMotion, kSources };
+
+  /// What a window says of one source.
+  struct Factor {
+    double sigma = 1.0;        ///< true over believed standard deviation
+    double uncertainty = 0.0;  ///< of that, standard deviation; 0: it cannot be seen
+    double evidence = 0.0;     ///< against its being right, in standard deviations
+  };
+
+  explicit ConsistencyMonitor(const ConsistencyConfig& config = {});
+
+  /// Once for each step; steps without observations of known landmarks are passed over.
+  void add(const UpdateStatistics& statistics);
+
+  int updates() const { return static_cast<int>(window_.size()); }
+  /// Normalised innovation squared of the last update, and of the window for each degree of
+  /// freedom (1 expected), with the bounds of the latter in 95 % of all windows.
+  double nis() const { return last_nis_; }
+  double nisMean() const;
+  std::array<double, 2> nisBounds() const;
+  const std::array<Factor, kSources>& factors() const { return factors_; }
+  /// "range sigma looks 3.0 times too small (...)", or nothing. A sensor that is wrong makes the
+  /// prediction wrong as well: motion is named only where there is little to say of the sensor.
+  std::string warning() const;
+  /// What the warning names.
+  std::optional<Source> blamed() const { return blamed_; }
+
+  static const char* name(Source source);
+
+ private:
+  /// The derivative of the log-likelihood by the three variances, and its Fisher information.
+  struct Score {
+    Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    double nis = 0.0;
+    int dof = 0;
+  };
+  static void addGroup(const JointInnovation& group, Score& score);
+  void judge();
+  void blame();
+
+  ConsistencyConfig config_;
+  std::deque<Score> window_;
+  double last_nis_ = 0.0;
+  std::array<Factor, kSources> factors_;
+  std::optional<Source> blamed_;
+  int motion_agreeing_ = 0;  ///< updates that would have named the motion
+};
+
+}  // namespace slam

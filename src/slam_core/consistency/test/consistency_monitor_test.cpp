@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/consistency/consistency_monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/ekf/ekf_slam.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+
+namespace slam {
+namespace {
+
+using test::SimulatedWorld;
+
+/// The share of its true variance that each source claims.
+struct Claims {
+  double range = 1.0, bearing = 1.0, motion = 1.0;
+};
+
+class ConsistencyMonitorTest : public testing::Test {
+ protected:
+  /// The update at which the first warning came, or -1.
+  int run(std::uint64_t seed, const Claims& claims, int updates, int wrong_from = 0) {
+    ekf::EkfSlam ekf;
+    ekf.configure(ekf::EkfConfig());
+    monitor = ConsistencyMonitor();
+    SimulatedWorld world(seed);
+    for (int i = 0; i < updates; ++i) {
+      auto step = world.next();
+      if (i >= wrong_from) {
+        step.motion.covariance *= claims.motion;
+        for (auto& z : step.observations.observations) {
+          z.covariance(0, 0) *= claims.range;
+          z.covariance(1, 1) *= claims.bearing;
+        }
+      }
+      ekf.set(step.motion);
+      ekf.set(step.observations);
+      ekf.execute();
+      monitor.add(ekf.statistics());
+      if (!monitor.warning().empty()) return i;
+    }
+    return -1;
+  }
+  double sigma(ConsistencyMonitor::Source source) const { return monitor.factors()[source].sigma; }
+  bool names(const std::string& text) const {
+    return monitor.warning().find(text) != std::string::npos;
+  }
+
+  ConsistencyMonitor monitor;
+};
+
+TEST_F(ConsistencyMonitorTest, IsSilentWhereTheSigmasAreRight) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    EXPECT_EQ(run(seed, Claims(), 700), -1) << "seed " << seed << ": " << monitor.warning();
+    EXPECT_NEAR(sigma(ConsistencyMonitor::kRange), 1.0, 0.35);
+    EXPECT_NEAR(sigma(ConsistencyMonitor::kBearing), 1.0, 0.35);
+  }
+}
+
+TEST_F(ConsistencyMonitorTest, NamesASigmaThreeTimesTooSmallWithinFiftyUpdates) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    for (const int from : {0, 200}) {
+      const Claims range{1.0 / 9.0, 1.0, 1.0}, bearing{1.0, 1.0 / 9.0, 1.0};
+      int update = run(seed, range, from + 50, from);
+      EXPECT_GE(update, from) << "seed " << seed;
+      EXPECT_TRUE(names("range sigma looks")) << monitor.warning();
+      EXPECT_TRUE(names("too small")) << monitor.warning();
+      update = run(seed, bearing, from + 50, from);
+      EXPECT_GE(update, from) << "seed " << seed;
+      EXPECT_TRUE(names("bearing sigma looks")) << monitor.warning();
+    }
+}
+
+/// Of the odometry an update tells less: a filter in balance takes part of what it errs.
+TEST_F(ConsistencyMonitorTest, NamesTheOdometryWhenItIsWorseThanItSays) {
+  int named = 0, within_fifty = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const int update = run(seed, {1.0, 1.0, 1.0 / 9.0}, 300, 200);
+    if (update < 0) continue;
+    EXPECT_TRUE(names("odometry sigma looks")) << monitor.warning();
+    EXPECT_TRUE(names("too small")) << monitor.warning();
+    ++named;
+    within_fifty += update < 250 ? 1 : 0;
+  }
+  EXPECT_GE(named, 19);
+  EXPECT_GE(within_fifty, 12);
+}
+
+TEST_F(ConsistencyMonitorTest, NamesTheOdometryOnceTheMapIsKnownWhereItWasWrongFromTheBeginning) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    EXPECT_GE(run(seed, {1.0, 1.0, 1.0 / 9.0}, 300), 0) << "seed " << seed;
+    EXPECT_TRUE(names("odometry sigma looks")) << monitor.warning();
+  }
+}
+
+TEST_F(ConsistencyMonitorTest, NamesASigmaThatIsTooLarge) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_GE(run(seed, {9.0, 1.0, 1.0}, 200), 0) << "seed " << seed;
+    EXPECT_TRUE(names("range sigma looks")) << monitor.warning();
+    EXPECT_TRUE(names("too large")) << monitor.warning();
+  }
+}
+
+TEST_F(ConsistencyMonitorTest, TellsTheFactorOnceTheWindowIsFull) {
+  ekf::EkfSlam ekf;
+  ekf.configure(ekf::EkfConfig());
+  SimulatedWorld world(3);
+  for (int i = 0; i < 300; ++i) {
+    auto step = world.next();
+    if (i >= 200)
+      for (auto& z : step.observations.observations) z.covariance(0, 0) /= 9.0;
+    ekf.set(step.motion);
+    ekf.set(step.observations);
+    ekf.execute();
+    monitor.add(ekf.statistics());
+  }
+  EXPECT_EQ(monitor.updates(), 50);
+  EXPECT_NEAR(sigma(ConsistencyMonitor::kRange), 3.0, 0.6);
+  EXPECT_NEAR(sigma(ConsistencyMonitor::kBearing), 1.0, 0.35);
+  EXPECT_GT(monitor.nisMean(), monitor.nisBounds()[1]);
+}
+
+TEST_F(ConsistencyMonitorTest, PassesOverStepsWithoutKnownLandmarks) {
+  monitor.add(UpdateStatistics());
+  EXPECT_EQ(monitor.updates(), 0);
+  EXPECT_EQ(monitor.nisMean(), 0.0);
+}
+
+}  // namespace
+}  // namespace slam
