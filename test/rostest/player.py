@@ -16,14 +16,15 @@ from nav_msgs.msg import Odometry, Path
 import rosbag
 from rosgraph_msgs.msg import Clock, Log
 import rospy
-from slam_msgs.msg import LandmarkMap, LandmarkObservationArray, Motion
+from slam_msgs.msg import Consistency, LandmarkMap, LandmarkObservationArray, Motion
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 RAWLOG = "/usr/share/mrpt/datasets/kf-slam_demo.rawlog"
 OUTPUTS = {"pose": PoseWithCovarianceStamped, "path": Path, "landmarks": LandmarkMap,
-           "landmark_markers": MarkerArray, "particlecloud": PoseArray, "motion": Motion,
+           "landmark_markers": MarkerArray, "particlecloud": PoseArray,
+           "consistency": Consistency, "motion": Motion,
            "/tf": TFMessage, "/diagnostics": DiagnosticArray, "/rosout": Log}
 
 

@@ -98,9 +98,12 @@ class ReplayTest(unittest.TestCase):
         chained = matrix(self.edges()[-1].transform) @ matrix(odometry.pose.pose)
         numpy.testing.assert_allclose(chained, matrix(pose.pose.pose), atol=1e-6)
 
+    def last_status(self, task):
+        return [status for array in self.full["/diagnostics"] for status in array.status
+                if status.name.startswith("slam") and status.name.endswith(": " + task)][-1]
+
     def test_diagnostics_say_running(self):
-        last = [status for array in self.full["/diagnostics"] for status in array.status
-                if status.name.startswith("slam")][-1]
+        last = self.last_status("state")
         self.assertEqual((last.level, last.message), (0, "running"))
 
     def test_a_filter_with_particles_shows_them_about_its_pose(self):
@@ -115,6 +118,25 @@ class ReplayTest(unittest.TestCase):
             mean = numpy.mean([(p.position.x, p.position.y) for p in cloud.poses], axis=0)
             pose = poses[cloud.header.stamp]
             self.assertLess(math.dist(mean, (pose.x, pose.y)), 0.2)
+
+    def tells_innovations(self):
+        return rospy.get_param("~backend") == "ekf"
+
+    def test_diagnostics_say_that_the_noise_is_as_believed(self):
+        last = self.last_status("consistency")
+        expected = "as wrong as it says" if self.tells_innovations() else "nothing to judge by"
+        self.assertEqual((last.level, last.message), (0, expected))
+
+    def test_each_step_tells_how_far_its_innovations_are_off(self):
+        told = self.full["consistency"]
+        self.assertEqual([m.header.stamp for m in told], [a.header.stamp for a in self.arrays])
+        last = told[-1]
+        self.assertEqual(last.sources, ["range", "bearing", "odometry"])
+        self.assertTrue(all(0.5 < factor < 1.5 for factor in last.factors), last.factors)
+        self.assertEqual((last.nees, last.warning), (-1, ""))
+        if self.tells_innovations():
+            self.assertLess(last.nis_bounds[0], last.nis_mean)
+            self.assertLess(last.nis_mean, last.nis_bounds[1])
 
     def call(self, name, kind, *arguments):
         return rospy.ServiceProxy(name, kind)(*arguments)

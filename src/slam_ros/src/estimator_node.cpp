@@ -34,6 +34,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
   outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
   outputs_->refresh();
+  consistency_.emplace(handles.product, *diagnostics_, estimator.consistency());
   services_.emplace(handles.product, map_frame_, actions());
   subscribe(handles.product);
 }
@@ -42,6 +43,7 @@ EstimatorNode::~EstimatorNode() {
   // from here on no callback runs
   subscribers_.clear();
   services_.reset();
+  consistency_.reset();
   outputs_.reset();
   recorder_->finish(source_.estimator().backend(), source_.dropped());
 }
@@ -113,9 +115,13 @@ void EstimatorNode::takeSteps(const std::string& topic) {
 }
 
 void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time) {
-  if (report.restarted) outputs_->restart();
+  if (report.restarted) {
+    outputs_->restart();
+    consistency_->restart();
+  }
   recorder_->write(report, time);
   outputs_->publish(report);
+  consistency_->publish(report);
   if (on_step) on_step(report);
 }
 
@@ -143,6 +149,7 @@ void EstimatorNode::reset() {
   source_.reset();
   recorder_->restart();
   outputs_->restart();
+  consistency_->restart();
   motion_frames_.clear();
 }
 

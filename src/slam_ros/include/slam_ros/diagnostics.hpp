@@ -37,6 +37,10 @@ class Diagnostics {
   /// Tells what has been counted since the last second.
   ~Diagnostics();
 
+  /// A further status beside the nodelet's own; `fill` is called once a second.
+  void add(const std::string& name, const diagnostic_updater::TaskFunction& fill) {
+    updater_.add(name, fill);
+  }
   /// The answer of a component to the message that came last on `topic`.
   void report(const std::string& topic, const slam::Status& status);
   void warn(const std::string& sentence);

@@ -16,6 +16,7 @@
 #include "slam_ros/backend_outputs.hpp"
 #include "slam_ros/backend_services.hpp"
 #include "slam_ros/clock_watch.hpp"
+#include "slam_ros/consistency_publisher.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/run_recorder.hpp"
 #include "slam_ros/step_source.hpp"
@@ -73,6 +74,7 @@ class EstimatorNode {
   std::optional<Diagnostics> diagnostics_;
   std::optional<RunRecorder> recorder_;
   std::optional<BackendOutputs> outputs_;
+  std::optional<ConsistencyPublisher> consistency_;
   std::optional<BackendServices> services_;
   std::string motion_frames_;
   ros::Publisher progress_;

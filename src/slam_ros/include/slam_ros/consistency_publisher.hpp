@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/subscriber.h>
+#include <slam_msgs/Consistency.h>
+
+#include <deque>
+
+#include "slam_core/product/estimator.hpp"
+#include "slam_ros/diagnostics.hpp"
+#include "slam_ros/truth_comparison.hpp"
+
+namespace slam_ros {
+
+/// What the consistency monitor sees: on `consistency` after every update, and as a diagnostic that
+/// warns while a sigma looks wrong. Where the truth comes on `ground_truth/pose`, the NEES as well;
+/// then a message waits until the truth has come as far.
+class ConsistencyPublisher {
+ public:
+  /// Both must live longer than the diagnostics are updated.
+  ConsistencyPublisher(ros::NodeHandle handle, Diagnostics& diagnostics,
+                       const slam::ConsistencyMonitor& monitor);
+
+  void publish(const slam::StepReport& report);
+  /// Map and pose began anew.
+  void restart();
+
+ private:
+  struct Pending {
+    slam_msgs::Consistency message;
+    slam::Stamp stamp;
+    slam::PoseEstimate pose;
+  };
+
+  void onTruth(const geometry_msgs::PoseStamped& message);
+  void flush();
+  slam_msgs::Consistency messageOf(const slam::StepReport& report) const;
+  void fill(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  const slam::ConsistencyMonitor& monitor_;
+  TruthComparison truth_;
+  std::deque<Pending> pending_;
+  double nees_ = -1.0;  ///< the newest one
+  ros::Publisher publisher_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace slam_ros
