@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace slam::tuning {
+
+/// The log-likelihood of each step of a run given all steps before it, by the logarithms of
+/// parameters that are all positive. The number of steps is always the same.
+using LogLikelihoods = std::function<Eigen::VectorXd(const Eigen::VectorXd& log_parameters)>;
+
+/// Where the sum over the steps has its maximum.
+struct Maximum {
+  Eigen::VectorXd log_parameters;
+  Eigen::MatrixXd information;  ///< of the logarithms
+  double log_likelihood = 0.0;
+  bool has_converged = false;
+};
+
+/// Ascent along the slope as weighed by the sum of the outer products of the steps' slopes, which
+/// is the information at the maximum (Berndt, Hall, Hall, Hausman 1974); slopes are numeric. A step
+/// never changes a parameter by more than a factor of e. What is not finite counts as -inf.
+/// @param start must have a finite likelihood
+Maximum maximize(const LogLikelihoods& f, const Eigen::VectorXd& start);
+
+/// The standard deviation of each logarithm with the others known: more than 1 says that the data
+/// hardly tell its order of magnitude.
+Eigen::VectorXd conditionalSigmas(const Eigen::MatrixXd& information);
+
+/// The standard deviation of each logarithm with the others unknown as well.
+Eigen::VectorXd marginalSigmas(const Eigen::MatrixXd& information);
+
+}  // namespace slam::tuning

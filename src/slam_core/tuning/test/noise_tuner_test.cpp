@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/tuning/noise_tuner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "slam_core/common/random.hpp"
+#include "slam_core/models/motion_model.hpp"
+#include "slam_core/tuning/maximum_likelihood.hpp"
+#include "slam_core/tuning/robot_file_text.hpp"
+
+namespace slam::tuning {
+namespace {
+
+constexpr double kAlpha1 = 0.004, kAlpha3 = 0.003, kAlpha4 = 0.02;
+constexpr double kSigmaRange = 0.08, kSigmaBearing = 0.03;
+
+/// A robot in a hall of landmarks: what its wheels and its sensor said.
+RecordedLog drive(std::uint64_t seed, int steps, double way, double turn) {
+  RandomStream random(seed, 0);
+  const LinearMotionModel model({kAlpha1, 0.0005, kAlpha3, kAlpha4, false});
+  std::vector<Eigen::Vector2d> landmarks;
+  for (int i = 0; i < 25; ++i)
+    landmarks.emplace_back(12 * random.uniform() - 6, 12 * random.uniform() - 2);
+  RecordedLog log{"the simulated log", {}};
+  Pose2 truth, odometry;
+  for (int i = 0; i <= steps; ++i) {
+    OdometrySample sample;
+    sample.stamp = stampFromNanoseconds(1000000000LL + i * 100000000LL);
+    sample.pose = odometry;
+    log.inputs.push_back(sample);
+    LandmarkObservationArray array;
+    array.stamp = sample.stamp;
+    array.sequence = std::uint64_t(i);
+    for (std::size_t k = 0; k < landmarks.size(); ++k) {
+      const auto seen = truth.inverse().transform(landmarks[k]);
+      if (seen.norm() > 4 || seen.norm() < 0.5) continue;
+      LandmarkObservation z;
+      z.id = LandmarkId(k);
+      z.range = seen.norm() + kSigmaRange * random.gaussian();
+      z.bearing = std::atan2(seen.y(), seen.x()) + kSigmaBearing * random.gaussian();
+      z.covariance(0, 0) = -1;
+      array.observations.push_back(z);
+    }
+    log.inputs.push_back(array);
+    const Pose2 step = i % 40 < 20 ? Pose2(way, 0, 0) : Pose2(0, 0, turn);
+    odometry = odometry * step;
+    if (way == 0.0 && turn == 0.0) continue;
+    const Eigen::Vector3d white(random.gaussian(), random.gaussian(), random.gaussian());
+    const Eigen::Matrix3d L =
+        (model.covariance(step) + 1e-7 * Eigen::Matrix3d::Identity()).llt().matrixL();
+    truth = truth * Pose2::fromVector(step.vector() + L * white);
+  }
+  return log;
+}
+
+/// A robot file that is wrong by factors of two to three.
+Settings wrongSettings(const std::vector<std::string>& overrides) {
+  std::vector<std::string> all = {"wheel_odometry.alpha1=0.0015", "wheel_odometry.alpha3=0.008",
+                                  "wheel_odometry.alpha4=0.006", "landmark_sensor.sigma_range=0.2",
+                                  "landmark_sensor.sigma_bearing=0.012"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return Settings({}, {}, all);
+}
+
+const TunedParameter& find(const TuningResult& result, const std::string& key) {
+  for (const auto& parameter : result.parameters)
+    if (parameter.key == key) return parameter;
+  throw std::out_of_range(key);
+}
+
+/// log N(z; 0, variance)
+double normal(double z, double variance) { return -0.5 * (z * z / variance + std::log(variance)); }
+
+TEST(MaximumLikelihood, FindsVariancesAndHowSureTheyAre) {
+  constexpr int kDraws = 2000;
+  RandomStream random(1, 0);
+  Eigen::VectorXd one(kDraws), both(kDraws);  // of variances 4 and 4 + 4
+  for (int i = 0; i < kDraws; ++i) {
+    one(i) = 2.0 * random.gaussian();
+    both(i) = std::sqrt(8.0) * random.gaussian();
+  }
+  const auto maximum = maximize(
+      [&](const Eigen::VectorXd& x) {
+        Eigen::VectorXd values(kDraws);
+        for (int i = 0; i < kDraws; ++i)
+          values(i) =
+              normal(one(i), std::exp(x(0))) + normal(both(i), std::exp(x(0)) + std::exp(x(1)));
+        return values;
+      },
+      Eigen::Vector2d(-2.0, 3.0));
+  EXPECT_TRUE(maximum.has_converged);
+  Eigen::Matrix2d information;  // of one draw: half of the product of the shares of the variance
+  information << 0.5 + 0.125, 0.125, 0.125, 0.125;
+  const Eigen::Vector2d sigma = (kDraws * information).inverse().diagonal().cwiseSqrt();
+  const Eigen::Vector2d found = marginalSigmas(maximum.information);
+  EXPECT_NEAR(maximum.log_parameters(0), std::log(4.0), 3 * sigma(0));
+  EXPECT_NEAR(maximum.log_parameters(1), std::log(4.0), 3 * sigma(1));
+  EXPECT_NEAR(found(0), sigma(0), 0.2 * sigma(0));
+  EXPECT_NEAR(found(1), sigma(1), 0.2 * sigma(1));
+  EXPECT_LT(conditionalSigmas(maximum.information)(1), found(1));
+}
+
+TEST(MaximumLikelihood, DoesNotLeaveWhereTheLikelihoodIsDefined) {
+  const auto f = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd::Constant(1, x(0) > 2 ? std::nan("") : -std::pow(x(0) - 1.9, 2));
+  };
+  EXPECT_NEAR(maximize(f, Eigen::VectorXd::Zero(1)).log_parameters(0), 1.9, 0.1);
+}
+
+TEST(MaximumLikelihood, SaysThatNothingIsKnownOfWhatDoesNotMatter) {
+  const auto f = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd::Constant(1, normal(1.0, std::exp(x(0))));
+  };
+  const auto maximum = maximize(f, Eigen::Vector2d(0.5, 0.7));
+  EXPECT_EQ(maximum.log_parameters(1), 0.7);
+  EXPECT_GT(conditionalSigmas(maximum.information)(1), 1.0);
+  EXPECT_GT(marginalSigmas(maximum.information)(1), 1.0);
+}
+
+TEST(NoiseTunerTest, FindsTheNoiseOfASimulatedLogWithinItsUncertainty) {
+  const NoiseTuner tuner(wrongSettings, {drive(1, 400, 0.1, M_PI / 40)});
+  const auto result = tuner.run(tuner.defaultParameters());
+  EXPECT_TRUE(result.has_converged);
+  EXPECT_GT(result.log_likelihood, result.log_likelihood_before + 100);
+  const std::pair<const char*, double> kTruth[] = {{"alpha1", kAlpha1},
+                                                   {"alpha3", kAlpha3},
+                                                   {"alpha4", kAlpha4},
+                                                   {"sigma_range", kSigmaRange},
+                                                   {"sigma_bearing", kSigmaBearing}};
+  for (const auto& [key, truth] : kTruth) {
+    const auto& found = find(result, key);
+    EXPECT_TRUE(found.why_unseen.empty()) << key << ": " << found.why_unseen;
+    EXPECT_NEAR(found.value, truth, 3 * found.sigma) << key;
+  }
+  EXPECT_NEAR(find(result, "sigma_range").value, kSigmaRange, 0.05 * kSigmaRange);
+  EXPECT_NEAR(find(result, "sigma_bearing").value, kSigmaBearing, 0.05 * kSigmaBearing);
+}
+
+TEST(NoiseTunerTest, SaysWhatCannotBeSeenOfARobotThatStands) {
+  const NoiseTuner tuner(wrongSettings, {drive(2, 150, 0.0, 0.0)});
+  const auto result = tuner.run(tuner.defaultParameters());
+  for (const char* key : {"alpha1", "alpha2", "alpha3", "alpha4"}) {
+    EXPECT_FALSE(find(result, key).why_unseen.empty()) << key;
+    EXPECT_EQ(find(result, key).value, find(result, key).before);
+  }
+  EXPECT_NE(find(result, "alpha1").why_unseen.find("drives no more than"), std::string::npos);
+  EXPECT_NE(find(result, "alpha4").why_unseen.find("turns no more than"), std::string::npos);
+  EXPECT_NEAR(find(result, "sigma_range").value, kSigmaRange, 0.1 * kSigmaRange);
+}
+
+TEST(NoiseTunerTest, LeavesSensorSigmasAloneWhereObservationsBringTheirs) {
+  auto log = drive(3, 100, 0.1, 0.05);
+  for (auto& input : log.inputs)
+    if (auto* array = std::get_if<LandmarkObservationArray>(&input))
+      for (auto& z : array->observations)
+        z.covariance << kSigmaRange * kSigmaRange, 0, 0, kSigmaBearing * kSigmaBearing;
+  const NoiseTuner tuner(wrongSettings, {log});
+  const auto result = tuner.run({"landmark_sensor.sigma_range"});
+  EXPECT_NE(find(result, "sigma_range").why_unseen.find("own covariance"), std::string::npos);
+}
+
+TEST(NoiseTunerTest, RefusesLogsThatTellNothing) {
+  auto blind = drive(4, 20, 0.1, 0.0);
+  for (auto& input : blind.inputs)
+    if (auto* array = std::get_if<LandmarkObservationArray>(&input)) array->observations.clear();
+  const auto faultOf = [](const RecordedLog& log, const std::string& parameter) -> std::string {
+    try {
+      NoiseTuner(wrongSettings, {log}).run({parameter});
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(faultOf(blind, "wheel_odometry.alpha1").find("no observations of landmarks"),
+            std::string::npos);
+  auto once = drive(4, 20, 0.1, 0.0);
+  once.inputs.resize(2);
+  EXPECT_NE(faultOf(once, "wheel_odometry.alpha1").find("no landmark twice"), std::string::npos);
+  EXPECT_NE(faultOf(drive(4, 20, 0.1, 0.0), "wheel_odometry.drive").find("is no number"),
+            std::string::npos);
+}
+
+TEST(RobotFileText, ChangesTheTunedValuesOnlyAndKeepsItsComments) {
+  const std::string text =
+      "# licence\n\n# The robot.\nversion: 1\nrobot: a\n\nwheel_odometry:\n"
+      "  alpha1: 0.003   # [m^2/m]\n  drive: differential\n\n# of the camera\nlandmark_sensor:\n"
+      "  sigma_range: 0.1\n";
+  TunedParameter alpha1{"wheel_odometry", "alpha1", 0.003, 0.01234, 0.001, ""};
+  TunedParameter alpha4{"wheel_odometry", "alpha4", 0.003, 0.02, 0.001, ""};
+  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, "hidden"};
+  EXPECT_EQ(withTunedValues(text, {alpha1, alpha4, range}, "Tuned on X."),
+            "# licence\n\n# The robot.\n# Tuned on X.\nversion: 1\nrobot: a\n\nwheel_odometry:\n"
+            "  alpha1: 0.0123  # [m^2/m]\n  drive: differential\n  alpha4: 0.02\n\n"
+            "# of the camera\nlandmark_sensor:\n  sigma_range: 0.1\n");
+}
+
+TEST(RobotFileText, AddsASectionThatIsMissing) {
+  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
+  EXPECT_EQ(withTunedValues("version: 1\n", {range}, "R"),
+            "# R\nversion: 1\n\nlandmark_sensor:\n  sigma_range: 0.25\n");
+}
+
+}  // namespace
+}  // namespace slam::tuning
