@@ -25,10 +25,11 @@ add_library(slam_ros_bags
   src/offline_run.cpp
   src/product_files.cpp
   src/topic_matching.cpp
+  src/tune_run.cpp
 )
 slam_ros_bag_target(slam_ros_bags)
 target_link_libraries(slam_ros_bags
-  PUBLIC slam_ros ${rosbag_storage_LIBRARIES}
+  PUBLIC slam_ros slam_core::tuning ${rosbag_storage_LIBRARIES}
   PRIVATE fmt::fmt ${roslib_LIBRARIES})
 
 add_library(slam_ros_bag_source src/bag_source_nodelet.cpp)
@@ -37,16 +38,20 @@ target_link_libraries(slam_ros_bag_source PRIVATE slam_ros_bags)
 
 add_executable(slam_ros_offline src/slam_offline.cpp)
 add_executable(slam_ros_ground_truth src/slam_ground_truth.cpp)
+add_executable(slam_ros_tune src/slam_tune.cpp)
 set_target_properties(slam_ros_offline PROPERTIES OUTPUT_NAME slam_offline)
 set_target_properties(slam_ros_ground_truth PROPERTIES OUTPUT_NAME slam_ground_truth)
-foreach(target slam_ros_offline slam_ros_ground_truth)
+set_target_properties(slam_ros_tune PROPERTIES OUTPUT_NAME slam_tune)
+foreach(target slam_ros_offline slam_ros_ground_truth slam_ros_tune)
   slam_ros_bag_target(${target})
   target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt)
 endforeach()
-target_link_libraries(slam_ros_offline PRIVATE CLI11::CLI11)
+foreach(target slam_ros_offline slam_ros_tune)
+  target_link_libraries(${target} PRIVATE CLI11::CLI11)
+endforeach()
 
 install(TARGETS slam_ros_bags slam_ros_bag_source LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
-install(TARGETS slam_ros_offline slam_ros_ground_truth
+install(TARGETS slam_ros_offline slam_ros_ground_truth slam_ros_tune
   RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 catkin_install_python(PROGRAMS scripts/slam_run
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
@@ -58,13 +63,14 @@ if(CATKIN_ENABLE_TESTING)
     test/bags/test_flow_and_metrics.cpp
     test/bags/test_offline_run.cpp
     test/bags/test_topic_matching.cpp
+    test/bags/test_tune_run.cpp
   )
   slam_ros_bag_target(slam_ros_test_bags)
   target_link_libraries(slam_ros_test_bags
     slam_ros_bags nlohmann_json::nlohmann_json
     opencv_aruco opencv_imgcodecs opencv_imgproc ${GTEST_MAIN_LIBRARIES})
   target_compile_definitions(slam_ros_test_bags PRIVATE
-    SLAM_OFFLINE="$<TARGET_FILE:slam_ros_offline>")
-  add_dependencies(slam_ros_test_bags slam_ros_offline)
+    SLAM_OFFLINE="$<TARGET_FILE:slam_ros_offline>" SLAM_TUNE="$<TARGET_FILE:slam_ros_tune>")
+  add_dependencies(slam_ros_test_bags slam_ros_offline slam_ros_tune)
   catkin_add_nosetests(test/bags/test_slam_run.py)
 endif()

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/tune_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/config_error.hpp"
+#include "slam_core/tuning/robot_file_text.hpp"
+#include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/bag_transforms.hpp"
+#include "slam_ros/camera_input.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/product_files.hpp"
+
+namespace slam_ros {
+namespace {
+
+using slam::tuning::NoiseTuner;
+using slam::tuning::RecordedLog;
+using slam::tuning::TuningResult;
+
+slam::Settings settingsFor(const TuneOptions& options, const std::vector<std::string>& more) {
+  auto overrides = options.overrides;
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return {slam::loadConfigFile(productFile(options.product)),
+          slam::loadConfigFile(robotFile(options.robot)), overrides};
+}
+
+/// Collects what a bag holds; images go through the detector.
+class Recorder {
+ public:
+  Recorder(const TuneOptions& options, const std::string& bag)
+      : bag_(bag), settings_(settingsFor(options, {})) {
+    slam::ProductConfig product;
+    settings_.read(product);
+    needs_.topics = settings_.read<TopicsConfig>();
+    needs_.frames = settings_.read<slam::FramesConfig>();
+    slam::loadLibraries(product.libraries);
+    detector_ = slam::makeDetector(product);
+    if (detector_) detector_->configure(settings_);
+    needs_.images = detector_ != nullptr;
+    std::vector<Remap> remaps;
+    for (const auto& text : options.remaps) remaps.push_back(parseRemap(text));
+    inputs_ = findInputs(bag_, needs_, remaps);
+  }
+
+  RecordedLog record() {
+    log_.name = bag_.path();
+    const auto look = [this](const auto& input) {
+      detector_->set(input);
+      do {
+        detector_->execute();
+        if (detector_->observations()) log_.inputs.emplace_back(*detector_->observations());
+      } while (detector_->observations());
+    };
+    CameraInput camera(frameId(needs_.frames.base), CameraInput::Sinks{look, look, look});
+    const auto take = [&](const auto& message) { camera.take(message); };
+    InputSinks sinks;
+    sinks.motion = [this](const auto& message) { log_.inputs.emplace_back(fromMsg(message)); };
+    sinks.odom = collect<nav_msgs::Odometry>();
+    sinks.observations = collect<slam_msgs::LandmarkObservationArray>();
+    sinks.image = take;
+    sinks.compressed_image = take;
+    sinks.camera_info = take;
+    if (inputs_.hasImages()) take(staticTransforms(bag_, frameId(needs_.frames.map)));
+    bag_.read(handlersFor(inputs_, sinks));
+    return std::move(log_);
+  }
+
+ private:
+  template <class Message>
+  std::function<void(const Message&)> collect() {
+    return [this](const Message& message) { log_.inputs.emplace_back(fromMsg(message)); };
+  }
+
+  BagReader bag_;
+  slam::Settings settings_;
+  InputNeeds needs_;
+  std::unique_ptr<slam::LandmarkDetector> detector_;
+  BagInputs inputs_;
+  RecordedLog log_;
+};
+
+std::string readText(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+std::string bagNames(const TuneOptions& options) {
+  std::vector<std::string> names;
+  for (const auto& bag : options.bags)
+    names.push_back(std::filesystem::path(bag).filename().string());
+  return slam::join(names);
+}
+
+void print(const TuningResult& result) {
+  fmt::print("{:<38} {:>10} {:>10} {:>12}\n", "", "before", "tuned", "uncertainty");
+  for (const auto& parameter : result.parameters) {
+    fmt::print("{:<38} {:>10.4g} ", parameter.name(), parameter.before);
+    if (parameter.why_unseen.empty())
+      fmt::print("{:>10.4g} {:>12.2g}\n", parameter.value, parameter.sigma);
+    else
+      fmt::print("cannot be seen: {}; it is kept\n", parameter.why_unseen);
+  }
+  fmt::print("log-likelihood of {} innovations: {:.1f} before, {:.1f} tuned ({} filter runs)\n",
+             result.innovations, result.log_likelihood_before, result.log_likelihood,
+             result.evaluations);
+  if (!result.has_converged)
+    fmt::print("the search ended before it was sure of the maximum; tune the result again\n");
+}
+
+/// Goes on in one line of a terminal; nothing elsewhere.
+NoiseTuner::Progress progressLine() {
+  if (::isatty(STDERR_FILENO) != 1) return {};
+  return [](int evaluations, double log_likelihood) {
+    fmt::print(stderr, "\rfilter run {}: log-likelihood {:.1f}   ", evaluations, log_likelihood);
+    std::fflush(stderr);
+  };
+}
+
+}  // namespace
+
+RecordedLog recordedLog(const TuneOptions& options, const std::string& bag) {
+  return Recorder(options, bag).record();
+}
+
+void tune(const TuneOptions& options) {
+  const auto robot = robotFile(options.robot);
+  std::vector<RecordedLog> logs;
+  for (const auto& bag : options.bags) logs.push_back(recordedLog(options, bag));
+  const NoiseTuner tuner(
+      [&](const std::vector<std::string>& overrides) {
+        auto all = overrides;
+        all.push_back("detector=none");  // what it saw is in the logs
+        return settingsFor(options, all);
+      },
+      std::move(logs));
+  const auto result = tuner.run(
+      options.parameters.empty() ? tuner.defaultParameters() : options.parameters, progressLine());
+  if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\n");
+  print(result);
+  const auto remark = fmt::format(
+      "Noise tuned by slam_tune with the product {} on {}: figures of these bags\n"
+      "are no test of it.",
+      options.product, bagNames(options));
+  slam::writeFileAtomically(
+      options.out, slam::tuning::withTunedValues(readText(robot), result.parameters, remark));
+  fmt::print("{}\n", options.out);
+}
+
+}  // namespace slam_ros
