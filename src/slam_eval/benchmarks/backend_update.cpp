@@ -9,7 +9,9 @@
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/product/product_config.hpp"
 
-// Time of one update against the size of the map and the number of observations.
+// Time of one update against the size of the map and the number of observations, while the robot
+// stays in one neighbourhood; of the global update that leaving it costs; and of a look at the
+// marginals of the whole map in between.
 
 namespace {
 
@@ -19,16 +21,21 @@ class GridWorld {
   explicit GridWorld(std::int64_t landmarks)
       : landmarks_(landmarks), side_(static_cast<std::int64_t>(std::ceil(std::sqrt(landmarks)))) {}
 
+  slam::MapState map() const {
+    slam::MapState map;
+    map.robot.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+    for (std::int64_t id = 0; id < landmarks_; ++id)
+      map.landmarks.push_back({id, position(id), 1e-2 * Eigen::Matrix2d::Identity()});
+    return map;
+  }
   slam::LandmarkObservationArray observe(std::int64_t first, std::int64_t count) const {
     slam::LandmarkObservationArray array;
     for (std::int64_t i = first; i < first + count; ++i) {
-      const auto id = i % landmarks_;
-      const double x = 0.5 + static_cast<double>(id % side_ - side_ / 2);
-      const double y = 0.5 + static_cast<double>(id / side_ - side_ / 2);
       slam::LandmarkObservation z;
-      z.id = id;
-      z.range = std::hypot(x, y);
-      z.bearing = std::atan2(y, x);
+      z.id = i % landmarks_;
+      const auto m = position(z.id);
+      z.range = m.norm();
+      z.bearing = std::atan2(m.y(), m.x());
       z.covariance = Eigen::Vector2d(1e-2, 1e-3).asDiagonal();
       array.observations.push_back(z);
     }
@@ -36,30 +43,88 @@ class GridWorld {
   }
 
  private:
+  Eigen::Vector2d position(std::int64_t id) const {
+    return {0.5 + static_cast<double>(id % side_ - side_ / 2),
+            0.5 + static_cast<double>(id / side_ - side_ / 2)};
+  }
+
   std::int64_t landmarks_, side_;
 };
 
-void updateOfEkf(benchmark::State& state) {
-  slam::loadLibraries({});
-  slam::Settings settings;
-  auto backend = slam::Registry<slam::Backend>::instance().create("ekf");
-  backend->configure(settings);
-  const GridWorld world(state.range(0));
-  const auto step = [&](std::int64_t first, std::int64_t count) {
+/// An EKF in the middle of a map.
+class Filter {
+ public:
+  explicit Filter(std::int64_t landmarks) : world_(landmarks) {
+    slam::loadLibraries({});
+    slam::Settings settings;
+    backend_ = slam::Registry<slam::Backend>::instance().create("ekf");
+    backend_->configure(settings);
+    backend_->set(world_.map());
+    backend_->execute();
+  }
+  void step(std::int64_t first, std::int64_t count) {
     slam::Motion motion;
     motion.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-8).asDiagonal();
-    backend->set(motion);
-    backend->set(world.observe(first, count));
-    benchmark::DoNotOptimize(backend->execute());
-  };
-  step(0, state.range(0));
+    backend_->set(motion);
+    backend_->set(world_.observe(first, count));
+    benchmark::DoNotOptimize(backend_->execute());
+  }
+  /// A new pose for the robot goes with a global update.
+  void leave() {
+    backend_->set(backend_->pose());
+    benchmark::DoNotOptimize(backend_->execute());
+  }
+  slam::Backend& backend() { return *backend_; }
+
+ private:
+  GridWorld world_;
+  std::unique_ptr<slam::Backend> backend_;
+};
+
+constexpr std::int64_t kNeighbourhood = 60;
+
+void updateOfEkf(benchmark::State& state) {
+  Filter filter(state.range(0));
+  const auto count = state.range(1);
+  for (std::int64_t first = 0; first < kNeighbourhood; first += count) filter.step(first, count);
   std::int64_t first = 0;
-  for (auto _ : state) step(first += state.range(1), state.range(1));
+  for (auto _ : state) {
+    filter.step(first, count);
+    first = (first + count) % kNeighbourhood;
+  }
 }
 
+void globalUpdateOfEkf(benchmark::State& state) {
+  Filter filter(state.range(0));
+  for (auto _ : state) {
+    state.PauseTiming();
+    filter.step(0, kNeighbourhood);
+    state.ResumeTiming();
+    filter.leave();
+  }
+}
+
+void marginalsOfEkf(benchmark::State& state) {
+  Filter filter(state.range(0));
+  filter.step(0, kNeighbourhood);
+  filter.step(0, kNeighbourhood);
+  for (auto _ : state) benchmark::DoNotOptimize(filter.backend().landmarks());
+}
+
+const std::vector<std::int64_t> kSizes = {100, 300, 1000, 3000, 10000};
+
 BENCHMARK(updateOfEkf)
-    ->ArgsProduct({{100, 300, 1000, 3000}, {1, 10, 50}})
+    ->ArgsProduct({kSizes, {1, 10, 30}})
     ->ArgNames({"landmarks", "observations"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(globalUpdateOfEkf)
+    ->ArgsProduct({kSizes})
+    ->ArgNames({"landmarks"})
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(marginalsOfEkf)
+    ->ArgsProduct({kSizes})
+    ->ArgNames({"landmarks"})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -53,7 +53,7 @@ void runSeed(slam::Backend& backend, const LoopWorldConfig& world, std::uint64_t
 }
 
 void run(const std::string& name, const std::vector<std::string>& overrides,
-         const LoopWorldConfig& world, int seeds) {
+         const LoopWorldConfig& world, int first, int seeds) {
   slam::loadLibraries({});
   slam::Settings settings({}, {}, overrides);
   auto backend = slam::Registry<slam::Backend>::instance().create(name);
@@ -61,9 +61,9 @@ void run(const std::string& name, const std::vector<std::string>& overrides,
   Sums sums;
   slam::Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1);
   progress.begin("consistency of " + name, static_cast<std::size_t>(seeds));
-  for (int seed = 1; seed <= seeds; ++seed) {
-    runSeed(*backend, world, static_cast<std::uint64_t>(seed), sums);
-    progress.update(static_cast<std::size_t>(seed));
+  for (int i = 0; i < seeds; ++i) {
+    runSeed(*backend, world, static_cast<std::uint64_t>(first + i), sums);
+    progress.update(static_cast<std::size_t>(i + 1));
   }
   progress.end();
   for (auto& value : sums.nees) value /= seeds;
@@ -83,16 +83,26 @@ int main(int argc, char** argv) {
   std::string backend = "ekf";
   std::vector<std::string> overrides;
   slam::eval::LoopWorldConfig world;
-  int seeds = 50;
+  int first = 1, seeds = 50;
+  double noise = 1.0;
   app.add_option("--backend", backend, "name of the back-end")->capture_default_str();
   app.add_option("--set", overrides, "section.key=value of the back-end");
   app.add_option("--loop", world.loop_length, "length of the loop [m]")->capture_default_str();
+  app.add_option("--noise", noise, "factor on every sigma of motion and sensor")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--first", first, "seed of the first run")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--seeds", seeds, "number of runs")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   try {
     app.parse(argc, argv);
-    slam::eval::run(backend, overrides, world, seeds);
+    for (auto* sigma :
+         {&world.sigma_range, &world.sigma_bearing, &world.sigma_position, &world.sigma_heading})
+      *sigma *= noise;
+    slam::eval::run(backend, overrides, world, first, seeds);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

@@ -159,6 +159,13 @@ class Consistency(unittest.TestCase):
             bench_consistency.summary({'seeds': 50, 'average_nees': values})
 
 
+    def test_the_default_is_held_to_its_goals(self):
+        good = {'seeds': 50, 'average_nees': [3.0] * 100, 'nis_mean': 1.0}
+        self.assertEqual(bench_consistency.remark(60, good).count('reached'), 2)
+        bad = {'seeds': 50, 'average_nees': [9.0] * 100, 'nis_mean': 1.2}
+        self.assertEqual(bench_consistency.remark(60, bad).count('MISSED'), 2)
+
+
 class Landmarks(unittest.TestCase):
 
     def test_a_line_holds_ratio_and_goal(self):
@@ -194,7 +201,13 @@ class Update(unittest.TestCase):
         entries = [{'name': f'ekf/landmarks:100/observations:{n}', 'cpu_time': t, 'time_unit': u}
                    for n, t, u in ((1, 2.0, 'ms'), (10, 500.0, 'us'))]
         self.assertEqual(bench_update.parse_times(json.dumps({'benchmarks': entries})),
-                         {1: 2.0, 10: 0.5})
+                         {'1 observation': 2.0, '10 observations': 0.5})
+
+    def test_what_costs_the_whole_map_has_its_own_columns(self):
+        entries = [{'name': f'{name}/landmarks:100/iterations:3', 'cpu_time': 2.0,
+                    'time_unit': 'ms'} for name in ('globalUpdateOfEkf', 'marginalsOfEkf')]
+        self.assertEqual(bench_update.parse_times(json.dumps({'benchmarks': entries})),
+                         {'global update': 2.0, 'all marginals': 2.0})
 
     def test_other_output_is_an_error(self):
         for text in ('', '{}', '[1]', 'Run on (2 X 2000 MHz CPUs)'):
@@ -202,8 +215,8 @@ class Update(unittest.TestCase):
                 bench_update.parse_times(text)
 
     def test_a_time_that_was_not_measured_is_a_dash(self):
-        sizes = [bench_update.Size(100, {1: 0.25, 10: 1.0}, 10.0),
-                 bench_update.Size(300, {1: 0.5}, 12.0)]
+        sizes = [bench_update.Size(100, {'1 observation': 0.25, 'global update': 1.0}, 10.0),
+                 bench_update.Size(300, {'1 observation': 0.5}, 12.0)]
         self.assertEqual(bench_update.rows(sizes)[1], [['100', '0.250', '1.000', '10.0'],
                                                        ['300', '0.500', '-', '12.0']])
 

@@ -10,7 +10,7 @@ from slam_eval.bench_programs import system_program
 from slam_eval.bench_runs import PRODUCT, Result, call, kf_slam_on_rawlog, ours_on_rawlog
 from slam_eval.bench_table import ABSENT, Section, number, table, verdict
 
-GOALS = {300: 15.0, 1000: 30.0}  # times less CPU than kf-slam
+GOALS = {300: 15.0, 1000: 300.0}  # times less CPU than kf-slam
 
 COST = ['landmarks', 'seen', 'ours CPU [s]', 'kf-slam CPU [s]', 'ratio', 'goal',
         'ours memory [MB]', 'kf-slam memory [MB]']

@@ -14,7 +14,7 @@ from slam_eval.metrics import evaluate, inside_bounds
 from slam_eval.run_folder import read_run
 
 ROBOTS = (1, 2, 3, 4, 5)
-ATE_LIMIT, LANDMARK_LIMIT = 0.30, 0.10  # [m]
+ATE_LIMIT, LANDMARK_LIMIT = 0.25, 0.09  # [m]
 
 HEADER = ['robot', 'ATE [m]', 'landmarks [m]', 'dead reckoning [m]', 'NEES', 'in bounds',
           'NIS/dof', 'updates', 'wall [s]', 'CPU [s]', 'memory [MB]']

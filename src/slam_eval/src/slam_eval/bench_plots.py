@@ -6,7 +6,7 @@ import numpy as np
 from slam_eval import plot_style as look
 from slam_eval import se2
 
-_COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK, look.ERROR)
+_COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK, look.ERROR, look.TRUTH)
 
 
 def _plain(axes):
@@ -32,23 +32,24 @@ def _name_line(axes, x, y, text, colour):
                   va='center', fontsize=9)
 
 
-def plot_average_nees(results, bounds, path):
-    """NEES averaged over the seeds against the step, by length of the loop [m], with bounds."""
+def plot_average_nees(results, bounds, title, path):
+    """NEES averaged over the seeds against the step, a line for each name, with its bounds."""
     with look.style():
         figure, axes = look.plt.subplots(figsize=(9.2, 4.4), constrained_layout=True)
         axes.axhspan(*bounds, color=look.BAND, alpha=0.18, linewidth=0)
         axes.axhline(3.0, color=look.MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
-        for colour, (loop, result) in zip(_COLOURS, results.items()):
+        for colour, (name, result) in zip(_COLOURS, results.items()):
             values = result['average_nees']
-            axes.plot(np.arange(1, len(values) + 1), values, color=colour, linewidth=1.3)
-            _name_line(axes, len(values), values[-1], f'loop of {loop} m', colour)
+            axes.plot(np.arange(1, len(values) + 1), values, color=colour, linewidth=1.1,
+                      label=name.replace('_', ' '))
         axes.set_yscale('log')
         axes.set_xlabel('step')
         axes.set_ylabel('NEES of the pose')
         axes.yaxis.set_major_formatter(look.plt.FuncFormatter(lambda value, _: f'{value:g}'))
         axes.margins(x=0.02)
-        axes.set_title('NEES averaged over the seeds')
-        axes.set_title('band: its 95 % bounds', loc='right', fontsize=9, fontweight='normal',
+        axes.legend(loc='upper left', frameon=False, fontsize=9)
+        axes.set_title(title)
+        axes.set_title('band: 95 % bounds', loc='right', fontsize=9, fontweight='normal',
                        color=look.MUTED)
         _plain(axes)
         look.save(figure, path)
@@ -78,12 +79,12 @@ def plot_cpu(sizes, product, path):
 
 
 def plot_updates(sizes, path):
-    """Time of an update against the number of landmarks, a line for each number of readings."""
+    """Times against the number of landmarks, a line for each thing that was measured."""
     lines = {}
-    for count in sorted({count for size in sizes for count in size.times}):
-        measured = [size for size in sizes if count in size.times]
-        lines[f'{count} observation{"s" * (count > 1)}'] = (
-            [size.landmarks for size in measured], [size.times[count] for size in measured])
+    for task in dict.fromkeys(task for size in sizes for task in size.times):
+        measured = [size for size in sizes if task in size.times]
+        lines[task] = ([size.landmarks for size in measured],
+                       [size.times[task] for size in measured])
     _plot_lines(lines, 'CPU time of one update', 'CPU time [ms]', path)
 
 
