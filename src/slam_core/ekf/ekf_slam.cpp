@@ -15,6 +15,9 @@ namespace {
 const Registrar<Backend, EkfSlam> kRegistrar("ekf");
 const SectionRegistrar<EkfConfig> kSectionRegistrar;
 
+/// Of the observations' sigmas: beyond it the reference is renewed before an update.
+constexpr double kLargestReferenceEffect = 0.1;
+
 /// So many gated ones at once, and none that fits, are no chance outliers.
 constexpr int kLost = 3;
 
@@ -108,7 +111,8 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
     return ObservationUpdate(model_, state_, sensor, matches, config_.iterations);
   };
   auto step = std::make_optional(solved());
-  if (step->isSolved() && linearization_->isTooLarge(step->headingCorrection())) {
+  if (step->isSolved() && (linearization_->isTooLarge(step->headingCorrection()) ||
+                           step->referenceEffect() > kLargestReferenceEffect)) {
     state_.renewReference();
     step.emplace(solved());
   }

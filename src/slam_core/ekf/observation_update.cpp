@@ -149,6 +149,13 @@ JointInnovation ObservationUpdate::joint() const {
   return joint;
 }
 
+double ObservationUpdate::referenceEffect() const {
+  double largest = 0.0;
+  for (const auto& h : innovations_)
+    largest = std::max(largest, h.H_heading.cwiseAbs2().cwiseQuotient(h.R.diagonal()).maxCoeff());
+  return std::sqrt(largest * std::max(0.0, state_.covariance().relativeHeadingVariance()));
+}
+
 Eigen::MatrixXd ObservationUpdate::gain() const {
   Eigen::MatrixXd W = state_.covariance().timesTransposed(innovations_);
   solveTransposedFromRight(L_.matrixLLT(), W);

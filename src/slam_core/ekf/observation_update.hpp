@@ -40,6 +40,9 @@ class ObservationUpdate {
   /// Of the first matches, UpdateStatistics::kJoint at most.
   JointInnovation joint() const;
   double headingCorrection() const { return dx_(2); }
+  /// What it is worth in sigmas of the observations, at most, that landmarks turn with the
+  /// reference's heading instead of the robot's.
+  double referenceEffect() const;
 
   /// W = P H^T L^-T of the whole neighbourhood, so that P - W W^T is the covariance afterwards
   /// and correction(W) the correction.
