@@ -64,7 +64,7 @@ std::string summary(const RawlogLog& log) {
        << " objects of other kinds. Sorted: " << log.out_of_order << " entries out of order.";
   if (log.sightings.empty()) text << " The log holds no range-bearing observations.";
   if (log.made_up_stamps) {
-    text << " The log's own stamps are missing, equal or closer than 1 ms: frame k (from 1) has "
+    text << " The log's own stamps are missing, equal or closer than 5 ms: frame k (from 1) has "
             "the stamp 1 s + k * 0.1 s.";
   }
   return text.str();

@@ -12,9 +12,9 @@ namespace slam::eval {
 
 namespace {
 
-constexpr std::int64_t kShortestMeanInterval = 1'000'000;  // [ns]
+constexpr std::int64_t kShortestMeanInterval = 5'000'000;  // [ns]
 
-/// A simulator stamps its log with the time it ran: frames in less than a millisecond, some at
+/// A simulator stamps its log with the time it ran: frames in a few milliseconds, some at
 /// once. Frames between actions have to come one after the other; single observations may be
 /// sorted.
 bool hasUsableStamps(const RawlogSteps& log) {

@@ -45,7 +45,7 @@ struct RawlogLog {
   std::vector<Sighting> sightings;
   std::vector<std::int64_t> frame_stamps;  // of each frame, for the true path [ns]
 
-  bool made_up_stamps = false;        // the log's own were missing, equal or closer than 1 ms
+  bool made_up_stamps = false;        // the log's own were missing, equal or closer than 5 ms
   std::size_t out_of_order = 0;       // observations that had to be sorted
   std::size_t left_out_odometry = 0;  // after the last frame, or beside the actions, or replaced
   std::size_t left_out_readings = 0;  // range or angle impossible
