@@ -54,7 +54,7 @@ class WithoutBuild(FrontDoorTest):
                                                        encoding="utf-8")
 
     def test_names_every_command_when_called_without_one(self):
-        commands = "setup demo test products import sim run eval bench".split()
+        commands = "setup demo test products import sim run tune eval bench".split()
         self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands])
 
     def test_suggests_the_nearest_name_for_an_unknown_command(self):
