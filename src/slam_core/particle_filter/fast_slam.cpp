@@ -197,7 +197,7 @@ void FastSlam::propose(Step& step) {
 bool FastSlam::weigh(Step& step) {
   if (step.sight.matches.empty()) return true;
   auto& weights = particles_->weights();
-  fit_.judge(step.predictions, step.sight.matches.size(), gate_, weights.all(), statistics_);
+  fit_.judge(step.predictions, step.sight, weights.all(), statistics_);
   counters_.add("gated", static_cast<std::uint64_t>(statistics_.gated));
   step.is_lost = fit_.isLost();
   const bool are_left = weights.multiply(step.log_factors);

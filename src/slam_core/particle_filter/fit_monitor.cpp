@@ -16,28 +16,54 @@ constexpr double kMemory = 0.95;
 /// Degrees of freedom seen before anything is said.
 constexpr double kEnough = 12.0;
 
-/// The moments of the mixture of what those particles that do not gate an observation foresaw.
+/// The moments of the mixture of what several particles foresaw.
 struct Mixture {
-  double weight = 0.0, gated_weight = 0.0;
+  double weight = 0.0;
   Eigen::Vector2d nu = Eigen::Vector2d::Zero();
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
 
   void add(const Prediction& prediction, double w) {
-    if (prediction.gated) {
-      gated_weight += w;
-      return;
-    }
     weight += w;
     nu += w * prediction.nu;
     second += w * (prediction.S + prediction.nu * prediction.nu.transpose());
   }
-  bool isGated() const { return !(weight > gated_weight); }
-  double nis() const {
-    const Eigen::Vector2d mean = nu / weight;
-    const Eigen::Matrix2d S = second / weight - mean * mean.transpose();
-    return mean.dot(S.inverse() * mean);
-  }
 };
+
+/// What the particles on the heavier side, of those that gate the observation and those that do
+/// not, make of it together.
+ObservationInnovation innovationOf(const LandmarkObservation& z, const Prediction* prediction,
+                                   std::size_t stride, const std::vector<double>& weights) {
+  Mixture fitting, gating;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const auto& of_particle = prediction[i * stride];
+    (of_particle.gated ? gating : fitting).add(of_particle, weights[i]);
+  }
+  ObservationInnovation innovation;
+  innovation.id = z.id;
+  innovation.used = fitting.weight > gating.weight;
+  const auto& mixture = innovation.used ? fitting : gating;
+  innovation.nu = mixture.nu / mixture.weight;
+  innovation.S = mixture.second / mixture.weight - innovation.nu * innovation.nu.transpose();
+  innovation.R = z.covariance;
+  return innovation;
+}
+
+/// Each one knows those before it, which makes them independent.
+JointInnovation stacked(const std::vector<ObservationInnovation>& innovations) {
+  std::vector<const ObservationInnovation*> used;
+  for (const auto& innovation : innovations)
+    if (innovation.used && used.size() < UpdateStatistics::kJoint) used.push_back(&innovation);
+  const auto size = 2 * static_cast<Eigen::Index>(used.size());
+  JointInnovation joint{Eigen::VectorXd(size), Eigen::MatrixXd::Zero(size, size),
+                        Eigen::MatrixXd::Zero(size, size)};
+  for (Eigen::Index row = 0; row < size; row += 2) {
+    const auto& innovation = *used[static_cast<std::size_t>(row / 2)];
+    joint.nu.segment<2>(row) = innovation.nu;
+    joint.S.block<2, 2>(row, row) = innovation.S;
+    joint.R.block<2, 2>(row, row) = innovation.R;
+  }
+  return joint;
+}
 
 /// Bayes' rule for the weights, in place.
 void condition(std::vector<double>& weights, const Prediction* prediction, std::size_t stride) {
@@ -54,25 +80,27 @@ void condition(std::vector<double>& weights, const Prediction* prediction, std::
 
 }  // namespace
 
-void FitMonitor::judge(const std::vector<Prediction>& predictions, std::size_t matches, double gate,
+void FitMonitor::judge(const std::vector<Prediction>& predictions, const Sight& sight,
                        std::vector<double> weights, UpdateStatistics& statistics) {
+  const auto matches = sight.matches.size();
   for (std::size_t k = 0; k < matches; ++k) {
-    Mixture mixture;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      mixture.add(predictions[i * matches + k], weights[i]);
-    condition(weights, predictions.data() + k, matches);
-    double nis = gate;
-    if (mixture.isGated()) {
+    const auto* const prediction = predictions.data() + k;
+    const auto innovation = innovationOf(sight.matches[k].z, prediction, matches, weights);
+    condition(weights, prediction, matches);
+    double nis = sight.gate;
+    if (!innovation.used) {
       ++statistics.gated;
     } else {
-      nis = mixture.nis();
+      nis = innovation.nu.dot(innovation.S.inverse() * innovation.nu);
       ++statistics.used;
       statistics.nis += nis;
       statistics.nis_dof += 2;
     }
-    nis_ = kMemory * nis_ + std::min(nis, gate);
+    nis_ = kMemory * nis_ + std::min(nis, sight.gate);
     dof_ = kMemory * dof_ + 2.0;
+    statistics.innovations.push_back(innovation);
   }
+  statistics.joint = stacked(statistics.innovations);
 }
 
 bool FitMonitor::isLost() const { return dof_ > kEnough && nis_ > lost_nis_ * dof_; }

@@ -17,11 +17,11 @@ class FitMonitor {
  public:
   explicit FitMonitor(double lost_nis = 5.0) : lost_nis_(lost_nis) {}
 
-  /// Fills in nis, nis_dof, used and gated. An observation counts as gated when the particles of
-  /// more than half of the weight gate it.
+  /// Fills in nis, nis_dof, used, gated and the innovations. An observation counts as gated when
+  /// the particles of more than half of the weight gate it.
   /// @param predictions of particle 0 for all matches, then of particle 1, ...
   /// @param weights before the step
-  void judge(const std::vector<Prediction>& predictions, std::size_t matches, double gate,
+  void judge(const std::vector<Prediction>& predictions, const Sight& sight,
              std::vector<double> weights, UpdateStatistics& statistics);
 
   /// Whether the last observations were on average much worse than foreseen.

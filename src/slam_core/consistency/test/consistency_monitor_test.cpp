@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "slam_core/ekf/ekf_slam.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/particle_filter/fast_slam.hpp"
 
 namespace slam {
 namespace {
@@ -127,6 +130,40 @@ TEST_F(ConsistencyMonitorTest, PassesOverStepsWithoutKnownLandmarks) {
   EXPECT_EQ(monitor.updates(), 0);
   EXPECT_EQ(monitor.nisMean(), 0.0);
 }
+
+/// As run(), with a particle filter.
+class ConsistencyOfParticles : public testing::TestWithParam<std::string> {
+ protected:
+  static std::string warningAfter(std::uint64_t seed, double range_claim, int updates) {
+    particle_filter::PfConfig config;
+    config.proposal = GetParam();
+    particle_filter::FastSlam filter;
+    filter.configure(config);
+    ConsistencyMonitor monitor;
+    SimulatedWorld world(seed);
+    for (int i = 0; i < updates && monitor.warning().empty(); ++i) {
+      auto step = world.next();
+      for (auto& z : step.observations.observations) z.covariance(0, 0) *= range_claim;
+      filter.set(step.motion);
+      filter.set(step.observations);
+      filter.execute();
+      monitor.add(filter.statistics());
+    }
+    return monitor.warning();
+  }
+};
+
+TEST_P(ConsistencyOfParticles, IsWatchedWithoutFalseAlarm) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) EXPECT_EQ(warningAfter(seed, 1.0, 120), "");
+}
+
+TEST_P(ConsistencyOfParticles, NamesTheSensorThatIsWrong) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    EXPECT_NE(warningAfter(seed, 1.0 / 9.0, 100).find("range sigma"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Proposals, ConsistencyOfParticles,
+                         testing::Values("fastslam1", "fastslam2"));
 
 }  // namespace
 }  // namespace slam
