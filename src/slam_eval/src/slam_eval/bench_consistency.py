@@ -69,7 +69,8 @@ def remark(loop, result):
     inside, _ = summary(result)
     nis = result['nis_mean']
     kept = 'reached' if NIS_LIMITS[0] <= nis <= NIS_LIMITS[1] else 'MISSED'
-    return (f'{loop} m, {DEFAULT}: in bounds {inside:.1%} ({verdict(inside, INSIDE_LIMIT, False)}), '
+    told = verdict(inside, INSIDE_LIMIT, False)
+    return (f'{loop} m, {DEFAULT}: in bounds {inside:.1%} ({told}), '
             f'NIS/dof {nis:.3f} ({NIS_LIMITS[0]:g} to {NIS_LIMITS[1]:g}: {kept})')
 
 
