@@ -13,8 +13,6 @@
 namespace slam::ekf {
 namespace {
 
-Eigen::Vector2d J(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
-
 Pose2 randomPose(RandomStream& random, double spread) {
   return {spread * random.gaussian(), spread * random.gaussian(), spread * random.gaussian()};
 }
