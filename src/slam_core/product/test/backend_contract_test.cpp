@@ -218,7 +218,7 @@ TEST_P(BackendContract, KeepsTheMapWhenTheRobotIsRedrawn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BackendContract, testing::ValuesIn(variants()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& variant) { return variant.param.name; });
 
 }  // namespace
 }  // namespace slam

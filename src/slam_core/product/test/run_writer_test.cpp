@@ -90,7 +90,14 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
   StepReport report;
   report.stamp = stampFromNanoseconds(1500000000);
   report.pose.covariance << 1, 0.2, 0.3, 0.2, 4, 0.5, 0.3, 0.5, 6;
-  report.statistics = {7.5, 4, 2, 3, 5, 6, 9};
+  auto& statistics = report.statistics;
+  statistics.nis = 7.5;
+  statistics.nis_dof = 4;
+  statistics.used = 2;
+  statistics.gated = 3;
+  statistics.added = 5;
+  statistics.unknown = 6;
+  statistics.landmarks = 9;
   report.observed = true;
   writer.write(report);
   report.observed = false;  // a carry of motion
