@@ -83,8 +83,10 @@ OdometrySample sampleAt(Stamp stamp, const Pose2& pose) {
 class MetaCoordinatorRun : public testing::Test {
  protected:
   void SetUp() override {
-    Settings settings;
-    coordinator.configure(settings);
+    Settings settings({}, {},
+                      {"wheel_odometry.alpha1=2e-4", "wheel_odometry.alpha2=0",
+                       "wheel_odometry.alpha3=1e-4", "wheel_odometry.alpha4=0"});
+    coordinator.configure(settings);  // with the noise of the simulated world
   }
   void drain() {
     do {
