@@ -129,7 +129,7 @@ class ReplayTest(unittest.TestCase):
         last = told[-1]
         self.assertEqual(last.sources, ["range", "bearing", "odometry"])
         self.assertTrue(all(0.5 < factor < 1.5 for factor in last.factors), last.factors)
-        self.assertEqual((last.nees, last.warning), (-1, ""))
+        self.assertEqual((last.nees, last.finding), (-1, ""))
         self.assertLess(last.nis_bounds[0], last.nis_mean)
         self.assertLess(last.nis_mean, last.nis_bounds[1])
 

@@ -165,7 +165,11 @@ void ConsistencyMonitor::blame() {
     blamed_ = kMotion;
 }
 
-std::string ConsistencyMonitor::warning() const {
+std::optional<ConsistencyMonitor::Source> ConsistencyMonitor::overconfident() const {
+  return blamed_ && factors_[*blamed_].sigma > 1.0 ? blamed_ : std::nullopt;
+}
+
+std::string ConsistencyMonitor::finding() const {
   if (!blamed_) return "";
   const double sigma = factors_[*blamed_].sigma;
   return fmt::format("{} sigma looks {:.1f} times too {} (NIS {:.2f} over {} updates, 1 expected)",

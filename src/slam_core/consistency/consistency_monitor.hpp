@@ -55,9 +55,11 @@ class ConsistencyMonitor {
   const std::array<Factor, kSources>& factors() const { return factors_; }
   /// "range sigma looks 3.0 times too small (...)", or nothing. A sensor that is wrong makes the
   /// prediction wrong as well: motion is named only where there is little to say of the sensor.
-  std::string warning() const;
-  /// What the warning names.
-  std::optional<Source> blamed() const { return blamed_; }
+  std::string finding() const;
+  /// The source of the finding, where its sigma is too small: the back-end is surer than it may be.
+  /// One that is too large is no fault: it covers errors that are alike from step to step, which
+  /// innovations do not show.
+  std::optional<Source> overconfident() const;
 
   static const char* name(Source source);
 

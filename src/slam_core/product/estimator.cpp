@@ -125,10 +125,10 @@ Status Estimator::execute() {
 }
 
 Status Estimator::watchConsistency() {
-  const auto blamed = consistency_.blamed();
+  const auto before = consistency_.overconfident();
   consistency_.add(backend_->statistics());
-  const bool is_new = consistency_.blamed() && consistency_.blamed() != blamed;
-  return is_new ? Status::warning(consistency_.warning()) : Status::ok();
+  const auto now = consistency_.overconfident();
+  return now && now != before ? Status::warning(consistency_.finding()) : Status::ok();
 }
 
 void Estimator::reportStep(const LandmarkCollator::Step& step) {

@@ -50,7 +50,7 @@ class Estimator {
 
   const std::optional<StepReport>& report() const { return report_; }
   const Backend& backend() const { return *backend_; }
-  /// Of the last updates; its warning is a step's status when it names another source than before.
+  /// Of the last updates. A step's status tells when a source begins to look too sure.
   const ConsistencyMonitor& consistency() const { return consistency_; }
   std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
   std::optional<Stamp> lastObservations() const { return collator_.lastTrigger(0); }

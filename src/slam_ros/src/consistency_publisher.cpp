@@ -66,19 +66,20 @@ slam_msgs::Consistency ConsistencyPublisher::messageOf(const slam::StepReport& r
     message.factors.push_back(monitor_.factors()[source].sigma);
     message.uncertainties.push_back(monitor_.factors()[source].uncertainty);
   }
-  message.warning = monitor_.warning();
+  message.finding = monitor_.finding();
   return message;
 }
 
 void ConsistencyPublisher::fill(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  const auto warning = monitor_.warning();
+  const auto finding = monitor_.finding();
   if (monitor_.updates() == 0)
     status.summary(DiagnosticStatus::OK, "nothing to judge by");
-  else if (warning.empty())
+  else if (finding.empty())
     status.summary(DiagnosticStatus::OK, "as wrong as it says");
   else
-    status.summary(DiagnosticStatus::WARN, warning);
+    status.summary(monitor_.overconfident() ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+                   finding);
   status.add("updates", monitor_.updates());
   status.add("NIS per degree of freedom", monitor_.nisMean());
   for (const auto source : kSources)

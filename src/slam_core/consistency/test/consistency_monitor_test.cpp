@@ -42,13 +42,13 @@ class ConsistencyMonitorTest : public testing::Test {
       ekf.set(step.observations);
       ekf.execute();
       monitor.add(ekf.statistics());
-      if (!monitor.warning().empty()) return i;
+      if (!monitor.finding().empty()) return i;
     }
     return -1;
   }
   double sigma(ConsistencyMonitor::Source source) const { return monitor.factors()[source].sigma; }
   bool names(const std::string& text) const {
-    return monitor.warning().find(text) != std::string::npos;
+    return monitor.finding().find(text) != std::string::npos;
   }
 
   ConsistencyMonitor monitor;
@@ -56,7 +56,7 @@ class ConsistencyMonitorTest : public testing::Test {
 
 TEST_F(ConsistencyMonitorTest, IsSilentWhereTheSigmasAreRight) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    EXPECT_EQ(run(seed, Claims(), 700), -1) << "seed " << seed << ": " << monitor.warning();
+    EXPECT_EQ(run(seed, Claims(), 700), -1) << "seed " << seed << ": " << monitor.finding();
     EXPECT_NEAR(sigma(ConsistencyMonitor::kRange), 1.0, 0.35);
     EXPECT_NEAR(sigma(ConsistencyMonitor::kBearing), 1.0, 0.35);
   }
@@ -68,11 +68,12 @@ TEST_F(ConsistencyMonitorTest, NamesASigmaThreeTimesTooSmallWithinFiftyUpdates) 
       const Claims range{1.0 / 9.0, 1.0, 1.0}, bearing{1.0, 1.0 / 9.0, 1.0};
       int update = run(seed, range, from + 50, from);
       EXPECT_GE(update, from) << "seed " << seed;
-      EXPECT_TRUE(names("range sigma looks")) << monitor.warning();
-      EXPECT_TRUE(names("too small")) << monitor.warning();
+      EXPECT_TRUE(names("range sigma looks")) << monitor.finding();
+      EXPECT_TRUE(names("too small")) << monitor.finding();
+      EXPECT_TRUE(monitor.overconfident());
       update = run(seed, bearing, from + 50, from);
       EXPECT_GE(update, from) << "seed " << seed;
-      EXPECT_TRUE(names("bearing sigma looks")) << monitor.warning();
+      EXPECT_TRUE(names("bearing sigma looks")) << monitor.finding();
     }
 }
 
@@ -82,8 +83,8 @@ TEST_F(ConsistencyMonitorTest, NamesTheOdometryWhenItIsWorseThanItSays) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const int update = run(seed, {1.0, 1.0, 1.0 / 9.0}, 300, 200);
     if (update < 0) continue;
-    EXPECT_TRUE(names("odometry sigma looks")) << monitor.warning();
-    EXPECT_TRUE(names("too small")) << monitor.warning();
+    EXPECT_TRUE(names("odometry sigma looks")) << monitor.finding();
+    EXPECT_TRUE(names("too small")) << monitor.finding();
     ++named;
     within_fifty += update < 250 ? 1 : 0;
   }
@@ -94,15 +95,16 @@ TEST_F(ConsistencyMonitorTest, NamesTheOdometryWhenItIsWorseThanItSays) {
 TEST_F(ConsistencyMonitorTest, NamesTheOdometryOnceTheMapIsKnownWhereItWasWrongFromTheBeginning) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     EXPECT_GE(run(seed, {1.0, 1.0, 1.0 / 9.0}, 300), 0) << "seed " << seed;
-    EXPECT_TRUE(names("odometry sigma looks")) << monitor.warning();
+    EXPECT_TRUE(names("odometry sigma looks")) << monitor.finding();
   }
 }
 
 TEST_F(ConsistencyMonitorTest, NamesASigmaThatIsTooLarge) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     EXPECT_GE(run(seed, {9.0, 1.0, 1.0}, 200), 0) << "seed " << seed;
-    EXPECT_TRUE(names("range sigma looks")) << monitor.warning();
-    EXPECT_TRUE(names("too large")) << monitor.warning();
+    EXPECT_TRUE(names("range sigma looks")) << monitor.finding();
+    EXPECT_TRUE(names("too large")) << monitor.finding();
+    EXPECT_FALSE(monitor.overconfident()) << "no fault";
   }
 }
 
@@ -141,7 +143,7 @@ class ConsistencyOfParticles : public testing::TestWithParam<std::string> {
     filter.configure(config);
     ConsistencyMonitor monitor;
     SimulatedWorld world(seed);
-    for (int i = 0; i < updates && monitor.warning().empty(); ++i) {
+    for (int i = 0; i < updates && monitor.finding().empty(); ++i) {
       auto step = world.next();
       for (auto& z : step.observations.observations) z.covariance(0, 0) *= range_claim;
       filter.set(step.motion);
@@ -149,7 +151,7 @@ class ConsistencyOfParticles : public testing::TestWithParam<std::string> {
       filter.execute();
       monitor.add(filter.statistics());
     }
-    return monitor.warning();
+    return monitor.finding();
   }
 };
 

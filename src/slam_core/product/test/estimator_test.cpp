@@ -227,9 +227,9 @@ TEST_F(EstimatorTest, WarnsOnceOfASigmaThatIsThreeTimesTooSmall) {
   ASSERT_FALSE(warnings.empty());
   EXPECT_NE(warnings.front().find("bearing sigma looks"), std::string::npos) << warnings.front();
   EXPECT_LE(warnings.size(), 3u) << "said again at every step";
-  EXPECT_EQ(estimator.consistency().warning().find("bearing sigma looks"), 0u);
+  EXPECT_EQ(estimator.consistency().finding().find("bearing sigma looks"), 0u);
   estimator.reset();
-  EXPECT_EQ(estimator.consistency().warning(), "");
+  EXPECT_EQ(estimator.consistency().finding(), "");
 }
 
 }  // namespace
