@@ -16,10 +16,10 @@ void CameraConfig::describe(Fields& fields) {
       .ofRobot();
 }
 
-std::optional<Eigen::Isometry3d> CameraConfig::mount() const {
+std::optional<Eigen::Isometry3d> CameraConfig::mount(const std::string& section) const {
   if (sensor_pose.empty()) return std::nullopt;
   if (sensor_pose.size() != 6)
-    throw ConfigError("camera.sensor_pose: it has " + std::to_string(sensor_pose.size()) +
+    throw ConfigError(section + ".sensor_pose: it has " + std::to_string(sensor_pose.size()) +
                       " values; it needs 6, [x, y, z, roll, pitch, yaw]");
   using Eigen::AngleAxisd, Eigen::Vector3d;
   return Eigen::Translation3d(sensor_pose[0], sensor_pose[1], sensor_pose[2]) *

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "slam_core/common/config_fields.hpp"
@@ -19,8 +20,14 @@ struct CameraConfig {
 
   void describe(Fields& fields);
   /// The pose of the optical frame in the robot's base frame, where the robot file gives it.
+  /// @param section it was read from
   /// @throw ConfigError when it has another number of values than none or 6
-  std::optional<Eigen::Isometry3d> mount() const;
+  std::optional<Eigen::Isometry3d> mount(const std::string& section = kSection) const;
+};
+
+/// The same of the camera that looks at the ceiling.
+struct CeilingCameraConfig : CameraConfig {
+  static constexpr const char* kSection = "ceiling_camera";
 };
 
 }  // namespace slam

@@ -18,9 +18,10 @@ std::string sizeText(int width, int height) {
 
 }  // namespace
 
-void ImageGate::configure(const CameraConfig& config) {
+void ImageGate::configure(const CameraConfig& config, const std::string& section) {
   validate(config);
-  configured_mount_ = config.mount();
+  section_ = section;
+  configured_mount_ = config.mount(section);
   calibration_.reset();
   calibration_fault_.clear();
   mount_.reset();
@@ -87,8 +88,8 @@ std::optional<ImageGate::Fault> ImageGate::missing(const Image& image) const {
   if (!mount_ || (!configured_mount_ && mount_->camera_frame != image.frame))
     return Fault{"no_mount",
                  "it is not known where the camera of frame '" + image.frame +
-                     "' is mounted; publish its static transform to the robot's base frame or "
-                     "give camera.sensor_pose in the robot file"};
+                     "' is mounted; publish its static transform to the robot's base frame or give " +
+                     section_ + ".sensor_pose in the robot file"};
   return std::nullopt;
 }
 

@@ -27,8 +27,8 @@ class ImageGate {
   static constexpr std::size_t kCapacity = 30;
 
   /// A fresh start, without calibration; the mount is the configured one or none.
-  /// @throw ConfigError
-  void configure(const CameraConfig& config);
+  /// @param section that the configuration was read from @throw ConfigError
+  void configure(const CameraConfig& config, const std::string& section = CameraConfig::kSection);
 
   /// In force for all images that have not come out.
   void set(const CameraCalibration& calibration);
@@ -58,6 +58,7 @@ class ImageGate {
   std::optional<Fault> missing(const Image& image) const;
   std::optional<Fault> faultOfImage() const;
 
+  std::string section_ = CameraConfig::kSection;
   std::optional<Eigen::Isometry3d> configured_mount_;
   std::optional<CameraMount> mount_;
   std::optional<CameraCalibration> calibration_;

@@ -39,6 +39,7 @@ class WheelOdometry final : public OdometrySource {
  public:
   void configure(const WheelOdometryConfig& config);
   void configure(Settings& settings) override;
+  using OdometrySource::set;
   void set(const OdometrySample& sample) override { input_ = sample; }
   Status execute() override;
   const std::optional<Motion>& motion() const override { return motion_; }

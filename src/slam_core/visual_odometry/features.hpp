@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "slam_core/visual_odometry/ceiling_view.hpp"
+#include "slam_core/visual_odometry/point_match.hpp"
+
+namespace slam::visual_odometry {
+
+/// What is kept of an image to match it with others. The first three have an entry for each feature.
+struct Features {
+  std::vector<Eigen::Vector2d> pixels;  ///< [px]
+  std::vector<Eigen::Vector2d> points;  ///< on the ceiling, in the base frame [m]
+  std::vector<double> sigmas;           ///< of a pixel in each direction, up to a common factor
+  cv::Mat descriptors;                  ///< a row each; empty where features are tracked
+  std::vector<cv::Mat> pyramid;         ///< of the image, where features are tracked
+
+  std::size_t size() const { return pixels.size(); }
+};
+
+/// How points of the ceiling are found again in another image: by what surrounds them (descriptors)
+/// or by tracking. All give the same for any number of threads.
+class FeaturePolicy {
+ public:
+  virtual ~FeaturePolicy() = default;
+
+  /// Whether extract() tells how many features there are.
+  virtual bool countsFeatures() const = 0;
+  /// @param gray 8 bit, one channel
+  virtual Features extract(const cv::Mat& gray, const CeilingView& view) = 0;
+  /// To be called before the features are a reference of match().
+  virtual void prepareReference(Features& features, const CeilingView& view) const = 0;
+  /// Each feature is in one match at most.
+  virtual PointMatches match(const Features& reference, const Features& now,
+                             const CeilingView& view, const SearchWindow& window) const = 0;
+};
+
+/// The names makeFeaturePolicy() knows.
+const std::vector<std::string>& featureNames();
+
+/// @param name one of featureNames() @param max_features of an image
+/// @throw ConfigError when the installed OpenCV does not have it, with the nearest
+std::unique_ptr<FeaturePolicy> makeFeaturePolicy(const std::string& name, int max_features);
+
+}  // namespace slam::visual_odometry

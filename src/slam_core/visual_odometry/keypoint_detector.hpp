@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+#include <string>
+#include <vector>
+
+namespace slam::visual_odometry {
+
+/// Finds keypoints and describes what surrounds them.
+class KeypointDetector {
+ public:
+  virtual ~KeypointDetector() = default;
+  /// A row of descriptors for each keypoint.
+  virtual void detect(const cv::Mat& gray, std::vector<cv::KeyPoint>& keypoints,
+                      cv::Mat& descriptors) = 0;
+  /// How coarse a keypoint was found, relative to the finest ones: its place is that uncertain.
+  virtual double coarseness(const cv::KeyPoint& keypoint) const = 0;
+  /// Descriptors of the same point differ by less: bits, or the distance of vectors.
+  virtual double maxDistance() const = 0;
+};
+
+/// "orb" (Rublee et al. 2011), "akaze" (Alcantarilla et al. 2013), "sift" (Lowe 2004), "surf" (Bay
+/// et al. 2008; the thesis's).
+/// @throw ConfigError when the installed OpenCV does not have it, with the nearest
+std::unique_ptr<KeypointDetector> makeKeypointDetector(const std::string& name, int max_features);
+
+}  // namespace slam::visual_odometry
