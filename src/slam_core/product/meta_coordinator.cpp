@@ -13,10 +13,32 @@ void MetaCoordinator::configure(Settings& settings) {
 }
 
 void MetaCoordinator::set(OdometrySample sample) {
+  if (!parts_.odometry->usesWheels()) return;
   parts_.frames.complete(sample.odometry_frame, sample.base_frame);
   parts_.odometry->set(sample);
-  note(parts_.odometry->execute());
-  if (parts_.odometry->motion()) parts_.estimator.set(*parts_.odometry->motion());
+  takeMotions();
+}
+
+template <class Input>
+void MetaCoordinator::setForOdometry(const Input& input) {
+  if (!parts_.odometry->usesImages()) return;
+  parts_.odometry->set(input);
+  takeMotions();
+}
+
+template void MetaCoordinator::setForOdometry(const Image&);
+template void MetaCoordinator::setForOdometry(const CameraCalibration&);
+template void MetaCoordinator::setForOdometry(const CameraMount&);
+
+void MetaCoordinator::takeMotions() {
+  do {
+    note(parts_.odometry->execute());
+    auto motion = parts_.odometry->motion();
+    if (!motion) continue;
+    parts_.frames.complete(motion->odometry_frame, motion->base_frame);
+    parts_.estimator.set(*motion);
+    if (on_motion) on_motion(*motion);
+  } while (parts_.odometry->isBusy());
 }
 
 template <class Input>

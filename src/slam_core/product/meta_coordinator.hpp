@@ -17,8 +17,14 @@ class MetaCoordinator {
   /// A fresh start. @throw ConfigError listing the faults of all sections
   void configure(Settings& settings);
 
+  /// Nothing comes of it where the product looks at the ceiling instead.
   void set(OdometrySample sample);
-  /// Nothing comes of these three where the product looks at no images.
+  /// Of the camera that looks at the ceiling: an Image, its CameraCalibration or CameraMount.
+  /// Nothing comes of them where the odometry is the wheels'.
+  template <class Input>
+  void setForOdometry(const Input& input);
+  /// Of the camera that looks for landmarks. Nothing comes of these three where the product looks
+  /// at no images.
   void set(const Image& image) { setForDetector(image); }
   void set(const CameraCalibration& calibration) { setForDetector(calibration); }
   void set(const CameraMount& mount) { setForDetector(mount); }
@@ -26,6 +32,8 @@ class MetaCoordinator {
   void set(const Motion& motion) { parts_.estimator.set(motion); }
   void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
 
+  /// Called with every motion that the odometry source makes, its frames completed.
+  std::function<void(const Motion&)> on_motion;
   /// Called with every array that the detector makes.
   std::function<void(const LandmarkObservationArray&)> on_detections;
 
@@ -34,6 +42,7 @@ class MetaCoordinator {
 
   Estimator& estimator() { return parts_.estimator; }
   const Estimator& estimator() const { return parts_.estimator; }
+  const OdometrySource& odometry() const { return *parts_.odometry; }
   /// Of the product's images; null where it looks at none.
   const LandmarkDetector* detector() const { return parts_.detector.get(); }
   const FramesConfig& frames() const { return parts_.frames; }
@@ -46,6 +55,7 @@ class MetaCoordinator {
  private:
   template <class Input>
   void setForDetector(const Input& input);
+  void takeMotions();
   void note(const Status& status);
 
   ProductComponents parts_;

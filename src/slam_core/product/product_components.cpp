@@ -21,13 +21,16 @@ ProductComponents makeComponents(Settings& settings) {
     parts.frames.requireDistinctNames();
   });
   std::unique_ptr<Backend> backend;
-  faults.attempt(
-      [&] { parts.odometry = Registry<OdometrySource>::instance().create(product.odometry); });
+  faults.attempt([&] { parts.odometry = makeOdometry(product); });
   faults.attempt([&] { parts.detector = makeDetector(product); });
   faults.attempt([&] { backend = Registry<Backend>::instance().create(product.backend); });
   // else nobody knows which sections are left over
   const bool complete = parts.odometry && backend && (parts.detector || !product.usesImages());
-  if (parts.odometry) faults.attempt([&] { parts.odometry->configure(settings); });
+  if (parts.odometry)
+    faults.attempt([&] {
+      parts.odometry->configure(settings);
+      parts.odometry->seed(product.seed);
+    });
   if (parts.detector) faults.attempt([&] { parts.detector->configure(settings); });
   if (backend) faults.attempt([&] { parts.estimator.configure(settings, std::move(backend)); });
   if (complete) {
@@ -36,6 +39,10 @@ ProductComponents makeComponents(Settings& settings) {
   }
   faults.raise();
   return parts;
+}
+
+std::unique_ptr<OdometrySource> makeOdometry(const ProductConfig& product) {
+  return Registry<OdometrySource>::instance().create(product.odometry);
 }
 
 std::unique_ptr<LandmarkDetector> makeDetector(const ProductConfig& product) {

@@ -29,6 +29,9 @@ ProductComponents makeComponents(Settings& settings);
 /// @throw ConfigError as makeComponents()
 inline void validateProduct(Settings& settings) { makeComponents(settings); }
 
+/// The product's odometry source, not configured. @throw ConfigError naming those there are
+std::unique_ptr<OdometrySource> makeOdometry(const ProductConfig& product);
+
 /// The product's detector, not configured; nothing for "none".
 /// @throw ConfigError naming those there are
 std::unique_ptr<LandmarkDetector> makeDetector(const ProductConfig& product);

@@ -14,7 +14,9 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("sentence", &sentence, "what it is, in one line");
   fields.add("libraries", &libraries, "shared libraries with components beyond the built-in ones");
   fields.add("backend", &backend, "name of the back-end component");
-  fields.add("odometry", &odometry, "name of the odometry source");
+  fields.add("odometry", &odometry,
+             "name of the odometry source: wheel, visual (a camera that looks at the ceiling), "
+             "visual_wheel (the wheels where the images tell nothing)");
   fields.add("detector", &detector,
              "name of the detector that finds landmarks in the camera's images; none: they come as "
              "observations");

@@ -37,8 +37,7 @@ Alignment align(const PointMatches& matches, const VisualOdometryConfig& config,
   result.T_reference_now = fitRigid(result.inliers);
   const double sigma =
       std::max(residualSigma(result.inliers, result.T_reference_now), config.pixel_sigma);
-  result.covariance =
-      sigma * sigma * rigidCovariance(result.inliers, result.T_reference_now);
+  result.covariance = sigma * sigma * rigidCovariance(result.inliers, result.T_reference_now);
   return result;
 }
 

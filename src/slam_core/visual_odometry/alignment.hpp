@@ -14,7 +14,8 @@ namespace slam::visual_odometry {
 /// How an image lies to a reference.
 struct Alignment {
   Pose2 T_reference_now;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of T_reference_now, of both images
+  Eigen::Matrix3d covariance =
+      Eigen::Matrix3d::Zero();  ///< of T_reference_now, matches independent
   PointMatches inliers;
   double scale = 1.0;  ///< of the ceiling's distance, reference over now
   std::string fault;   ///< empty, or the reason why it cannot be used, as it is counted

@@ -75,8 +75,7 @@ std::optional<PointMatches> findConsensus(const PointMatches& matches, double th
     const auto& second = draw();
     const auto motion = throughPair(first, second);
     if (!motion) continue;
-    const auto agree =
-        std::count_if(matches.begin(), matches.end(), Agreement(*motion, threshold));
+    const auto agree = std::count_if(matches.begin(), matches.end(), Agreement(*motion, threshold));
     if (agree <= most) continue;
     most = agree;
     best = motion;

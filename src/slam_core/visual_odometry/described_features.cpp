@@ -27,8 +27,8 @@ std::vector<int> orderOf(const std::vector<cv::KeyPoint>& keypoints) {
 double distance(const cv::Mat& a, int row_a, const cv::Mat& b, int row_b) {
   if (a.type() == CV_8U)
     return cv::hal::normHamming(a.ptr<uchar>(row_a), b.ptr<uchar>(row_b), a.cols);
-  return std::sqrt(static_cast<double>(
-      cv::hal::normL2Sqr_(a.ptr<float>(row_a), b.ptr<float>(row_b), a.cols)));
+  return std::sqrt(
+      static_cast<double>(cv::hal::normL2Sqr_(a.ptr<float>(row_a), b.ptr<float>(row_b), a.cols)));
 }
 
 /// For a feature the nearest one of the other image.
@@ -81,8 +81,8 @@ PointMatches DescribedFeatures::match(const Features& reference, const Features&
     const auto i = static_cast<std::size_t>(of_now[j].index);
     if (of_reference[i].index != static_cast<int>(j)) continue;
     const double sigma = std::hypot(reference.sigmas[i], now.sigmas[j]) * view.metresPerPixel();
-    matches.push_back({reference.pixels[i], now.pixels[j], reference.points[i], now.points[j],
-                       sigma});
+    matches.push_back(
+        {reference.pixels[i], now.pixels[j], reference.points[i], now.points[j], sigma});
   }
   return matches;
 }

@@ -18,6 +18,7 @@ class DescribedFeatures final : public FeaturePolicy {
       : detector_(std::move(detector)) {}
 
   bool countsFeatures() const override { return true; }
+  double dependence() const override { return detector_->dependence(); }
   Features extract(const cv::Mat& gray, const CeilingView& view) override;
   void prepareReference(Features& /*features*/, const CeilingView& /*view*/) const override {}
   PointMatches match(const Features& reference, const Features& now, const CeilingView& view,

@@ -14,7 +14,8 @@
 
 namespace slam::visual_odometry {
 
-/// What is kept of an image to match it with others. The first three have an entry for each feature.
+/// What is kept of an image to match it with others. The first three have an entry for each
+/// feature.
 struct Features {
   std::vector<Eigen::Vector2d> pixels;  ///< [px]
   std::vector<Eigen::Vector2d> points;  ///< on the ceiling, in the base frame [m]
@@ -33,6 +34,9 @@ class FeaturePolicy {
 
   /// Whether extract() tells how many features there are.
   virtual bool countsFeatures() const = 0;
+  /// Variance of a motion over what independent matches would give: neighbours share pixels, and
+  /// with them their noise. From a Monte Carlo over rendered ceilings.
+  virtual double dependence() const = 0;
   /// @param gray 8 bit, one channel
   virtual Features extract(const cv::Mat& gray, const CeilingView& view) = 0;
   /// To be called before the features are a reference of match().

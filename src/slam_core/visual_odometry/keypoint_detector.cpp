@@ -35,6 +35,7 @@ class Orb final : public KeypointDetector {
     return std::pow(kScale, keypoint.octave);
   }
   double maxDistance() const override { return 64.0; }
+  double dependence() const override { return 1.5; }
 
  private:
   static constexpr float kScale = 1.2F;
@@ -63,8 +64,12 @@ void keepStrongest(std::vector<cv::KeyPoint>& keypoints, int count) {
 /// Any of OpenCV's detectors that has no limit of its own.
 class Strongest final : public KeypointDetector {
  public:
-  Strongest(cv::Ptr<cv::Feature2D> features, int max_features, double max_distance)
-      : features_(std::move(features)), max_features_(max_features), max_distance_(max_distance) {}
+  Strongest(cv::Ptr<cv::Feature2D> features, int max_features, double max_distance,
+            double dependence)
+      : features_(std::move(features)),
+        max_features_(max_features),
+        max_distance_(max_distance),
+        dependence_(dependence) {}
 
   void detect(const cv::Mat& gray, std::vector<cv::KeyPoint>& keypoints,
               cv::Mat& descriptors) override {
@@ -77,17 +82,19 @@ class Strongest final : public KeypointDetector {
     return std::ldexp(1.0, std::max<int>(octave, 0));
   }
   double maxDistance() const override { return max_distance_; }
+  double dependence() const override { return dependence_; }
 
  private:
   cv::Ptr<cv::Feature2D> features_;
   int max_features_;
-  double max_distance_;
+  double max_distance_, dependence_;
 };
 
 std::unique_ptr<KeypointDetector> makeSurf([[maybe_unused]] int max_features) {
 #ifdef SLAM_HAS_SURF
   try {
-    return std::make_unique<Strongest>(cv::xfeatures2d::SURF::create(100.0), max_features, 0.4);
+    return std::make_unique<Strongest>(cv::xfeatures2d::SURF::create(100.0), max_features, 0.4,
+                                       3.0);
   } catch (const cv::Exception&) {
     // built without its patented parts, although the header is there
   }
@@ -102,8 +109,9 @@ std::unique_ptr<KeypointDetector> makeSurf([[maybe_unused]] int max_features) {
 std::unique_ptr<KeypointDetector> makeKeypointDetector(const std::string& name, int max_features) {
   if (name == "surf") return makeSurf(max_features);
   if (name == "akaze")
-    return std::make_unique<Strongest>(cv::AKAZE::create(), max_features, 120.0);
-  if (name == "sift") return std::make_unique<Strongest>(cv::SIFT::create(), max_features, 300.0);
+    return std::make_unique<Strongest>(cv::AKAZE::create(), max_features, 120.0, 2.0);
+  if (name == "sift")
+    return std::make_unique<Strongest>(cv::SIFT::create(), max_features, 300.0, 4.5);
   return std::make_unique<Orb>(max_features);
 }
 

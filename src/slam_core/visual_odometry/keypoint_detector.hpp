@@ -22,6 +22,8 @@ class KeypointDetector {
   virtual double coarseness(const cv::KeyPoint& keypoint) const = 0;
   /// Descriptors of the same point differ by less: bits, or the distance of vectors.
   virtual double maxDistance() const = 0;
+  /// As FeaturePolicy::dependence().
+  virtual double dependence() const = 0;
 };
 
 /// "orb" (Rublee et al. 2011), "akaze" (Alcantarilla et al. 2013), "sift" (Lowe 2004), "surf" (Bay

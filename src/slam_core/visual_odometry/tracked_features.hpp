@@ -7,13 +7,14 @@
 
 namespace slam::visual_odometry {
 
-/// Corners of the reference (Shi and Tomasi 1994) that are tracked into the present image (Lucas and
-/// Kanade 1981, on a pyramid: Bouguet 2001), from where the window expects them.
+/// Corners of the reference (Shi and Tomasi 1994) that are tracked into the present image (Lucas
+/// and Kanade 1981, on a pyramid: Bouguet 2001), from where the window expects them.
 class TrackedFeatures final : public FeaturePolicy {
  public:
   explicit TrackedFeatures(int max_features) : max_features_(max_features) {}
 
   bool countsFeatures() const override { return false; }
+  double dependence() const override { return 1.5; }
   Features extract(const cv::Mat& gray, const CeilingView& view) override;
   void prepareReference(Features& features, const CeilingView& view) const override;
   PointMatches match(const Features& reference, const Features& now, const CeilingView& view,

@@ -22,7 +22,7 @@ const SectionRegistrar<CeilingCameraConfig> kCameraSection;
 /// Random streams of other components have smaller numbers.
 constexpr std::uint32_t kStream = 0xFFFF0001U;
 constexpr double kWorthAWord = 0.35;  // of the camera's tilt [rad]
-constexpr double kMaxTilt = 1.05;  // then hardly anything of the ceiling is seen [rad]
+constexpr double kMaxTilt = 1.05;     // then hardly anything of the ceiling is seen [rad]
 
 /// Covariance of a^-1 b where a and b have independent errors of that covariance.
 Eigen::Matrix3d covarianceBetween(const Pose2& a, const Eigen::Matrix3d& C_a, const Pose2& b,
@@ -129,10 +129,11 @@ std::string VisualOdometry::locate(View& now) {
 }
 
 bool VisualOdometry::alignWith(const View& reference, View& now) {
-  matches_ = policy_->match(*reference.features, *now.features, view_,
-                            windowFor(reference, now.stamp));
+  matches_ =
+      policy_->match(*reference.features, *now.features, view_, windowFor(reference, now.stamp));
   RandomStream random(seed_, images_, kStream);
   alignment_ = align(matches_, config_, random);
+  alignment_.covariance *= policy_->dependence();
   if (!alignment_.fault.empty()) {
     return false;
   }
@@ -261,24 +262,26 @@ Status VisualOdometry::explain(const std::string& fault, const Status& gate_stat
                     "{:.0f} deg; correct its transform to the robot's base frame",
                     view_.tilt() * 180.0 / M_PI));
   if (fault.empty()) return Status::ok();
-  return Status::warning(sentenceOf(fault) + (gap_source_ ? "; the wheels' motion is used meanwhile"
-                                                          : "; the last velocity is used meanwhile"));
+  return Status::warning(sentenceOf(fault) + (gap_source_
+                                                  ? "; the wheels' motion is used meanwhile"
+                                                  : "; the last velocity is used meanwhile"));
 }
 
 std::string VisualOdometry::sentenceOf(const std::string& fault) const {
   if (fault == "few_features")
-    return fmt::format("the ceiling shows only {} features, {} are needed: it is dark, blurred or "
-                       "bare",
-                       features_, config_.min_inliers);
+    return fmt::format(
+        "the ceiling shows only {} features, {} are needed: it is dark, blurred or "
+        "bare",
+        features_, config_.min_inliers);
   if (fault == "scale")
     return fmt::format("the ceiling seems {:.2f} times as far as before: another surface is seen",
                        alignment_.scale);
-  if (fault == "speed")
-    return "the images tell of a motion that max_speed or max_turn_rate forbid";
+  if (fault == "speed") return "the images tell of a motion that max_speed or max_turn_rate forbid";
   if (fault == "camera_direction")
-    return fmt::format("the ceiling camera does not look up: its mount says that it is tilted by "
-                       "{:.0f} deg; correct its transform to the robot's base frame",
-                       view_.tilt() * 180.0 / M_PI);
+    return fmt::format(
+        "the ceiling camera does not look up: its mount says that it is tilted by "
+        "{:.0f} deg; correct its transform to the robot's base frame",
+        view_.tilt() * 180.0 / M_PI);
   return fmt::format("only {} of {} matches agree on one motion of the ceiling, {} are needed",
                      alignment_.inliers.size(), matches_.size(), config_.min_inliers);
 }

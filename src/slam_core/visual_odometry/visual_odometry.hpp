@@ -18,17 +18,18 @@
 
 namespace slam::visual_odometry {
 
-/// The motion of a robot from a camera that looks at the ceiling (thesis 5.5, 6.2.3): features of an
-/// image are matched with those of the last keyframe, and the rigid motion that most of them agree
-/// with is the robot's. A keyframe stays while enough matches agree, so that a standing robot does
-/// not drift.
+/// The motion of a robot from a camera that looks at the ceiling (thesis 5.5, 6.2.3): features of
+/// an image are matched with those of the last keyframe, and the rigid motion that most of them
+/// agree with is the robot's. A keyframe stays while enough matches agree, so that a standing robot
+/// does not drift.
 ///
 /// Every image after the first yields a motion. Where an image tells nothing the last velocity is
 /// assumed to hold, with a standard deviation of max_speed dt, or the gap source is asked; the next
 /// image that can be aligned puts the pose where it belongs again.
 ///
 /// Counted: the reasons of the gate, and of images that tell nothing "few_features" (dark, blurred,
-/// bare), "few_inliers", "scale" (another surface is seen), "speed", "camera_direction"; "keyframes".
+/// bare), "few_inliers", "scale" (another surface is seen), "speed", "camera_direction";
+/// "keyframes".
 class VisualOdometry final : public OdometrySource {
  public:
   void configure(const VisualOdometryConfig& config, const CeilingCameraConfig& camera = {});
@@ -95,7 +96,7 @@ class VisualOdometry final : public OdometrySource {
   Alignment alignment_;
   std::size_t features_ = 0;
   PointMatches matches_;
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();             ///< [m/s, m/s, rad/s]
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();        ///< [m/s, m/s, rad/s]
   Eigen::Matrix3d gap_covariance_ = Eigen::Matrix3d::Zero();  ///< since the last good view
   std::uint64_t next_sequence_ = 0, images_ = 0;
   std::optional<Motion> motion_;

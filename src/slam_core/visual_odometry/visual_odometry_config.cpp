@@ -33,9 +33,10 @@ void describeImages(VisualOdometryConfig& config, Fields& fields) {
       .unit("1")
       .in(Range::open(0, 1));
   fields
-      .add("patience", &config.patience,
-           "for how long images are compared with a keyframe that they do not fit; then one of them "
-           "takes its place")
+      .add(
+          "patience", &config.patience,
+          "for how long images are compared with a keyframe that they do not fit; then one of them "
+          "takes its place")
       .unit("s")
       .in(Range::above(0));
 }

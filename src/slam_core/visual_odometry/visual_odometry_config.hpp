@@ -24,8 +24,8 @@ struct VisualOdometryConfig {
   double max_speed = 1.5;
   double max_turn_rate = 2.0;
   double pixel_sigma = 0.1;
-  double alpha_translation = 1e-5;
-  double alpha_rotation = 1e-5;
+  double alpha_translation = 4e-5;
+  double alpha_rotation = 1e-6;
   double floor_position = 0.0002;
   double floor_heading = 0.0001;
 

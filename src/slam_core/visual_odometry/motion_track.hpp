@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "slam_core/models/motion.hpp"
+#include "slam_core/visual_odometry/gap_motion.hpp"
+
+namespace slam::visual_odometry {
+
+/// The last motions of another odometry source, from which the motion between any two stamps is
+/// told.
+class MotionTrack {
+ public:
+  void add(const Motion& motion);
+  void clear() { motions_.clear(); }
+
+  /// Up to where motion is known.
+  std::optional<Stamp> end() const;
+  /// The motions that lie between, composed; the outer ones are split. Nothing where they do not
+  /// cover all of it without a hole.
+  std::optional<GapMotion> between(Stamp start, Stamp end) const;
+
+ private:
+  std::deque<Motion> motions_;
+};
+
+}  // namespace slam::visual_odometry

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/visual_odometry/visual_wheel_odometry.hpp"
+
+#include "slam_core/contract/registry.hpp"
+
+namespace slam::visual_odometry {
+namespace {
+
+const Registrar<OdometrySource, VisualWheelOdometry> kRegistrar("visual_wheel");
+
+constexpr Duration kPatience = std::chrono::seconds(1);  // of images, for wheels that are silent
+constexpr std::size_t kCapacity = 100;
+
+}  // namespace
+
+VisualWheelOdometry::VisualWheelOdometry() {
+  visual_.setGapSource([this](Stamp start, Stamp end) { return track_.between(start, end); });
+}
+
+void VisualWheelOdometry::configure(Settings& settings) {
+  FaultCollector faults;
+  faults.attempt([&] {
+    wheels_ = Registry<OdometrySource>::instance().create("wheel");
+    wheels_->configure(settings);
+  });
+  faults.attempt([&] { visual_.configure(settings); });
+  faults.raise();
+  reset();
+}
+
+void VisualWheelOdometry::reset() {
+  wheels_->reset();
+  visual_.reset();
+  track_.clear();
+  waiting_.clear();
+  own_counters_.clear();
+  has_sample_ = is_handing_over_ = false;
+}
+
+void VisualWheelOdometry::set(const OdometrySample& sample) {
+  wheels_->set(sample);
+  has_sample_ = true;
+}
+
+void VisualWheelOdometry::set(const Image& image) { waiting_.push_back(image); }
+
+Status VisualWheelOdometry::execute() {
+  Status wheel_status;
+  if (has_sample_) {
+    has_sample_ = false;
+    wheel_status = wheels_->execute();
+    if (wheels_->motion()) track_.add(*wheels_->motion());
+  }
+  is_handing_over_ = handOverImage();
+  const auto status = visual_.execute();
+  return status.isOk() ? wheel_status : status;
+}
+
+/// Whether an image went on to the visual part.
+bool VisualWheelOdometry::handOverImage() {
+  if (waiting_.empty()) return false;
+  const auto& image = waiting_.front();
+  const bool is_covered = track_.end() && *track_.end() >= image.stamp;
+  if (!is_covered) {
+    const bool is_patient = waiting_.back().stamp - image.stamp < kPatience &&
+                            waiting_.back().stamp >= image.stamp && waiting_.size() <= kCapacity;
+    if (is_patient) return false;
+    own_counters_.add("wheels_missing");
+  }
+  visual_.set(image);
+  waiting_.pop_front();
+  return true;
+}
+
+const Counters& VisualWheelOdometry::counters() const {
+  counters_ = visual_.counters();
+  for (const auto& [reason, count] : own_counters_.all()) counters_.add(reason, count);
+  for (const auto& [reason, count] : wheels_->counters().all())
+    counters_.add(reason, count);
+  return counters_;
+}
+
+std::vector<std::pair<std::string, double>> VisualWheelOdometry::figures() const {
+  return visual_.figures();
+}
+
+}  // namespace slam::visual_odometry

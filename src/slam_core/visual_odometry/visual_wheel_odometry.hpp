@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "slam_core/visual_odometry/motion_track.hpp"
+#include "slam_core/visual_odometry/visual_odometry.hpp"
+
+namespace slam::visual_odometry {
+
+/// Visual odometry that takes the wheels' motion for intervals in which the images tell nothing.
+/// The wheels are the registered odometry source "wheel". Images wait until the wheels have come as
+/// far, so that the order of arrival does not matter; a second of images later they wait no longer.
+///
+/// Counted: as VisualOdometry and as the wheels; "wheels_missing" for images that waited in vain.
+class VisualWheelOdometry final : public OdometrySource {
+ public:
+  VisualWheelOdometry();
+
+  void configure(Settings& settings) override;
+  void seed(std::uint64_t seed) override { visual_.seed(seed); }
+
+  bool usesImages() const override { return true; }
+  void set(const OdometrySample& sample) override;
+  void set(const CameraCalibration& calibration) override { visual_.set(calibration); }
+  void set(const CameraMount& mount) override { visual_.set(mount); }
+  void set(const Image& image) override;
+  Status execute() override;
+  bool isBusy() const override { return visual_.isBusy() || is_handing_over_; }
+
+  const std::optional<Motion>& motion() const override { return visual_.motion(); }
+  const Counters& counters() const override;
+  cv::Mat drawing() const override { return visual_.drawing(); }
+  std::vector<std::pair<std::string, double>> figures() const override;
+  void reset() override;
+
+  const VisualOdometry& visual() const { return visual_; }
+
+ private:
+  bool handOverImage();
+
+  std::unique_ptr<OdometrySource> wheels_;
+  bool has_sample_ = false, is_handing_over_ = false;
+  MotionTrack track_;
+  std::deque<Image> waiting_;
+  VisualOdometry visual_;
+  Counters own_counters_;
+  mutable Counters counters_;  ///< of all, put together when they are asked for
+};
+
+}  // namespace slam::visual_odometry
