@@ -14,7 +14,7 @@ import tempfile
 from slam_eval import (bench_consistency, bench_demo, bench_fiducial, bench_landmarks, bench_mrclam,
                        bench_office, bench_online, bench_options, bench_pf_circles,
                        bench_pf_mrclam, bench_pf_office, bench_pf_threads, bench_pf_update,
-                       bench_update)
+                       bench_update, bench_vo)
 from slam_eval.atomic_file import write_atomically
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_progress import Progress
@@ -49,6 +49,10 @@ BENCHMARKS = {
     'fiducial': Benchmark(
         'the fiducial detectors', 'time of the detectors, and what they see from where',
         {'fiducial': bench_fiducial.measure}, bench_options.add_fiducial),
+    'vo': Benchmark(
+        'visual odometry', 'drift and time of visual odometry in the simulated office',
+        {'time': bench_vo.measure_time, 'drive': bench_vo.measure_drives,
+         'still': bench_vo.measure_still}, bench_options.add_vo),
     'online': Benchmark(
         'a product online', 'latency, losses and CPU of a product as nodes, in real time',
         {'online': bench_online.measure}, bench_options.add_online),

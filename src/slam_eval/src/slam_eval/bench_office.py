@@ -12,8 +12,6 @@ from slam_eval.metrics import evaluate
 from slam_eval.plot_map import plot_map, plot_trajectory
 from slam_eval.run_folder import read_run
 
-SENSORS = 'odom,camera'
-
 HEADER = ['seed', 'ATE [m]', 'dead reckoning [m]', 'mapped', 'of', 'landmarks [m]',
           'false markers', 'NEES', 'NIS/dof', 'wall [s]', 'CPU [s]']
 FORMS = ['.4f', '.3f', 'g', 'g', '.4f', 'g', '.2f', '.3f', '.1f', '.1f']
@@ -62,6 +60,12 @@ class RemainingTime:
             f'{text}, about {seconds:.0f} s left')
 
 
+def sensors_for(product):
+    """What a drive for this product has to hold."""
+    looks_up = 'visual' in pathlib.Path(product).stem
+    return 'odom,camera,ceiling_camera' if looks_up else 'odom,camera'
+
+
 def values(seed, run, result, usage):
     """The numbers of a line of the table."""
     m, true = result.metrics, set(run.true_landmarks.ids) if run.true_landmarks else set()
@@ -97,7 +101,7 @@ def run_seed(context, seed, remaining):
     world, settings = options.world, [f'detector={options.detector}'] if options.detector else []
     stem = pathlib.Path(world).stem
     label, name = f'{stem}, seed {remaining}', f'{stem}_{seed}'
-    bag = simulate(context, name, world, seed, SENSORS, label)
+    bag = simulate(context, name, world, seed, sensors_for(options.product), label)
     folder, usage = run_ours(context, name, bag, product=options.product, settings=settings,
                              label=label)
     if options.keep is None:

@@ -11,7 +11,7 @@ import subprocess
 import time
 
 from slam_eval.bench_error import BenchError
-from slam_eval.bench_office import SENSORS
+from slam_eval.bench_office import sensors_for
 from slam_eval.bench_programs import workspace_program
 from slam_eval.bench_runs import call, simulate
 from slam_eval.bench_table import Section, number, table, verdict
@@ -116,7 +116,7 @@ def measure(context):
     """The section of this benchmark."""
     options = context.options
     bag = options.bag or simulate(context, pathlib.Path(options.world).stem, options.world, 1,
-                                  SENSORS)
+                                  sensors_for(options.product))
     figures = replay(context, bag)
     if 'p99_ms' not in figures:
         raise BenchError(f'of {figures["images"]} images none got a pose; look at online_run.log '

@@ -107,6 +107,16 @@ def add_fiducial(parser):
                         help='photograph to measure the time on as well')
 
 
+def add_vo(parser):
+    """Options of `slam_bench vo`."""
+    parser.add_argument('--world', metavar='FILE', type=_file,
+                        help="world file of slam_sim (default: the office's)")
+    parser.add_argument('--robot', metavar='FILE', type=_file,
+                        help="robot file of slam_sim (default: the segway's)")
+    parser.add_argument('--seeds', metavar='N', type=count, default=20,
+                        help='drives, with the seeds 1 to N (%(default)s)')
+
+
 def add_online(parser):
     """Options of `slam_bench online`."""
     _add_product(parser)

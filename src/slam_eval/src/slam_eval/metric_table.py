@@ -27,6 +27,13 @@ KEYS = {
     'odometry_ate_rmse_m': Key(
         'Dead reckoning', 'm', '.4f',
         'The same error of the odometry alone: what the map has to improve on.', 'Accuracy', True),
+    'odometry_drift_percent': Key(
+        'Drift of the odometry', '%', '.3f',
+        'Mean translation error of the odometry over all pieces of 2 m of the true way, relative '
+        'to them.', 'Accuracy', True),
+    'odometry_drift_deg_per_m': Key(
+        'Drift of its heading', 'deg/m', '.4f',
+        'Mean rotation error of the odometry over the same pieces.', 'Accuracy', True),
     'landmark_rmse_m': Key(
         'Landmark error', 'm', '.4f',
         'Root mean square distance between estimated and true landmarks, matched by id, after '

@@ -8,6 +8,7 @@ import numpy as np
 
 from slam_eval import se2
 from slam_eval.chi_square import two_sided_bounds
+from slam_eval.drift import Drift, segment_drift
 from slam_eval.landmarks import match_by_id
 from slam_eval.trajectory import interpolate
 
@@ -61,6 +62,7 @@ class Evaluation:
 
     ate: Optional[TrajectoryError] = None
     odometry_ate: Optional[TrajectoryError] = None
+    odometry_drift: Optional[Drift] = None
     landmark_error: Optional[LandmarkError] = None
     consistency: Optional[PoseConsistency] = None
     metrics: dict = dataclasses.field(default_factory=dict)
@@ -126,6 +128,7 @@ def evaluate(run):
         result.ate = trajectory_error(run.trajectory, run.truth)
         if run.odometry is not None:
             result.odometry_ate = trajectory_error(run.odometry, run.truth)
+            result.odometry_drift = segment_drift(run.odometry, run.truth)
         if run.updates is not None:
             result.consistency = pose_consistency(run.trajectory, run.updates, run.truth)
     if run.landmarks is not None and run.true_landmarks is not None:
@@ -139,6 +142,10 @@ def _collect(run, result):
         'ate_rmse_m': result.ate and result.ate.rmse,
         'ate_max_m': result.ate and result.ate.max,
         'odometry_ate_rmse_m': result.odometry_ate and result.odometry_ate.rmse,
+        'odometry_drift_percent': result.odometry_drift and (
+            100.0 * result.odometry_drift.translation),
+        'odometry_drift_deg_per_m': result.odometry_drift and float(
+            np.degrees(result.odometry_drift.rotation_rad_per_m)),
         'landmark_rmse_m': result.landmark_error and result.landmark_error.rmse,
         'landmarks': None if run.landmarks is None else len(run.landmarks),
         'nees_mean': result.consistency and float(np.mean(result.consistency.nees)),
