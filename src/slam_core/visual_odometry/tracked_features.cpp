@@ -89,7 +89,7 @@ Features TrackedFeatures::extract(const cv::Mat& gray, const CeilingView& /*view
 
 void TrackedFeatures::prepareReference(Features& features, const CeilingView& view) const {
   std::vector<cv::Point2f> corners;
-  cv::goodFeaturesToTrack(features.pyramid.front(), corners, max_features_, kMinQuality,
+  cv::goodFeaturesToTrack(features.pyramid.front(), corners, max_features_ / 2, kMinQuality,
                           kMinDistance);
   features.pixels.clear();
   features.points.clear();

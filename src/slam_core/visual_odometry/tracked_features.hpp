@@ -8,7 +8,8 @@
 namespace slam::visual_odometry {
 
 /// Corners of the reference (Shi and Tomasi 1994) that are tracked into the present image (Lucas
-/// and Kanade 1981, on a pyramid: Bouguet 2001), from where the window expects them.
+/// and Kanade 1981, on a pyramid: Bouguet 2001), from where the window expects them. They are half
+/// as many as of other features: each is placed more exactly and takes more time.
 class TrackedFeatures final : public FeaturePolicy {
  public:
   explicit TrackedFeatures(int max_features) : max_features_(max_features) {}
