@@ -9,17 +9,13 @@
 #include <algorithm>
 
 #include "slam_core/common/nearest_name.hpp"
+#include "slam_core/product/product_components.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/camera_topics.hpp"
 #include "slam_ros/conversions.hpp"
 
 namespace slam_ros {
 namespace {
-
-// the inputs' names for remappings and messages
-constexpr const char* kCamera = "camera";
-constexpr const char* kCompressedCamera = "camera/compressed";
-constexpr const char* kCameraInfo = "camera_info";
 
 template <class Message>
 Input input(const std::string& name, const std::string& topic) {
@@ -71,49 +67,64 @@ class Search {
   std::vector<Remap> remaps_;
 };
 
+/// What one camera's inputs are called.
+struct CameraNames {
+  const char *image, *compressed, *info;
+};
+constexpr CameraNames kCamera{"camera", "camera/compressed", "camera_info"};
+constexpr CameraNames kCeilingCamera{"ceiling_camera", "ceiling_camera/compressed",
+                                     "ceiling_camera_info"};
+
 /// A camera that is remapped to compressed images, also where only they have the name's beginning,
 /// is the input for those.
-std::vector<Remap> forCompressedImages(std::vector<Remap> remaps, const BagReader& bag) {
+std::vector<Remap> forCompressedImages(std::vector<Remap> remaps, const CameraNames& names,
+                                       const BagReader& bag) {
   const auto type = ros::message_traits::DataType<sensor_msgs::CompressedImage>::value();
   for (auto& remap : remaps) {
-    auto& camera = sameTopic(remap.to, kCamera) ? remap.to : remap.from;
+    auto& camera = sameTopic(remap.to, names.image) ? remap.to : remap.from;
     auto& topic = &camera == &remap.to ? remap.from : remap.to;
-    if (!sameTopic(camera, kCamera)) continue;
+    if (!sameTopic(camera, names.image)) continue;
     if (bag.find(topic) == nullptr) {
       if (const auto compressed = cameraTopics(topic).compressed; bag.find(compressed) != nullptr)
         topic = compressed;
     }
     if (const auto* found = bag.find(topic); found != nullptr && found->type == type)
-      camera = kCompressedCamera;
+      camera = names.compressed;
   }
   return remaps;
 }
 
-void findCamera(const BagReader& bag, const Search& search, BagInputs& inputs) {
-  const bool only_compressed = !search.isNamed(kCamera) && search.isNamed(kCompressedCamera);
-  if (!only_compressed) inputs.image = search.topic(kCamera, inputs.notes);
-  if (inputs.image.empty()) inputs.compressed_image = search.topic(kCompressedCamera, inputs.notes);
-  if (!inputs.hasImages()) return;
-  const auto& image = inputs.image.empty() ? inputs.compressed_image : inputs.image;
+BagCamera findCamera(const BagReader& bag, const Search& search, const CameraNames& names,
+                     BagInputs& inputs) {
+  BagCamera camera;
+  const bool only_compressed = !search.isNamed(names.image) && search.isNamed(names.compressed);
+  if (!only_compressed) camera.image = search.topic(names.image, inputs.notes);
+  if (camera.image.empty()) camera.compressed_image = search.topic(names.compressed, inputs.notes);
+  if (!camera.hasImages()) return camera;
+  const auto& image = camera.image.empty() ? camera.compressed_image : camera.image;
   const auto* sibling = bag.find(cameraTopics(image).info);
   // another camera's calibration would be worse than none: the type alone does not tell
-  if (search.isRemapped(kCameraInfo))
-    inputs.camera_info = search.topic(kCameraInfo, inputs.notes);
+  if (search.isRemapped(names.info))
+    camera.camera_info = search.topic(names.info, inputs.notes);
   else if (sibling != nullptr && sibling->messages > 0)
-    inputs.camera_info = sibling->name;
+    camera.camera_info = sibling->name;
   else
     inputs.warnings.push_back(fmt::format(
         "the bag has no {} that calibrates the camera {}: nothing can be seen in its images; name "
-        "the topic with --remap camera_info:=TOPIC",
-        cameraTopics(image).info, image));
+        "the topic with --remap {}:=TOPIC",
+        cameraTopics(image).info, image, names.info));
+  return camera;
 }
 
-void findOdometry(const BagReader& bag, const Search& search, BagInputs& inputs) {
+void findOdometry(const BagReader& bag, const Search& search, const InputNeeds& needs,
+                  BagInputs& inputs) {
   inputs.motion = search.topic("motion", inputs.notes);
   if (!inputs.motion.empty()) {
     inputs.notes.push_back("the bag carries motion: the odometry component is left out");
     return;
   }
+  if (needs.ceiling) inputs.ceiling = findCamera(bag, search, kCeilingCamera, inputs);
+  if (!needs.wheels) return;
   inputs.odom = search.topic("odom", inputs.notes);
   if (!inputs.odom.empty()) return;
   inputs.tf = findOdometryEdge(bag, inputs.odom_frame, inputs.base_frame);
@@ -125,43 +136,71 @@ void findOdometry(const BagReader& bag, const Search& search, BagInputs& inputs)
 }  // namespace
 
 std::vector<Input> inputsOf(const TopicsConfig& topics) {
-  const auto camera = cameraTopics(topics.camera);
+  const auto camera = cameraTopics(topics.camera), ceiling = cameraTopics(topics.ceiling_camera);
   return {input<slam_msgs::Motion>("motion", topics.motion),
           input<nav_msgs::Odometry>("odom", topics.odom),
           input<slam_msgs::LandmarkObservationArray>("observations", topics.observations),
-          input<sensor_msgs::Image>(kCamera, camera.raw),
-          input<sensor_msgs::CompressedImage>(kCompressedCamera, camera.compressed),
-          input<sensor_msgs::CameraInfo>(kCameraInfo, camera.info)};
+          input<sensor_msgs::Image>(kCamera.image, camera.raw),
+          input<sensor_msgs::CompressedImage>(kCamera.compressed, camera.compressed),
+          input<sensor_msgs::CameraInfo>(kCamera.info, camera.info),
+          input<sensor_msgs::Image>(kCeilingCamera.image, ceiling.raw),
+          input<sensor_msgs::CompressedImage>(kCeilingCamera.compressed, ceiling.compressed),
+          input<sensor_msgs::CameraInfo>(kCeilingCamera.info, ceiling.info)};
 }
+
+InputNeeds needsOf(const slam::ProductConfig& product) {
+  InputNeeds needs;
+  needs.images = product.usesImages();
+  const auto odometry = slam::makeOdometry(product);
+  needs.wheels = odometry->usesWheels();
+  needs.ceiling = odometry->usesImages();
+  return needs;
+}
+
+namespace {
+
+/// What the product cannot do without, a text each.
+std::vector<std::string> missingOf(const BagInputs& inputs, const InputNeeds& needs,
+                                   const Search& search) {
+  const auto images = [&](const CameraNames& names) {
+    return search.need(names.image) + " or " + search.need(names.compressed);
+  };
+  std::vector<std::string> missing;
+  const bool has_odometry = !inputs.odom.empty() || !inputs.tf.empty();
+  if (inputs.motion.empty() && needs.wheels && !has_odometry)
+    missing.push_back(fmt::format("odometry: {}, or the transform {} -> {} in /tf",
+                                  search.need("odom"), inputs.odom_frame, inputs.base_frame));
+  if (inputs.motion.empty() && needs.ceiling && !inputs.ceiling.hasImages())
+    missing.push_back("images of the ceiling: " + images(kCeilingCamera));
+  if (inputs.observations.empty() && !inputs.hasImages())
+    missing.push_back("landmarks: " + search.need("observations") +
+                      (needs.images ? ", or images: " + images(kCamera) : ""));
+  return missing;
+}
+
+}  // namespace
 
 BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
                      const std::vector<Remap>& remaps) {
   const auto all = inputsOf(needs.topics);
-  const Search search(bag, all, forCompressedImages(remaps, bag));
+  const Search search(
+      bag, all,
+      forCompressedImages(forCompressedImages(remaps, kCamera, bag), kCeilingCamera, bag));
   BagInputs inputs;
   inputs.odom_frame = frameId(needs.frames.odom);
   inputs.base_frame = frameId(needs.frames.base);
-  findOdometry(bag, search, inputs);
+  findOdometry(bag, search, needs, inputs);
   const bool asked_for_images =
-      needs.images && (search.isRemapped(kCamera) || search.isRemapped(kCompressedCamera));
+      needs.images &&
+      (search.isRemapped(kCamera.image) || search.isRemapped(kCamera.compressed));
   if (!asked_for_images) inputs.observations = search.topic("observations", inputs.notes);
   if (needs.images && !inputs.observations.empty())
     inputs.notes.push_back(
         "the bag carries observations: the detector is left out; --remap camera:=TOPIC has it look "
         "at that camera's images instead");
   else if (needs.images)
-    findCamera(bag, search, inputs);
-
-  std::vector<std::string> missing;
-  if (inputs.motion.empty() && inputs.odom.empty() && inputs.tf.empty())
-    missing.push_back(fmt::format("odometry: {}, or the transform {} -> {} in /tf",
-                                  search.need("odom"), inputs.odom_frame, inputs.base_frame));
-  if (inputs.observations.empty() && !inputs.hasImages())
-    missing.push_back("landmarks: " + search.need("observations") +
-                      (needs.images ? ", or images: " + search.need(kCamera) + " or " +
-                                          search.need(kCompressedCamera)
-                                    : ""));
-  if (!missing.empty())
+    static_cast<BagCamera&>(inputs) = findCamera(bag, search, kCamera, inputs);
+  if (const auto missing = missingOf(inputs, needs, search); !missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));
   return inputs;
@@ -175,9 +214,13 @@ BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks) {
   add(inputs.motion, slam_msgs::Motion(), sinks.motion);
   add(inputs.odom, nav_msgs::Odometry(), sinks.odom);
   add(inputs.observations, slam_msgs::LandmarkObservationArray(), sinks.observations);
-  add(inputs.image, sensor_msgs::Image(), sinks.image);
-  add(inputs.compressed_image, sensor_msgs::CompressedImage(), sinks.compressed_image);
-  add(inputs.camera_info, sensor_msgs::CameraInfo(), sinks.camera_info);
+  const auto add_camera = [&](const BagCamera& camera, const CameraSinks& camera_sinks) {
+    add(camera.image, sensor_msgs::Image(), camera_sinks.image);
+    add(camera.compressed_image, sensor_msgs::CompressedImage(), camera_sinks.compressed_image);
+    add(camera.camera_info, sensor_msgs::CameraInfo(), camera_sinks.camera_info);
+  };
+  add_camera(inputs, sinks);
+  add_camera(inputs.ceiling, sinks.ceiling);
   if (!inputs.tf.empty())
     handlers[inputs.tf] = odometryOfEdge(inputs.odom_frame, inputs.base_frame, sinks.odom);
   return handlers;

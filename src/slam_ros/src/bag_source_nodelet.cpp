@@ -73,8 +73,11 @@ class BagSourceNodelet : public nodelet::Nodelet {
     reportFailure(getName(), [this] {
       config_ = parametersFromRos<BagSourceConfig>(getPrivateNodeHandle());
       auto settings = settingsFromRos(getNodeHandle());
-      const InputNeeds needs{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>(),
-                             settings.read<slam::ProductConfig>().usesImages()};
+      const auto product = settings.read<slam::ProductConfig>();
+      slam::loadLibraries(product.libraries);
+      auto needs = needsOf(product);
+      needs.topics = settings.read<TopicsConfig>();
+      needs.frames = settings.read<slam::FramesConfig>();
       topics_ = needs.topics;
       map_frame_ = frameId(needs.frames.map);
       bag_ = std::make_unique<BagReader>(config_.bag);
@@ -94,6 +97,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
       return waitForRoom(input, stamp);
     });
     if (inputs_.hasImages()) window_.limit("observations", kImagesInFlight);
+    if (inputs_.ceiling.hasImages()) window_.limit("motion", kImagesInFlight);
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
     progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
   }
@@ -147,7 +151,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
 
   std::string missingPartner() const {
     // without it the images would wait for the camera's mount
-    if (inputs_.hasImages() && tf_static_ && tf_static_.getNumSubscribers() == 0)
+    const bool has_images = inputs_.hasImages() || inputs_.ceiling.hasImages();
+    if (has_images && tf_static_ && tf_static_.getNumSubscribers() == 0)
       return "a subscriber of " + tf_static_.getTopic();
     const auto subscriber = publishers_->missingSubscriber();
     if (!subscriber.empty() || progress_.getNumPublishers() > 0) return subscriber;

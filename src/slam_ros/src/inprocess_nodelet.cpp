@@ -14,6 +14,7 @@
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/detections_publisher.hpp"
 #include "slam_ros/estimator_node.hpp"
+#include "slam_ros/motion_publisher.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
@@ -44,7 +45,8 @@ class InprocessNodelet : public nodelet::Nodelet {
   ~InprocessNodelet() override {
     // inputs first: no callback may find what it needs gone
     odom_.shutdown();
-    if (camera_) camera_->stop();
+    for (auto* camera : {&camera_, &ceiling_camera_})
+      if (*camera) (*camera)->stop();
     node_.reset();
   }
 
@@ -55,14 +57,17 @@ class InprocessNodelet : public nodelet::Nodelet {
       node_ = std::make_unique<EstimatorNode>(
           EstimatorNode::Handles{getNodeHandle(), getPrivateNodeHandle(), getName()},
           config.outputs, product_);
-      if (config.publish_tf)
+      const bool looks_up = product_.coordinator().odometry().usesImages();
+      if (config.publish_tf && !looks_up)
         node_->on_step = [this](const slam::StepReport& report) {
           odometry_transform_.publish(toRos(report.stamp), report.odometry_frame, report.base_frame,
                                       report.odometry_pose);
         };
       if (product_.coordinator().detector() != nullptr) connectCamera(config.camera.transport);
-      odom_ =
-          getNodeHandle().subscribe(node_->topics().odom, kQueue, &InprocessNodelet::onOdom, this);
+      if (looks_up) connectCeilingCamera(config);
+      if (product_.coordinator().odometry().usesWheels())
+        odom_ = getNodeHandle().subscribe(node_->topics().odom, kQueue, &InprocessNodelet::onOdom,
+                                          this);
     });
   }
 
@@ -81,7 +86,36 @@ class InprocessNodelet : public nodelet::Nodelet {
                     CameraSubscriber::Options{node_->topics().camera, transport,
                                               frameId(coordinator.frames().base)},
                     CameraInput::Sinks{take, take, take});
-    node_->front_end_waiting = [this] { return camera_->waiting(); };
+    node_->front_end_waiting = [this] { return waiting(); };
+  }
+
+  void connectCeilingCamera(const InprocessConfig& config) {
+    auto& coordinator = product_.coordinator();
+    visual_motion_.emplace(getNodeHandle());
+    coordinator.on_motion = [this, with_tf = config.publish_tf](const slam::Motion& motion) {
+      if (with_tf)
+        odometry_transform_.publish(toRos(motion.end), motion.odometry_frame, motion.base_frame,
+                                    motion.odometry_end);
+      visual_motion_->publish(motion);
+      visual_motion_->show(product_.coordinator().odometry(), motion.end);
+    };
+    const auto take = [this](const auto& input) {
+      node_->checkClock();
+      product_.coordinator().setForOdometry(input);
+      node_->takeSteps(ceiling_camera_->topic());
+    };
+    ceiling_camera_.emplace(
+        getNodeHandle(),
+        CameraSubscriber::Options{node_->topics().ceiling_camera, config.camera.transport,
+                                  frameId(coordinator.frames().base)},
+        CameraInput::Sinks{take, take, take});
+    node_->front_end_waiting = [this] { return waiting(); };
+  }
+
+  std::string waiting() const {
+    for (const auto* camera : {&camera_, &ceiling_camera_})
+      if (*camera && !(*camera)->waiting().empty()) return (*camera)->waiting();
+    return "";
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
@@ -96,7 +130,8 @@ class InprocessNodelet : public nodelet::Nodelet {
   WholeProduct product_;
   TransformPublisher odometry_transform_;
   std::optional<DetectionsPublisher> detections_;
-  std::optional<CameraSubscriber> camera_;
+  std::optional<VisualMotionPublisher> visual_motion_;
+  std::optional<CameraSubscriber> camera_, ceiling_camera_;
   std::unique_ptr<EstimatorNode> node_;
   ros::Subscriber odom_;
 };

@@ -21,42 +21,62 @@ void publish(const ros::Publisher& publisher, const Message& message) {
 
 }  // namespace
 
+InputPublishers::Camera::Camera(ros::NodeHandle handle, const std::string& topic,
+                                const BagCamera& in_bag) {
+  const auto topics = cameraTopics(topic);
+  if (!in_bag.image.empty())
+    images = handle.advertise<sensor_msgs::Image>(topics.raw, kImageQueue);
+  else if (!in_bag.compressed_image.empty())
+    images = handle.advertise<sensor_msgs::CompressedImage>(topics.compressed, kImageQueue);
+  if (!in_bag.camera_info.empty())
+    info = handle.advertise<sensor_msgs::CameraInfo>(topics.info, kQueue);
+}
+
 InputPublishers::InputPublishers(ros::NodeHandle handle, const TopicsConfig& topics,
                                  const BagInputs& inputs, Gate gate)
-    : gate_(std::move(gate)) {
-  const auto camera = cameraTopics(topics.camera);
-  odometry_ = inputs.motion.empty() ? handle.advertise<nav_msgs::Odometry>(topics.odom, kInFlight)
-                                    : handle.advertise<slam_msgs::Motion>(topics.motion, kInFlight);
-  if (!inputs.image.empty())
-    observations_ = handle.advertise<sensor_msgs::Image>(camera.raw, kImageQueue);
-  else if (!inputs.compressed_image.empty())
-    observations_ = handle.advertise<sensor_msgs::CompressedImage>(camera.compressed, kImageQueue);
-  else
+    : gate_(std::move(gate)),
+      camera_(handle, topics.camera, inputs),
+      ceiling_(handle, topics.ceiling_camera, inputs.ceiling) {
+  if (!inputs.motion.empty())
+    motion_ = handle.advertise<slam_msgs::Motion>(topics.motion, kInFlight);
+  if (!inputs.odom.empty() || !inputs.tf.empty())
+    odom_ = handle.advertise<nav_msgs::Odometry>(topics.odom, kInFlight);
+  if (!inputs.hasImages())
     observations_ =
         handle.advertise<slam_msgs::LandmarkObservationArray>(topics.observations, kInFlight);
-  if (!inputs.camera_info.empty())
-    camera_info_ = handle.advertise<sensor_msgs::CameraInfo>(camera.info, kQueue);
 }
 
 InputSinks InputPublishers::sinks() const {
   InputSinks sinks;
-  sinks.motion = [this](const auto& message) { send(odometry_, "motion", message.end, message); };
+  sinks.motion = [this](const auto& message) { send(motion_, "motion", message.end, message); };
   sinks.odom = [this](const auto& message) {
-    send(odometry_, "motion", message.header.stamp, message);
+    // of images comes the motion that is acknowledged, where there are some
+    if (ceiling_.images)
+      publish(odom_, message);
+    else
+      send(odom_, "motion", message.header.stamp, message);
   };
-  // of every image comes an array, which is what is acknowledged
-  const auto observe = [this](const auto& message) {
+  sinks.observations = [this](const auto& message) {
     send(observations_, "observations", message.header.stamp, message);
   };
-  sinks.observations = observe;
-  sinks.image = observe;
-  sinks.compressed_image = observe;
-  sinks.camera_info = [this](const auto& message) { publish(camera_info_, message); };
+  // of every image comes an array or a motion, which is what is acknowledged
+  const auto observe = [this](const auto& message) {
+    send(camera_.images, "observations", message.header.stamp, message);
+  };
+  const auto move = [this](const auto& message) {
+    send(ceiling_.images, "motion", message.header.stamp, message);
+  };
+  const auto publisher = [](const Camera& camera) {
+    return [&camera](const auto& message) { publish(camera.info, message); };
+  };
+  static_cast<CameraSinks&>(sinks) = {observe, observe, publisher(camera_)};
+  sinks.ceiling = {move, move, publisher(ceiling_)};
   return sinks;
 }
 
 std::string InputPublishers::missingSubscriber() const {
-  for (const auto* publisher : {&odometry_, &observations_, &camera_info_})
+  for (const auto* publisher : {&motion_, &odom_, &observations_, &camera_.images, &camera_.info,
+                                &ceiling_.images, &ceiling_.info})
     if (*publisher && publisher->getNumSubscribers() == 0)
       return "a subscriber of " + publisher->getTopic();
   return "";

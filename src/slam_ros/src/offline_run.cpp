@@ -46,13 +46,14 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
 }
 
 void OfflineRun::configure() {
-  InputNeeds needs;
+  TopicsConfig topics;
   slam::FaultCollector faults;
-  faults.attempt([&] { needs.topics = settings_.read<TopicsConfig>(); });
+  faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
+  auto needs = needsOf(settings_.read<slam::ProductConfig>());
+  needs.topics = topics;
   needs.frames = coordinator_.frames();
-  needs.images = coordinator_.detector() != nullptr;
   std::vector<Remap> remaps;
   for (const auto& text : options_.remaps) remaps.push_back(parseRemap(text));
   inputs_ = findInputs(bag_, needs, remaps);
@@ -61,6 +62,9 @@ void OfflineRun::configure() {
       CameraInput::Sinks{[this](const auto& image) { coordinator_.set(image); },
                          [this](const auto& calibration) { coordinator_.set(calibration); },
                          [this](const auto& mount) { coordinator_.set(mount); }});
+  const auto for_odometry = [this](const auto& input) { coordinator_.setForOdometry(input); };
+  ceiling_camera_.emplace(frameId(needs.frames.base),
+                          CameraInput::Sinks{for_odometry, for_odometry, for_odometry});
 }
 
 void OfflineRun::loadMap() {
@@ -90,10 +94,12 @@ void OfflineRun::read(slam::RunWriter& writer) {
   sinks.odom = [&](const auto& message) { take(message); };
   sinks.observations = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
   const auto look = [&](const auto& message) { camera_->take(message); };
-  sinks.image = look;
-  sinks.compressed_image = look;
-  sinks.camera_info = look;
-  if (inputs_.hasImages()) look(staticTransforms(bag_, frameId(coordinator_.frames().map)));
+  static_cast<CameraSinks&>(sinks) = {look, look, look};
+  const auto look_up = [&](const auto& message) { ceiling_camera_->take(message); };
+  sinks.ceiling = {look_up, look_up, look_up};
+  const auto transforms = staticTransforms(bag_, frameId(coordinator_.frames().map));
+  if (inputs_.hasImages()) look(transforms);
+  if (inputs_.ceiling.hasImages()) look_up(transforms);
   const auto handlers = handlersFor(inputs_, sinks);
   progress_.begin(bag_.path(), bag_.messages(handlers));
   bag_.read(handlers, [&](std::size_t done) {
@@ -139,17 +145,20 @@ void OfflineRun::warn(const std::string& sentence) {
 
 void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
   if (writer.lines() > 0) return;
-  if (inputs_.hasImages() && !camera_->hasCalibration())
-    throw std::runtime_error("no step could be taken: " + inputs_.image + inputs_.compressed_image +
-                             " came without the camera's calibration");
-  if (const auto transform = camera_->missingTransform(); !transform.empty())
-    throw std::runtime_error(
-        "no step could be taken: the bag's /tf_static does not tell the "
-        "transform " +
-        transform);
+  requireCamera(inputs_, *camera_);
+  requireCamera(inputs_.ceiling, *ceiling_camera_);
   throw std::runtime_error(fmt::format(
       "no step could be taken: no observation of the bag {} has a stamp that its odometry covers",
       bag_.path()));
+}
+
+void OfflineRun::requireCamera(const BagCamera& topics, const CameraInput& camera) {
+  if (topics.hasImages() && !camera.hasCalibration())
+    throw std::runtime_error("no step could be taken: " + topics.image + topics.compressed_image +
+                             " came without the camera's calibration");
+  if (const auto transform = camera.missingTransform(); !transform.empty())
+    throw std::runtime_error(
+        "no step could be taken: the bag's /tf_static does not tell the transform " + transform);
 }
 
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {

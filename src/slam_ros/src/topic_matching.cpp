@@ -15,6 +15,7 @@ namespace {
 // never matched by their type: the truth, and what a run that was recorded had published
 constexpr const char* kTruthPrefix = "ground_truth/";
 constexpr const char* kDetectionsPrefix = "detections/";
+constexpr const char* kVisualPrefix = "visual_odometry/";
 
 std::string relative(const std::string& name) {
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
@@ -116,7 +117,8 @@ std::optional<TopicMatch> matchTopic(const Input& input, const std::vector<Input
     if (is_taken(topic.name) || !fits(topic, input)) continue;
     if (sameTopic(topic.name, input.topic)) return TopicMatch{topic.name, ""};
     const bool is_no_sensor = relative(topic.name).rfind(kTruthPrefix, 0) == 0 ||
-                              relative(topic.name).rfind(kDetectionsPrefix, 0) == 0;
+                              relative(topic.name).rfind(kDetectionsPrefix, 0) == 0 ||
+                              relative(topic.name).rfind(kVisualPrefix, 0) == 0;
     if (!is_no_sensor && !isInput(topic.name, all_inputs)) candidates.push_back(topic);
   }
   const auto* namesake = findTopic(topics, input.topic);

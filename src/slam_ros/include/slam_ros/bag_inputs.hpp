@@ -20,37 +20,52 @@
 
 namespace slam_ros {
 
-/// Where a product's inputs stand in a bag. An empty topic: that input does not come from the bag.
-struct BagInputs {
-  std::string motion, odom, observations;
-  std::string tf;  ///< the odometry is an edge of this topic
-  std::string odom_frame, base_frame;
+/// Where the images of a camera stand in a bag.
+struct BagCamera {
   std::string image, compressed_image;  ///< one of them at most
   std::string camera_info;
-  std::vector<std::string> notes;     ///< a sentence each: other names, components left out
-  std::vector<std::string> warnings;  ///< a sentence each: what the run will suffer from
 
   bool hasImages() const { return !image.empty() || !compressed_image.empty(); }
 };
 
-/// Takes what the bag's inputs hold, in bag order.
-struct InputSinks {
-  std::function<void(const slam_msgs::Motion&)> motion;
-  std::function<void(const nav_msgs::Odometry&)> odom;
-  std::function<void(const slam_msgs::LandmarkObservationArray&)> observations;
+/// Where a product's inputs stand in a bag. An empty topic: that input does not come from the bag.
+struct BagInputs : BagCamera {
+  std::string motion, odom, observations;
+  std::string tf;  ///< the odometry is an edge of this topic
+  std::string odom_frame, base_frame;
+  BagCamera ceiling;                  ///< that looks at the ceiling
+  std::vector<std::string> notes;     ///< a sentence each: other names, components left out
+  std::vector<std::string> warnings;  ///< a sentence each: what the run will suffer from
+};
+
+/// Takes what a camera's topics hold.
+struct CameraSinks {
   std::function<void(const sensor_msgs::Image&)> image;
   std::function<void(const sensor_msgs::CompressedImage&)> compressed_image;
   std::function<void(const sensor_msgs::CameraInfo&)> camera_info;
+};
+
+/// Takes what the bag's inputs hold, in bag order.
+struct InputSinks : CameraSinks {
+  std::function<void(const slam_msgs::Motion&)> motion;
+  std::function<void(const nav_msgs::Odometry&)> odom;
+  std::function<void(const slam_msgs::LandmarkObservationArray&)> observations;
+  CameraSinks ceiling;
 };
 
 /// What of a product tells which inputs it needs.
 struct InputNeeds {
   TopicsConfig topics;
   slam::FramesConfig frames;
-  bool images = false;  ///< it makes observations of images
+  bool images = false;   ///< it makes observations of images
+  bool wheels = true;    ///< its odometry takes in that of the wheels
+  bool ceiling = false;  ///< its odometry looks at the ceiling
 };
 
 std::vector<Input> inputsOf(const TopicsConfig& topics);
+
+/// What a product needs, but for the names of topics and frames. @throw slam::ConfigError
+InputNeeds needsOf(const slam::ProductConfig& product);
 
 /// Motion in the bag comes before odometry, that before the edge odom -> base of /tf; observations
 /// come before images, where both are of the name asked for raw ones before compressed ones.

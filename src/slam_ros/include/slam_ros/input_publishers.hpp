@@ -31,14 +31,21 @@ class InputPublishers {
   std::string missingSubscriber() const;
 
  private:
+  /// The publishers of a camera that the bag has.
+  struct Camera {
+    Camera() = default;
+    Camera(ros::NodeHandle handle, const std::string& topic, const BagCamera& in_bag);
+    ros::Publisher images, info;
+  };
+
   template <class Message>
   void send(const ros::Publisher& publisher, const std::string& input, const ros::Time& stamp,
             const Message& message) const;
 
   Gate gate_;
-  ros::Publisher odometry_;      ///< or the motion made of it
-  ros::Publisher observations_;  ///< or the images that they are made of
-  ros::Publisher camera_info_;
+  ros::Publisher motion_, odom_, observations_;
+  Camera camera_;   ///< that observations are made of
+  Camera ceiling_;  ///< that motion is made of
 };
 
 }  // namespace slam_ros

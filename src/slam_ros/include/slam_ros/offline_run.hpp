@@ -45,6 +45,7 @@ class OfflineRun {
   void drain(slam::RunWriter& writer);
   void warn(const std::string& sentence);
   void requireSteps(const slam::RunWriter& writer) const;
+  static void requireCamera(const BagCamera& topics, const CameraInput& camera);
   void printSummary(const slam::RunWriter& writer) const;
 
   OfflineOptions options_;
@@ -54,7 +55,7 @@ class OfflineRun {
   slam::Settings settings_;
   BagInputs inputs_;
   slam::MetaCoordinator coordinator_;
-  std::optional<CameraInput> camera_;
+  std::optional<CameraInput> camera_, ceiling_camera_;
   std::string odometry_fault_;
   std::uint64_t odometry_faults_ = 0;
   std::set<std::string> warnings_;

@@ -17,6 +17,7 @@ struct TopicsConfig {
   std::string observations = "observations";
   std::string motion = "motion";
   std::string camera = "camera/image_raw";
+  std::string ceiling_camera = "ceiling_camera/image_raw";
 
   void describe(slam::Fields& fields) {
     fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
@@ -29,6 +30,10 @@ struct TopicsConfig {
              "the camera's raw images; its compressed ones are on camera/compressed, its "
              "calibration "
              "is on the camera_info beside it")
+        .ofRobot();
+    fields
+        .add("ceiling_camera", &ceiling_camera,
+             "raw images of the camera that looks at the ceiling; others as of the camera")
         .ofRobot();
   }
 };

@@ -67,6 +67,38 @@ TEST_F(CameraBag, TheOnlyImagesThereAreAreFoundByTypeWithTheCalibrationBesideThe
   EXPECT_TRUE(contains(find().notes[0], "the only one of type sensor_msgs/CompressedImage"));
 }
 
+TEST_F(CameraBag, ACameraThatLooksUpIsFoundWhereTheOdometryNeedsItAndIsNoOtherCamera) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, "/ceiling_camera/image_raw", "/ceiling_camera/camera_info");
+    addCamera(bag, kCompressed, kInfo);
+    bag.add("/visual_odometry/image", 1, test::rawImage(1));
+  }
+  EXPECT_FALSE(find().ceiling.hasImages()) << "wheels need no ceiling";
+  EXPECT_EQ(find().compressed_image, kCompressed);
+  InputNeeds needs;
+  needs.images = needs.ceiling = true;
+  needs.wheels = false;
+  const auto inputs = findInputs(BagReader(folder / "x.bag"), needs, {});
+  EXPECT_EQ(inputs.ceiling.image, "/ceiling_camera/image_raw");
+  EXPECT_EQ(inputs.ceiling.camera_info, "/ceiling_camera/camera_info");
+  EXPECT_EQ(inputs.compressed_image, kCompressed);
+  EXPECT_EQ(inputs.odom, "") << "nobody takes it in";
+}
+
+TEST_F(CameraBag, ABagWithoutTheCeilingLacksIt) {
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    bag.addObservations();
+  }
+  InputNeeds needs;
+  needs.ceiling = true;
+  EXPECT_TRUE(contains(messageOf([&] { findInputs(BagReader(folder / "x.bag"), needs, {}); }),
+                       "images of the ceiling: 'ceiling_camera/image_raw'"));
+}
+
 TEST_F(CameraBag, ARemappingMeansRawOrCompressedImages) {
   {
     BagMaker bag(folder / "x.bag");
