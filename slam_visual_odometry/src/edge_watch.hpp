@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <ros/subscriber.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <atomic>
+#include <string>
+
+namespace slam_visual_odometry {
+
+/// Notices when another node publishes one edge of the tree of transforms: a child must not have
+/// two parents that disagree. It listens in a thread of its own: a nodelet whose queue also took in
+/// the transforms that its callbacks publish was seen to be left alone by its manager.
+class EdgeWatch {
+ public:
+  EdgeWatch(ros::NodeHandle handle, std::string parent, std::string child);
+
+  bool isTaken() const { return is_taken_; }
+  /// The node that publishes the edge, when isTaken().
+  const std::string& publisher() const { return publisher_; }
+
+ private:
+  void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
+
+  std::string parent_, child_, publisher_;
+  std::atomic<bool> is_taken_{false};  ///< written last: then publisher_ does not change
+  ros::CallbackQueue queue_;
+  ros::Subscriber transforms_;
+  ros::AsyncSpinner spinner_{1, &queue_};
+};
+
+}  // namespace slam_visual_odometry

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <fmt/format.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <slam_msgs/Motion.h>
+// ros.h comes first: nodelet.h only declares what it uses
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <optional>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "edge_watch.hpp"
+#include "slam_core/product/product_components.hpp"
+#include "slam_ros/camera_subscriber.hpp"
+#include "slam_ros/clock_watch.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/diagnostics.hpp"
+#include "slam_ros/latency_window.hpp"
+#include "slam_ros/motion_publisher.hpp"
+#include "slam_ros/parameters_from_ros.hpp"
+#include "slam_ros/queue_sizes.hpp"
+#include "slam_ros/report_failure.hpp"
+#include "slam_ros/settings_from_ros.hpp"
+#include "slam_ros/topics_config.hpp"
+#include "slam_ros/transform_publisher.hpp"
+#include "slam_ros/transport_config.hpp"
+
+namespace slam_visual_odometry {
+namespace {
+
+struct NodeletConfig {
+  static constexpr const char* kSection = "";
+
+  slam_ros::TransportConfig camera;
+  bool publish_tf = true;
+  bool publish_motion = true;
+
+  void describe(slam::Fields& fields) {
+    camera.describe(fields);
+    fields.add("publish_tf", &publish_tf, "the transform odom -> base, unless another node does");
+    fields.add("publish_motion", &publish_motion,
+               "for the back-end; not where it is moved by another source, to compare with");
+  }
+};
+
+constexpr const char* kOwnFrame = "visual_odom";  // where another node publishes odom -> base
+
+}  // namespace
+
+/// Images of the ceiling in, and the wheels' `odom` where the product wants them; `motion` out.
+class VisualOdometryNodelet : public nodelet::Nodelet {
+ public:
+  ~VisualOdometryNodelet() override {
+    // no callback may find what it needs gone
+    if (camera_) camera_->stop();
+    odom_.shutdown();
+    diagnostics_.reset();
+  }
+
+ private:
+  void onInit() override {
+    slam_ros::reportFailure(getName(), [this] { initialise(getNodeHandle()); });
+  }
+
+  void initialise(ros::NodeHandle handle) {
+    auto settings = slam_ros::settingsFromRos(handle);
+    auto product = settings.read<slam::ProductConfig>();
+    topics_ = settings.read<slam_ros::TopicsConfig>();
+    frames_ = settings.read<slam::FramesConfig>();
+    config_ = slam_ros::parametersFromRos<NodeletConfig>(getPrivateNodeHandle());
+    slam::loadLibraries(product.libraries);
+    if (!config_.publish_motion) product.odometry = "visual";  // beside what the product names
+    source_ = slam::makeOdometry(product);
+    source_->configure(settings);
+    source_->seed(product.seed);
+    if (config_.publish_motion)
+      motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, slam_ros::kQueue);
+    publisher_.emplace(handle);
+    const auto base = slam_ros::frameId(frames_.base);
+    if (config_.publish_tf) watch_.emplace(handle, slam_ros::frameId(frames_.odom), base);
+    diagnostics_.emplace(handle, getPrivateNodeHandle(), getName(),
+                         slam_ros::Diagnostics::Sources{[this] { return source_->counters(); },
+                                                        [this] { return camera_->waiting(); },
+                                                        [this] { return figures(); }});
+    const auto take = [this](const auto& input) { this->take(input, camera_->topic()); };
+    camera_.emplace(
+        handle,
+        slam_ros::CameraSubscriber::Options{topics_.ceiling_camera, config_.camera.transport, base},
+        slam_ros::CameraInput::Sinks{take, take, take});
+    if (source_->usesWheels())
+      odom_ =
+          handle.subscribe(topics_.odom, slam_ros::kQueue, &VisualOdometryNodelet::onOdom, this);
+  }
+
+  void onOdom(const nav_msgs::Odometry& message) {
+    const auto fault = slam_ros::saysNoPose(message) ? "" : slam_ros::poseFault(message);
+    if (!fault.empty()) diagnostics_->warn(topics_.odom + ": " + fault + "; its twist is used");
+    auto sample = slam_ros::fromMsg(message);
+    frames_.complete(sample.odometry_frame, sample.base_frame);
+    take(sample, topics_.odom);
+  }
+
+  template <class Input>
+  void take(const Input& input, const std::string& topic) {
+    if (clock_.hasJumpedBack()) {
+      source_->reset();
+      transform_.reset();
+    }
+    source_->set(input);
+    do {
+      diagnostics_->report(topic, source_->execute());
+      if (source_->motion()) publish(*source_->motion());
+    } while (source_->isBusy());
+  }
+
+  void publish(slam::Motion motion) {
+    const bool is_taken = watch_ && watch_->isTaken();
+    if (is_taken) warnOfEdge();
+    motion.odometry_frame = is_taken || !config_.publish_motion ? kOwnFrame : "";
+    frames_.complete(motion.odometry_frame, motion.base_frame);
+    if (config_.publish_motion)
+      motion_.publish(boost::make_shared<slam_msgs::Motion>(slam_ros::toMsg(motion)));
+    if (watch_ && !is_taken && config_.publish_motion)
+      transform_.publish(slam_ros::toRos(motion.end), motion.odometry_frame, motion.base_frame,
+                         motion.odometry_end);
+    publisher_->publish(motion);
+    publisher_->show(*source_, motion.end);
+    latency_.add(camera_->arrival(), slam_ros::LatencyWindow::Clock::now());
+  }
+
+  void warnOfEdge() {
+    if (warned_of_edge_) return;
+    warned_of_edge_ = true;
+    diagnostics_->warn("the transform " + frames_.odom + " -> " + frames_.base +
+                       " is published by " + watch_->publisher() +
+                       " as well; visual odometry leaves it out and calls its frame " + kOwnFrame);
+  }
+
+  std::vector<std::pair<std::string, std::string>> figures() const {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const auto& [name, value] : source_->figures())
+      texts.emplace_back(name, fmt::format("{:.4g}", value));
+    if (latency_.empty()) return texts;
+    texts.emplace_back("rate [1/s]", fmt::format("{:.1f}", latency_.rate()));
+    texts.emplace_back("latency p50 [ms]", fmt::format("{:.1f}", latency_.milliseconds(0.5)));
+    texts.emplace_back("latency p99 [ms]", fmt::format("{:.1f}", latency_.milliseconds(0.99)));
+    return texts;
+  }
+
+  NodeletConfig config_;
+  slam_ros::TopicsConfig topics_;
+  slam::FramesConfig frames_;
+  std::unique_ptr<slam::OdometrySource> source_;
+  slam_ros::ClockWatch clock_;
+  slam_ros::LatencyWindow latency_;
+  slam_ros::TransformPublisher transform_;
+  std::optional<slam_ros::VisualMotionPublisher> publisher_;
+  std::optional<EdgeWatch> watch_;
+  bool warned_of_edge_ = false;
+  ros::Publisher motion_;
+  ros::Subscriber odom_;
+  std::optional<slam_ros::CameraSubscriber> camera_;
+  std::optional<slam_ros::Diagnostics> diagnostics_;
+};
+
+}  // namespace slam_visual_odometry
+
+PLUGINLIB_EXPORT_CLASS(slam_visual_odometry::VisualOdometryNodelet, nodelet::Nodelet)
