@@ -115,7 +115,7 @@ class VisualTest(unittest.TestCase):
         for motion in motions:
             covariance = numpy.array(motion.covariance).reshape(3, 3)
             self.assertGreater(numpy.linalg.eigvalsh(covariance).min(), 0)
-        self.assertEqual({(m.odometry_frame, m.base_frame) for m in motions},
+        self.assertEqual({(m.header.frame_id, m.child_frame_id) for m in motions},
                          {("odom", "base_link")})
 
     def test_2_odometry_and_transform_tell_the_same_way(self):
@@ -173,7 +173,7 @@ class VisualTest(unittest.TestCase):
         self.transforms.publish(TFMessage([edge]))
         time.sleep(0.5)
         self.send(4)
-        self.assertEqual(self.motions(41)[-1].odometry_frame, "visual_odom")
+        self.assertEqual(self.motions(41)[-1].header.frame_id, "visual_odom")
         self.assertTrue(wait_for(lambda: any("visual_odom" in log.msg
                                              for log in self.get("/rosout"))))
 

@@ -31,7 +31,7 @@ namespace slam_ros {
 namespace {
 
 constexpr FlowWindow::Timeout kPatience(2000);
-const ros::WallDuration kPoll(0.05), kSettle(0.3);
+const ros::WallDuration kPoll(0.05), kSettle(1.0);
 
 struct BagSourceConfig {
   static constexpr const char* kSection = "";
@@ -145,7 +145,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
       }
       kPoll.sleep();
     }
-    kSettle.sleep();  // the back-end takes its subscriptions one after the other
+    // nodelets take their subscriptions one after the other; what comes before a nodelet's queue
+    // runs was seen to wait there for what follows
+    kSettle.sleep();
     return !stop_;
   }
 
