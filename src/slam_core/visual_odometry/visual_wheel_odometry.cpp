@@ -77,8 +77,7 @@ bool VisualWheelOdometry::handOverImage() {
 const Counters& VisualWheelOdometry::counters() const {
   counters_ = visual_.counters();
   for (const auto& [reason, count] : own_counters_.all()) counters_.add(reason, count);
-  for (const auto& [reason, count] : wheels_->counters().all())
-    counters_.add(reason, count);
+  for (const auto& [reason, count] : wheels_->counters().all()) counters_.add(reason, count);
   return counters_;
 }
 
