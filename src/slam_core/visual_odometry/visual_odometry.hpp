@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,9 +10,8 @@
 
 #include "slam_core/camera/image_gate.hpp"
 #include "slam_core/contract/odometry_source.hpp"
-#include "slam_core/visual_odometry/alignment.hpp"
-#include "slam_core/visual_odometry/features.hpp"
-#include "slam_core/visual_odometry/gap_motion.hpp"
+#include "slam_core/visual_odometry/increment_maker.hpp"
+#include "slam_core/visual_odometry/view_matcher.hpp"
 #include "slam_core/visual_odometry/visual_odometry_config.hpp"
 
 namespace slam::visual_odometry {
@@ -34,8 +32,8 @@ class VisualOdometry final : public OdometrySource {
  public:
   void configure(const VisualOdometryConfig& config, const CeilingCameraConfig& camera = {});
   void configure(Settings& settings) override;
-  void seed(std::uint64_t seed) override { seed_ = seed; }
-  void setGapSource(GapSource source) { gap_source_ = std::move(source); }
+  void seed(std::uint64_t seed) override { matcher_.seed(seed); }
+  void setGapSource(GapSource source) { increments_.setGapSource(std::move(source)); }
 
   bool usesWheels() const override { return false; }
   bool usesImages() const override { return true; }
@@ -52,53 +50,36 @@ class VisualOdometry final : public OdometrySource {
   std::vector<std::pair<std::string, double>> figures() const override;
   void reset() override;
 
-  /// Of the last image with the keyframe or the image before.
-  const Alignment& alignment() const { return alignment_; }
   /// Whether the last image told nothing.
-  bool isLost() const { return last_ && (!last_good_ || last_->stamp != last_good_->stamp); }
+  bool isLost() const {
+    return views_.last && (!views_.last_good || views_.last->stamp != views_.last_good->stamp);
+  }
 
  private:
-  /// An image and where the robot was.
-  struct View {
-    Stamp stamp;
-    std::shared_ptr<const Features> features;  ///< none of an image that cannot be used
-    Pose2 T_odom_base;
+  /// The views that a present one is compared with.
+  struct Views {
+    std::optional<View> keyframe, last, last_good;
+    std::optional<Stamp> gap_begin;    ///< since when images tell nothing, if they do not
+    std::size_t keyframe_inliers = 0;  ///< of the first image aligned with the keyframe
+    Pose2 T_odom_reference;            ///< of what the present one was aligned with
   };
 
   std::string look(View& now);
   std::string locate(View& now);
-  bool alignWith(const View& reference, View& now);
+  std::string alignWith(const View& reference, View& now);
   bool isWithinReach(const View& now) const;
   SearchWindow windowFor(const View& reference, Stamp stamp) const;
   void beginAnew();
-  void follow(const View& now);
-  void bridge(View& now);
-  GapMotion coast(Stamp start, Stamp end) const;
-  Eigen::Matrix3d covarianceOf(const View& now) const;
-  void publish(const View& now, const Eigen::Matrix3d& covariance);
   void chooseKeyframe(const View& now, bool is_good);
   void makeKeyframe(View view);
-  void prepare(View& view) const;
   Status explain(const std::string& fault, const Status& gate_status) const;
   std::string sentenceOf(const std::string& fault) const;
 
   VisualOdometryConfig config_;
-  std::unique_ptr<FeaturePolicy> policy_;
-  std::uint64_t seed_ = 1;
-  GapSource gap_source_;
   ImageGate gate_;
-  CeilingView view_;
-
-  std::optional<View> keyframe_, last_, last_good_;
-  std::optional<Stamp> gap_begin_;    ///< since when images tell nothing, if they do not
-  std::size_t keyframe_inliers_ = 0;  ///< of the first image aligned with the keyframe
-  Pose2 T_odom_reference_;            ///< of what alignment_ was made with
-  Alignment alignment_;
-  std::size_t features_ = 0;
-  PointMatches matches_;
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();        ///< [m/s, m/s, rad/s]
-  Eigen::Matrix3d gap_covariance_ = Eigen::Matrix3d::Zero();  ///< since the last good view
-  std::uint64_t next_sequence_ = 0, images_ = 0;
+  ViewMatcher matcher_;
+  Views views_;
+  IncrementMaker increments_;
   std::optional<Motion> motion_;
   Counters counters_;
 };
