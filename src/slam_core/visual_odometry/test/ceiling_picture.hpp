@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -102,17 +103,29 @@ struct Exposure {
   double brightness = 1.0, blur = 0.0, noise = 2.0;
 };
 
+/// Standard normal numbers of twice the size of a picture each way, drawn once.
+inline const cv::Mat& noiseField() {
+  static const cv::Mat kField = [] {
+    cv::Mat field(480, 640, CV_32F);
+    RandomStream random(7, 0);
+    for (auto value = field.begin<float>(); value != field.end<float>(); ++value)
+      *value = static_cast<float>(random.gaussian());
+    return field;
+  }();
+  return kField;
+}
+
+/// The number tells pictures of the same light apart: each gets another part of the noise.
 inline cv::Mat exposed(const cv::Mat& light, const Exposure& exposure, std::uint64_t number) {
-  cv::Mat image = light.clone();
-  if (exposure.blur > 0.0) cv::GaussianBlur(image, image, {}, exposure.blur);
-  RandomStream random(7, number);
-  for (int y = 0; y < image.rows; ++y)
-    for (int x = 0; x < image.cols; ++x) {
-      auto& value = image.at<float>(y, x);
-      value = static_cast<float>(exposure.brightness * value + exposure.noise * random.gaussian());
-    }
+  cv::Mat image = light;
+  if (exposure.blur > 0.0) cv::GaussianBlur(light, image, {}, exposure.blur);
+  RandomStream random(8, number);
+  const cv::Size room = noiseField().size() - light.size();
+  const cv::Point corner(static_cast<int>(random.uniform() * room.width),
+                         static_cast<int>(random.uniform() * room.height));
   cv::Mat gray;
-  image.convertTo(gray, CV_8U);
+  cv::addWeighted(image, exposure.brightness, noiseField()(cv::Rect(corner, light.size())),
+                  exposure.noise, 0.0, gray, CV_8U);
   return gray;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
 #include <opencv2/core/utility.hpp>
 
 #include "slam_core/common/test/faults.hpp"
@@ -253,24 +254,32 @@ std::string nameOf(const testing::TestParamInfo<const char*>& kind) { return kin
 INSTANTIATE_TEST_SUITE_P(Fast, VisualOdometryTest, testing::Values("orb", "klt"), nameOf);
 INSTANTIATE_TEST_SUITE_P(All, FeaturesTest, testing::Values("orb", "klt", "akaze", "sift"), nameOf);
 
-TEST(VisualOdometryConfig, NeedsTheCeilingsHeight) {
+std::string faultsOf(const VisualOdometryConfig& config) {
   VisualOdometry odometry;
-  EXPECT_NE(slam::test::sentenceOf([&] {
-              odometry.configure(VisualOdometryConfig());
-            }).find("ceiling_height is 0"),
-            std::string::npos);
+  return slam::test::sentenceOf([&] { odometry.configure(config); });
+}
+
+TEST(VisualOdometryConfig, NeedsTheCeilingsHeight) {
+  EXPECT_NE(faultsOf({}).find("ceiling_height is 0"), std::string::npos);
+  for (const double height : {-1.7, std::nan("")}) {
+    VisualOdometryConfig config;
+    config.ceiling_height = height;
+    EXPECT_NE(faultsOf(config).find("ceiling_height"), std::string::npos) << height;
+  }
+}
+
+TEST(VisualOdometryConfig, NamesTheNearestFeatures) {
   VisualOdometryConfig config;
-  config.ceiling_height = -1.7;
-  EXPECT_NE(slam::test::sentenceOf([&] { odometry.configure(config); }).find("ceiling_height"),
-            std::string::npos);
+  config.ceiling_height = 1.7;
+  config.features = "akase";
+  EXPECT_NE(faultsOf(config).find("did you mean 'akaze'?"), std::string::npos) << faultsOf(config);
 }
 
 TEST(VisualOdometryConfig, NamesTheNearestWhereSurfIsMissing) {
   VisualOdometryConfig config;
   config.ceiling_height = 1.7;
   config.features = "surf";
-  VisualOdometry odometry;
-  const auto faults = slam::test::sentenceOf([&] { odometry.configure(config); });
+  const auto faults = faultsOf(config);
   if (faults.empty()) GTEST_SKIP() << "this OpenCV has SURF";
   EXPECT_NE(faults.find("the nearest is sift"), std::string::npos) << faults;
 }
