@@ -13,6 +13,7 @@
 
 #include "slam_core/product/product_config.hpp"
 #include "slam_core/wheel_odometry/wheel_odometry.hpp"
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/diagnostics.hpp"
@@ -56,7 +57,10 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
                          slam_ros::Diagnostics::Sources{[this] { return odometry_.counters(); },
                                                         [this] { return waiting(); }});
     motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kQueue);
-    odom_ = handle.subscribe(topics_.odom, kQueue, &WheelOdometryNodelet::onOdom, this);
+    handle.resolveName(topics_.odom);  // throws now what subscribing would throw later
+    start_.emplace([this, handle]() mutable {
+      odom_ = handle.subscribe(topics_.odom, kQueue, &WheelOdometryNodelet::onOdom, this);
+    });
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
@@ -91,7 +95,8 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
   bool publish_tf_ = false;
   bool got_odometry_ = false;
   ros::Publisher motion_;
-  ros::Subscriber odom_;  // last: no callback may find the others gone
+  ros::Subscriber odom_;  // no callback may find what stands above gone
+  std::optional<slam_ros::AfterLoad> start_;
 };
 
 }  // namespace slam_frontend

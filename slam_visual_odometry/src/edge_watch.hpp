@@ -15,8 +15,8 @@
 namespace slam_visual_odometry {
 
 /// Notices when another node publishes one edge of the tree of transforms: a child must not have
-/// two parents that disagree. It listens in a thread of its own: a nodelet whose queue also took in
-/// the transforms that its callbacks publish was seen to be left alone by its manager.
+/// two parents that disagree. It listens in a thread of its own: the transforms of a whole robot
+/// are many, and the images need not wait for them.
 class EdgeWatch {
  public:
   EdgeWatch(ros::NodeHandle handle, std::string parent, std::string child);

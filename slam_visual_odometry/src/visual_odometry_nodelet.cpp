@@ -14,6 +14,7 @@
 
 #include "edge_watch.hpp"
 #include "slam_core/product/product_components.hpp"
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/camera_subscriber.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/conversions.hpp"
@@ -55,6 +56,7 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
  public:
   ~VisualOdometryNodelet() override {
     // no callback may find what it needs gone
+    start_.reset();
     if (camera_) camera_->stop();
     odom_.shutdown();
     diagnostics_.reset();
@@ -90,9 +92,12 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
         handle,
         slam_ros::CameraSubscriber::Options{topics_.ceiling_camera, config_.camera.transport, base},
         slam_ros::CameraInput::Sinks{take, take, take});
-    if (source_->usesWheels())
+    if (!source_->usesWheels()) return;
+    handle.resolveName(topics_.odom);  // throws now what subscribing would throw later
+    start_.emplace([this, handle]() mutable {
       odom_ =
           handle.subscribe(topics_.odom, slam_ros::kQueue, &VisualOdometryNodelet::onOdom, this);
+    });
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
@@ -162,6 +167,7 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
   bool warned_of_edge_ = false;
   ros::Publisher motion_;
   ros::Subscriber odom_;
+  std::optional<slam_ros::AfterLoad> start_;
   std::optional<slam_ros::CameraSubscriber> camera_;
   std::optional<slam_ros::Diagnostics> diagnostics_;
 };

@@ -16,6 +16,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <thread>
 
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/bag_clock.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/bag_transforms.hpp"
@@ -31,7 +32,7 @@ namespace slam_ros {
 namespace {
 
 constexpr FlowWindow::Timeout kPatience(2000);
-const ros::WallDuration kPoll(0.05), kSettle(1.0);
+const ros::WallDuration kPoll(0.05);
 
 struct BagSourceConfig {
   static constexpr const char* kSection = "";
@@ -63,6 +64,7 @@ struct BagSourceConfig {
 class BagSourceNodelet : public nodelet::Nodelet {
  public:
   ~BagSourceNodelet() override {
+    start_.reset();
     stop_ = true;
     window_.stop();
     if (thread_.joinable()) thread_.join();
@@ -89,7 +91,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
       clock_ = std::make_unique<BagClock>(getNodeHandle(), config_.rate, config_.publish_clock);
       connect(getNodeHandle());
     });
-    thread_ = std::thread([this] { play(); });
+    // acknowledgements would wait while the queue is off
+    start_.emplace([this] { thread_ = std::thread([this] { play(); }); });
   }
 
   void connect(ros::NodeHandle handle) {
@@ -145,9 +148,6 @@ class BagSourceNodelet : public nodelet::Nodelet {
       }
       kPoll.sleep();
     }
-    // nodelets take their subscriptions one after the other; what comes before a nodelet's queue
-    // runs was seen to wait there for what follows
-    kSettle.sleep();
     return !stop_;
   }
 
@@ -210,6 +210,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
   ros::Publisher tf_, tf_static_;
   ros::Subscriber progress_;
   std::thread thread_;
+  std::optional<AfterLoad> start_;
 };
 
 }  // namespace slam_ros

@@ -12,22 +12,35 @@ namespace slam_ros {
 CameraSubscriber::CameraSubscriber(ros::NodeHandle handle, const Options& options,
                                    CameraInput::Sinks sinks)
     : topics_(cameraTopics(options.topic)), input_(options.base_frame, std::move(sinks)) {
+  for (const auto& topic : {topics_.raw, topics_.compressed, topics_.info})
+    handle.resolveName(topic);  // throws now what subscribing would throw later
+  start_.emplace([this, handle, transport = options.transport] { subscribe(handle, transport); });
+}
+
+void CameraSubscriber::subscribe(ros::NodeHandle handle, const std::string& transport) {
+  const std::lock_guard lock(kind_);
   transforms_ = handle.subscribe("/tf_static", kQueue, &CameraSubscriber::onStaticTransforms, this);
   info_ = handle.subscribe(topics_.info, kQueue, &CameraSubscriber::onCameraInfo, this);
-  if (options.transport != "compressed")
+  if (transport != "compressed")
     raw_ = handle.subscribe(topics_.raw, kImageQueue, &CameraSubscriber::onImage, this);
-  if (options.transport != "raw")
+  if (transport != "raw")
     compressed_ = handle.subscribe(topics_.compressed, kImageQueue,
                                    &CameraSubscriber::onCompressedImage, this);
 }
 
 void CameraSubscriber::onImage(const sensor_msgs::Image& message) {
-  compressed_.shutdown();
+  {
+    const std::lock_guard lock(kind_);
+    compressed_.shutdown();
+  }
   take(message);
 }
 
 void CameraSubscriber::onCompressedImage(const sensor_msgs::CompressedImage& message) {
-  raw_.shutdown();
+  {
+    const std::lock_guard lock(kind_);
+    raw_.shutdown();
+  }
   take(message);
 }
 
@@ -38,6 +51,7 @@ void CameraSubscriber::take(const Message& message) {
 }
 
 void CameraSubscriber::stop() {
+  start_.reset();
   for (auto* subscriber : {&raw_, &compressed_, &info_, &transforms_}) subscriber->shutdown();
 }
 

@@ -36,11 +36,14 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   outputs_->refresh();
   consistency_.emplace(handles.product, *diagnostics_, estimator.consistency());
   services_.emplace(handles.product, map_frame_, actions());
-  subscribe(handles.product);
+  for (const auto& topic : {topics_.motion, topics_.observations})
+    handles.product.resolveName(topic);  // throws now what subscribing would throw later
+  start_.emplace([this, handle = handles.product] { subscribe(handle); });
 }
 
 EstimatorNode::~EstimatorNode() {
   // from here on no callback runs
+  start_.reset();
   subscribers_.clear();
   services_.reset();
   consistency_.reset();
@@ -49,11 +52,13 @@ EstimatorNode::~EstimatorNode() {
 }
 
 void EstimatorNode::subscribe(ros::NodeHandle handle) {
-  progress_ = handle.advertise<slam_msgs::Progress>("progress", kQueue);
   subscribers_ = {
       handle.subscribe(topics_.motion, kQueue, &EstimatorNode::onMotion, this),
       handle.subscribe(topics_.observations, kQueue, &EstimatorNode::onObservations, this),
       handle.subscribe("initialpose", 1, &EstimatorNode::onInitialPose, this)};
+  // last: who sees it may send
+  progress_ = handle.advertise<slam_msgs::Progress>("progress", kQueue);
+  tells_progress_ = true;
 }
 
 BackendActions EstimatorNode::actions() {
@@ -126,7 +131,7 @@ void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Cloc
 }
 
 void EstimatorNode::publishProgress() {
-  if (progress_.getNumSubscribers() == 0) return;
+  if (!tells_progress_ || progress_.getNumSubscribers() == 0) return;
   const auto& estimator = source_.estimator();
   slam_msgs::Progress message;
   message.motion = toRos(estimator.lastMotion().value_or(slam::Stamp()));

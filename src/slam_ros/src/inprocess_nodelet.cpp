@@ -10,6 +10,7 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/camera_subscriber.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/detections_publisher.hpp"
@@ -44,6 +45,7 @@ class InprocessNodelet : public nodelet::Nodelet {
  public:
   ~InprocessNodelet() override {
     // inputs first: no callback may find what it needs gone
+    start_.reset();
     odom_.shutdown();
     for (auto* camera : {&camera_, &ceiling_camera_})
       if (*camera) (*camera)->stop();
@@ -65,9 +67,14 @@ class InprocessNodelet : public nodelet::Nodelet {
         };
       if (product_.coordinator().detector() != nullptr) connectCamera(config.camera.transport);
       if (looks_up) connectCeilingCamera(config);
-      if (product_.coordinator().odometry().usesWheels())
-        odom_ = getNodeHandle().subscribe(node_->topics().odom, kQueue, &InprocessNodelet::onOdom,
-                                          this);
+      if (product_.coordinator().odometry().usesWheels()) connectWheels(getNodeHandle());
+    });
+  }
+
+  void connectWheels(ros::NodeHandle handle) {
+    handle.resolveName(node_->topics().odom);  // throws now what subscribing would throw later
+    start_.emplace([this, handle]() mutable {
+      odom_ = handle.subscribe(node_->topics().odom, kQueue, &InprocessNodelet::onOdom, this);
     });
   }
 
@@ -134,6 +141,7 @@ class InprocessNodelet : public nodelet::Nodelet {
   std::optional<CameraSubscriber> camera_, ceiling_camera_;
   std::unique_ptr<EstimatorNode> node_;
   ros::Subscriber odom_;
+  std::optional<AfterLoad> start_;
 };
 
 }  // namespace slam_ros

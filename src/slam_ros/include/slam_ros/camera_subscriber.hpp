@@ -6,16 +6,20 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
+#include <mutex>
+#include <optional>
 #include <string>
 
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/camera_input.hpp"
 #include "slam_ros/camera_topics.hpp"
 #include "slam_ros/latency_window.hpp"
 
 namespace slam_ros {
 
-/// Subscribes a camera: raw and compressed images, camera_info and /tf_static. All callbacks come
-/// from the node handle's queue. Its owner calls stop() before what the sinks need goes away.
+/// Subscribes a camera once its nodelet is loaded: raw and compressed images, camera_info and
+/// /tf_static. All callbacks come from the node handle's queue. Its owner calls stop() before what
+/// the sinks need goes away.
 class CameraSubscriber {
  public:
   struct Options {
@@ -25,6 +29,7 @@ class CameraSubscriber {
     std::string base_frame;
   };
 
+  /// @throw ros::InvalidNameException
   CameraSubscriber(ros::NodeHandle handle, const Options& options, CameraInput::Sinks sinks);
 
   const std::string& topic() const { return topics_.raw; }
@@ -36,6 +41,7 @@ class CameraSubscriber {
   void stop();
 
  private:
+  void subscribe(ros::NodeHandle handle, const std::string& transport);
   template <class Message>
   void take(const Message& message);
   void onImage(const sensor_msgs::Image& message);
@@ -46,7 +52,9 @@ class CameraSubscriber {
   CameraTopics topics_;
   CameraInput input_;
   LatencyWindow::Clock::time_point arrival_;
+  std::mutex kind_;  ///< held while it is told which of raw_ and compressed_ there are
   ros::Subscriber raw_, compressed_, info_, transforms_;
+  std::optional<AfterLoad> start_;
 };
 
 }  // namespace slam_ros

@@ -9,10 +9,12 @@
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/backend_outputs.hpp"
 #include "slam_ros/backend_services.hpp"
 #include "slam_ros/clock_watch.hpp"
@@ -78,7 +80,9 @@ class EstimatorNode {
   std::optional<BackendServices> services_;
   std::string motion_frames_;
   ros::Publisher progress_;
+  std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
   std::vector<ros::Subscriber> subscribers_;
+  std::optional<AfterLoad> start_;
 };
 
 }  // namespace slam_ros
