@@ -71,8 +71,9 @@ RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw std::runtime_error("cannot make the output folder " + folder + ": " + error.message());
-  for (const auto* name : {"trajectory_final.tum", "landmarks.yaml", "config.yaml", "metrics.json",
-                           "trajectory.png", "map.png", "consistency.png", "report.html"})
+  for (const auto* name : {"trajectory_final.tum", "wheel_odometry.tum", "landmarks.yaml",
+                           "config.yaml", "metrics.json", "trajectory.png", "odometry.png",
+                           "map.png", "consistency.png", "report.html"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
   begin();
 }

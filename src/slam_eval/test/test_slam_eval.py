@@ -80,6 +80,17 @@ class SlamEval(unittest.TestCase):
         self.assertIn('3 is expected', report)
         self.assertIn('Steps with landmarks</td><td class="v">', report)
 
+    def test_wheels_that_the_run_did_not_use_are_drawn_beside_its_odometry(self):
+        run_maker.make_run(self.run_folder, count=300)
+        truth = (self.run_folder / 'ground_truth.tum').read_text()
+        (self.run_folder / 'wheel_odometry.tum').write_text(truth)
+        self.assertEqual(self.evaluate(self.run_folder).returncode, 0)
+        metrics = json.loads((self.run_folder / 'metrics.json').read_text())
+        self.assertLess(metrics['wheel_odometry_ate_rmse_m'], 1e-6)
+        self.assertLess(metrics['wheel_odometry_drift_percent'], 1e-3)
+        self.assertEqual((self.run_folder / 'odometry.png').read_bytes()[:4], b'\x89PNG')
+        self.assertIn('figure 6.6b', (self.run_folder / 'report.html').read_text())
+
     def test_draws_the_walls_of_the_world(self):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <nav_msgs/Odometry.h>
 #include <slam_msgs/LandmarkMap.h>
 
 #include <filesystem>
@@ -36,14 +37,16 @@ void replace(const std::string& path, const std::string& content) {
     slam::writeFileAtomically(path, content);
 }
 
-std::string trajectory(const BagReader& bag, std::size_t& poses) {
-  const std::string topic = "/ground_truth/pose";
+/// The poses of a topic's messages, by `poseOf`; empty where the bag has none.
+template <class Message, class PoseOf>
+std::string trajectory(const BagReader& bag, const std::string& topic, std::size_t& poses,
+                       PoseOf poseOf) {
   std::string text;
-  if (!has<geometry_msgs::PoseStamped>(bag, topic)) return text;
+  if (!has<Message>(bag, topic)) return text;
   slam::Stamp last{};
-  readTopic<geometry_msgs::PoseStamped>(bag, topic, [&](const auto& message) {
+  readTopic<Message>(bag, topic, [&](const auto& message) {
     const auto stamp = fromRos(message.header.stamp);
-    const auto pose = fromMsg(message.pose);
+    const auto pose = fromMsg(poseOf(message));
     if (!pose.isFinite() || (poses > 0 && stamp <= last)) return;
     text += slam::tumLine(stamp, pose);
     last = stamp;
@@ -73,9 +76,20 @@ GroundTruthCounts writeGroundTruth(const BagReader& bag, const std::string& fold
       counts.landmarks = map.landmarks.size();
       landmarks = mapText(map);
     });
-  replace(folder + "/ground_truth.tum", trajectory(bag, counts.poses));
+  replace(folder + "/ground_truth.tum",
+          trajectory<geometry_msgs::PoseStamped>(
+              bag, "/ground_truth/pose", counts.poses,
+              [](const auto& message) -> const auto& { return message.pose; }));
   replace(folder + "/ground_truth_landmarks.yaml", landmarks);
   return counts;
+}
+
+void writeWheelOdometry(const BagReader& bag, const std::string& folder) {
+  std::size_t poses = 0;
+  replace(folder + "/wheel_odometry.tum",
+          trajectory<nav_msgs::Odometry>(
+              bag, "odom", poses,
+              [](const auto& message) -> const auto& { return message.pose.pose; }));
 }
 
 }  // namespace slam_ros

@@ -80,6 +80,7 @@ void OfflineRun::run() {
   slam::RunWriter writer(options_.folder);
   read(writer);
   const auto truth = writeGroundTruth(bag_, options_.folder);
+  if (inputs_.ceiling.hasImages()) writeWheelOdometry(bag_, options_.folder);
   requireSteps(writer);
   writer.finish(coordinator_.estimator().backend(), coordinator_.frames().map, settings_.inForce());
   slam::writeFileAtomically(options_.folder + "/metrics.json",

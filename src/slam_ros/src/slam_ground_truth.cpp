@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <string>
 
 #include "slam_ros/ground_truth.hpp"
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
-  if (argc != 3) {
-    fmt::print(stderr, "usage: slam_ground_truth X.bag FOLDER\n");
+  const bool with_wheels = argc == 4 && argv[3] == std::string("--wheels");
+  if (argc != 3 && !with_wheels) {
+    fmt::print(stderr, "usage: slam_ground_truth X.bag FOLDER [--wheels]\n");
     return 2;
   }
   try {
-    const auto counts = slam_ros::writeGroundTruth(slam_ros::BagReader(argv[1]), argv[2]);
+    const slam_ros::BagReader bag(argv[1]);
+    const auto counts = slam_ros::writeGroundTruth(bag, argv[2]);
+    if (with_wheels) slam_ros::writeWheelOdometry(bag, argv[2]);
     fmt::print("{}: {} true poses, {} true landmarks\n", argv[2], counts.poses, counts.landmarks);
   } catch (const std::exception& error) {
     fmt::print(stderr, "slam_ground_truth: {}\n", error.what());

@@ -13,6 +13,7 @@ from slam_eval.metrics import evaluate
 from slam_eval.plot_consistency import plot_consistency
 from slam_eval.plot_landmark_errors import plot_landmark_errors
 from slam_eval.plot_map import plot_map, plot_trajectory
+from slam_eval.plot_odometry import plot_beside_wheels
 from slam_eval.report import render
 from slam_eval.run_folder import read_run
 from slam_eval.world_plan import read_world
@@ -46,6 +47,8 @@ def draw(run, result, reference, world):
         plot_map(run, result, pictures[-1], reference, world)
     pictures.append(run.path / 'trajectory.png')
     plot_trajectory(run, result, pictures[-1], reference, world)
+    if plot_beside_wheels(run, result, run.path / 'odometry.png', reference, world):
+        pictures.append(run.path / 'odometry.png')
     for plot, name in ((plot_landmark_errors, 'landmark_errors.png'),
                        (plot_consistency, 'consistency.png')):
         if plot(run, result, run.path / name):

@@ -34,6 +34,15 @@ KEYS = {
     'odometry_drift_deg_per_m': Key(
         'Drift of its heading', 'deg/m', '.4f',
         'Mean rotation error of the odometry over the same pieces.', 'Accuracy', True),
+    'wheel_odometry_ate_rmse_m': Key(
+        'Dead reckoning of the wheels', 'm', '.4f',
+        'The error of the wheels\' odometry, which this run did not use.', 'Accuracy', True),
+    'wheel_odometry_drift_percent': Key(
+        'Drift of the wheels', '%', '.3f',
+        'As that of the odometry, of the wheels.', 'Accuracy', True),
+    'wheel_odometry_drift_deg_per_m': Key(
+        'Drift of their heading', 'deg/m', '.4f',
+        'As that of the odometry, of the wheels.', 'Accuracy', True),
     'landmark_rmse_m': Key(
         'Landmark error', 'm', '.4f',
         'Root mean square distance between estimated and true landmarks, matched by id, after '

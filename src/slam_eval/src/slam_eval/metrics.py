@@ -10,7 +10,7 @@ from slam_eval import se2
 from slam_eval.chi_square import two_sided_bounds
 from slam_eval.drift import Drift, segment_drift
 from slam_eval.landmarks import match_by_id
-from slam_eval.trajectory import interpolate
+from slam_eval.trajectory import at_stamps, interpolate
 
 # A covariance whose smallest eigenvalue is not above this says nothing about an error.
 _SINGULAR = 1e-18
@@ -63,6 +63,8 @@ class Evaluation:
     ate: Optional[TrajectoryError] = None
     odometry_ate: Optional[TrajectoryError] = None
     odometry_drift: Optional[Drift] = None
+    wheels_ate: Optional[TrajectoryError] = None
+    wheels_drift: Optional[Drift] = None
     landmark_error: Optional[LandmarkError] = None
     consistency: Optional[PoseConsistency] = None
     metrics: dict = dataclasses.field(default_factory=dict)
@@ -129,6 +131,10 @@ def evaluate(run):
         if run.odometry is not None:
             result.odometry_ate = trajectory_error(run.odometry, run.truth)
             result.odometry_drift = segment_drift(run.odometry, run.truth)
+        if run.wheels is not None:
+            wheels = at_stamps(run.wheels, run.trajectory.stamps)
+            result.wheels_ate = trajectory_error(wheels, run.truth)
+            result.wheels_drift = segment_drift(wheels, run.truth)
         if run.updates is not None:
             result.consistency = pose_consistency(run.trajectory, run.updates, run.truth)
     if run.landmarks is not None and run.true_landmarks is not None:
@@ -137,15 +143,19 @@ def evaluate(run):
     return result
 
 
+def _drift(name, drift):
+    return {f'{name}_drift_percent': drift and 100.0 * drift.translation,
+            f'{name}_drift_deg_per_m': drift and float(np.degrees(drift.rotation_rad_per_m))}
+
+
 def _collect(run, result):
     values = {
         'ate_rmse_m': result.ate and result.ate.rmse,
         'ate_max_m': result.ate and result.ate.max,
         'odometry_ate_rmse_m': result.odometry_ate and result.odometry_ate.rmse,
-        'odometry_drift_percent': result.odometry_drift and (
-            100.0 * result.odometry_drift.translation),
-        'odometry_drift_deg_per_m': result.odometry_drift and float(
-            np.degrees(result.odometry_drift.rotation_rad_per_m)),
+        **_drift('odometry', result.odometry_drift),
+        'wheel_odometry_ate_rmse_m': result.wheels_ate and result.wheels_ate.rmse,
+        **_drift('wheel_odometry', result.wheels_drift),
         'landmark_rmse_m': result.landmark_error and result.landmark_error.rmse,
         'landmarks': None if run.landmarks is None else len(run.landmarks),
         'nees_mean': result.consistency and float(np.mean(result.consistency.nees)),

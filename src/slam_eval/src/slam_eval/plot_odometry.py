@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Paths of odometries beside the true one (the thesis's figure 6.6)."""
+"""Paths of odometries beside the true one (the thesis's figure 6.6b)."""
 import numpy as np
 
+from slam_eval import plot_plan as plan
 from slam_eval import plot_style as look
 from slam_eval import se2
+from slam_eval.trajectory import at_stamps
 
 _COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK)
 
@@ -27,3 +29,33 @@ def plot_odometry(truth, tracks, path):
         axes.set_ylabel('y [m]')
         axes.legend(loc='best', fontsize=9)
         look.save(figure, path)
+
+
+def plot_beside_wheels(run, result, path, reference='ground truth', world=None):
+    """The run's odometry beside that of the wheels it did not use; returns whether there are both.
+
+    Both begin at the first pose of the estimate, onto which truth is moved.
+    """
+    if run.odometry is None or run.wheels is None:
+        return False
+    wheels = at_stamps(run.wheels, run.trajectory.stamps)
+    tracks = {'visual odometry': (run.odometry, look.ESTIMATE, result.odometry_ate),
+              'wheel odometry': (wheels, look.ODOMETRY, result.wheels_ate)}
+    tracks = {name: (plan.from_start(run, odometry), *rest)
+              for name, (odometry, *rest) in tracks.items() if len(odometry)}
+    truth, world = plan.truth_in_map(run, result), plan.world_in_map(world, result)
+    with look.style():
+        figure, axes = look.plan_axes(plan.bounds(*(track for track, *_ in tracks.values()), truth,
+                                                  world=world))
+        plan.draw_world(axes, world)
+        for name, (track, colour, _) in reversed(tracks.items()):
+            axes.plot(*track.T, color=colour, linewidth=1.6, zorder=2, label=name)
+        plan.draw_truth(axes, truth, reference)
+        axes.set_title(f'Odometry alone · {run.title}')
+        errors = [f'ATE of {name} {error.rmse:.3f} m'
+                  for name, (_, _, error) in tracks.items() if error is not None]
+        axes.set_title(' · '.join(errors), loc='right', fontsize=9, fontweight='normal',
+                       color=look.MUTED)
+        look.legend_below(figure, axes, columns=5)
+        look.save(figure, path)
+    return True

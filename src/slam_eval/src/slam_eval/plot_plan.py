@@ -85,10 +85,19 @@ def draw_world(axes, world):
 
 def odometry_in_map(run):
     """Dead reckoning (N x 2) from the first pose of the estimate on, or None."""
-    if run.odometry is None:
+    return from_start(run, run.odometry)
+
+
+def from_start(run, odometry):
+    """Positions (N x 2) of an odometry that is moved onto the estimate by its first pose, or None.
+
+    Its stamps are some of the estimate's.
+    """
+    if odometry is None or not len(odometry):
         return None
-    T = se2.compose(run.trajectory.poses[0], se2.inverse(run.odometry.poses[0]))
-    return se2.transform_poses(T, run.odometry.poses)[:, :2]
+    first = np.searchsorted(run.trajectory.stamps, odometry.stamps[0])
+    T = se2.compose(run.trajectory.poses[first], se2.inverse(odometry.poses[0]))
+    return se2.transform_poses(T, odometry.poses)[:, :2]
 
 
 def bounds(*parts, world=None):

@@ -38,6 +38,11 @@ CAPTIONS = {
         'SLAM and dead reckoning',
         'The estimated path beside that of the odometry alone, which starts at the first pose of '
         'the estimate (the thesis\'s figure 6.2b).'),
+    'odometry.png': (
+        'Visual and wheel odometry',
+        'The odometry that looks at the ceiling beside that of the wheels, which this run did not '
+        'use: both begin at the first pose of the estimate and nothing corrects them (the '
+        'thesis\'s figure 6.6b).'),
     'landmark_errors.png': (
         'Landmark errors',
         'Red lines point from each landmark to the truth, moved onto the map by the alignment of '

@@ -22,6 +22,7 @@ class RunFolder:
     path: pathlib.Path
     trajectory: Trajectory
     odometry: Optional[Trajectory] = None
+    wheels: Optional[Trajectory] = None
     truth: Optional[Trajectory] = None
     updates: Optional[Updates] = None
     landmarks: Optional[LandmarkMap] = None
@@ -84,6 +85,7 @@ def read_run(path):
                          'give the folder that a run wrote')
     run = RunFolder(path, read_trajectory(path / 'trajectory.tum'))
     run.odometry = _optional(path / 'odometry.tum', read_trajectory)
+    run.wheels = _optional(path / 'wheel_odometry.tum', read_trajectory)
     run.truth = _optional(path / 'ground_truth.tum', read_trajectory)
     run.updates = _optional(path / 'updates.csv', read_updates)
     run.landmarks = _optional(path / 'landmarks.yaml', read_landmarks)

@@ -91,3 +91,9 @@ def interpolate(truth, stamps, max_gap=0.5):
     poses = start + share * delta
     poses[:, 2] = wrap_angle(poses[:, 2])
     return poses, valid
+
+
+def at_stamps(trajectory, stamps):
+    """A trajectory with its poses interpolated to those of the stamps [ns] that it covers."""
+    poses, valid = interpolate(trajectory, stamps)
+    return Trajectory(np.asarray(stamps)[valid], poses[valid])

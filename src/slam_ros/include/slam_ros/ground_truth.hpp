@@ -21,4 +21,8 @@ struct GroundTruthCounts {
 /// @throw std::runtime_error naming the file that could not be read or written
 GroundTruthCounts writeGroundTruth(const BagReader& bag, const std::string& folder);
 
+/// Writes the poses that a bag's `odom` tells as wheel_odometry.tum, for runs whose odometry is
+/// another, to compare with. Files and poses are left out as above. @throw as above
+void writeWheelOdometry(const BagReader& bag, const std::string& folder);
+
 }  // namespace slam_ros

@@ -154,5 +154,16 @@ TEST_F(Offline, TruthIsWrittenAndThatOfAnEarlierRunTakenAway) {
   EXPECT_FALSE(folder.has("ground_truth_landmarks.yaml"));
 }
 
+TEST_F(Offline, WheelsAreWrittenForRunsWhoseOdometryIsAnother) {
+  EXPECT_FALSE(folder.has("run/wheel_odometry.tum")) << "this run's odometry is the wheels'";
+  writeWheelOdometry(BagReader(folder / "x.bag"), folder / "");
+  EXPECT_TRUE(contains(folder.read("wheel_odometry.tum"),
+                       "\n100.100000000 0.100000000 0.000000000 0.000000000 0.000000000 "
+                       "0.000000000 0.000000000 1.000000000\n"));
+  BagMaker(folder / "other.bag").addOdometry("/elsewhere");
+  writeWheelOdometry(BagReader(folder / "other.bag"), folder / "");
+  EXPECT_FALSE(folder.has("wheel_odometry.tum")) << "of an earlier run";
+}
+
 }  // namespace
 }  // namespace slam_ros
