@@ -23,13 +23,13 @@ def landmark_map(ids):
     return LandmarkMap(list(ids), np.zeros((len(ids), 2)), np.zeros((len(ids), 2, 2)))
 
 
-def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4):
+def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None):
     """The numbers of a seed's line."""
     run = types.SimpleNamespace(landmarks=landmark_map(mapped), true_landmarks=landmark_map(true))
     result = types.SimpleNamespace(metrics={
         'ate_rmse_m': ate, 'odometry_ate_rmse_m': drift, 'landmark_rmse_m': 0.01,
         'nees_mean': nees, 'nis_mean': 1.0})
-    return bench_office.values(seed, run, result, Usage(5.0, 6.0, 30.0))
+    return bench_office.values(seed, run, result, Usage(5.0, 6.0, 30.0), twin)
 
 
 class Office(unittest.TestCase):
@@ -72,6 +72,17 @@ class Office(unittest.TestCase):
                           (seed_row(2, 0.02, [1, 2], [1, 2], drift=0.2), 'least drift')):
             missed = [part for part in self.verdicts([good, bad]).split('\n') if 'MISSED' in part]
             self.assertEqual([part.startswith('- ' + what) for part in missed], [True], missed)
+
+    def test_a_product_that_looks_up_is_measured_by_that_with_wheels(self):
+        for name, twin in (('pf_visual', 'pf_wheel'), ('ekf_visual_wheel', 'ekf_wheel'),
+                           ('pf_wheel', None), ('/tmp/mine.yaml', None)):
+            self.assertEqual(bench_office.twin_of(name), twin)
+            self.assertEqual('ceiling_camera' in bench_office.sensors_for(name), twin is not None)
+        for wheels, word in ((0.019, 'reached'), (0.018, 'MISSED')):
+            text = self.verdicts([seed_row(1, 0.02, [1], [1], drift=0.01,
+                                           twin={'ate_rmse_m': wheels})])
+            self.assertIn(f'<= 1.1: {word}', text)
+            self.assertNotIn('dead reckoning', text)  # it is to be good
 
     def test_a_world_of_ones_own_has_no_goals(self):
         self.assertEqual(self.verdicts([seed_row(1, 5.0, [], [1])], 'mine'), '')

@@ -12,11 +12,14 @@ from slam_eval.metrics import evaluate
 from slam_eval.plot_map import plot_map, plot_trajectory
 from slam_eval.run_folder import read_run
 
-HEADER = ['seed', 'ATE [m]', 'dead reckoning [m]', 'mapped', 'of', 'landmarks [m]',
+SENSORS = 'odom,camera'
+TWIN_LIMIT = 1.1  # mean error of a product that looks at the ceiling over that with wheels
+
+HEADER = ['seed', 'ATE [m]', 'with wheels [m]', 'dead reckoning [m]', 'mapped', 'of', 'landmarks [m]',
           'false markers', 'NEES', 'NIS/dof', 'wall [s]', 'CPU [s]']
-FORMS = ['.4f', '.3f', 'g', 'g', '.4f', 'g', '.2f', '.3f', '.1f', '.1f']
+FORMS = ['.4f', '.4f', '.3f', 'g', 'g', '.4f', 'g', '.2f', '.3f', '.1f', '.1f']
 # What the worst seed is: (column, largest or least value). Little drift makes an office too easy.
-WORST = (max, min, min, min, max, max, max, max, max, max)
+WORST = (max, max, min, min, min, max, max, max, max, max, max)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,15 +65,20 @@ class RemainingTime:
 
 def sensors_for(product):
     """What a drive for this product has to hold."""
-    looks_up = 'visual' in pathlib.Path(product).stem
-    return 'odom,camera,ceiling_camera' if looks_up else 'odom,camera'
+    return f'{SENSORS},ceiling_camera' if twin_of(product) else SENSORS
 
 
-def values(seed, run, result, usage):
-    """The numbers of a line of the table."""
+def twin_of(product):
+    """For one of our products that look at the ceiling the one with wheels instead, else None."""
+    backend, _, odometry = product.partition('_')
+    return f'{backend}_wheel' if odometry in ('visual', 'visual_wheel') else None
+
+
+def values(seed, run, result, usage, twin=None):
+    """The numbers of a line of the table. twin: metrics of the product with wheels."""
     m, true = result.metrics, set(run.true_landmarks.ids) if run.true_landmarks else set()
     mapped = set(run.landmarks.ids) if run.landmarks else set()
-    return [str(seed), m.get('ate_rmse_m'), m.get('odometry_ate_rmse_m'), len(mapped & true),
+    return [str(seed), m.get('ate_rmse_m'), (twin or {}).get('ate_rmse_m'), m.get('odometry_ate_rmse_m'), len(mapped & true),
             len(true), m.get('landmark_rmse_m'), len(mapped - true), m.get('nees_mean'),
             m.get('nis_mean'), usage.wall_s, usage.cpu_s]
 
@@ -85,9 +93,15 @@ def worst_row(rows):
 def verdicts(world, mean, worst):
     """A line for each goal of this world."""
     texts = []
+    ours, wheels = mean[HEADER.index('ATE [m]')], mean[HEADER.index('with wheels [m]')]
+    if ours is not None and wheels is not None:
+        ratio = ours / wheels
+        texts.append(f'- mean ATE over that with wheels {ratio:.3f} '
+                     f'({verdict(ratio, TWIN_LIMIT, True)})')
     for goal in GOALS.get(world, ()):
         value = (worst if goal.worst else mean)[HEADER.index(goal.column)]
-        if value is not None:
+        is_for_wheels = goal.column == 'dead reckoning [m]' and wheels is not None
+        if value is not None and not is_for_wheels:
             texts.append(f'- {goal.what} {value:.3g} ({verdict(value, goal.limit, goal.at_most)})')
     if world in GOALS:
         mapped, of = (worst[HEADER.index(name)] for name in ('mapped', 'of'))
@@ -96,7 +110,7 @@ def verdicts(world, mean, worst):
 
 
 def run_seed(context, seed, remaining):
-    """Simulate, run and evaluate one seed; returns (run, result, usage)."""
+    """Simulate, run and evaluate one seed; returns (run, result, usage, metrics with wheels)."""
     options = context.options
     world, settings = options.world, [f'detector={options.detector}'] if options.detector else []
     stem = pathlib.Path(world).stem
@@ -104,24 +118,29 @@ def run_seed(context, seed, remaining):
     bag = simulate(context, name, world, seed, sensors_for(options.product), label)
     folder, usage = run_ours(context, name, bag, product=options.product, settings=settings,
                              label=label)
+    twin = None
+    if twin_of(options.product):
+        beside, _ = run_ours(context, f'{name}_wheel', bag, product=twin_of(options.product),
+                             settings=settings, label=label)
+        twin = evaluate(read_run(beside)).metrics
     if options.keep is None:
         bag.unlink()
     run = read_run(folder)
     remaining.finished()
-    return run, evaluate(run), usage
+    return run, evaluate(run), usage, twin
 
 
 def _pictures(context, stem, runs, rows):
-    run, result, _ = runs[0]
+    run, result, *_ = runs[0]
     pictures = {'path and map, seed 1': context.out / f'{stem}_map.png',
                 'SLAM and dead reckoning, seed 1': context.out / f'{stem}_trajectory.png'}
     paths = list(pictures.values())
     if run.landmarks is not None:
         plot_map(run, result, paths[0])
     plot_trajectory(run, result, paths[1])
-    if len(rows) > 1 and None not in [row[1] for row in rows]:
+    if len(rows) > 1 and None not in [error for row in rows for error in (row[1], row[3])]:
         pictures['trajectory error by seed'] = context.out / f'{stem}_seeds.png'
-        plot_seeds({'SLAM': [row[1] for row in rows], 'dead reckoning': [row[2] for row in rows]},
+        plot_seeds({'SLAM': [row[1] for row in rows], 'dead reckoning': [row[3] for row in rows]},
                    GOALS[stem][0].limit if stem in GOALS else None,
                    pictures['trajectory error by seed'])
     return {caption: path for caption, path in pictures.items() if path.exists()}
