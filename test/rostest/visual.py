@@ -31,8 +31,8 @@ SECONDS = 4
 TOPICS = {"/ceiling_camera/image_raw/compressed": CompressedImage,
           "/ceiling_camera/camera_info": CameraInfo, "/tf_static": TFMessage}
 IMAGE = "/ceiling_camera/image_raw/compressed"
-OUTPUTS = {"motion": Motion, "visual_odometry/odom": Odometry, "/tf": TFMessage, "/rosout": Log,
-           "/diagnostics": DiagnosticArray}
+OUTPUTS = {"motion": Motion, "visual_odometry/odom": Odometry, "compared/odom": Odometry,
+           "/tf": TFMessage, "/rosout": Log, "/diagnostics": DiagnosticArray}
 
 
 def read_log():
@@ -80,6 +80,9 @@ class VisualTest(unittest.TestCase):
                            for topic, kind in OUTPUTS.items()]
         cls.connected = wait_for(lambda: all(p.get_num_connections() > 0
                                              for p in cls.publishers.values()), 30)
+        cls.connected &= wait_for(lambda: all(s.get_num_connections() > 0
+                                              for s in cls.subscribers[:3]), 30)
+        time.sleep(0.5)  # a nodelet advertises before it subscribes
         for topic, message in cls.log:
             if topic != IMAGE:
                 cls.publishers[topic].publish(message)
@@ -176,6 +179,18 @@ class VisualTest(unittest.TestCase):
         self.assertEqual(self.motions(41)[-1].header.frame_id, "visual_odom")
         self.assertTrue(wait_for(lambda: any("visual_odom" in log.msg
                                              for log in self.get("/rosout"))))
+
+    def test_7_beside_the_products_odometry_a_second_one_only_tells_its_own(self):
+        self.assertTrue(wait_for(lambda: len(self.get("compared/odom")) >= 41),
+                        len(self.get("compared/odom")))
+        compared = self.get("compared/odom")
+        self.assertEqual({(m.header.frame_id, m.child_frame_id) for m in compared},
+                         {("visual_odom", "base_link")})
+        ours = {m.header.stamp: m.pose.pose.position for m in self.get("visual_odometry/odom")}
+        self.assertEqual([m.header.stamp for m in compared], sorted(ours))
+        for message in compared:
+            self.assertAlmostEqual(message.pose.pose.position.x, ours[message.header.stamp].x)
+        self.assertEqual(len(self.motions(41)), 41, "it publishes no motion")
 
 
 if __name__ == "__main__":
