@@ -14,6 +14,8 @@
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "slam_ros/after_load.hpp"
@@ -31,7 +33,7 @@
 namespace slam_ros {
 namespace {
 
-constexpr FlowWindow::Timeout kPatience(2000);
+constexpr FlowWindow::Timeout kPatience(5000);
 const ros::WallDuration kPoll(0.05);
 
 struct BagSourceConfig {
@@ -99,8 +101,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
     publishers_.emplace(handle, topics_, inputs_, [this](const std::string& input, auto stamp) {
       return waitForRoom(input, stamp);
     });
-    if (inputs_.hasImages()) window_.limit("observations", kImagesInFlight);
-    if (inputs_.ceiling.hasImages()) window_.limit("motion", kImagesInFlight);
+    if (inputs_.hasImages()) inputs_of_few_.insert("observations");
+    if (inputs_.ceiling.hasImages()) inputs_of_few_.insert("motion");
+    for (const auto& input : inputs_of_few_) window_.limit(input, kImagesInFlight);
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
     progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
   }
@@ -190,8 +193,11 @@ class BagSourceNodelet : public nodelet::Nodelet {
   /// @return false when the nodelet is being unloaded
   bool waitForRoom(const std::string& input, slam::Stamp stamp) {
     if (!window_.waitForRoom(input, kPatience) && !stop_) {
-      NODELET_WARN_STREAM_THROTTLE(
-          10, "nothing of the " << input << " sent was acknowledged for 2 s; going on");
+      if (inputs_of_few_.erase(input) > 0) {  // their calibration or mount may come later
+        window_.limit(input, kImagesHeld);
+        return waitForRoom(input, stamp);
+      }
+      NODELET_WARN_STREAM("nothing of the " << input << " sent was acknowledged for 5 s; going on");
       window_.clear();
     }
     if (!stop_) window_.sent(input, stamp);
@@ -205,6 +211,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
   BagInputs inputs_;
   std::unique_ptr<BagClock> clock_;
   FlowWindow window_{kInFlight};
+  std::set<std::string> inputs_of_few_;  ///< of images that have not been waited for in vain
   std::atomic<bool> stop_{false};
   std::optional<InputPublishers> publishers_;
   ros::Publisher tf_, tf_static_;

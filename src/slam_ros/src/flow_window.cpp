@@ -5,6 +5,11 @@
 
 namespace slam_ros {
 
+void FlowWindow::limit(const std::string& input, std::size_t capacity) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  limits_[input] = capacity;
+}
+
 void FlowWindow::sent(const std::string& input, slam::Stamp stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
   sent_[input].push_back(stamp);

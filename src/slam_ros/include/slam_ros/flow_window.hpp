@@ -24,7 +24,7 @@ class FlowWindow {
   explicit FlowWindow(std::size_t capacity) : capacity_(capacity) {}
 
   /// Another capacity for one input, whose messages are large.
-  void limit(const std::string& input, std::size_t capacity) { limits_[input] = capacity; }
+  void limit(const std::string& input, std::size_t capacity);
 
   void sent(const std::string& input, slam::Stamp stamp);
   void acknowledged(const std::string& input, slam::Stamp up_to);

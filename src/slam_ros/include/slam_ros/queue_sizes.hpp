@@ -15,7 +15,10 @@ constexpr std::uint32_t kImageQueue = 50;
 /// What the bag source sends before the back-end must acknowledge, per input; every queue behind
 /// must hold as many.
 constexpr std::size_t kInFlight = 100;
+/// Of images. Each takes long, and a nodelet manager's thread works off all that one nodelet was
+/// sent before the others have their turn, the back-end and who waits for its answer among them.
+constexpr std::size_t kImagesInFlight = 8;
 /// More than a component holds while it waits for calibration and mount.
-constexpr std::size_t kImagesInFlight = 40;
+constexpr std::size_t kImagesHeld = 40;
 
 }  // namespace slam_ros
