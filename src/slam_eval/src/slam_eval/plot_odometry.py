@@ -52,10 +52,10 @@ def plot_beside_wheels(run, result, path, reference='ground truth', world=None):
             axes.plot(*track.T, color=colour, linewidth=1.6, zorder=2, label=name)
         plan.draw_truth(axes, truth, reference)
         axes.set_title(f'Odometry alone · {run.title}')
-        errors = [f'ATE of {name} {error.rmse:.3f} m'
+        errors = [f'{name.split()[0]} {error.rmse:.3f} m'
                   for name, (_, _, error) in tracks.items() if error is not None]
-        axes.set_title(' · '.join(errors), loc='right', fontsize=9, fontweight='normal',
-                       color=look.MUTED)
+        axes.set_title('ATE ' + ' · '.join(errors) if errors else '', loc='right', fontsize=9,
+                       fontweight='normal', color=look.MUTED)
         look.legend_below(figure, axes, columns=5)
         look.save(figure, path)
     return True
