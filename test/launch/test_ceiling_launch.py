@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""pf_visual and its like on the simulated office's first seconds: the same path in every way to run."""
+"""pf_visual and its like on the simulated office's first seconds: the same path in every way."""
 
 import pathlib
 import shutil

@@ -129,7 +129,8 @@ class VisualTest(unittest.TestCase):
         self.assertAlmostEqual(odometry.pose.pose.position.x, end.x)
         self.assertAlmostEqual(odometry.pose.pose.position.y, end.y)
         self.assertGreater(odometry.pose.covariance[0], 0)
-        edges = [t for m in self.get("/tf") for t in m.transforms if t.child_frame_id == "base_link"]
+        edges = [t for m in self.get("/tf") for t in m.transforms
+                 if t.child_frame_id == "base_link"]
         self.assertAlmostEqual(edges[-1].transform.translation.x, end.x)
         stamps = [e.header.stamp for e in edges]
         self.assertTrue(all(a < b for a, b in zip(stamps, stamps[1:])))

@@ -86,10 +86,11 @@ std::optional<ImageGate::Fault> ImageGate::missing(const Image& image) const {
                  "camera_info"};
   // of another frame it is another camera's
   if (!mount_ || (!configured_mount_ && mount_->camera_frame != image.frame))
-    return Fault{"no_mount",
-                 "it is not known where the camera of frame '" + image.frame +
-                     "' is mounted; publish its static transform to the robot's base frame or give " +
-                     section_ + ".sensor_pose in the robot file"};
+    return Fault{
+        "no_mount",
+        "it is not known where the camera of frame '" + image.frame +
+            "' is mounted; publish its static transform to the robot's base frame or give " +
+            section_ + ".sensor_pose in the robot file"};
   return std::nullopt;
 }
 

@@ -12,8 +12,10 @@ namespace slam::visual_odometry {
 
 /// One point of the ceiling as it was found in a reference image and in the present one.
 struct PointMatch {
-  Eigen::Vector2d pixel_reference, pixel_now;  ///< [px]
-  Eigen::Vector2d reference, now;              ///< on the ceiling, in the base frame of then [m]
+  Eigen::Vector2d pixel_reference = Eigen::Vector2d::Zero();  ///< [px]
+  Eigen::Vector2d pixel_now = Eigen::Vector2d::Zero();        ///< [px]
+  Eigen::Vector2d reference = Eigen::Vector2d::Zero();        ///< on the ceiling, in base then [m]
+  Eigen::Vector2d now = Eigen::Vector2d::Zero();              ///< on the ceiling, in base now [m]
   double sigma = 1.0;  ///< of reference - T now in each direction, up to a common factor [m]
 };
 using PointMatches = std::vector<PointMatch>;

@@ -191,8 +191,7 @@ BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
   inputs.base_frame = frameId(needs.frames.base);
   findOdometry(bag, search, needs, inputs);
   const bool asked_for_images =
-      needs.images &&
-      (search.isRemapped(kCamera.image) || search.isRemapped(kCamera.compressed));
+      needs.images && (search.isRemapped(kCamera.image) || search.isRemapped(kCamera.compressed));
   if (!asked_for_images) inputs.observations = search.topic("observations", inputs.notes);
   if (needs.images && !inputs.observations.empty())
     inputs.notes.push_back(

@@ -233,7 +233,7 @@ TEST_P(FeaturesTest, CovarianceCoversTheErrors) {
   config_.floor_position = config_.floor_heading = 1e-6;
   const Pose2 step(0.05, 0.02, 0.06);
   double sum = 0.0;
-  constexpr int kPlaces = 12, kSteps = 3;
+  constexpr int kPlaces = 8, kSteps = 3;
   for (int place = 0; place < kPlaces; ++place) {
     configure();
     Pose2 truth(0.15 * place - 0.9, 0.1 * place - 0.5, 0.5 * place);

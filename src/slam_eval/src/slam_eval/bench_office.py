@@ -15,8 +15,8 @@ from slam_eval.run_folder import read_run
 SENSORS = 'odom,camera'
 TWIN_LIMIT = 1.1  # mean error of a product that looks at the ceiling over that with wheels
 
-HEADER = ['seed', 'ATE [m]', 'with wheels [m]', 'dead reckoning [m]', 'mapped', 'of', 'landmarks [m]',
-          'false markers', 'NEES', 'NIS/dof', 'wall [s]', 'CPU [s]']
+HEADER = ['seed', 'ATE [m]', 'with wheels [m]', 'dead reckoning [m]', 'mapped', 'of',
+          'landmarks [m]', 'false markers', 'NEES', 'NIS/dof', 'wall [s]', 'CPU [s]']
 FORMS = ['.4f', '.4f', '.3f', 'g', 'g', '.4f', 'g', '.2f', '.3f', '.1f', '.1f']
 # What the worst seed is: (column, largest or least value). Little drift makes an office too easy.
 WORST = (max, max, min, min, min, max, max, max, max, max, max)
@@ -78,9 +78,9 @@ def values(seed, run, result, usage, twin=None):
     """The numbers of a line of the table. twin: metrics of the product with wheels."""
     m, true = result.metrics, set(run.true_landmarks.ids) if run.true_landmarks else set()
     mapped = set(run.landmarks.ids) if run.landmarks else set()
-    return [str(seed), m.get('ate_rmse_m'), (twin or {}).get('ate_rmse_m'), m.get('odometry_ate_rmse_m'), len(mapped & true),
-            len(true), m.get('landmark_rmse_m'), len(mapped - true), m.get('nees_mean'),
-            m.get('nis_mean'), usage.wall_s, usage.cpu_s]
+    return [str(seed), m.get('ate_rmse_m'), (twin or {}).get('ate_rmse_m'),
+            m.get('odometry_ate_rmse_m'), len(mapped & true), len(true), m.get('landmark_rmse_m'),
+            len(mapped - true), m.get('nees_mean'), m.get('nis_mean'), usage.wall_s, usage.cpu_s]
 
 
 def worst_row(rows):

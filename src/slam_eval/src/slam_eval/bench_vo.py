@@ -107,7 +107,8 @@ def measure_drives(context):
     forms = ['.3f', '.4f', '.2f', '.3f', '.2f', '.2f']
     better = all(row[1] < row[3] and row[2] < row[4] for row in rows)
     section.paragraphs += [
-        table(['seed', 'visual [%]', '[deg/m]', 'wheels [%]', '[deg/m] ', 'NEES/3', 'of 100 images'],
+        table(['seed', 'visual [%]', '[deg/m]', 'wheels [%]', '[deg/m] ', 'NEES/3',
+               'of 100 images'],
               [[row[0], *(number(x, f) for x, f in zip(row[1:], forms))] for row in [*rows, mean]]),
         'Mean errors over all pieces of 2 m of the true way, features orb.',
         f'- worst translation {max(r[1] for r in rows):.3f} % '
