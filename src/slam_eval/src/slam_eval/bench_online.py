@@ -11,13 +11,14 @@ import subprocess
 import time
 
 from slam_eval.bench_error import BenchError
-from slam_eval.bench_office import sensors_for
+from slam_eval.bench_office import sensors_for, twin_of
 from slam_eval.bench_programs import workspace_program
 from slam_eval.bench_runs import call, simulate
 from slam_eval.bench_table import Section, number, table, verdict
 from slam_eval.run_folder import read_metrics
 
 LATENCY_LIMIT = 50.0  # [ms], of 99 of 100 images
+CEILING_PERIOD = 1000.0 / 15.0  # [ms], for which a pose may wait where images are the odometry
 PATIENCE = 15.0       # [s], for a process to start or to end
 
 HEADER = ['product', 'images', 'without pose', 'dropped', 'p50 [ms]', 'p99 [ms]', 'max [ms]',
@@ -121,11 +122,12 @@ def measure(context):
     if 'p99_ms' not in figures:
         raise BenchError(f'of {figures["images"]} images none got a pose; look at online_run.log '
                          '(call again with --keep DIR)')
+    limit = LATENCY_LIMIT + (CEILING_PERIOD if twin_of(options.product) else 0.0)
     lost = figures['unanswered'] + figures.get('dropped_messages', 0)
     section = Section(f'{options.product} online, {options.composition}')
     section.paragraphs += [
         table(HEADER, [row(options.product, figures)]),
-        f'p99 {figures["p99_ms"]:.1f} ms ({verdict(figures["p99_ms"], LATENCY_LIMIT, True)}); '
+        f'p99 {figures["p99_ms"]:.1f} ms ({verdict(figures["p99_ms"], limit, True)}); '
         f'lost {lost} ({verdict(lost, 0, True)}).',
         'Latency: from the arrival of an image at a subscriber to that of the pose with its stamp, '
         'the wait for odometry that covers the stamp included. Without pose: images between the '
