@@ -45,10 +45,11 @@ class BackendSwapTest(SameAsOffline, unittest.TestCase):
         return run_launch(f"bag:={self.root / bag}", "rate:=0", f"output_dir:={run}", *arguments)[0]
 
     def test_one_argument_swaps_the_filter_in_either_composition(self):
-        for composition in ("pubsub", "inprocess"):
-            with self.subTest(composition):
-                run = self.root / f"swapped_{composition}"
-                output = self.launch("first.bag", run, "backend:=pf", f"composition:={composition}")
+        for argument, composition in (("backend:=pf", "pubsub"), ("backend:=pf", "inprocess"),
+                                      ("product:=pf_wheel", "pubsub")):
+            with self.subTest(argument, composition=composition):
+                run = self.root / f"swapped_{argument[:7]}_{composition}"
+                output = self.launch("first.bag", run, argument, f"composition:={composition}")
                 self.assert_same_runs(run, self.root / "pf", output)
 
     def test_each_localises_in_the_map_of_the_other(self):

@@ -89,6 +89,9 @@ class SlamLaunchTest(SameAsOffline, unittest.TestCase):
     def test_misspelt_robot_names_the_nearest(self):
         self.assert_ends_with("did you mean 'mrclam'?", "robot:=mrcalm")
 
+    def test_misspelt_product_names_the_nearest(self):
+        self.assert_ends_with("did you mean 'pf_wheel'?", "robot:=mrclam", "product:=fp_wheel")
+
     def test_misspelt_detector_names_the_nearest(self):
         self.assert_ends_with("did you mean 'aruco'?", "robot:=mrclam", "detector:=aruko")
 
