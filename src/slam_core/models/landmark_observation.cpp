@@ -8,6 +8,12 @@
 #include "slam_core/models/motion.hpp"
 
 namespace slam {
+namespace {
+
+/// [m]; no sensor reaches as far, and the fourth power of it is a number still.
+constexpr double kLargestRange = 1e15;
+
+}  // namespace
 
 std::string faultOf(const LandmarkObservation& observation) {
   const auto name = "observation of landmark " + std::to_string(observation.id);
@@ -15,6 +21,7 @@ std::string faultOf(const LandmarkObservation& observation) {
   if (!std::isfinite(observation.range) || !std::isfinite(observation.bearing))
     return name + " holds a value that is not a number";
   if (observation.range <= 0.0) return name + " has a range that is not positive";
+  if (observation.range > kLargestRange) return name + " has a range that no sensor reaches";
   if (!isCovariance(observation.covariance))
     return name + " has a covariance that is not positive definite";
   return "";

@@ -37,8 +37,8 @@ struct LandmarkObservationArray {
   std::vector<LandmarkObservation> observations;
 };
 
-/// Empty, or what makes the observation unusable (NaN, a range that is not positive, a covariance
-/// that is not positive definite).
+/// Empty, or what makes the observation unusable (NaN, a range that is not positive or absurd, a
+/// covariance that is not positive definite).
 std::string faultOf(const LandmarkObservation& observation);
 
 }  // namespace slam

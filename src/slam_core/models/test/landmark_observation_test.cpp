@@ -33,6 +33,9 @@ TEST(LandmarkObservationFault, NamesTheLandmarkAndWhatIsWrong) {
   z = goodObservation();
   z.bearing = INFINITY;
   EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "not a number"}));
+  z.bearing = 0.0;
+  z.range = 1e155;
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "range that no sensor reaches"}));
   for (const double range : {0.0, -1.0}) {
     z = goodObservation();
     z.range = range;

@@ -125,6 +125,12 @@ TEST_P(BackendBadInput, StampsThatGoBack) {
   EXPECT_EQ(estimator.dropped(), 3u);
 }
 
+TEST_P(BackendBadInput, ARangeThatCannotBeReckonedWith) {
+  runWithObservation([](LandmarkObservation& z) { z.range = 1e155; });
+  EXPECT_EQ(estimator.counters()["invalid_observation"], 3u);
+  EXPECT_TRUE(test::oneSays(sentences, {"range that no sensor reaches", "left out"}));
+}
+
 TEST_P(BackendBadInput, ARangeFarOutsideTheWorld) {
   runWithObservation([](LandmarkObservation& z) { z.range = 1e12; });
   EXPECT_GE(estimator.counters()["gated"], 1u);
