@@ -20,6 +20,25 @@ constexpr std::size_t kReadingColumns = 8;  // position, quality, three of the c
 /// From the file's axes to REP-103.
 Eigen::Matrix2d toRep103() { return (Eigen::Matrix2d() << 0, -1, -1, 0).finished(); }
 
+/// [m], [rad] and their squares: a value beyond is no robot's.
+constexpr double kLargest = 1e6;
+
+double numberOf(const TextRow& row, const std::string& place, std::size_t column) {
+  const double value = row.number(column);
+  if (std::abs(value) <= kLargest) return value;
+  std::ostringstream text;
+  text << place << ": column " << column + 1 << ": " << value << " is beyond " << kLargest
+       << ", which nothing on a floor is";
+  throw ImportError(text.str());
+}
+
+std::int64_t idOf(const TextRow& row, const std::string& place, std::size_t column) {
+  const auto id = row.integer(column);
+  if (id >= -1) return id;
+  throw ImportError(place + ": column " + std::to_string(column + 1) + ": the id " +
+                    std::to_string(id) + " is negative; only -1, not identified, may be");
+}
+
 template <class Matrix>
 const Matrix& requireCovariance(const Matrix& covariance, const std::string& place) {
   if (Eigen::LLT<Matrix>(covariance).info() == Eigen::Success) return covariance;
@@ -30,23 +49,29 @@ CirclesLog::Step stepOf(const TextRow& row, const std::string& place) {
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero(), Q;
   J.topLeftCorner<2, 2>() = toRep103();
   J(2, 2) = -1.0;
-  const double xx = row.number(5), xy = row.number(6), yy = row.number(7);
-  const double xt = row.number(8), yt = row.number(9), tt = row.number(10);
+  const double xx = numberOf(row, place, 5), xy = numberOf(row, place, 6),
+               yy = numberOf(row, place, 7);
+  const double xt = numberOf(row, place, 8), yt = numberOf(row, place, 9),
+               tt = numberOf(row, place, 10);
   Q << xx, xy, xt, xy, yy, yt, xt, yt, tt;
   CirclesLog::Step step;
-  step.displacement = J * Eigen::Vector3d(row.number(2), row.number(3), row.number(4));
+  step.displacement = J * Eigen::Vector3d(numberOf(row, place, 2), numberOf(row, place, 3),
+                                          numberOf(row, place, 4));
   step.covariance = J * requireCovariance(Q, place) * J.transpose();
   return step;
 }
 
 CirclesLog::Reading readingOf(const TextRow& row, const std::string& place) {
-  const Eigen::Vector2d p = toRep103() * Eigen::Vector2d(row.number(1), row.number(2));
-  const double xx = row.number(4), xy = row.number(5), yy = row.number(6), r2 = p.squaredNorm();
+  const Eigen::Vector2d p =
+      toRep103() * Eigen::Vector2d(numberOf(row, place, 1), numberOf(row, place, 2));
+  const double xx = numberOf(row, place, 4), xy = numberOf(row, place, 5),
+               yy = numberOf(row, place, 6), r2 = p.squaredNorm();
   if (r2 == 0.0) throw ImportError(place + ": a circle at the robot's very centre has no bearing");
   Eigen::Matrix2d P, J;
   P << xx, xy, xy, yy;
   CirclesLog::Reading reading;
-  reading.id = row.integer(7);
+  numberOf(row, place, 3);  // the quality, which nobody needs
+  reading.id = idOf(row, place, 7);
   reading.range = std::sqrt(r2);
   reading.bearing = std::atan2(p.y(), p.x());
   J << p.x() / reading.range, p.y() / reading.range, -p.y() / r2, p.x() / r2;

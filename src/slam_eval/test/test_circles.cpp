@@ -75,6 +75,16 @@ TEST_F(Circles, NamesFileAndLineOfWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(failure(std::string(kStep) + "LANDMARK 0 0 0.9 0.01 0 0.04 5\n").find("no bearing"),
             std::string::npos);
+  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1 -4 good 0.01 0 0.04 5\n").find("'good'"),
+            std::string::npos);
+  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1e300 -4 0.9 0.01 0 0.04 5\n")
+                .find("map.circles:2: column 2: 1e+300"),
+            std::string::npos);
+  EXPECT_NE(failure("STEP image.0000 0.5 -2.0 0.1 1e300 0 1e300 0 0 0.01\n").find("column 6"),
+            std::string::npos);
+  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1 -4 0.9 0.01 0 0.04 -5\n")
+                .find("the id -5 is negative"),
+            std::string::npos);
   EXPECT_NE(failure("# nothing\n").find("holds no steps"), std::string::npos);
 }
 
