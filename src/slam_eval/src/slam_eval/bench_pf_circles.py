@@ -3,6 +3,7 @@
 """Part circles of benchmark pf: both back-ends on DLR's circles, half a kilometre of loops."""
 import numpy as np
 
+from slam_eval.bench_error import BenchError
 from slam_eval.bench_pf_variants import DEFAULT, EKF
 from slam_eval.bench_programs import data_folder
 from slam_eval.bench_runs import import_log, run_ours
@@ -49,6 +50,9 @@ def run_backend(context, variant, bag, sights, section):
     folder, usage = run_ours(context, variant.run_name('circles'), bag, 'circles', variant.product,
                              variant.settings)
     run = read_run(folder)
+    if run.landmarks is None or not len(run.landmarks.ids):
+        raise BenchError(f'{variant.name} made no map of {bag}: does the log hold landmarks with '
+                         'ids?')
     path = context.out / f'circles_{variant.product}.png'
     plot_map(run, evaluate(run), path)
     section.pictures[f'map of {variant.name}'] = path
