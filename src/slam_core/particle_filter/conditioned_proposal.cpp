@@ -17,16 +17,20 @@ PoseGaussian ConditionedProposal::propose(const ObservationModel& model, const S
                                           RandomStream&, Prediction* predictions) const {
   PoseGaussian refined = prior;
   auto& [mu, P] = refined;
+  map.prefetch(sight.matches);
   for (const auto& [slot, z] : sight.matches) {
     auto& prediction = *predictions++;
-    const auto e = expect(model, mu, sight.sensor, map[slot], z);
+    const auto& landmark = map[slot];
+    const auto e = expect(model, mu, sight.sensor, landmark, z);
     if (!e) {
       prediction = singularPrediction(z, sight.gate);
+      prediction.established = landmark.isEstablished();
       continue;
     }
     const auto& H = e->H_robot;
     const Eigen::Matrix<double, 3, 2> P_Ht = P * H.transpose();
     prediction = predictionOf(e->nu, H * P_Ht + e->R, sight.gate);
+    prediction.established = landmark.isEstablished();
     if (!std::isfinite(prediction.log_likelihood * prediction.excess)) continue;
     // an outlier pulls the less the further out it lies (iteratively reweighted least squares), so
     // that a pose that has gone astray finds back

@@ -7,7 +7,8 @@
 namespace slam::particle_filter {
 
 PoseEstimate FastSlam::pose() const {
-  return config_.pose == "best" ? about(particles_->best().pose, estimate_) : estimate_;
+  const auto& estimate = told_.estimate;
+  return config_.pose == "best" ? about(particles_->best().pose, estimate) : estimate;
 }
 
 LandmarkMap FastSlam::landmarks() const {
@@ -15,23 +16,20 @@ LandmarkMap FastSlam::landmarks() const {
   map.reserve(index_.size());
   const auto& best = particles_->best().map;
   for (const auto slot : index_.slotsById()) {
-    if (config_.map == "best")
-      map.push_back({index_.id(slot), best[slot].mean(), best[slot].covariance()});
-    else
-      map.push_back(mixtureOf(*particles_, slot, index_.id(slot)));
+    auto landmark = config_.map == "best"
+                        ? mixtureAbout(best[slot].mean(), *particles_, slot, index_.id(slot))
+                        : mixtureOf(*particles_, slot, index_.id(slot));
+    landmark.covariance = bound_.told(landmark.covariance, slot);
+    map.push_back(landmark);
   }
   return map;
 }
 
-MapState FastSlam::state() const {
-  MapState state{pose(), landmarks(), {}};
-  // who loads the map knows nothing of the other particles: their spread belongs to it
-  const auto slots = index_.slotsById();
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    auto& landmark = state.landmarks[i];
-    landmark.covariance = mixtureAbout(landmark.position, *particles_, slots[i]);
-  }
-  return state;
+MapState FastSlam::state() const { return {pose(), landmarks(), {}}; }
+
+std::vector<StampedPose> FastSlam::path() const {
+  const auto& best = particles_->best();
+  return best.path.poses(best.pose);
 }
 
 std::vector<Pose2> FastSlam::particles() const {

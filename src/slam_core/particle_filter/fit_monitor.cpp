@@ -15,6 +15,8 @@ namespace {
 constexpr double kMemory = 0.95;
 /// Degrees of freedom seen before anything is said.
 constexpr double kEnough = 12.0;
+/// So many established landmarks off, one after the other, are no chance outliers.
+constexpr int kAstray = 3;
 
 /// The moments of the mixture of what several particles foresaw.
 struct Mixture {
@@ -65,17 +67,28 @@ JointInnovation stacked(const std::vector<ObservationInnovation>& innovations) {
   return joint;
 }
 
+/// Whether the landmark is established for most of the weight.
+bool isEstablished(const Prediction* prediction, std::size_t stride,
+                   const std::vector<double>& weights) {
+  double established = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (prediction[i * stride].established) established += weights[i];
+  return established > 0.5;
+}
+
 /// Bayes' rule for the weights, in place.
-void condition(std::vector<double>& weights, const Prediction* prediction, std::size_t stride) {
+/// @return the logarithm of how likely the observation was
+double condition(std::vector<double>& weights, const Prediction* prediction, std::size_t stride) {
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < weights.size(); ++i)
     largest = std::max(largest, prediction[i * stride].log_likelihood);
-  if (!std::isfinite(largest)) return;  // nothing can be learned from it
+  if (!std::isfinite(largest)) return 0.0;  // nothing can be learned from it
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i)
     sum += weights[i] *= std::exp(prediction[i * stride].log_likelihood - largest);
-  if (sum > 0.0)
-    for (auto& weight : weights) weight /= sum;
+  if (!(sum > 0.0)) return 0.0;
+  for (auto& weight : weights) weight /= sum;
+  return largest + std::log(sum);
 }
 
 }  // namespace
@@ -83,10 +96,12 @@ void condition(std::vector<double>& weights, const Prediction* prediction, std::
 void FitMonitor::judge(const std::vector<Prediction>& predictions, const Sight& sight,
                        std::vector<double> weights, UpdateStatistics& statistics) {
   const auto matches = sight.matches.size();
+  Established established;
   for (std::size_t k = 0; k < matches; ++k) {
     const auto* const prediction = predictions.data() + k;
     const auto innovation = innovationOf(sight.matches[k].z, prediction, matches, weights);
-    condition(weights, prediction, matches);
+    const bool is_established = isEstablished(prediction, matches, weights);
+    statistics.log_likelihood += condition(weights, prediction, matches);
     double nis = sight.gate;
     if (!innovation.used) {
       ++statistics.gated;
@@ -96,13 +111,39 @@ void FitMonitor::judge(const std::vector<Prediction>& predictions, const Sight& 
       statistics.nis += nis;
       statistics.nis_dof += 2;
     }
-    nis_ = kMemory * nis_ + std::min(nis, sight.gate);
-    dof_ = kMemory * dof_ + 2.0;
     statistics.innovations.push_back(innovation);
+    if (!is_established) continue;
+    ++established.seen;
+    established.gated += !innovation.used;
+    remember(std::min(nis, sight.gate));
   }
   statistics.joint = stacked(statistics.innovations);
+  conclude(established);
 }
 
-bool FitMonitor::isLost() const { return dof_ > kEnough && nis_ > lost_nis_ * dof_; }
+void FitMonitor::remember(double nis) {
+  nis_ = kMemory * nis_ + nis;
+  dof_ = kMemory * dof_ + 2.0;
+}
+
+void FitMonitor::conclude(const Established& established) {
+  is_step_doubtful_ = 2 * established.gated > established.seen;
+  if (is_step_doubtful_)
+    gated_in_a_row_ = std::min(gated_in_a_row_ + established.gated, kAstray);
+  else if (established.seen > 0)
+    gated_in_a_row_ = 0;
+}
+
+bool FitMonitor::hasGoneAstray() const { return gated_in_a_row_ >= kAstray; }
+
+bool FitMonitor::isLost() const {
+  return hasGoneAstray() || (dof_ > kEnough && nis_ > lost_nis_ * dof_);
+}
+
+void FitMonitor::forget() {
+  nis_ = dof_ = 0.0;
+  is_step_doubtful_ = false;
+  gated_in_a_row_ = 0;
+}
 
 }  // namespace slam::particle_filter

@@ -20,6 +20,9 @@ struct LandmarkEstimate {
       : x(mean.x()), y(mean.y()), xx(P(0, 0)), xy(0.5 * (P(0, 1) + P(1, 0))), yy(P(1, 1)) {}
 
   static constexpr int kMostCredit = 5;
+  /// From here on it rather is the robot that is elsewhere than the landmark.
+  static constexpr int kEstablished = 3;
+  bool isEstablished() const { return credit >= kEstablished; }
 
   Eigen::Vector2d mean() const { return {x, y}; }
   Eigen::Matrix2d covariance() const { return (Eigen::Matrix2d() << xx, xy, xy, yy).finished(); }

@@ -45,18 +45,18 @@ Landmark mixtureOf(const ParticleSet& particles, std::size_t slot, LandmarkId id
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < particles.size(); ++i)
     mean += particles.weights()[i] * particles[i].map[slot].mean();
-  return {id, mean, mixtureAbout(mean, particles, slot)};
+  return mixtureAbout(mean, particles, slot, id);
 }
 
-Eigen::Matrix2d mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles,
-                             std::size_t slot) {
+Landmark mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles, std::size_t slot,
+                      LandmarkId id) {
   Eigen::Matrix2d P = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const auto& landmark = particles[i].map[slot];
     const Eigen::Vector2d d = landmark.mean() - point;
     P += particles.weights()[i] * (landmark.covariance() + d * d.transpose());
   }
-  return P;
+  return {id, point, P};
 }
 
 }  // namespace slam::particle_filter

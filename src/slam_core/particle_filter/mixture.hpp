@@ -21,8 +21,8 @@ PoseEstimate about(const Pose2& pose, const PoseEstimate& estimate);
 
 /// Mean and covariance of one landmark over all particles.
 Landmark mixtureOf(const ParticleSet& particles, std::size_t slot, LandmarkId id);
-/// Its second moment about a point.
-Eigen::Matrix2d mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles,
-                             std::size_t slot);
+/// A point and the second moment about it.
+Landmark mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles, std::size_t slot,
+                      LandmarkId id);
 
 }  // namespace slam::particle_filter

@@ -10,9 +10,12 @@ PoseGaussian MotionProposal::propose(const ObservationModel& model, const Sight&
                                      const ParticleMap& map, const PoseGaussian& prior,
                                      RandomStream& random, Prediction* predictions) const {
   const Pose2 pose = prior.sample(random);
+  map.prefetch(sight.matches);
   for (const auto& [slot, z] : sight.matches) {
-    const auto e = expect(model, pose, sight.sensor, map[slot], z);
-    *predictions++ = e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
+    const auto& landmark = map[slot];
+    const auto e = expect(model, pose, sight.sensor, landmark, z);
+    *predictions = e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
+    predictions++->established = landmark.isEstablished();
   }
   return {pose};
 }

@@ -29,11 +29,19 @@ void ParticleSet::redraw(const PoseEstimate& around, RandomStream& random) {
     mean += weights_[i] * deviations[i];
   }
   const double others = 1.0 - weights_[0];
+  const bool is_centred = size() > 2 && others > 0.0;  // a single other one would be no deviation
+  for (auto& particle : particles_) particle.path.append(particle.pose);
   for (std::size_t i = 1; i < size(); ++i) {
-    if (others > 0.0) deviations[i] -= mean / others;
+    if (is_centred) deviations[i] -= mean / others;
     particles_[i].pose = Pose2::fromVector(around.pose.vector() + deviations[i]);
   }
   particles_[0].pose = around.pose;
+}
+
+void ParticleSet::record(Stamp stamp, const Pose2& odometry, bool has_learned) {
+  path_memory_->addStep(stamp, odometry);
+  if (!has_learned) return;
+  for (auto& particle : particles_) particle.path.append(particle.pose);
 }
 
 void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation) {
@@ -47,6 +55,7 @@ void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation) {
     particle.map = shared;
     particle.path = SharedPath(*path_memory_);
   }
+  path_memory_->clearSteps();
   weights_.reset(size());
   best_ = 0;
 }

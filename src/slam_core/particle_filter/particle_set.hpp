@@ -33,8 +33,13 @@ class ParticleSet {
   void findBest();
 
   /// All poses are drawn anew around one; paths, maps and weights stay. The weighted mean of the
-  /// poses is the one given, and the first particle's is exactly that.
+  /// poses is the one given, where there are more than two, and the first particle's is exactly
+  /// that.
   void redraw(const PoseEstimate& around, RandomStream& random);
+  /// The poses become the end of the paths.
+  /// @param odometry since the last call
+  /// @param has_learned the particles' poses are more than the last ones and the odometry
+  void record(Stamp stamp, const Pose2& odometry, bool has_learned);
   /// All particles get this map, equal weights and an empty path.
   void replaceMaps(const LandmarkMap& map, double inflation);
   /// Particle i is replaced by a copy of particle ancestors[i]; weights become equal.

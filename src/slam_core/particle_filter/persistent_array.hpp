@@ -3,11 +3,13 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "slam_core/particle_filter/block_pool.hpp"
 #include "slam_core/particle_filter/reference_count.hpp"
@@ -26,6 +28,7 @@ class PersistentArray {
   static_assert(std::is_trivially_copyable_v<T>);
 
   static constexpr unsigned kLeafBits = 2, kFanBits = 3;
+  static constexpr std::size_t kTogether = 64;
   static constexpr std::size_t kLeafSize = 1 << kLeafBits, kFanOut = 1 << kFanBits;
 
   struct Block {
@@ -80,6 +83,30 @@ class PersistentArray {
     for (unsigned height = height_; height > 0; --height)
       block = static_cast<const Node*>(block)->children[childAt(i, height)];
     return static_cast<const Leaf*>(block)->values[i % kLeafSize];
+  }
+
+  /// Has the elements fetched from memory that will be read next: what is far away in memory comes
+  /// for all of them at the same time, one height of the tree after the other.
+  /// @param matches with a `slot` each, which is the number of the element
+  template <class Match>
+  void prefetch(const std::vector<Match>& matches) const {
+    std::array<const Block*, kTogether> blocks;
+    for (std::size_t first = 0; first < matches.size(); first += kTogether) {
+      const auto count = std::min(kTogether, matches.size() - first);
+      blocks.fill(root_);
+      for (unsigned height = height_; height > 0; --height) {
+        for (std::size_t k = 0; k < count; ++k) {
+          const auto slot = matches[first + k].slot;
+          blocks[k] = static_cast<const Node*>(blocks[k])->children[childAt(slot, height)];
+          __builtin_prefetch(blocks[k]);
+          if (height > 1)
+            __builtin_prefetch(
+                &static_cast<const Node*>(blocks[k])->children[childAt(slot, height - 1)]);
+          else
+            __builtin_prefetch(&static_cast<const Leaf*>(blocks[k])->values[slot % kLeafSize]);
+        }
+      }
+    }
   }
 
   /// The element for writing, no longer shared with other arrays; valid until one is copied.

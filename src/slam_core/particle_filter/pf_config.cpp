@@ -123,6 +123,12 @@ void validatePf(const PfConfig& config) {
   if (config.min_particles > config.max_particles)
     faults.add("pf.min_particles: " + std::to_string(config.min_particles) +
                " is more than pf.max_particles, " + std::to_string(config.max_particles));
+  if (config.size == "kld" &&
+      (config.particles < config.min_particles || config.particles > config.max_particles))
+    faults.add("pf.particles: with pf.size: kld the number starts between pf.min_particles, " +
+               std::to_string(config.min_particles) + ", and pf.max_particles, " +
+               std::to_string(config.max_particles) + ", not at " +
+               std::to_string(config.particles));
   // an observation outside the gate counts as one on its edge, two degrees of freedom each
   const double most_nis = -std::log(1.0 - config.gate_probability);
   if (config.gate_probability > 0.0 && !(config.lost_nis < most_nis))

@@ -17,7 +17,7 @@ struct PfConfig {
   std::string weighting = "predictive";
   std::string resampling = "systematic";
   double resampling_threshold = 0.75;
-  int particles = 500;
+  int particles = 100;
   std::string size = "fixed";
   int min_particles = 30;
   int max_particles = 500;

@@ -11,14 +11,25 @@
 namespace slam::particle_filter {
 
 Pose2 PoseGaussian::sample(RandomStream& random) const {
-  const Eigen::LLT<Eigen::Matrix3d> L(covariance);
-  if (L.info() != Eigen::Success) return mean;  // nothing is uncertain
+  if (isCertain()) return mean;
   const double x = random.gaussian(), y = random.gaussian(), theta = random.gaussian();
-  return Pose2::fromVector(mean.vector() + L.matrixL() * Eigen::Vector3d(x, y, theta));
+  const Eigen::Vector3d white(x, y, theta);
+  const Eigen::LLT<Eigen::Matrix3d> L(covariance);
+  if (L.info() == Eigen::Success) return Pose2::fromVector(mean.vector() + L.matrixL() * white);
+  // certain in some direction, to rounding: that one stays as it is
+  const Eigen::LDLT<Eigen::Matrix3d> pivoted(covariance);
+  const Eigen::Vector3d scaled = pivoted.vectorD().cwiseMax(0.0).cwiseSqrt().cwiseProduct(white);
+  const Eigen::Vector3d d = pivoted.transpositionsP().transpose() * (pivoted.matrixL() * scaled);
+  return Pose2::fromVector(mean.vector() + d);
 }
 
 double PoseGaussian::logDensity(const Pose2& pose) const {
-  const Eigen::LLT<Eigen::Matrix3d> L(covariance);
+  // a direction without any uncertainty gets a little, below what a pose can be known to
+  constexpr double kSmallestVariance = 1e-18;
+  Eigen::LLT<Eigen::Matrix3d> L(covariance);
+  if (L.info() != Eigen::Success)
+    L.compute(covariance +
+              (kSmallestVariance + 1e-12 * covariance.trace()) * Eigen::Matrix3d::Identity());
   Eigen::Vector3d d = pose.vector() - mean.vector();
   d.z() = wrapAngle(d.z());
   L.matrixL().solveInPlace(d);

@@ -34,6 +34,15 @@ Prediction singularPrediction(const LandmarkObservation& z, double gate) {
   return prediction;
 }
 
+bool isDoubtful(const Prediction* predictions, std::size_t matches) {
+  std::size_t established = 0, gated = 0;
+  for (std::size_t k = 0; k < matches; ++k) {
+    established += predictions[k].established;
+    gated += predictions[k].established && predictions[k].gated;
+  }
+  return 2 * gated > established;
+}
+
 const std::vector<std::string>& proposalNames() {
   static const std::vector<std::string> kNames = {"fastslam1", "fastslam2"};
   return kNames;

@@ -35,8 +35,13 @@ struct Prediction {
   /// By how much S would have to be larger for the observation to lie on the edge of the gate; 1
   /// where it lies within.
   double excess = 1.0;
-  bool gated = false;  ///< outside the gate: the landmark is not updated by it
+  bool gated = false;        ///< outside the gate: the landmark is not updated by it
+  bool established = false;  ///< the landmark has been seen often enough where it should be
 };
+
+/// What a particle's predictions say of the particle: whether most of the established landmarks
+/// that it sees are not where its map has them.
+bool isDoubtful(const Prediction* predictions, std::size_t matches);
 
 /// The density from which the new pose of a particle is drawn, and with it what the particle's
 /// weight rests on: how it foresaw the observations.

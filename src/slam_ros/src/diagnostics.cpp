@@ -26,6 +26,9 @@ const std::map<std::string, std::string>& sentences() {
       {"odometry_stamp_jump",
        "odometry messages were stamped far ahead of those before them; they were left out"},
       {"weight_underflow", "steps left no particle any weight; they were made equal"},
+      {"doubtful",
+       "steps saw most of the well known landmarks elsewhere than the map has them; it was left as "
+       "it is"},
       {"odometry_late", "odometry messages were not newer than the one before; they were dropped"},
       {"detector_late", "images were not newer than the one before; they were dropped"}};
   return kSentences;

@@ -205,6 +205,35 @@ TEST(FastSlamTest, SharesMapsAndPathsBetweenParticles) {
   EXPECT_LE(set.mapMemory().leavesInUse(), 4u * set.size()) << "16 landmarks in leaves of 4";
 }
 
+TEST(FastSlamTest, KeepsNoPosesOfStepsThatSawNothing) {
+  FastSlam filter;
+  filter.configure(PfConfig());
+  SimulatedWorld world(10);
+  for (int i = 0; i < 200; ++i) {
+    auto step = world.next();
+    step.observations.observations.clear();
+    filter.set(step.motion);
+    filter.set(step.observations);
+    filter.execute();
+  }
+  EXPECT_EQ(filter.particleSet().pathMemory().posesInUse(), 0u);
+  const auto path = filter.path();
+  ASSERT_EQ(path.size(), 200u);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    EXPECT_NEAR(path[i - 1].pose.between(path[i].pose).position().norm(), 0.2, 0.05);
+}
+
+TEST(FastSlamTest, SpreadsTwoParticlesAsWellAsMany) {
+  PfConfig config;
+  config.particles = 2;
+  FastSlam filter;
+  filter.configure(config);
+  filter.set(PoseEstimate{Pose2(1, 2, 0), 0.25 * Eigen::Matrix3d::Identity()});
+  filter.execute();
+  const auto particles = filter.particles();
+  EXPECT_GT((particles[0].position() - particles[1].position()).norm(), 0.01);
+}
+
 TEST(FastSlamTest, HasNoMemoryOfTheMapBeforeReset) {
   FastSlam filter;
   filter.configure(PfConfig());
@@ -230,6 +259,16 @@ TEST(PfConfigTest, RefusesWhatMakesNoFilter) {
   EXPECT_TRUE(test::oneSays(faults, {"pf.resampling_threshold", "[0, 1]"}));
   EXPECT_TRUE(test::oneSays(faults, {"pf.min_particles", "more than pf.max_particles"}));
   EXPECT_TRUE(test::oneSays(faults, {"pf.proposal", "did you mean 'fastslam1'"}));
+}
+
+TEST(PfConfigTest, RefusesToStartWithANumberOfParticlesOutsideItsBounds) {
+  PfConfig config;
+  config.particles = 10;
+  config.min_particles = 30;
+  EXPECT_NO_THROW(FastSlam().configure(config)) << "a fixed number has no bounds";
+  config.size = "kld";
+  const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
+  EXPECT_TRUE(test::oneSays(faults, {"pf.particles", "pf.min_particles, 30", "not at 10"}));
 }
 
 TEST(PfConfigTest, RefusesAThresholdOfBeingLostThatIsNeverReached) {

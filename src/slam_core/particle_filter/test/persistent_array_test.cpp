@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "slam_core/common/random.hpp"
-#include "slam_core/particle_filter/parallel.hpp"
-#include "slam_core/particle_filter/shared_path.hpp"
+#include "slam_core/particle_filter/workers.hpp"
 
 namespace slam::particle_filter {
 namespace {
@@ -100,8 +99,9 @@ TEST(PersistentArray, IsWrittenByManyThreads) {
   constexpr std::size_t kArrays = 64;
   Array::Memory memory(4);
   std::vector<Array> arrays(kArrays, arrayOf(memory, 500));
+  Workers workers(4);
   for (int round = 0; round < 20; ++round) {
-    forEachInParallel(kArrays, 4, [&](std::size_t a, unsigned lane) {
+    workers.forEach(kArrays, [&](std::size_t a, unsigned lane) {
       for (std::size_t i = a % 7; i < 500; i += 7) arrays[a].edit(i, lane) += int(a);
       arrays[a].push_back(round, lane);
     });
@@ -115,44 +115,22 @@ TEST(PersistentArray, IsWrittenByManyThreads) {
   EXPECT_EQ(memory.nodesInUse(), 0u);
 }
 
-TEST(ForEachInParallel, DoesEachOnce) {
-  for (const unsigned lanes : {1u, 2u, 3u, 8u}) {
-    std::vector<int> done(5, 0);
-    forEachInParallel(done.size(), lanes, [&](std::size_t i, unsigned lane) {
-      EXPECT_LT(lane, lanes);
-      ++done[i];
+TEST(PersistentArray, TakesNoMoreMemoryWhenOneThreadGivesBackWhatOthersTook) {
+  constexpr std::size_t kArrays = 64, kSize = 400;
+  constexpr unsigned kLanes = 4;
+  Array::Memory memory(kLanes);
+  Workers workers(kLanes);
+  std::vector<Array> arrays(kArrays, arrayOf(memory, int(kSize)));
+  std::size_t early = 0;
+  for (int round = 0; round < 400; ++round) {
+    workers.forEach(kArrays, [&](std::size_t a, unsigned lane) {
+      for (std::size_t i = 0; i < kSize; ++i) arrays[a].edit(i, lane) += 1;
     });
-    EXPECT_EQ(done, std::vector<int>(5, 1));
+    if (round == 20) early = memory.reservedBytes();
+    arrays.assign(kArrays, arrays[std::size_t(round) % kArrays]);
   }
-}
-
-TEST(SharedPath, SharesWhatItHasInCommonAndForgetsWhatNobodyDescendsFrom) {
-  SharedPath::Memory memory;
-  const auto pose = [](int i) { return StampedPose{stampFromNanoseconds(i), Pose2(i, 0, 0)}; };
-  SharedPath trunk(memory);
-  for (int i = 0; i < 100; ++i) trunk.append(pose(i));
-  {
-    std::vector<SharedPath> branches(10, trunk);
-    for (auto& branch : branches)
-      for (int i = 100; i < 110; ++i) branch.append(pose(i));
-    EXPECT_EQ(memory.posesInUse(), 200u);
-    trunk = branches[3];
-    const auto poses = trunk.poses();
-    ASSERT_EQ(poses.size(), 110u);
-    for (int i = 0; i < 110; ++i) EXPECT_EQ(nanoseconds(poses[std::size_t(i)].stamp), i);
-  }
-  EXPECT_EQ(memory.posesInUse(), 110u);
-  trunk = SharedPath(memory);
-  EXPECT_EQ(memory.posesInUse(), 0u);
-}
-
-TEST(SharedPath, OfAnyLengthIsForgottenWithoutRecursion) {
-  SharedPath::Memory memory;
-  {
-    SharedPath path(memory);
-    for (int i = 0; i < 2000000; ++i) path.append({});
-  }
-  EXPECT_EQ(memory.posesInUse(), 0u);
+  EXPECT_LE(memory.reservedBytes(), early + kLanes * 4 * (1u << 16))
+      << "two batches a lane and pool";
 }
 
 }  // namespace

@@ -72,6 +72,22 @@ TEST_F(ProposalTest, OfFastSlam1IsTheMotionPriorAlone) {
   EXPECT_LT((second - prior.covariance).cwiseAbs().maxCoeff(), 0.03 * 0.02);
 }
 
+TEST(PoseGaussian, DrawsOnlyWhereItIsUncertain) {
+  PoseGaussian line{Pose2(1, 2, 0.5), Eigen::Matrix3d::Zero()};
+  const Eigen::Vector3d along(0.3, 0.4, 0.0);
+  line.covariance = along * along.transpose();  // of rank one
+  double variance = 0.0;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    RandomStream random(1, 2, i);
+    const auto drawn = line.sample(random);
+    const Eigen::Vector3d d = drawn.vector() - line.mean.vector();
+    EXPECT_LT((d - along * (d.dot(along) / along.squaredNorm())).norm(), 1e-7);
+    variance += d.squaredNorm() / 1000;
+    EXPECT_TRUE(std::isfinite(line.logDensity(drawn)));
+  }
+  EXPECT_NEAR(variance, 0.25, 0.03);
+}
+
 TEST_F(ProposalTest, OfFastSlam1WeighsAtThePoseDrawn) {
   const auto drawn = propose(MotionProposal());
   for (std::size_t k = 0; k < predictions.size(); ++k) {
@@ -149,6 +165,27 @@ TEST_F(ProposalTest, FindsBothOfTwoOutliersUnlikelyAndTheNearerOneLessSo) {
   EXPECT_GT(likelihood(edge), likelihood(6));
   EXPECT_GT(likelihood(6), likelihood(60));
   EXPECT_GT(likelihood(60), -0.5 * 60 * 60 / 2) << "but only so much";
+}
+
+TEST_F(ProposalTest, IsDoubtfulWhereMostEstablishedLandmarksAreElsewhere) {
+  EXPECT_FALSE(isDoubtful(predictions.data(), 0));
+  const auto predict = [&](int established, int wrong) {
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+      auto landmark = map[slot];
+      landmark.credit = int(slot) < established ? LandmarkEstimate::kEstablished : 1;
+      map.edit(slot) = landmark;
+    }
+    const auto all = sight;
+    for (int k = 0; k < wrong; ++k) sight.matches[std::size_t(k)].z.range += 100.0;
+    propose(ConditionedProposal());
+    sight = all;
+    return isDoubtful(predictions.data(), 3);
+  };
+  EXPECT_FALSE(predict(3, 1));
+  EXPECT_TRUE(predict(3, 2));
+  EXPECT_FALSE(predict(2, 1));
+  EXPECT_TRUE(predict(1, 1)) << "the only witness";
+  EXPECT_FALSE(predict(0, 3)) << "nobody is one";
 }
 
 TEST_F(ProposalTest, LeavesALandmarkOutThatItStandsOn) {
