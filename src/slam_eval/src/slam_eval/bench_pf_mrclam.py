@@ -16,9 +16,9 @@ from slam_eval.trajectory import read_trajectory
 ROBOTS = (1, 2, 3, 4, 5)
 ATE_LIMIT, LANDMARK_LIMIT, EKF_SHARE = 0.30, 0.13, 1.1
 
-HEADER = ['filter', 'ATE [m]', 'worst run [m]', 'landmarks [m]', 'final path [m]', 'NIS/dof',
-          'CPU a run [s]']
-FORMS = ['.3f', '.3f', '.3f', '.3f', '.3f', '.2f']
+HEADER = ['filter', 'ATE [m]', 'worst run [m]', 'landmarks [m]', 'final path [m]', 'NEES',
+          'NIS/dof', 'CPU a run [s]']
+FORMS = ['.3f', '.3f', '.3f', '.3f', '.1f', '.3f', '.2f']
 
 
 def _final_error(folder, run):
@@ -38,7 +38,7 @@ def run_variant(context, variant, bags):
             run = read_run(folder)
             m = evaluate(run).metrics
             rows.append([m['ate_rmse_m'], m['landmark_rmse_m'], _final_error(folder, run),
-                         m['nis_mean'], usage.cpu_s])
+                         m['nees_mean'], m['nis_mean'], usage.cpu_s])
     return np.array(rows, dtype=float)
 
 
