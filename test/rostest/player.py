@@ -111,7 +111,7 @@ class Player:
         return part
 
     def turn_back(self, stamp):
-        """Lets the clock jump to a stamp; the nodelets hear of it on another connection than data."""
+        """Lets the clock jump to a stamp; nodelets hear of it on another connection than data."""
         self.now = stamp
         self.clock.publish(Clock(clock=stamp))
         wait_for(lambda: rospy.Time.now() == stamp, 1.0)

@@ -16,8 +16,8 @@ namespace slam::eval {
 /// Odometry and range-bearing observations of an MRPT rawlog of either format.
 ///
 /// In pairs of actions and sensory frames an action is the motion up to the frame behind it: the
-/// odometry pose is the composition of the increments so far, stamped like the frame. Where an action
-/// comes first, the pose before it lies kStepTime before the first frame. In a log of single
+/// odometry pose is the composition of the increments so far, stamped like the frame. Where an
+/// action comes first, the pose before it lies kStepTime before the first frame. In a log of single
 /// observations the odometry poses have stamps of their own.
 struct RawlogLog {
   static constexpr std::int64_t kStepTime = 100'000'000;      // [ns]
