@@ -125,7 +125,7 @@ class WithBuild(FrontDoorTest):
         product = self.clone / "slam_launch/products/other.yaml"
         self.addCleanup(product.unlink)
         product.write_text("product: other\nsentence: Another one.\n", encoding="utf-8")
-        self.expect(call(self.slam, "products"), 0, "other      Another one.")
+        self.assertRegex(call(self.slam, "products").stdout, "(?m)^other +Another one[.]$")
         self.assertNotEqual(log.stat().st_mtime_ns, built)
 
     def test_is_found_through_a_link_from_another_folder(self):
