@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@
 #include "slam_core/contract/stamped_pose.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/occupancy_grid.hpp"
 
 namespace slam {
 
@@ -76,12 +79,18 @@ class Backend {
   /// Inputs are stored until execute(). Motions add up.
   virtual void set(const Motion& motion) = 0;
   virtual void set(const LandmarkObservationArray& observations) = 0;
+  /// Only where usesScans(). At most one of observations and scan comes before an execute().
+  virtual void set(const LaserScan& /*scan*/) {}
   /// The robot is re-drawn there; the map is kept, correlations to it are removed.
   virtual void set(const PoseEstimate& initial_pose) = 0;
   /// The map and the pose are replaced. Without a joint covariance the marginals are inflated.
   virtual void set(const MapState& map) = 0;
 
-  /// One step: a map or pose that was set, then the motions, then the observations.
+  /// Whether it wants laser scans; after configure().
+  virtual bool usesScans() const { return false; }
+
+  /// One step: a map or pose that was set, then the motions, then the observations
+  /// or the scan.
   virtual Status execute() = 0;
 
   virtual PoseEstimate pose() const = 0;      ///< in the map frame
@@ -95,6 +104,10 @@ class Backend {
   /// Of back-ends that revise the past: the most likely path as it is seen now, a pose for each
   /// step since the map was begun or loaded. Empty: what pose() told is all there is.
   virtual std::vector<StampedPose> path() const { return {}; }
+  /// The grid map of back-ends that make one: all that is known of it, cut to what has been seen.
+  virtual std::optional<OccupancyGrid> grid() const { return std::nullopt; }
+  /// Grows whenever grid() would tell something else.
+  virtual std::uint64_t gridRevision() const { return 0; }
   /// Figures of its own that are worth a diagnostic, by name.
   virtual std::map<std::string, double> figures() const { return {}; }
 

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/occupancy_grid.hpp"
 
 namespace slam {
 
@@ -33,6 +35,7 @@ struct MapState {
   PoseEstimate robot;
   LandmarkMap landmarks;
   Eigen::MatrixXd joint_covariance;
+  std::optional<OccupancyGrid> grid;  ///< of back-ends that make one
 };
 
 }  // namespace slam

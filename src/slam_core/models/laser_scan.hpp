@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/time.hpp"
+#include "slam_core/geometry/pose2.hpp"
+
+namespace slam {
+
+/// One beam of a laser in the horizontal plane.
+struct LaserBeam {
+  float bearing = 0.0f;  ///< about +z from the sensor's x axis [rad]
+  float range = 0.0f;    ///< up to what it met, or up to where it met nothing [m]
+  bool hit = false;      ///< it met something
+
+  /// Its end in the sensor frame [m].
+  Eigen::Vector2d end() const {
+    return {range * std::cos(static_cast<double>(bearing)),
+            range * std::sin(static_cast<double>(bearing))};
+  }
+};
+
+/// One sweep of a laser, whatever its mount, seen as horizontal. Beams that tell nothing (not a
+/// number, nearer than the sensor can measure) are not among them; the others keep the sweep's
+/// order.
+struct LaserScan {
+  std::uint64_t sequence = 0;
+  Stamp stamp;
+  std::string sensor_frame;
+  Pose2 sensor_pose;  ///< T_base_sensor
+  std::vector<LaserBeam> beams;
+};
+
+}  // namespace slam
