@@ -35,7 +35,7 @@ struct MapState {
   PoseEstimate robot;
   LandmarkMap landmarks;
   Eigen::MatrixXd joint_covariance;
-  std::optional<OccupancyGrid> grid;  ///< of back-ends that make one
+  std::optional<OccupancyGrid> grid = std::nullopt;  ///< of back-ends that make one
 };
 
 }  // namespace slam
