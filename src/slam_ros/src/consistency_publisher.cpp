@@ -18,10 +18,12 @@ constexpr std::size_t kMostPending = 100;
 ConsistencyPublisher::ConsistencyPublisher(ros::NodeHandle handle, Diagnostics& diagnostics,
                                            const slam::ConsistencyMonitor& monitor)
     : monitor_(monitor),
-      publisher_(handle.advertise<slam_msgs::Consistency>("consistency", 100)),
-      subscriber_(
-          handle.subscribe("ground_truth/pose", 100, &ConsistencyPublisher::onTruth, this)) {
+      publisher_(handle.advertise<slam_msgs::Consistency>("consistency", 100)) {
   diagnostics.add("consistency", [this](auto& status) { fill(status); });
+}
+
+void ConsistencyPublisher::subscribe(ros::NodeHandle handle) {
+  subscriber_ = handle.subscribe("ground_truth/pose", 100, &ConsistencyPublisher::onTruth, this);
 }
 
 void ConsistencyPublisher::restart() {

@@ -52,6 +52,7 @@ EstimatorNode::~EstimatorNode() {
 }
 
 void EstimatorNode::subscribe(ros::NodeHandle handle) {
+  consistency_->subscribe(handle);
   subscribers_ = {
       handle.subscribe(topics_.motion, kQueue, &EstimatorNode::onMotion, this),
       handle.subscribe(topics_.observations, kQueue, &EstimatorNode::onObservations, this),

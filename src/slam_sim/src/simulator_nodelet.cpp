@@ -12,11 +12,13 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <vector>
 
 #include "camera_publisher.hpp"
 #include "sensor_messages.hpp"
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/product_files.hpp"
 #include "slam_ros/report_failure.hpp"
@@ -66,6 +68,9 @@ class SimulatorNodelet : public nodelet::Nodelet {
     announce(world);
     advertise();
     startTimers();
+    start_obeying_.emplace([this, handle = getNodeHandle()]() mutable {
+      cmd_vel_ = handle.subscribe("cmd_vel", kQueue, &SimulatorNodelet::onCommand, this);
+    });
     if (ros::Time::isSimTime())
       NODELET_WARN(
           "/use_sim_time is set: the robot stands still until somebody publishes /clock; for real "
@@ -98,7 +103,6 @@ class SimulatorNodelet : public nodelet::Nodelet {
 
   void startTimers() {
     auto handle = getNodeHandle();
-    cmd_vel_ = handle.subscribe("cmd_vel", kQueue, &SimulatorNodelet::onCommand, this);
     timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.odometry.rate),
                                          &SimulatorNodelet::onOdometry, this));
     timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.laser.pace.rate),
@@ -164,8 +168,9 @@ class SimulatorNodelet : public nodelet::Nodelet {
   tf2_ros::TransformBroadcaster transforms_;
   tf2_ros::StaticTransformBroadcaster mounts_;
   ros::Publisher name_, landmarks_, odom_, truth_, scan_;
-  ros::Subscriber cmd_vel_;  // last: no callback may find the others gone
+  ros::Subscriber cmd_vel_;  // with what follows last: no callback may find the others gone
   std::vector<ros::Timer> timers_;
+  std::optional<slam_ros::AfterLoad> start_obeying_;
 };
 
 }  // namespace slam::sim

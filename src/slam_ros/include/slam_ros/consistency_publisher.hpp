@@ -26,6 +26,9 @@ class ConsistencyPublisher {
   ConsistencyPublisher(ros::NodeHandle handle, Diagnostics& diagnostics,
                        const slam::ConsistencyMonitor& monitor);
 
+  /// To the truth, once the nodelet is loaded (AfterLoad).
+  void subscribe(ros::NodeHandle handle);
+
   void publish(const slam::StepReport& report);
   /// Map and pose began anew.
   void restart();
