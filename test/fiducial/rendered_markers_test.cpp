@@ -91,7 +91,7 @@ void expectUnbiased(const Errors& errors) {
 TEST_P(RenderedMarkers, RangeAndBearingAreUnbiasedOverDistanceAndObliqueness) {
   auto stand = this->stand(sim::studioWindow(kWindow, kWindow));
   std::uint64_t frame = 0;
-  for (const double distance : {0.5, 1.0, 2.0, 3.0, 4.0}) {
+  for (const double distance : {0.5, 1.0, 2.0, 3.0, 4.0, 5.0}) {
     for (const int obliqueness : {0, 30, 60, 70}) {
       SCOPED_TRACE(testing::Message() << distance << " m, " << obliqueness << " deg");
       const Errors errors = view(stand, distance, obliqueness * kDegree, 16, frame);
@@ -131,6 +131,20 @@ TEST_P(RenderedMarkers, CovarianceCoversTheTruthAsOftenAsItSays) {
   }
   ASSERT_GT(all.seen, 800);
   EXPECT_NEAR(all.coverage(), 0.95, 0.03);
+}
+
+TEST_P(RenderedMarkers, SmallOnesAreNotTooSure) {
+  auto stand = this->stand(sim::studioWindow(192, 192));
+  std::uint64_t frame = 0;
+  Errors all;
+  for (const double distance : {4.0, 4.5, 5.0, 5.5, 6.0})
+    for (const double obliqueness : {0.0, 0.5, 0.9}) {
+      const Errors errors = view(stand, distance, obliqueness, 40, frame);
+      all.seen += errors.seen;
+      all.covered += errors.covered;
+    }
+  ASSERT_GT(all.seen, 200);
+  EXPECT_GT(all.coverage(), 0.92);
 }
 
 /// The smallest distance of a corner to the border, negative outside [px].

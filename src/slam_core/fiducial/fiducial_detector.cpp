@@ -9,6 +9,7 @@
 #include "slam_core/fiducial/drawing.hpp"
 #include "slam_core/fiducial/range_bearing.hpp"
 #include "slam_core/fiducial/rejection.hpp"
+#include "slam_core/fiducial/small_markers.hpp"
 
 namespace slam::fiducial {
 namespace {
@@ -73,10 +74,13 @@ void FiducialDetector::estimatePoses() {
     if (!marker.isAccepted()) continue;
     const auto pose = estimatePose(gate_.camera(), marker.corners, config_.sizeOf(marker.id),
                                    config_.corner_sigma);
-    if (pose)
-      marker.pose = *pose;
-    else
+    if (!pose) {
       marker.rejection = "no_pose";
+      continue;
+    }
+    marker.pose = *pose;
+    const Eigen::Vector3d one_sigma = sizeSigma(marker.corners) * pose->position;
+    marker.pose.covariance += one_sigma * one_sigma.transpose();
   }
 }
 

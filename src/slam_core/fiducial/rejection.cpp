@@ -20,12 +20,6 @@ bool isNearBorder(const Corners& corners, const cv::Size& image, double border) 
   });
 }
 
-double meanSide(const Corners& corners) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) sum += (corners[(i + 1) % 4] - corners[i]).norm();
-  return sum / 4.0;
-}
-
 void rejectDuplicates(std::vector<MarkerDetection>& detections) {
   std::vector<MarkerDetection*> readable;
   for (auto& marker : detections)

@@ -77,6 +77,12 @@ Eigen::Vector3d translation(const Eigen::Matrix3d& R, const Corners& on_plane,
 
 }  // namespace
 
+double meanSide(const Corners& corners) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) sum += (corners[(i + 1) % 4] - corners[i]).norm();
+  return sum / 4.0;
+}
+
 std::array<Eigen::Vector3d, 4> cornersOfSquare(double size) {
   const double h = 0.5 * size;
   return {Eigen::Vector3d(-h, h, 0.0), {h, h, 0.0}, {h, -h, 0.0}, {-h, -h, 0.0}};

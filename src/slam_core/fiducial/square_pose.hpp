@@ -12,6 +12,9 @@ namespace slam::fiducial {
 /// The corners of a marker as one looks at it, clockwise from the upper left one.
 using Corners = std::array<Eigen::Vector2d, 4>;
 
+/// Of the sides, in the unit of the corners.
+double meanSide(const Corners& corners);
+
 /// The corners of a marker of the edge length `size` [m] in its own frame: x right, y up, z out of
 /// the face towards who looks at it.
 std::array<Eigen::Vector3d, 4> cornersOfSquare(double size);
