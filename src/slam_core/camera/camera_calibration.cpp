@@ -8,6 +8,7 @@
 #include <map>
 
 #include "slam_core/common/nearest_name.hpp"
+#include "slam_core/geometry/mount.hpp"
 
 namespace slam {
 namespace {
@@ -55,12 +56,6 @@ std::string faultOf(const CameraCalibration& calibration) {
   return faultOfDistortion(c);
 }
 
-std::string faultOf(const CameraMount& mount) {
-  const Eigen::Matrix3d R = mount.T_base_camera.linear();
-  if (!mount.T_base_camera.matrix().allFinite()) return "it holds a value that is not a number";
-  if (!(R * R.transpose()).isIdentity(1e-6) || R.determinant() < 0.0)
-    return "its rotation is no rotation";
-  return "";
-}
+std::string faultOf(const CameraMount& mount) { return faultOfMount(mount.T_base_camera); }
 
 }  // namespace slam

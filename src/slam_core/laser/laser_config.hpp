@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/config_fields.hpp"
+
+namespace slam {
+
+/// What the robot file says of the laser.
+struct LaserConfig {
+  static constexpr const char* kSection = "laser";
+
+  std::vector<double> sensor_pose;
+  double range_max = 0.0;
+
+  void describe(Fields& fields);
+  /// The pose of the laser's frame in the robot's base frame, where the robot file gives it.
+  /// @throw ConfigError when it has another number of values than none or 6
+  std::optional<Eigen::Isometry3d> mount() const;
+};
+
+}  // namespace slam

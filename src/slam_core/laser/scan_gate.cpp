@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/laser/scan_gate.hpp"
+
+#include <utility>
+
+namespace slam {
+namespace {
+
+/// Scans that wait longer than this are worth a word: the first ones come before the transform.
+constexpr Duration kPatience = std::chrono::seconds(1);
+
+std::string unknownMount(const std::string& frame) {
+  return "it is not known where the laser of frame '" + frame +
+         "' is mounted; publish its static transform to the robot's base frame or give "
+         "laser.sensor_pose in the robot file";
+}
+
+}  // namespace
+
+void ScanGate::configure(const LaserConfig& config) {
+  validate(config);
+  config_ = config;
+  mount_.reset();
+  const auto configured = config.mount();
+  is_mount_configured_ = false;
+  if (configured) set(LaserMount{"", *configured});
+  is_mount_configured_ = configured.has_value();
+  reset();
+}
+
+void ScanGate::reset() {
+  held_.clear();
+  scan_.reset();
+  sequence_ = 0;
+  counters_.clear();
+}
+
+void ScanGate::set(const LaserMount& mount) {
+  if (is_mount_configured_) return;
+  mount_ = mount;
+  mount_fault_ = faultOf(mount);
+}
+
+void ScanGate::set(LaserSweep sweep) { held_.push_back(std::move(sweep)); }
+
+Status ScanGate::next() {
+  scan_.reset();
+  if (held_.empty()) return Status::ok();
+  if (!hasMount(held_.front()) && held_.size() <= kCapacity) {
+    const bool worth_a_word = held_.back().stamp - held_.front().stamp > kPatience;
+    return worth_a_word ? Status::warning(unknownMount(held_.front().frame)) : Status::ok();
+  }
+  auto sweep = std::move(held_.front());
+  held_.pop_front();
+  const auto usable = static_cast<float>(config_.range_max);
+  if (usable > 0.0f && !(sweep.range_max < usable)) sweep.range_max = usable;
+  const auto fault = faultOfSweep(sweep);
+  if (fault) {
+    counters_.add(fault->reason);
+    scan_.emplace();
+    scan_->stamp = sweep.stamp;
+    scan_->sensor_frame = sweep.frame;
+  } else {
+    scan_ = toScan(sweep, *mount_);
+  }
+  scan_->sequence = sequence_++;
+  return fault ? Status::warning(fault->sentence) : Status::ok();
+}
+
+/// A mount of another frame is another laser's.
+bool ScanGate::hasMount(const LaserSweep& sweep) const {
+  return mount_ && (is_mount_configured_ || mount_->laser_frame == sweep.frame);
+}
+
+std::optional<ScanGate::Fault> ScanGate::faultOfSweep(const LaserSweep& sweep) const {
+  if (!hasMount(sweep)) return Fault{"no_mount", unknownMount(sweep.frame)};
+  if (!mount_fault_.empty())
+    return Fault{"bad_mount", "the laser's mount cannot be used: " + mount_fault_ +
+                                  "; correct its transform to the robot's base frame or "
+                                  "laser.sensor_pose in the robot file"};
+  if (const auto fault = faultOf(sweep); !fault.empty())
+    return Fault{"bad_scan",
+                 "a scan cannot be used: " + fault + "; correct what the laser's driver sends"};
+  return std::nullopt;
+}
+
+}  // namespace slam

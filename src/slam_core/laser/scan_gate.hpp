@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/status.hpp"
+#include "slam_core/laser/laser_config.hpp"
+#include "slam_core/laser/laser_sweep.hpp"
+
+namespace slam {
+
+/// The entrance of whoever takes in laser scans: makes them of a driver's sweeps, in their order,
+/// once the laser's mount is known. Until then it holds them; an identity mount is never assumed.
+/// A sweep that cannot be used comes out as a scan without beams, which moves time on; so does the
+/// oldest when too many are held.
+///
+/// Call order: configure(), set(...) of what has come, next() until scan() is empty.
+/// Counted, of scans without beams: "bad_scan", "bad_mount", "no_mount".
+class ScanGate {
+ public:
+  static constexpr std::size_t kCapacity = 200;
+
+  /// A fresh start; the mount is the configured one or none. @throw ConfigError
+  void configure(const LaserConfig& config);
+
+  /// For scans of its frame, in force for all that have not come out. Where the configuration gives
+  /// the mount it counts for nothing.
+  void set(const LaserMount& mount);
+  void set(LaserSweep sweep);
+
+  /// Lets the next scan out that is due. Says what is wrong with it, or what the scans wait for.
+  Status next();
+
+  const std::optional<LaserScan>& scan() const { return scan_; }
+  const Counters& counters() const { return counters_; }
+
+  /// As after configure(), the mount kept.
+  void reset();
+
+ private:
+  struct Fault {
+    std::string reason, sentence;
+  };
+
+  bool hasMount(const LaserSweep& sweep) const;
+  std::optional<Fault> faultOfSweep(const LaserSweep& sweep) const;
+
+  LaserConfig config_;
+  bool is_mount_configured_ = false;
+  std::optional<LaserMount> mount_;
+  std::string mount_fault_;
+  std::deque<LaserSweep> held_;
+  std::uint64_t sequence_ = 0;
+  std::optional<LaserScan> scan_;
+  Counters counters_;
+};
+
+}  // namespace slam
