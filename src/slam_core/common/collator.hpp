@@ -18,7 +18,9 @@ namespace slam {
 
 /// Merges motion and triggers (observation arrays, scans) by stamp into steps, whatever the order
 /// of their arrival: a step is taken when motion covers its stamp and every other trigger source
-/// has passed it; the increment that spans the stamp is split there.
+/// has passed it; the increment that spans the stamp is split there. Equal stamps of several
+/// sources come in the order of the sources. A source that was silent for too long holds nobody
+/// back until it sends something again.
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
@@ -41,7 +43,10 @@ class Collator {
   };
 
   explicit Collator(std::size_t trigger_sources = 1, Limits limits = Limits())
-      : limits_(limits), motions_(limits.motions * 2), triggers_(trigger_sources) {
+      : limits_(limits),
+        motions_(limits.motions * 2),
+        triggers_(trigger_sources),
+        silent_(trigger_sources, false) {
     for (auto& source : triggers_) source = StampedQueue<Trigger>(limits.triggers);
   }
 
@@ -54,8 +59,12 @@ class Collator {
 
   void push(std::size_t source, Stamp stamp, std::uint64_t sequence, Trigger trigger) {
     triggers_[source].push(stamp, sequence, std::move(trigger), counters_);
+    silent_[source] = false;
     restartWhenAllWentBack();
   }
+
+  /// Nothing is expected of the source: it holds nobody back before it has sent something.
+  void expectNothing(std::size_t source) { silent_[source] = true; }
 
   /// The next step that is due, or nothing. Call until it is empty after every push().
   std::optional<Step> next() {
@@ -99,13 +108,20 @@ class Collator {
   bool isDue(const StampedQueue<Trigger>& source) {
     const auto stamp = source.front().stamp;
     if (!motions_.last() || *motions_.last() < stamp) return false;
-    return std::all_of(triggers_.begin(), triggers_.end(), [&](const auto& other) {
-      if (!other.empty() || (other.last() && *other.last() >= stamp)) return true;
-      if (*motions_.last() - std::max(stamp, other.last().value_or(stamp)) < limits_.source_timeout)
-        return false;
-      counters_.add("source_timeout");
-      return true;
-    });
+    for (std::size_t other = 0; other < triggers_.size(); ++other)
+      if (!hasPassed(other, stamp)) return false;
+    return true;
+  }
+
+  /// Whether nothing of the source is to be waited for any more before a step to the stamp.
+  bool hasPassed(std::size_t source, Stamp stamp) {
+    const auto& queue = triggers_[source];
+    if (silent_[source] || !queue.empty() || (queue.last() && *queue.last() >= stamp)) return true;
+    const auto last = std::max(stamp, queue.last().value_or(stamp));
+    if (*motions_.last() - last < limits_.source_timeout) return false;
+    counters_.add("source_timeout");
+    silent_[source] = true;
+    return true;
   }
 
   Step stepTo(Stamp stamp) {
@@ -129,11 +145,9 @@ class Collator {
   }
 
   void restartWhenAllWentBack() {
-    const auto has_gone_back = [](const auto& source) {
-      return source.wentBack() || !source.last();
-    };
-    if (!motions_.wentBack() || !std::all_of(triggers_.begin(), triggers_.end(), has_gone_back))
-      return;
+    if (!motions_.wentBack()) return;
+    for (std::size_t source = 0; source < triggers_.size(); ++source)
+      if (!silent_[source] && !triggers_[source].wentBack() && triggers_[source].last()) return;
     motions_.restart();
     for (auto& source : triggers_) source.restart();
     position_.reset();
@@ -145,6 +159,7 @@ class Collator {
   Limits limits_;
   StampedQueue<Motion> motions_;
   std::vector<StampedQueue<Trigger>> triggers_;
+  std::vector<bool> silent_;       ///< of each source: for too long
   std::optional<Stamp> position_;  ///< up to where motion has been handed out
   bool stepped_ = false;
   bool restart_ = false;

@@ -108,6 +108,17 @@ TEST(CollatorRestart, BeginsAnewOnceWhenAllSourcesGoBack) {
   EXPECT_EQ(run.collator.counters()["late"], 0u);
 }
 
+TEST(CollatorRestart, DoesNotNeedASourceThatIsSilent) {
+  LineRun run(2);
+  run.move(100, 102, 0);
+  run.see("a", 100.5, 0, 0);
+  EXPECT_EQ(run.seen(), "a");
+  run.see("b", 10.5, 1, 0);
+  run.move(10, 12, 1);
+  EXPECT_EQ(run.seen(), "ab");
+  EXPECT_EQ(run.collator.counters()["restart"], 1u);
+}
+
 TEST(CollatorRestart, DropsAsLateWhatOnlyOneSourceSentFromThePast) {
   LineRun run;
   run.move(100, 101, 0);

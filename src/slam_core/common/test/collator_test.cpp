@@ -137,6 +137,37 @@ TEST(Collator, WaitsNoLongerForASourceThatIsSilent) {
   EXPECT_EQ(run.seen(), "ac") << "and it is waited for again";
 }
 
+TEST(Collator, ASilentSourceDelaysTheOthersOnce) {
+  LineRun run(2);
+  for (std::uint64_t i = 0; i < 15; ++i) run.move(0.1 * double(i), 0.1 * double(i + 1), i);
+  run.see("a", 0.3, 0, 1);
+  run.see("b", 1.45, 1, 1);
+  EXPECT_EQ(run.seen(), "ab") << "source 0 has been silent for a second: nobody waits for it";
+  EXPECT_EQ(run.collator.counters()["source_timeout"], 1u);
+}
+
+TEST(Collator, DoesNotWaitForASourceThatNothingIsExpectedOf) {
+  LineRun run(2);
+  run.collator.expectNothing(0);
+  run.move(0, 1, 0);
+  run.see("a", 0.3, 0, 1);
+  EXPECT_EQ(run.seen(), "a");
+  run.see("b", 0.4, 0, 0);
+  run.see("c", 0.6, 1, 1);
+  EXPECT_EQ(run.seen(), "ab") << "what it sends after all counts, and is waited for from then on";
+  EXPECT_EQ(run.collator.counters()["source_timeout"], 0u);
+}
+
+TEST(Collator, TakesEqualStampsInTheOrderOfTheSources) {
+  LineRun run(2);
+  run.move(0, 1, 0);
+  run.see("scan", 0.5, 0, 1);
+  EXPECT_EQ(run.seen(), "");
+  run.see("array ", 0.5, 0, 0);
+  EXPECT_EQ(run.seen(), "array scan");
+  EXPECT_TRUE(run.steps.at(1).motions.empty());
+}
+
 TEST(Collator, CarriesMotionOnWhenNothingIsSeen) {
   LineCollator::Limits limits;
   limits.motions = 10;
