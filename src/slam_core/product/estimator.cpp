@@ -4,15 +4,24 @@
 #include "slam_core/product/estimator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
 
 namespace slam {
+namespace {
+
+bool isInvalid(const LaserBeam& beam) {
+  return !std::isfinite(beam.bearing) || !std::isfinite(beam.range) || beam.range <= 0.0f;
+}
+
+}  // namespace
 
 void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) {
   backend_ = std::move(backend);
   start_map_.reset();
+  expects_observations_ = true;
   FaultCollector faults;
   faults.attempt([&] { backend_->seed(settings.read<ProductConfig>().seed); });
   faults.attempt([&] { backend_->configure(settings); });
@@ -34,9 +43,10 @@ void Estimator::resetBackend() {
 
 void Estimator::reset() {
   resetBackend();
-  LandmarkCollator::Limits limits;
+  TriggerCollator::Limits limits;
   limits.source_timeout = source_timeout_;
-  collator_ = LandmarkCollator(1, limits);
+  collator_ = TriggerCollator(usesScans() ? 2 : 1, limits);
+  if (!expects_observations_) collator_.expectNothing(kObservations);
   last_motion_.reset();
   report_.reset();
   fault_.clear();
@@ -58,6 +68,11 @@ void Estimator::set(const MapState& map) {
 void Estimator::startWith(MapState map) {
   start_map_ = std::move(map);
   resetBackend();
+}
+
+void Estimator::expectNoObservations() {
+  expects_observations_ = false;
+  collator_.expectNothing(kObservations);
 }
 
 void Estimator::set(Motion motion) {
@@ -98,7 +113,22 @@ void Estimator::set(LandmarkObservationArray array) {
                    [](const auto& a, const auto& b) { return a.id < b.id; });
   const auto stamp = array.stamp;
   const auto sequence = array.sequence;
-  collator_.push(0, stamp, sequence, std::move(array));
+  collator_.push(kObservations, stamp, sequence, std::move(array));
+}
+
+void Estimator::set(LaserScan scan) {
+  if (!usesScans()) return;
+  auto& beams = scan.beams;
+  if (!scan.sensor_pose.isFinite() || std::any_of(beams.begin(), beams.end(), isInvalid)) {
+    counters_.add("invalid_scan");
+    fault_ =
+        "a scan whose sensor pose or beams hold values that are not numbers, or a range that "
+        "is not above 0, is taken as empty";
+    beams.clear();
+  }
+  const auto stamp = scan.stamp;
+  const auto sequence = scan.sequence;
+  collator_.push(kScans, stamp, sequence, std::move(scan));
 }
 
 Status Estimator::execute() {
@@ -115,13 +145,17 @@ Status Estimator::execute() {
   if (step->trigger && paused_)
     counters_.add("paused");
   else if (step->trigger)
-    backend_->set(*step->trigger);
+    takeTrigger(*step->trigger);
   const auto step_status = backend_->execute();
   const auto consistency_status = watchConsistency();
   for (const auto& other : {consistency_status, step_status})
     if (!other.isOk()) status = other;
   reportStep(*step);
   return status;
+}
+
+void Estimator::takeTrigger(const Trigger& trigger) {
+  std::visit([this](const auto& input) { backend_->set(input); }, trigger);
 }
 
 Status Estimator::watchConsistency() {
@@ -131,9 +165,12 @@ Status Estimator::watchConsistency() {
   return now && now != before ? Status::warning(consistency_.finding()) : Status::ok();
 }
 
-void Estimator::reportStep(const LandmarkCollator::Step& step) {
+void Estimator::reportStep(const TriggerCollator::Step& step) {
   StepReport report;
   report.stamp = step.stamp;
+  if (step.trigger)
+    report.trigger = std::holds_alternative<LaserScan>(*step.trigger) ? StepTrigger::kScan
+                                                                      : StepTrigger::kObservations;
   report.pose = backend_->pose();
   // at the very start of motion none has been applied yet
   if (const auto* motion = last_motion_ ? &*last_motion_ : collator_.pending()) {
@@ -142,7 +179,6 @@ void Estimator::reportStep(const LandmarkCollator::Step& step) {
     report.base_frame = motion->base_frame;
   }
   report.statistics = backend_->statistics();
-  report.observed = step.trigger.has_value();
   report.restarted = step.restart;
   report_ = std::move(report);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "slam_core/common/collator.hpp"
 #include "slam_core/consistency/consistency_monitor.hpp"
@@ -15,21 +16,27 @@
 
 namespace slam {
 
+/// What a step of the back-end came from; kNone: motion had piled up with nothing to see.
+enum class StepTrigger { kNone, kObservations, kScan };
+
 /// What one step of the back-end led to, all that is published and written of it.
 struct StepReport {
   Stamp stamp;
+  StepTrigger trigger = StepTrigger::kNone;
   PoseEstimate pose;    ///< in the map frame
   Pose2 odometry_pose;  ///< T_odom_base at the same stamp
   std::string odometry_frame, base_frame;
   UpdateStatistics statistics;
-  bool observed = false;   ///< the step came from an observation array
   bool restarted = false;  ///< time began anew with this step
+
+  bool hasTrigger() const { return trigger != StepTrigger::kNone; }
 };
 
-/// A back-end with its inputs in order: collates motion and observations by stamp and takes one
-/// step of the back-end at a time. The back-end's nodelet and the MetaCoordinator share it, which
-/// is why both compositions give the same result. Counted beyond the collator's and the back-end's
-/// reasons: "invalid_motion", "invalid_observation", "paused".
+/// A back-end with its inputs in order: collates motion, observations and, where the back-end uses
+/// them, scans by stamp and takes one step of the back-end at a time. The back-end's nodelet and
+/// the MetaCoordinator share it, which is why both compositions give the same result. Counted
+/// beyond the collator's and the back-end's reasons: "invalid_motion", "invalid_observation",
+/// "invalid_scan", "paused".
 class Estimator {
  public:
   /// A fresh start. @throw ConfigError listing all faults
@@ -37,12 +44,16 @@ class Estimator {
 
   void set(Motion motion);
   void set(LandmarkObservationArray observations);
+  /// Nothing comes of it unless usesScans().
+  void set(LaserScan scan);
   /// In force at once: backend() tells them without a step.
   void set(const PoseEstimate& initial_pose);
   void set(const MapState& map);
   /// This map instead of an empty one, now and whenever everything begins anew.
   void startWith(MapState map);
-  /// Paused, observations are ignored and motion is still applied.
+  /// Nothing is expected of the landmarks' source now and after a reset: scans do not wait for it.
+  void expectNoObservations();
+  /// Paused, observations and scans are ignored and motion is still applied.
   void pause(bool paused) { paused_ = paused; }
 
   /// Takes the next step that is due. Afterwards report() holds it, or nothing when none was due.
@@ -50,10 +61,11 @@ class Estimator {
 
   const std::optional<StepReport>& report() const { return report_; }
   const Backend& backend() const { return *backend_; }
+  bool usesScans() const { return backend_->usesScans(); }
   /// Of the last updates. A step's status tells when a source begins to look too sure.
   const ConsistencyMonitor& consistency() const { return consistency_; }
   std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
-  std::optional<Stamp> lastObservations() const { return collator_.lastTrigger(0); }
+  std::optional<Stamp> lastObservations() const { return collator_.lastTrigger(kObservations); }
   /// Of the collator, the back-end and the estimator itself.
   Counters counters() const;
   /// Messages that had no effect because they came late, were lost or did not fit.
@@ -62,12 +74,15 @@ class Estimator {
   void reset();
 
  private:
-  using LandmarkCollator = Collator<Motion, LandmarkObservationArray>;
+  using Trigger = std::variant<LandmarkObservationArray, LaserScan>;
+  using TriggerCollator = Collator<Motion, Trigger>;
+  /// The collator's sources: equal stamps come in this order.
+  enum Source : std::size_t { kObservations, kScans };
 
   void resetBackend();
   void warnOfBaseFrame(const std::string& moved);
-  void reportStep(const LandmarkCollator::Step& step);
-
+  void reportStep(const TriggerCollator::Step& step);
+  void takeTrigger(const Trigger& trigger);
   Status watchConsistency();
 
   LandmarkSensorConfig sensor_;
@@ -77,7 +92,8 @@ class Estimator {
   ConsistencyConfig consistency_config_;
   ConsistencyMonitor consistency_;
   std::optional<MapState> start_map_;
-  LandmarkCollator collator_;
+  bool expects_observations_ = true;
+  TriggerCollator collator_;
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;
   std::string moved_frame_;  ///< the base frame of the last motion

@@ -57,6 +57,25 @@ template void MetaCoordinator::setForDetector(const Image&);
 template void MetaCoordinator::setForDetector(const CameraCalibration&);
 template void MetaCoordinator::setForDetector(const CameraMount&);
 
+void MetaCoordinator::set(LaserSweep sweep) {
+  if (!usesScans()) return;
+  parts_.laser.set(std::move(sweep));
+  takeScans();
+}
+
+void MetaCoordinator::set(const LaserMount& mount) {
+  parts_.laser.set(mount);
+  takeScans();
+}
+
+void MetaCoordinator::takeScans() {
+  const auto& scan = parts_.laser.scan();
+  do {
+    note(parts_.laser.next());
+    if (scan) parts_.estimator.set(*scan);
+  } while (scan);
+}
+
 void MetaCoordinator::note(const Status& status) {
   if (!status.isOk()) front_end_status_ = status;
 }
@@ -74,6 +93,7 @@ Counters MetaCoordinator::counters() const {
   };
   add("odometry_", parts_.odometry->counters());
   if (parts_.detector) add("detector_", parts_.detector->counters());
+  add("laser_", parts_.laser.counters());
   return all;
 }
 
@@ -86,6 +106,7 @@ std::uint64_t MetaCoordinator::dropped() const {
 void MetaCoordinator::reset() {
   parts_.odometry->reset();
   if (parts_.detector) parts_.detector->reset();
+  parts_.laser.reset();
   parts_.estimator.reset();
   front_end_status_ = Status::ok();
 }

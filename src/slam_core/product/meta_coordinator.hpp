@@ -28,6 +28,9 @@ class MetaCoordinator {
   void set(const Image& image) { setForDetector(image); }
   void set(const CameraCalibration& calibration) { setForDetector(calibration); }
   void set(const CameraMount& mount) { setForDetector(mount); }
+  /// Of the laser. Nothing comes of these two where the product uses no scans.
+  void set(LaserSweep sweep);
+  void set(const LaserMount& mount);
   /// For data that already carry what a component would make.
   void set(const Motion& motion) { parts_.estimator.set(motion); }
   void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
@@ -36,6 +39,9 @@ class MetaCoordinator {
   std::function<void(const Motion&)> on_motion;
   /// Called with every array that the detector makes.
   std::function<void(const LandmarkObservationArray&)> on_detections;
+
+  /// Whether anything comes of scans.
+  bool usesScans() const { return parts_.estimator.usesScans(); }
 
   /// One step, as Estimator::execute(); a warning of the front-end comes first.
   Status execute();
@@ -46,7 +52,7 @@ class MetaCoordinator {
   /// Of the product's images; null where it looks at none.
   const LandmarkDetector* detector() const { return parts_.detector.get(); }
   const FramesConfig& frames() const { return parts_.frames; }
-  /// Of the front-end ("odometry_...", "detector_...") and the estimator.
+  /// Of the front-end ("odometry_...", "detector_...", "laser_...") and the estimator.
   Counters counters() const;
   std::uint64_t dropped() const;
 
@@ -56,6 +62,7 @@ class MetaCoordinator {
   template <class Input>
   void setForDetector(const Input& input);
   void takeMotions();
+  void takeScans();
   void note(const Status& status);
 
   ProductComponents parts_;

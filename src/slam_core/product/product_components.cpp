@@ -10,6 +10,16 @@
 
 namespace slam {
 
+namespace {
+
+void requireMap(const ProductConfig& product, const Estimator& estimator) {
+  if (product.hasGrid() && !estimator.usesScans())
+    throw ConfigError("map: the back-end '" + product.backend +
+                      "' makes no grid; give map: landmarks, or backend: pf");
+}
+
+}  // namespace
+
 ProductComponents makeComponents(Settings& settings) {
   ProductConfig product;
   ProductComponents parts;
@@ -32,7 +42,12 @@ ProductComponents makeComponents(Settings& settings) {
       parts.odometry->seed(product.seed);
     });
   if (parts.detector) faults.attempt([&] { parts.detector->configure(settings); });
-  if (backend) faults.attempt([&] { parts.estimator.configure(settings, std::move(backend)); });
+  faults.attempt([&] { parts.laser.configure(settings.read<LaserConfig>()); });
+  if (backend)
+    faults.attempt([&] {
+      parts.estimator.configure(settings, std::move(backend));
+      requireMap(product, parts.estimator);
+    });
   if (complete) {
     faults.attempt([&] { KnownSections::instance().checkUnused(settings); });
     faults.attempt([&] { settings.requireAllRead(); });

@@ -20,7 +20,10 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("detector", &detector,
              "name of the detector that finds landmarks in the camera's images; none: they come as "
              "observations");
-  fields.add("map", &map, "representation of the map").oneOf({"landmarks"});
+  fields
+      .add("map", &map,
+           "representation of the map: landmarks, or a grid that a laser's scans are drawn into")
+      .oneOf({"landmarks", "grid"});
   fields.add("seed", &seed, "of every random stream");
   fields
       .add("source_timeout", &source_timeout,

@@ -29,6 +29,7 @@ struct ProductConfig {
 
   void describe(Fields& fields);
   bool usesImages() const { return detector != "none"; }
+  bool hasGrid() const { return map == "grid"; }
 };
 
 /// The robot's frames (REP-105).

@@ -37,6 +37,15 @@ std::string updateLine(const StepReport& report) {
       s.nis_dof, s.used, s.gated, s.added, s.unknown, s.landmarks);
 }
 
+void addCounts(const UpdateStatistics& from, UpdateStatistics& to) {
+  to.nis += from.nis;
+  to.nis_dof += from.nis_dof;
+  to.used += from.used;
+  to.gated += from.gated;
+  to.added += from.added;
+  to.unknown += from.unknown;
+}
+
 /// The lines of a trajectory with the poses that a later look at the path gives for their stamps.
 std::string revised(const std::string& trajectory, const std::vector<StampedPose>& path) {
   std::unordered_map<std::string, std::string> lines;
@@ -91,16 +100,27 @@ void RunWriter::begin() {
   open("odometry.tum", odometry_);
   open("updates.csv", updates_);
   updates_ << kUpdatesHeader;
+  pending_.reset();
   lines_ = 0;
 }
 
 void RunWriter::write(const StepReport& report) {
   if (report.restarted) begin();
-  if (!report.observed) return;
+  if (!report.hasTrigger()) return;
+  const bool is_same_stamp = pending_ && pending_->stamp == report.stamp;
+  const auto before = is_same_stamp ? pending_->statistics : UpdateStatistics();
+  if (!is_same_stamp) writePending();
+  pending_ = report;
+  addCounts(before, pending_->statistics);
   last_stamp_ = report.stamp;
-  trajectory_ << tumLine(report.stamp, report.pose.pose);
-  odometry_ << tumLine(report.stamp, report.odometry_pose);
-  updates_ << updateLine(report);
+}
+
+void RunWriter::writePending() {
+  if (!pending_) return;
+  trajectory_ << tumLine(pending_->stamp, pending_->pose.pose);
+  odometry_ << tumLine(pending_->stamp, pending_->odometry_pose);
+  updates_ << updateLine(*pending_);
+  pending_.reset();
   ++lines_;
   if (!trajectory_ || !odometry_ || !updates_)
     throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
@@ -108,6 +128,7 @@ void RunWriter::write(const StepReport& report) {
 
 void RunWriter::finish(const Backend& backend, const std::string& map_frame,
                        const std::string& config) {
+  writePending();
   for (auto* file : {&trajectory_, &odometry_, &updates_})
     if (!file->flush())
       throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "slam_core/common/time.hpp"
@@ -24,7 +25,9 @@ class RunWriter {
   /// @throw std::runtime_error naming the folder and the cause
   explicit RunWriter(const std::string& folder);
 
-  /// Takes the steps in order; writes those that came from observations. A restart begins anew.
+  /// Takes the steps in order; writes those that came from observations or scans, steps of the same
+  /// stamp as one: the pose of the last of them, their statistics added up. It is written when the
+  /// next one comes. A restart begins anew.
   /// @throw std::runtime_error when the disk is full
   void write(const StepReport& report);
 
@@ -33,14 +36,17 @@ class RunWriter {
   void finish(const Backend& backend, const std::string& map_frame, const std::string& config);
 
   const std::string& folder() const { return folder_; }
-  std::size_t lines() const { return lines_; }
+  /// Of the trajectory, that of the last step included.
+  std::size_t lines() const { return lines_ + (pending_ ? 1 : 0); }
 
  private:
   void open(const std::string& name, std::ofstream& file) const;
   void begin();
+  void writePending();
 
   std::string folder_;
   std::ofstream trajectory_, odometry_, updates_;
+  std::optional<StepReport> pending_;
   Stamp last_stamp_;
   std::size_t lines_ = 0;
 };

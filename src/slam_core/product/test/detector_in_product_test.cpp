@@ -151,7 +151,7 @@ TEST_F(DetectorRun, EveryImageIsAStepAndWhatIsSeenIsMapped) {
   drain();
   ASSERT_EQ(reports.size(), 5u);
   EXPECT_EQ(reports.front().stamp, at(50));
-  EXPECT_TRUE(reports.front().observed);
+  EXPECT_EQ(reports.front().trigger, StepTrigger::kObservations);
   ASSERT_EQ(coordinator.estimator().backend().landmarks().size(), 1u);
   EXPECT_NEAR(coordinator.estimator().backend().landmarks()[0].position.x(), 2.0, 0.1);
   EXPECT_EQ(sentences, std::vector<std::string>());

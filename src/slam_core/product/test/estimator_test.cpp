@@ -103,7 +103,7 @@ TEST_F(EstimatorTest, ReportsTheOdometryPoseOfTheVeryStamp) {
     EXPECT_LT((report.odometry_pose.vector() - expected.vector()).norm(), 1e-9);
     EXPECT_EQ(report.odometry_frame, "odom");
     EXPECT_EQ(report.base_frame, "base_link");
-    EXPECT_TRUE(report.observed);
+    EXPECT_EQ(report.trigger, StepTrigger::kObservations);
   }
 }
 

@@ -28,7 +28,7 @@ TEST(MetaCoordinatorConfig, TakesTheDefaultsOfAnEmptyProduct) { EXPECT_TRUE(faul
 
 TEST(MetaCoordinatorConfig, ListsTheFaultsOfAllSectionsAtOnce) {
   const auto faults = faultsOf(
-      "{version: 1, source_timeout: 0, colour: red, ekf: {gate_probability: 1}, laser: {}}",
+      "{version: 1, source_timeout: 0, colour: red, ekf: {gate_probability: 1}, sonar: {}}",
       "{version: 1, wheel_odometry: {alpha1: -1}, landmark_sensor: {sigma_range: 0}, frames: {mpa: "
       "world}}",
       {"ekf.mode=slamm"});
@@ -40,7 +40,7 @@ TEST(MetaCoordinatorConfig, ListsTheFaultsOfAllSectionsAtOnce) {
   EXPECT_TRUE(oneSays(faults, {"wheel_odometry.alpha1", ">= 0"}));
   EXPECT_TRUE(oneSays(faults, {"landmark_sensor.sigma_range", "> 0"}));
   EXPECT_TRUE(oneSays(faults, {"frames.mpa", "did you mean 'map'"}));
-  EXPECT_TRUE(oneSays(faults, {"section laser", "product.yaml"}));
+  EXPECT_TRUE(oneSays(faults, {"section sonar", "product.yaml"}));
 }
 
 TEST(MetaCoordinatorConfig, NamesTheNearestComponent) {
@@ -53,6 +53,17 @@ TEST(MetaCoordinatorConfig, NamesTheNearestComponent) {
 TEST(MetaCoordinatorConfig, FindsASectionWithATypo) {
   EXPECT_TRUE(
       oneSays(faultsOf("{version: 1, efk: {mode: slam}}"), {"section efk", "did you mean 'ekf'"}));
+}
+
+TEST(MetaCoordinatorConfig, RefusesAGridThatTheBackEndDoesNotMake) {
+  EXPECT_TRUE(oneSays(faultsOf("{version: 1, backend: ekf, map: grid}"),
+                      {"map", "'ekf' makes no grid", "map: landmarks"}));
+}
+
+TEST(MetaCoordinatorConfig, KnowsTheLasersSectionOfEveryRobot) {
+  EXPECT_TRUE(faultsOf("", "{version: 1, laser: {sensor_pose: [0, 0, 0, 0, 0, 0]}}").empty());
+  const auto faults = faultsOf("", "{version: 1, laser: {sensor_pose: [1], range_max: -1}}");
+  EXPECT_TRUE(oneSays(faults, {"laser.range_max", ">= 0"})) << join(faults, "\n");
 }
 
 TEST(MetaCoordinatorConfig, RefusesFramesThatAreNone) {

@@ -98,9 +98,9 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
   statistics.added = 5;
   statistics.unknown = 6;
   statistics.landmarks = 9;
-  report.observed = true;
+  report.trigger = StepTrigger::kObservations;
   writer.write(report);
-  report.observed = false;  // a carry of motion
+  report.trigger = StepTrigger::kNone;  // a carry of motion
   writer.write(report);
   Settings settings;
   const auto backend = Registry<Backend>::instance().create("ekf");
@@ -111,6 +111,33 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
             "landmarks\n1.500000000,1,0.2,0.3,4,0.5,6,7.5,4,2,3,5,6,9\n");
 }
 
+TEST_F(RunWriterTest, WritesOneLineForObservationsAndAScanOfTheSameStamp) {
+  RunWriter writer(folder / "run");
+  StepReport report;
+  const auto write = [&](int second, StepTrigger trigger, double x) {
+    report.stamp = stampFromNanoseconds(1000000000LL * second);
+    report.trigger = trigger;
+    report.pose.pose = {x, 0, 0};
+    report.statistics.nis_dof = trigger == StepTrigger::kObservations ? 2 : 0;
+    writer.write(report);
+  };
+  write(1, StepTrigger::kObservations, 1.0);
+  write(1, StepTrigger::kScan, 1.5);
+  write(2, StepTrigger::kScan, 2.0);
+  write(3, StepTrigger::kNone, 3.0);
+  EXPECT_EQ(writer.lines(), 2u);
+  Settings settings;
+  const auto backend = Registry<Backend>::instance().create("ekf");
+  backend->configure(settings);
+  writer.finish(*backend, "map", "");
+  EXPECT_EQ(contentOf(folder / "run/trajectory.tum"),
+            tumLine(stampFromNanoseconds(1000000000), {1.5, 0, 0}) +
+                tumLine(stampFromNanoseconds(2000000000), {2, 0, 0}));
+  const auto updates = contentOf(folder / "run/updates.csv");
+  EXPECT_NE(updates.find("1.000000000,0,0,0,0,0,0,0,2,"), std::string::npos)
+      << "the observations' statistics are kept: " << updates;
+}
+
 TEST_F(RunWriterTest, BeginsAnewWithARestart) {
   const auto once = run("once", 70), twice = run("twice", 70, 2);
   for (const auto& file : kFiles)
@@ -119,7 +146,7 @@ TEST_F(RunWriterTest, BeginsAnewWithARestart) {
 
 TEST_F(RunWriterTest, NothingOfALongRunIsLeftAfterARestart) {
   StepReport report;
-  report.observed = true;
+  report.trigger = StepTrigger::kObservations;
   RunWriter writer(folder / "run");
   for (int i = 0; i < 1000; ++i) {
     report.stamp = stampFromNanoseconds(1000000000LL * (i + 100));
@@ -165,9 +192,12 @@ TEST_F(RunWriterTest, SaysThatTheDiskIsFull) {
   std::filesystem::create_symlink("/dev/full", folder / "run/trajectory.tum");
   RunWriter writer(folder / "run");
   StepReport report;
-  report.observed = true;
+  report.trigger = StepTrigger::kObservations;
   EXPECT_TRUE(oneSays({sentenceOf([&] {
-                        for (int i = 0; i < 1000; ++i) writer.write(report);
+                        for (int i = 0; i < 1000; ++i) {
+                          report.stamp += std::chrono::seconds(1);
+                          writer.write(report);
+                        }
                       })},
                       {(folder / "run").c_str(), "disk full"}));
 }

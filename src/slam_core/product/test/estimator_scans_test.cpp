@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/estimator.hpp"
+#include "slam_core/product/run_writer.hpp"
+
+namespace slam {
+namespace {
+
+using test::SimulatedStep;
+using test::SimulatedWorld;
+
+/// The EKF, which a scan only leads on to its stamp.
+class EkfCarriedByScans : public Backend {
+ public:
+  void configure(Settings& settings) override { ekf_->configure(settings); }
+  void set(const Motion& motion) override { ekf_->set(motion); }
+  void set(const LandmarkObservationArray& observations) override { ekf_->set(observations); }
+  void set(const LaserScan& scan) override { beams_ += scan.beams.size(); }
+  void set(const PoseEstimate& initial_pose) override { ekf_->set(initial_pose); }
+  void set(const MapState& map) override { ekf_->set(map); }
+  bool usesScans() const override { return true; }
+  Status execute() override { return ekf_->execute(); }
+  PoseEstimate pose() const override { return ekf_->pose(); }
+  LandmarkMap landmarks() const override { return ekf_->landmarks(); }
+  MapState state() const override { return ekf_->state(); }
+  UpdateStatistics statistics() const override { return ekf_->statistics(); }
+  const Counters& counters() const override { return ekf_->counters(); }
+  std::map<std::string, double> figures() const override {
+    return {{"beams", static_cast<double>(beams_)}};
+  }
+  void reset() override { ekf_->reset(); }
+
+ private:
+  std::unique_ptr<Backend> ekf_ = Registry<Backend>::instance().create("ekf");
+  std::size_t beams_ = 0;
+};
+
+class EstimatorScansTest : public testing::Test {
+ protected:
+  void SetUp() override { configure(std::make_unique<EkfCarriedByScans>()); }
+  void configure(std::unique_ptr<Backend> backend) {
+    Settings settings;
+    estimator.configure(settings, std::move(backend));
+    text.clear();
+  }
+  void drain() {
+    do {
+      const auto status = estimator.execute();
+      if (!status.isOk()) warning = status.message;
+      if (!estimator.report()) return;
+      const auto& report = *estimator.report();
+      text += report.trigger == StepTrigger::kScan ? "s" : "o";
+      trajectory += tumLine(report.stamp, report.pose.pose);
+      last = report;
+    } while (true);
+  }
+  static LaserScan scanAt(Stamp stamp, std::uint64_t sequence) {
+    LaserScan scan;
+    scan.stamp = stamp;
+    scan.sequence = sequence;
+    scan.beams = {{0.1f, 2.0f, true}, {0.2f, 3.0f, false}};
+    return scan;
+  }
+  double beams() const { return estimator.backend().figures().at("beams"); }
+
+  Estimator estimator;
+  std::string text;        ///< o and s: steps of observations and scans
+  std::string trajectory;  ///< of all steps
+  std::string warning;
+  StepReport last;
+};
+
+TEST_F(EstimatorScansTest, TakesObservationsBeforeAScanOfTheSameStamp) {
+  SimulatedWorld world(1);
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    const auto step = world.next();
+    estimator.set(step.motion);
+    estimator.set(scanAt(step.observations.stamp, i));
+    drain();
+    estimator.set(step.observations);
+    drain();
+  }
+  EXPECT_EQ(text, "ososos");
+  EXPECT_EQ(beams(), 6);
+}
+
+TEST_F(EstimatorScansTest, GivesTheSameWhateverTheOrderOfArrival) {
+  std::vector<SimulatedStep> steps;
+  SimulatedWorld world(1);
+  for (int i = 0; i < 60; ++i) steps.push_back(world.next());
+  std::string expected;
+  for (std::uint64_t shuffle = 0; shuffle < 20; ++shuffle) {
+    configure(std::make_unique<EkfCarriedByScans>());
+    trajectory.clear();
+    RandomStream random(3, shuffle);
+    std::array<std::size_t, 3> next{};
+    while (next[0] + next[1] + next[2] < 3 * steps.size()) {
+      const auto source = static_cast<std::size_t>(3 * random.uniform()) % 3;
+      if (next[source] == steps.size()) continue;
+      // no source runs ahead of the others as far as the time-out
+      if (next[source] > *std::min_element(next.begin(), next.end()) + 7) continue;
+      const auto& step = steps[next[source]];
+      if (source == 0) estimator.set(step.motion);
+      if (source == 1) estimator.set(step.observations);
+      if (source == 2)
+        estimator.set(scanAt(step.observations.stamp - std::chrono::milliseconds(30), next[2]));
+      ++next[source];
+      drain();
+    }
+    if (shuffle == 0) expected = trajectory;
+    ASSERT_EQ(trajectory, expected) << "shuffle " << shuffle;
+    ASSERT_EQ(text.size(), 2 * steps.size() - 1) << "an observation waits for the next scan";
+  }
+}
+
+TEST_F(EstimatorScansTest, WithoutLandmarksScansWaitOnceForTheTimeOut) {
+  SimulatedWorld world(1);
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    const auto step = world.next();
+    estimator.set(step.motion);
+    estimator.set(scanAt(step.motion.end, i));
+    drain();
+    EXPECT_EQ(text.size(), i < 10 ? 0 : i + 1) << "after a second nobody waits any more";
+  }
+}
+
+TEST_F(EstimatorScansTest, WithoutLandmarksToExpectScansDoNotWait) {
+  estimator.expectNoObservations();
+  for (int run = 0; run < 2; ++run) {
+    text.clear();
+    SimulatedWorld world(1);
+    for (std::uint64_t i = 0; i < 5; ++i) {
+      const auto step = world.next();
+      estimator.set(step.motion);
+      estimator.set(scanAt(step.motion.end, i));
+      drain();
+    }
+    EXPECT_EQ(text, "sssss");
+    estimator.reset();
+  }
+}
+
+TEST_F(EstimatorScansTest, PausedIgnoresScansAndStillMoves) {
+  estimator.expectNoObservations();
+  estimator.pause(true);
+  const auto step = SimulatedWorld(1).next();
+  estimator.set(step.motion);
+  estimator.set(scanAt(step.motion.end, 0));
+  drain();
+  EXPECT_EQ(text, "s");
+  EXPECT_EQ(beams(), 0);
+  EXPECT_GT(last.pose.pose.x(), 0.1);
+  EXPECT_EQ(estimator.counters()["paused"], 1u);
+}
+
+TEST_F(EstimatorScansTest, TakesAScanWithValuesThatAreNoneAsEmpty) {
+  estimator.expectNoObservations();
+  const auto step = SimulatedWorld(1).next();
+  estimator.set(step.motion);
+  auto scan = scanAt(step.motion.end, 0);
+  scan.beams[1].range = std::numeric_limits<float>::quiet_NaN();
+  estimator.set(scan);
+  drain();
+  EXPECT_EQ(text, "s");
+  EXPECT_EQ(beams(), 0);
+  EXPECT_EQ(estimator.counters()["invalid_scan"], 1u);
+  EXPECT_NE(warning.find("taken as empty"), std::string::npos) << warning;
+}
+
+TEST_F(EstimatorScansTest, ABackEndThatUsesNoScansIsNotHeldBackByThem) {
+  configure(Registry<Backend>::instance().create("ekf"));
+  const auto step = SimulatedWorld(1).next();
+  estimator.set(step.motion);
+  estimator.set(scanAt(step.motion.start, 0));
+  estimator.set(step.observations);
+  drain();
+  EXPECT_EQ(text, "o");
+}
+
+}  // namespace
+}  // namespace slam
