@@ -145,12 +145,15 @@ std::vector<Input> inputsOf(const TopicsConfig& topics) {
           input<sensor_msgs::CameraInfo>(kCamera.info, camera.info),
           input<sensor_msgs::Image>(kCeilingCamera.image, ceiling.raw),
           input<sensor_msgs::CompressedImage>(kCeilingCamera.compressed, ceiling.compressed),
-          input<sensor_msgs::CameraInfo>(kCeilingCamera.info, ceiling.info)};
+          input<sensor_msgs::CameraInfo>(kCeilingCamera.info, ceiling.info),
+          input<sensor_msgs::LaserScan>("scan", topics.scan)};
 }
 
 InputNeeds needsOf(const slam::ProductConfig& product) {
   InputNeeds needs;
   needs.images = product.usesImages();
+  needs.scans = product.hasGrid();
+  needs.landmarks = !product.hasGrid();
   const auto odometry = slam::makeOdometry(product);
   needs.wheels = odometry->usesWheels();
   needs.ceiling = odometry->usesImages();
@@ -172,7 +175,8 @@ std::vector<std::string> missingOf(const BagInputs& inputs, const InputNeeds& ne
                                   search.need("odom"), inputs.odom_frame, inputs.base_frame));
   if (inputs.motion.empty() && needs.ceiling && !inputs.ceiling.hasImages())
     missing.push_back("images of the ceiling: " + images(kCeilingCamera));
-  if (inputs.observations.empty() && !inputs.hasImages())
+  if (needs.scans && inputs.scan.empty()) missing.push_back("laser scans: " + search.need("scan"));
+  if (needs.landmarks && inputs.observations.empty() && !inputs.hasImages())
     missing.push_back("landmarks: " + search.need("observations") +
                       (needs.images ? ", or images: " + images(kCamera) : ""));
   return missing;
@@ -199,6 +203,7 @@ BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
         "at that camera's images instead");
   else if (needs.images)
     static_cast<BagCamera&>(inputs) = findCamera(bag, search, kCamera, inputs);
+  if (needs.scans) inputs.scan = search.topic("scan", inputs.notes);
   if (const auto missing = missingOf(inputs, needs, search); !missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));
@@ -213,6 +218,7 @@ BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks) {
   add(inputs.motion, slam_msgs::Motion(), sinks.motion);
   add(inputs.odom, nav_msgs::Odometry(), sinks.odom);
   add(inputs.observations, slam_msgs::LandmarkObservationArray(), sinks.observations);
+  add(inputs.scan, sensor_msgs::LaserScan(), sinks.scan);
   const auto add_camera = [&](const BagCamera& camera, const CameraSinks& camera_sinks) {
     add(camera.image, sensor_msgs::Image(), camera_sinks.image);
     add(camera.compressed_image, sensor_msgs::CompressedImage(), camera_sinks.compressed_image);

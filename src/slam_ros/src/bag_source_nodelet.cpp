@@ -88,6 +88,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
       std::vector<Remap> remaps;
       for (const auto& text : config_.remaps) remaps.push_back(parseRemap(text));
       inputs_ = findInputs(*bag_, needs, remaps);
+      const bool has_landmarks = inputs_.hasImages() || !inputs_.observations.empty();
+      if (!inputs_.scan.empty() && has_landmarks)
+        max_ahead_ = slam::durationFromSeconds(product.source_timeout / 2);
       for (const auto& note : inputs_.notes) NODELET_INFO_STREAM(note);
       for (const auto& warning : inputs_.warnings) NODELET_WARN_STREAM(warning);
       clock_ = std::make_unique<BagClock>(getNodeHandle(), config_.rate, config_.publish_clock);
@@ -111,6 +114,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
   void onProgress(const slam_msgs::Progress& message) {
     window_.acknowledged("motion", fromRos(message.motion));
     window_.acknowledged("observations", fromRos(message.observations));
+    window_.acknowledged("scans", fromRos(message.scans));
   }
 
   void play() {
@@ -155,9 +159,10 @@ class BagSourceNodelet : public nodelet::Nodelet {
   }
 
   std::string missingPartner() const {
-    // without it the images would wait for the camera's mount
-    const bool has_images = inputs_.hasImages() || inputs_.ceiling.hasImages();
-    if (has_images && tf_static_ && tf_static_.getNumSubscribers() == 0)
+    // without it images and scans would wait for their sensor's mount
+    const bool has_mounts =
+        inputs_.hasImages() || inputs_.ceiling.hasImages() || !inputs_.scan.empty();
+    if (has_mounts && tf_static_ && tf_static_.getNumSubscribers() == 0)
       return "a subscriber of " + tf_static_.getTopic();
     const auto subscriber = publishers_->missingSubscriber();
     if (!subscriber.empty() || progress_.getNumPublishers() > 0) return subscriber;
@@ -192,6 +197,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
 
   /// @return false when the nodelet is being unloaded
   bool waitForRoom(const std::string& input, slam::Stamp stamp) {
+    // else the source that takes longest would be taken for a silent one
+    if (max_ahead_ && !window_.waitForAllBefore(stamp - *max_ahead_, kPatience)) max_ahead_.reset();
     if (!window_.waitForRoom(input, kPatience) && !stop_) {
       if (inputs_of_few_.erase(input) > 0) {  // their calibration or mount may come later
         window_.limit(input, kImagesHeld);
@@ -211,7 +218,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
   BagInputs inputs_;
   std::unique_ptr<BagClock> clock_;
   FlowWindow window_{kInFlight};
-  std::set<std::string> inputs_of_few_;  ///< of images that have not been waited for in vain
+  std::optional<slam::Duration> max_ahead_;  ///< of stamps, where scans and landmarks wait together
+  std::set<std::string> inputs_of_few_;      ///< of images that have not been waited for in vain
   std::atomic<bool> stop_{false};
   std::optional<InputPublishers> publishers_;
   ros::Publisher tf_, tf_static_;

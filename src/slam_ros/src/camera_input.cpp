@@ -38,11 +38,11 @@ void CameraInput::pass(const slam::Image& image) {
 
 void CameraInput::findMount() {
   if (!camera_frame_) return;
-  auto mount = transforms_.mount(base_frame_, *camera_frame_);
-  const bool is_known = mount && mount_ && mount->camera_frame == mount_->camera_frame &&
-                        mount->T_base_camera.matrix() == mount_->T_base_camera.matrix();
-  if (!mount || is_known) return;
-  mount_ = std::move(mount);
+  const auto pose = transforms_.mount(base_frame_, *camera_frame_);
+  const bool is_known = pose && mount_ && *camera_frame_ == mount_->camera_frame &&
+                        pose->matrix() == mount_->T_base_camera.matrix();
+  if (!pose || is_known) return;
+  mount_ = slam::CameraMount{*camera_frame_, *pose};
   sinks_.mount(*mount_);
 }
 

@@ -39,7 +39,7 @@ void ConsistencyPublisher::onTruth(const geometry_msgs::PoseStamped& message) {
 }
 
 void ConsistencyPublisher::publish(const slam::StepReport& report) {
-  if (!report.observed) return;
+  if (report.trigger != slam::StepTrigger::kObservations) return;
   pending_.push_back({messageOf(report), report.stamp, report.pose});
   flush();
 }

@@ -182,6 +182,19 @@ slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray
   return array;
 }
 
+slam::LaserSweep fromMsg(const sensor_msgs::LaserScan& message) {
+  slam::LaserSweep sweep;
+  sweep.stamp = fromRos(message.header.stamp);
+  sweep.frame = frameId(message.header.frame_id);
+  sweep.angle_min = message.angle_min;
+  sweep.angle_max = message.angle_max;
+  sweep.angle_increment = message.angle_increment;
+  sweep.range_min = message.range_min;
+  sweep.range_max = message.range_max;
+  sweep.ranges = message.ranges;
+  return sweep;
+}
+
 slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,
                              const std::string& frame) {
   slam_msgs::LandmarkMap message;

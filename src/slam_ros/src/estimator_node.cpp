@@ -38,12 +38,30 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   services_.emplace(handles.product, map_frame_, actions());
   for (const auto& topic : {topics_.motion, topics_.observations})
     handles.product.resolveName(topic);  // throws now what subscribing would throw later
+  if (source_.usesScans()) connectLaser(handles.product, settings);
   start_.emplace([this, handle = handles.product] { subscribe(handle); });
+}
+
+void EstimatorNode::connectLaser(ros::NodeHandle handle, slam::Settings& settings) {
+  const LaserSubscriber::Options options{topics_.scan,
+                                         frameId(settings.read<slam::FramesConfig>().base),
+                                         !settings.read<slam::LaserConfig>().sensor_pose.empty()};
+  const auto take = [this](const auto& input) {
+    checkClock();
+    source_.set(input);
+    takeSteps(topics_.scan);
+  };
+  const auto take_scan = [this, take](const slam::LaserSweep& sweep) {
+    last_scan_ = sweep.stamp;
+    take(sweep);
+  };
+  laser_.emplace(handle, options, LaserInput::Sinks{take_scan, take});
 }
 
 EstimatorNode::~EstimatorNode() {
   // from here on no callback runs
   start_.reset();
+  if (laser_) laser_->stop();
   subscribers_.clear();
   services_.reset();
   consistency_.reset();
@@ -137,6 +155,7 @@ void EstimatorNode::publishProgress() {
   slam_msgs::Progress message;
   message.motion = toRos(estimator.lastMotion().value_or(slam::Stamp()));
   message.observations = toRos(estimator.lastObservations().value_or(slam::Stamp()));
+  message.scans = toRos(last_scan_);
   message.step = toRos(recorder_->lastStamp());
   progress_.publish(message);
 }
@@ -162,7 +181,8 @@ void EstimatorNode::reset() {
 std::string EstimatorNode::waiting() const {
   const auto& estimator = source_.estimator();
   if (!estimator.lastMotion()) return "waiting for motion on " + topics_.motion;
-  if (estimator.lastObservations()) return "";
+  if (const auto wait = laser_ ? laser_->waiting() : ""; !wait.empty()) return wait;
+  if (estimator.lastObservations() || estimator.usesScans()) return "";
   const auto sensor = front_end_waiting ? front_end_waiting() : "";
   return sensor.empty() ? "waiting for observations on " + topics_.observations : sensor;
 }

@@ -3,6 +3,8 @@
 
 #include "slam_ros/flow_window.hpp"
 
+#include <algorithm>
+
 namespace slam_ros {
 
 void FlowWindow::limit(const std::string& input, std::size_t capacity) {
@@ -27,6 +29,13 @@ void FlowWindow::acknowledged(const std::string& input, slam::Stamp up_to) {
 
 bool FlowWindow::waitForRoom(const std::string& input, Timeout patience) {
   return waitFor([&] { return sent_[input].size() < capacityOf(input); }, patience);
+}
+
+bool FlowWindow::waitForAllBefore(slam::Stamp stamp, Timeout patience) {
+  const auto has_come = [stamp](const auto& entry) {
+    return entry.second.empty() || entry.second.front() >= stamp;
+  };
+  return waitFor([&] { return std::all_of(sent_.begin(), sent_.end(), has_come); }, patience);
 }
 
 bool FlowWindow::waitUntilEmpty(Timeout patience) {

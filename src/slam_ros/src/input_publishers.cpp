@@ -41,7 +41,9 @@ InputPublishers::InputPublishers(ros::NodeHandle handle, const TopicsConfig& top
     motion_ = handle.advertise<slam_msgs::Motion>(topics.motion, kInFlight);
   if (!inputs.odom.empty() || !inputs.tf.empty())
     odom_ = handle.advertise<nav_msgs::Odometry>(topics.odom, kInFlight);
-  if (!inputs.hasImages())
+  if (!inputs.scan.empty())
+    scan_ = handle.advertise<sensor_msgs::LaserScan>(topics.scan, kInFlight);
+  if (!inputs.observations.empty())
     observations_ =
         handle.advertise<slam_msgs::LandmarkObservationArray>(topics.observations, kInFlight);
 }
@@ -59,6 +61,7 @@ InputSinks InputPublishers::sinks() const {
   sinks.observations = [this](const auto& message) {
     send(observations_, "observations", message.header.stamp, message);
   };
+  sinks.scan = [this](const auto& message) { send(scan_, "scans", message.header.stamp, message); };
   // of every image comes an array or a motion, which is what is acknowledged
   const auto observe = [this](const auto& message) {
     send(camera_.images, "observations", message.header.stamp, message);
@@ -75,8 +78,8 @@ InputSinks InputPublishers::sinks() const {
 }
 
 std::string InputPublishers::missingSubscriber() const {
-  for (const auto* publisher : {&motion_, &odom_, &observations_, &camera_.images, &camera_.info,
-                                &ceiling_.images, &ceiling_.info})
+  for (const auto* publisher : {&motion_, &odom_, &observations_, &scan_, &camera_.images,
+                                &camera_.info, &ceiling_.images, &ceiling_.info})
     if (*publisher && publisher->getNumSubscribers() == 0)
       return "a subscriber of " + publisher->getTopic();
   return "";

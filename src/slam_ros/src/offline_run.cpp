@@ -65,6 +65,15 @@ void OfflineRun::configure() {
   const auto for_odometry = [this](const auto& input) { coordinator_.setForOdometry(input); };
   ceiling_camera_.emplace(frameId(needs.frames.base),
                           CameraInput::Sinks{for_odometry, for_odometry, for_odometry});
+  connectLaser(frameId(needs.frames.base));
+}
+
+void OfflineRun::connectLaser(const std::string& base_frame) {
+  laser_.emplace(base_frame,
+                 LaserInput::Sinks{[this](const auto& scan) { coordinator_.set(scan); },
+                                   [this](const auto& mount) { coordinator_.set(mount); }});
+  if (inputs_.observations.empty() && !inputs_.hasImages())
+    coordinator_.estimator().expectNoObservations();
 }
 
 void OfflineRun::loadMap() {
@@ -98,9 +107,11 @@ void OfflineRun::read(slam::RunWriter& writer) {
   static_cast<CameraSinks&>(sinks) = {look, look, look};
   const auto look_up = [&](const auto& message) { ceiling_camera_->take(message); };
   sinks.ceiling = {look_up, look_up, look_up};
+  sinks.scan = [&](const auto& message) { laser_->take(message); };
   const auto transforms = staticTransforms(bag_, frameId(coordinator_.frames().map));
   if (inputs_.hasImages()) look(transforms);
   if (inputs_.ceiling.hasImages()) look_up(transforms);
+  if (!inputs_.scan.empty()) laser_->take(transforms);
   const auto handlers = handlersFor(inputs_, sinks);
   progress_.begin(bag_.path(), bag_.messages(handlers));
   bag_.read(handlers, [&](std::size_t done) {
@@ -132,7 +143,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
     if (report->restarted) warn("the stamps went back: map and pose begin anew");
-    if (report->observed) metrics_.addUpdate(time);
+    if (report->hasTrigger()) metrics_.addUpdate(time);
     writer.write(*report);
   }
 }
@@ -148,18 +159,24 @@ void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
   if (writer.lines() > 0) return;
   requireCamera(inputs_, *camera_);
   requireCamera(inputs_.ceiling, *ceiling_camera_);
-  throw std::runtime_error(fmt::format(
-      "no step could be taken: no observation of the bag {} has a stamp that its odometry covers",
-      bag_.path()));
+  requireTransform(laser_->missingTransform());
+  throw std::runtime_error(
+      fmt::format("no step could be taken: no observation or scan of the bag {} has a stamp that "
+                  "its odometry covers",
+                  bag_.path()));
 }
 
 void OfflineRun::requireCamera(const BagCamera& topics, const CameraInput& camera) {
   if (topics.hasImages() && !camera.hasCalibration())
     throw std::runtime_error("no step could be taken: " + topics.image + topics.compressed_image +
                              " came without the camera's calibration");
-  if (const auto transform = camera.missingTransform(); !transform.empty())
+  requireTransform(camera.missingTransform());
+}
+
+void OfflineRun::requireTransform(const std::string& missing) {
+  if (!missing.empty())
     throw std::runtime_error(
-        "no step could be taken: the bag's /tf_static does not tell the transform " + transform);
+        "no step could be taken: the bag's /tf_static does not tell the transform " + missing);
 }
 
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {

@@ -36,7 +36,7 @@ void RunRecorder::write(const slam::StepReport& report, RunMetrics::Clock::durat
     metrics_.emplace();
     first_stamp_ = report.stamp;
   }
-  if (report.observed) metrics_->addUpdate(time);
+  if (report.hasTrigger()) metrics_->addUpdate(time);
   last_stamp_ = report.stamp;
   if (writer_) attempt([&] { writer_->write(report); });
 }

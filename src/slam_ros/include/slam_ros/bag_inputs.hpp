@@ -7,6 +7,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/LaserScan.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
 
@@ -30,7 +31,7 @@ struct BagCamera {
 
 /// Where a product's inputs stand in a bag. An empty topic: that input does not come from the bag.
 struct BagInputs : BagCamera {
-  std::string motion, odom, observations;
+  std::string motion, odom, observations, scan;
   std::string tf;  ///< the odometry is an edge of this topic
   std::string odom_frame, base_frame;
   BagCamera ceiling;                  ///< that looks at the ceiling
@@ -50,6 +51,7 @@ struct InputSinks : CameraSinks {
   std::function<void(const slam_msgs::Motion&)> motion;
   std::function<void(const nav_msgs::Odometry&)> odom;
   std::function<void(const slam_msgs::LandmarkObservationArray&)> observations;
+  std::function<void(const sensor_msgs::LaserScan&)> scan;
   CameraSinks ceiling;
 };
 
@@ -57,9 +59,11 @@ struct InputSinks : CameraSinks {
 struct InputNeeds {
   TopicsConfig topics;
   slam::FramesConfig frames;
-  bool images = false;   ///< it makes observations of images
-  bool wheels = true;    ///< its odometry takes in that of the wheels
-  bool ceiling = false;  ///< its odometry looks at the ceiling
+  bool images = false;    ///< it makes observations of images
+  bool wheels = true;     ///< its odometry takes in that of the wheels
+  bool ceiling = false;   ///< its odometry looks at the ceiling
+  bool scans = false;     ///< it cannot do without a laser
+  bool landmarks = true;  ///< it cannot do without landmarks, else they are welcome
 };
 
 std::vector<Input> inputsOf(const TopicsConfig& topics);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "slam_core/camera/camera_calibration.hpp"
 #include "slam_core/camera/image.hpp"
 #include "slam_ros/static_transforms.hpp"
 

@@ -8,6 +8,7 @@
 #include <geometry_msgs/Transform.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
+#include <sensor_msgs/LaserScan.h>
 #include <slam_msgs/LandmarkMap.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
@@ -15,6 +16,7 @@
 #include <string>
 
 #include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
@@ -49,6 +51,9 @@ slam::Motion fromMsg(const slam_msgs::Motion& message);
 
 slam_msgs::LandmarkObservationArray toMsg(const slam::LandmarkObservationArray& array);
 slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray& message);
+
+/// Its intensities are not used.
+slam::LaserSweep fromMsg(const sensor_msgs::LaserScan& message);
 
 slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,
                              const std::string& frame);

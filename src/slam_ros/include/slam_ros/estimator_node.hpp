@@ -20,6 +20,7 @@
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
 #include "slam_ros/diagnostics.hpp"
+#include "slam_ros/laser_subscriber.hpp"
 #include "slam_ros/run_recorder.hpp"
 #include "slam_ros/step_source.hpp"
 #include "slam_ros/topics_config.hpp"
@@ -27,9 +28,9 @@
 namespace slam_ros {
 
 /// The ROS side of an estimator, the same for every back-end and both compositions: subscribes
-/// motion, observations and initialpose, and turns each step into pose, path, landmarks, transform,
-/// progress, diagnostics and the files of the run. All callbacks come from one thread, one at a
-/// time. Destroying it completes the files.
+/// motion, observations, initialpose and, where they are used, scans, and turns each step into
+/// pose, path, landmarks, transform, progress, diagnostics and the files of the run. All callbacks
+/// come from one thread, one at a time. Destroying it completes the files.
 class EstimatorNode {
  public:
   struct Handles {
@@ -62,6 +63,7 @@ class EstimatorNode {
   void onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message);
 
   void subscribe(ros::NodeHandle handle);
+  void connectLaser(ros::NodeHandle handle, slam::Settings& settings);
   BackendActions actions();
   std::string waiting() const;
   Diagnostics::Values figures() const;
@@ -82,6 +84,8 @@ class EstimatorNode {
   ros::Publisher progress_;
   std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
   std::vector<ros::Subscriber> subscribers_;
+  std::optional<LaserSubscriber> laser_;
+  slam::Stamp last_scan_;  ///< that has come, whether or not it could be used
   std::optional<AfterLoad> start_;
 };
 

@@ -32,6 +32,8 @@ class FlowWindow {
   /// Waits until the input may send. @return false when nothing at all was acknowledged for
   /// `patience`, or after stop()
   bool waitForRoom(const std::string& input, Timeout patience);
+  /// Waits until no message of an earlier stamp is in flight. @return as above
+  bool waitForAllBefore(slam::Stamp stamp, Timeout patience);
   /// Waits until everything is acknowledged. @return as above
   bool waitUntilEmpty(Timeout patience);
 

@@ -17,8 +17,8 @@ namespace slam_ros {
 /// Publishes a product's inputs, those that a bag has, to the topics of the robot file.
 class InputPublishers {
  public:
-  /// Waits until a message of an input ("motion" or "observations", as they are acknowledged) may
-  /// be sent. @return false: it is not to be sent
+  /// Waits until a message of an input ("motion", "observations" or "scans", as they are
+  /// acknowledged) may be sent. @return false: it is not to be sent
   using Gate = std::function<bool(const std::string& input, slam::Stamp stamp)>;
 
   InputPublishers(ros::NodeHandle handle, const TopicsConfig& topics, const BagInputs& inputs,
@@ -43,7 +43,7 @@ class InputPublishers {
             const Message& message) const;
 
   Gate gate_;
-  ros::Publisher motion_, odom_, observations_;
+  ros::Publisher motion_, odom_, observations_, scan_;
   Camera camera_;   ///< that observations are made of
   Camera ceiling_;  ///< that motion is made of
 };

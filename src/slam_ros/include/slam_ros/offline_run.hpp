@@ -13,6 +13,7 @@
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/camera_input.hpp"
+#include "slam_ros/laser_input.hpp"
 #include "slam_ros/run_metrics.hpp"
 
 namespace slam_ros {
@@ -39,6 +40,7 @@ class OfflineRun {
 
  private:
   void configure();
+  void connectLaser(const std::string& base_frame);
   void loadMap();
   void read(slam::RunWriter& writer);
   void take(const nav_msgs::Odometry& message);
@@ -46,6 +48,7 @@ class OfflineRun {
   void warn(const std::string& sentence);
   void requireSteps(const slam::RunWriter& writer) const;
   static void requireCamera(const BagCamera& topics, const CameraInput& camera);
+  static void requireTransform(const std::string& missing);
   void printSummary(const slam::RunWriter& writer) const;
 
   OfflineOptions options_;
@@ -56,6 +59,7 @@ class OfflineRun {
   BagInputs inputs_;
   slam::MetaCoordinator coordinator_;
   std::optional<CameraInput> camera_, ceiling_camera_;
+  std::optional<LaserInput> laser_;
   std::string odometry_fault_;
   std::uint64_t odometry_faults_ = 0;
   std::set<std::string> warnings_;

@@ -6,11 +6,10 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <Eigen/Geometry>
 #include <map>
 #include <optional>
 #include <string>
-
-#include "slam_core/camera/camera_calibration.hpp"
 
 namespace slam_ros {
 
@@ -19,15 +18,15 @@ class StaticTransforms {
  public:
   void set(const tf2_msgs::TFMessage& message);
 
-  /// The camera's optical frame in the base frame; nothing while no transform connects the two. A
-  /// camera whose own transform is none (NaN, no unit quaternion) gets it as it came: faultOf()
+  /// A sensor's frame in the base frame; nothing while no transform connects the two. A sensor
+  /// whose own transform is none (NaN, no unit quaternion) gets it as it came: slam::faultOfMount()
   /// says what is wrong with it.
-  std::optional<slam::CameraMount> mount(const std::string& base_frame,
-                                         const std::string& camera_frame) const;
+  std::optional<Eigen::Isometry3d> mount(const std::string& base_frame,
+                                         const std::string& sensor_frame) const;
 
  private:
   tf2::BufferCore tree_;
-  std::map<std::string, slam::CameraMount> faulty_;  ///< by child frame
+  std::map<std::string, Eigen::Isometry3d> faulty_;  ///< by child frame
 };
 
 }  // namespace slam_ros

@@ -17,28 +17,41 @@ class StepSource {
   /// @throw slam::ConfigError listing the faults of the whole product
   virtual void configure(slam::Settings& settings) = 0;
   virtual slam::Estimator& estimator() = 0;
+  /// Of the laser; nothing comes of them unless usesScans().
+  virtual void set(const slam::LaserSweep& sweep) = 0;
+  virtual void set(const slam::LaserMount& mount) = 0;
+  virtual bool usesScans() const = 0;
   virtual slam::Status execute() = 0;
   virtual slam::Counters counters() const = 0;
   virtual std::uint64_t dropped() const = 0;
   virtual void reset() = 0;
 };
 
-/// Composition pubsub: motion and observations come as messages.
+/// Composition pubsub: motion and observations come as messages, scans from the sensor.
 class BackendAlone final : public StepSource {
  public:
   explicit BackendAlone(std::unique_ptr<slam::Backend> backend) : backend_(std::move(backend)) {}
 
   void configure(slam::Settings& settings) override {
     slam::validateProduct(settings);
+    laser_.configure(settings.read<slam::LaserConfig>());
     estimator_.configure(settings, std::move(backend_));
   }
   slam::Estimator& estimator() override { return estimator_; }
-  slam::Status execute() override { return estimator_.execute(); }
-  slam::Counters counters() const override { return estimator_.counters(); }
+  void set(const slam::LaserSweep& sweep) override { takeScans(sweep); }
+  void set(const slam::LaserMount& mount) override { takeScans(mount); }
+  bool usesScans() const override { return estimator_.usesScans(); }
+  slam::Status execute() override;
+  slam::Counters counters() const override;
   std::uint64_t dropped() const override { return estimator_.dropped(); }
-  void reset() override { estimator_.reset(); }
+  void reset() override;
 
  private:
+  template <class Input>
+  void takeScans(const Input& input);
+
+  slam::ScanGate laser_;
+  slam::Status laser_status_;
   std::unique_ptr<slam::Backend> backend_;
   slam::Estimator estimator_;
 };
@@ -48,6 +61,9 @@ class WholeProduct final : public StepSource {
  public:
   void configure(slam::Settings& settings) override { coordinator_.configure(settings); }
   slam::Estimator& estimator() override { return coordinator_.estimator(); }
+  void set(const slam::LaserSweep& sweep) override { coordinator_.set(sweep); }
+  void set(const slam::LaserMount& mount) override { coordinator_.set(mount); }
+  bool usesScans() const override { return coordinator_.usesScans(); }
   slam::Status execute() override { return coordinator_.execute(); }
   slam::Counters counters() const override { return coordinator_.counters(); }
   std::uint64_t dropped() const override { return coordinator_.dropped(); }

@@ -18,6 +18,7 @@ struct TopicsConfig {
   std::string motion = "motion";
   std::string camera = "camera/image_raw";
   std::string ceiling_camera = "ceiling_camera/image_raw";
+  std::string scan = "scan";
 
   void describe(slam::Fields& fields) {
     fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
@@ -35,6 +36,7 @@ struct TopicsConfig {
         .add("ceiling_camera", &ceiling_camera,
              "raw images of the camera that looks at the ceiling; others as of the camera")
         .ofRobot();
+    fields.add("scan", &scan, "the laser's sensor_msgs/LaserScan").ofRobot();
   }
 };
 

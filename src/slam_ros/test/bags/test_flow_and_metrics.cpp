@@ -59,6 +59,16 @@ TEST(FlowWindow, WaitsAsLongAsAnythingIsAcknowledged) {
   other.join();
 }
 
+TEST(FlowWindow, WaitsForTheSlowestInput) {
+  FlowWindow window(10);
+  window.sent("observations", stamp(5));
+  window.sent("scans", stamp(8));
+  EXPECT_TRUE(window.waitForAllBefore(stamp(5), kShort));
+  EXPECT_FALSE(window.waitForAllBefore(stamp(6), kShort));
+  window.acknowledged("observations", stamp(5));
+  EXPECT_TRUE(window.waitForAllBefore(stamp(8), kShort));
+}
+
 TEST(FlowWindow, StopEndsTheWait) {
   FlowWindow window(1);
   window.sent("motion", stamp(1));

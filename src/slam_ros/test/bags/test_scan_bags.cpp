@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include "bag_maker.hpp"
+#include "slam_ros/bag_inputs.hpp"
+
+namespace slam_ros {
+namespace {
+
+using test::BagMaker;
+using test::contains;
+using test::messageOf;
+
+sensor_msgs::LaserScan scanAt(double t) {
+  sensor_msgs::LaserScan scan;
+  scan.header.stamp = test::at(t);
+  scan.ranges = {1, 2, 3};
+  return scan;
+}
+
+struct ScanBags : ::testing::Test {
+  /// A bag with odometry and what `fill` adds.
+  template <class Fill>
+  std::string bag(Fill fill) {
+    BagMaker maker(folder / "x.bag");
+    maker.addOdometry();
+    fill(maker);
+    return folder / "x.bag";
+  }
+  static InputNeeds gridNeeds() {
+    InputNeeds needs;
+    needs.scans = true;
+    needs.landmarks = false;
+    return needs;
+  }
+  test::Folder folder;
+};
+
+TEST_F(ScanBags, AGridNeedsScansAndCanDoWithoutLandmarks) {
+  const BagReader reader(bag([](auto& maker) { maker.add("/base_scan", 1, scanAt(1)); }));
+  const auto inputs = findInputs(reader, gridNeeds(), {});
+  EXPECT_EQ(inputs.scan, "/base_scan");
+  EXPECT_EQ(inputs.observations, "");
+  ASSERT_EQ(inputs.notes.size(), 1u);
+  EXPECT_TRUE(contains(inputs.notes[0], "/base_scan is the input scan")) << inputs.notes[0];
+  std::size_t ranges = 0;
+  InputSinks sinks;
+  sinks.odom = [](const auto&) {};
+  sinks.scan = [&](const auto& scan) { ranges += scan.ranges.size(); };
+  reader.read(handlersFor(inputs, sinks));
+  EXPECT_EQ(ranges, 3u);
+}
+
+TEST_F(ScanBags, AGridTakesLandmarksWhereThereAreSome) {
+  const BagReader reader(
+      bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
+  const auto inputs = findInputs(reader, gridNeeds(), {});
+  EXPECT_EQ(inputs.scan, "/scan");
+  EXPECT_EQ(inputs.observations, "/observations");
+}
+
+TEST_F(ScanBags, SaysThatTheScansAreMissing) {
+  const BagReader reader(bag([](auto& maker) { maker.addObservations(); }));
+  const auto message = messageOf([&] { findInputs(reader, gridNeeds(), {}); });
+  EXPECT_TRUE(contains(message, "lacks laser scans: 'scan' (sensor_msgs/LaserScan)")) << message;
+}
+
+TEST_F(ScanBags, OneOfSeveralLasersMustBeChosen) {
+  const BagReader reader(
+      bag([](auto& maker) { maker.add("/front", 1, scanAt(1)).add("/back", 1, scanAt(1)); }));
+  const auto message = messageOf([&] { findInputs(reader, gridNeeds(), {}); });
+  EXPECT_TRUE(contains(message, "--remap scan:=/back")) << message;
+  EXPECT_EQ(findInputs(reader, gridNeeds(), {{"scan", "/front"}}).scan, "/front");
+}
+
+TEST_F(ScanBags, AProductOfLandmarksDoesNotTouchTheScans) {
+  const BagReader reader(
+      bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
+  EXPECT_EQ(findInputs(reader, InputNeeds(), {}).scan, "");
+}
+
+}  // namespace
+}  // namespace slam_ros
