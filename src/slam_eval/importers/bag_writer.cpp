@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "import_error.hpp"
+#include "slam_core/common/atomic_file.hpp"
 
 namespace slam::eval {
 
@@ -21,6 +22,7 @@ void BagWriter::write(const std::string& path, Progress& progress) {
   try {
     slam_ros::BagFile bag(path);
     writeMessages(bag, progress);
+    writeBeside(path);
     bag.complete();
   } catch (const slam_ros::BagPathError& error) {
     throw UsageError(error.what());
@@ -42,6 +44,14 @@ void BagWriter::writeMessages(slam_ros::BagFile& bag, Progress& progress) const 
     progress.update(i + 1);
   }
   progress.end();
+}
+
+void BagWriter::writeBeside(const std::string& path) const {
+  try {
+    for (const auto& [ending, text] : beside_) writeFileAtomically(path + ending, text);
+  } catch (const std::runtime_error& error) {
+    throw ImportError(error.what());
+  }
 }
 
 }  // namespace slam::eval

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "slam_core/common/progress.hpp"
@@ -42,13 +43,19 @@ class BagWriter {
     entries_.push_back({message.header.stamp, writer(topic, message)});
   }
 
+  /// A text that belongs to the bag and is written beside it, as PATH + ending.
+  void addBeside(const std::string& ending, std::string text) {
+    beside_.push_back({ending, std::move(text)});
+  }
+
   /// Number of messages added.
   std::size_t size() const { return first_.size() + entries_.size(); }
 
   /// From the first to the last stamp [s].
   double duration() const;
 
-  /// Writes PATH.part and renames it to PATH when it is complete: there is never a half bag.
+  /// Writes PATH.part and renames it to PATH when it and what belongs beside it are complete:
+  /// there is never a half bag.
   /// @throw UsageError PATH's folder is not there or PATH is no file; ImportError no messages, or
   /// writing failed
   void write(const std::string& path, Progress& progress);
@@ -68,9 +75,11 @@ class BagWriter {
   }
 
   void writeMessages(slam_ros::BagFile& bag, Progress& progress) const;
+  void writeBeside(const std::string& path) const;
 
   std::vector<Entry> first_;
   std::vector<Entry> entries_;
+  std::vector<std::pair<std::string, std::string>> beside_;
 };
 
 }  // namespace slam::eval

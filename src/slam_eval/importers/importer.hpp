@@ -38,6 +38,7 @@ class Importer {
   virtual std::string import(BagWriter& bag, Progress& progress) = 0;
 };
 
+std::unique_ptr<Importer> makeCarmenImporter();
 std::unique_ptr<Importer> makeCirclesImporter();
 std::unique_ptr<Importer> makeMrclamImporter();
 std::unique_ptr<Importer> makeRawlogImporter();

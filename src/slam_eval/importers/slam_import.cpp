@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   CLI::App app("Turns foreign logs into bags of the SLAM product line.", "slam_import");
   app.require_subcommand(1);
   std::vector<std::unique_ptr<Importer>> importers;
+  importers.push_back(slam::eval::makeCarmenImporter());
   importers.push_back(slam::eval::makeCirclesImporter());
   importers.push_back(slam::eval::makeMrclamImporter());
   importers.push_back(slam::eval::makeRawlogImporter());

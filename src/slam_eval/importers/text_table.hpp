@@ -18,6 +18,11 @@ class TextRow {
 
   std::size_t size() const { return fields_.size(); }
 
+  /// File and line, as messages name it.
+  const std::string& place() const { return place_; }
+
+  const std::string& text(std::size_t column) const { return fields_.at(column); }
+
   /// A time "seconds.fraction" [s] as [ns], read digit by digit: a double holds no nanoseconds of
   /// today's clock. At most nine decimals.
   std::int64_t stamp(std::size_t column) const;

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "bag_contents.hpp"
@@ -86,6 +87,20 @@ TEST_F(BagWriterTest, LeavesNothingButTheBag) {
   writer_.write(folder_.file("a.bag"), progress_);
   EXPECT_TRUE(std::filesystem::exists(folder_.file("a.bag")));
   EXPECT_EQ(folder_.count(), 1);
+}
+
+TEST_F(BagWriterTest, WritesWhatBelongsBesideTheBagWithItOrNothing) {
+  addPoses(1);
+  writer_.addBeside(".stamps.csv", "a table\n");
+  writer_.write(folder_.file("a.bag"), progress_);
+  std::ifstream table(folder_.file("a.bag.stamps.csv"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), "a table\n");
+  EXPECT_EQ(folder_.count(), 2);
+  std::filesystem::create_directory(folder_.file("b.bag.stamps.csv"));
+  const auto message =
+      messageOf<ImportError>([this] { writer_.write(folder_.file("b.bag"), progress_); });
+  EXPECT_NE(message.find("b.bag.stamps.csv"), std::string::npos) << message;
+  EXPECT_EQ(folder_.count(), 3) << "no bag without its table";
 }
 
 TEST_F(BagWriterTest, KeepsTheFormerBagAndNoPartWhenTheDiskIsFull) {

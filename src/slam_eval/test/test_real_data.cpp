@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "carmen_clock.hpp"
+#include "carmen_log.hpp"
 #include "circles_log.hpp"
 #include "mrclam_log.hpp"
 #include "rawlog_log.hpp"
@@ -117,6 +119,27 @@ TEST(KfSlamDemo, HasOnePoseOfTheTruthForEachOfItsFrames) {
   }
   // The simulator's sigma is 0.1 degrees: an offset of one frame would show at once.
   EXPECT_NEAR(std::sqrt(squared / static_cast<double>(count)), 0.1 * M_PI / 180.0, 2e-4);
+}
+
+TEST(RealCarmen, KeepsTheOrderOfIntelsScansWithRisingStamps) {
+  const auto path = fs::path(dataFolder()) / "laser" / "intel.clf";
+  if (!fs::exists(path)) GTEST_SKIP() << "the real data set is absent: " << path;
+  const CarmenLog log = readCarmen(path.string(), std::nullopt);
+  ASSERT_EQ(log.scans.size(), 13631u);
+  EXPECT_EQ(log.bad_lines, 0u);
+  const CarmenClock clock = makeClock(log.scans);
+  EXPECT_EQ(clock.steps_back, 629u);
+  for (std::size_t i = 1; i < clock.written.size(); ++i)
+    ASSERT_GT(clock.written[i], clock.written[i - 1]);
+  std::size_t none = 0;
+  for (const auto& scan : log.scans) {
+    ASSERT_EQ(scan.reading.ranges.size(), 180u);
+    for (const float range : scan.reading.ranges) {
+      none += std::isinf(range);
+      ASSERT_TRUE(std::isinf(range) || range < 80.0f);
+    }
+  }
+  EXPECT_GT(none, 10000u);
 }
 
 TEST(RealCircles, HasTheNumbersOfItsDocumentation) {

@@ -3,13 +3,17 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
+#include <sensor_msgs/LaserScan.h>
 #include <slam_msgs/LandmarkMap.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <std_msgs/String.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bag_contents.hpp"
+#include "carmen_maker.hpp"
 #include "mrclam_set.hpp"
 #include "program.hpp"
 #include "rawlog_maker.hpp"
@@ -88,6 +92,37 @@ TEST_F(SlamImport, TurnsARawlogWithItsTruthIntoABag) {
   EXPECT_EQ(messagesOf<slam_msgs::LandmarkMap>(bag(), "/ground_truth/landmarks").size(), 1u);
 }
 
+TEST_F(SlamImport, TurnsACarmenLogIntoABagWithTheStampsOfItsSource) {
+  in_.write("a.clf", flaser("10.0", "0 0 0") + odom("10.1", "0.5 0 0") + flaser("10.2", "1 0 0") +
+                         flaser("10.2", "3 0 0") + "FLASER 1\n");
+  const ProgramRun run = runSlamImport("carmen " + in_.file("a.clf") + " " + bag());
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("3 scans (FLASER) of 180 beams"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("1 stand twice; 0 gaps"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("1 jumps"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("Bad lines left out: 1; the first: "), std::string::npos);
+  EXPECT_EQ(messagesOf<std_msgs::String>(bag(), "/robot").at(0).data, "carmen");
+
+  const auto scans = messagesOf<sensor_msgs::LaserScan>(bag(), "/scan");
+  const auto odometry = messagesOf<nav_msgs::Odometry>(bag(), "/odom");
+  ASSERT_EQ(scans.size(), 3u);
+  ASSERT_EQ(odometry.size(), 4u);
+  EXPECT_EQ(odometry[1].pose.pose.position.x, 0.5);
+  EXPECT_EQ(odometry[1].twist.twist.linear.x, 0.3);
+  EXPECT_EQ(odometry[3].header.stamp, scans[2].header.stamp);
+  EXPECT_GT(scans[2].header.stamp, scans[1].header.stamp);
+  EXPECT_NEAR(scans[0].angle_max, 89.0 * M_PI / 180.0, 1e-6);
+  EXPECT_EQ(scans[0].range_max, 80.0f);
+
+  const auto mounts = messagesOf<tf2_msgs::TFMessage>(bag(), "/tf_static");
+  ASSERT_EQ(mounts.size(), 1u);
+  EXPECT_EQ(mounts[0].transforms.at(0).header.frame_id, "base_link");
+  EXPECT_EQ(mounts[0].transforms.at(0).child_frame_id, scans[0].header.frame_id);
+  std::ifstream table(bag() + ".stamps.csv");
+  const std::string text(std::istreambuf_iterator<char>(table), {});
+  EXPECT_NE(text.find("\n10.200000000,10.200100000\n"), std::string::npos) << text;
+}
+
 TEST_F(SlamImport, SaysThatThereIsNoTruth) {
   {
     RawlogMaker maker(in_.file("a.rawlog"));
@@ -115,18 +150,21 @@ TEST_F(SlamImport, WritesTheSameBytesTwice) {
 TEST_F(SlamImport, RefusesWrongUseWithCodeTwo) {
   writeMrclamSet(in_);
   EXPECT_EQ(runSlamImport("").exit_code, 2);
-  expectFailure("nonsense x y", 2, "'nonsense'; the formats are: circles, mrclam, rawlog");
+  expectFailure("nonsense x y", 2, "'nonsense'; the formats are: carmen, circles, mrclam, rawlog");
   expectFailure("mrclan x y", 2, "did you mean 'mrclam'?");
   EXPECT_EQ(runSlamImport("mrclam " + in_.path() + " " + bag()).exit_code, 2);
   EXPECT_EQ(runSlamImport("--help").exit_code, 0);
   expectFailure("mrclam " + in_.path() + " --robot 3 " + bag(), 2, "has no robot 3; it has 2");
   expectFailure("mrclam " + in_.file("none") + " --robot 2 " + bag(), 2, "there is no folder");
   expectFailure("rawlog " + in_.file("none") + " " + bag(), 2, "there is no file");
+  expectFailure("carmen " + in_.file("none") + " " + bag(), 2, "there is no file");
   expectFailure("mrclam " + in_.path() + " --robot 2 " + out_.file("none/a.bag"), 2,
                 "there is no folder");
 }
 
 TEST_F(SlamImport, RefusesBadFilesWithCodeOne) {
+  in_.write("a.clf", "ODOM 1 2 3\n");
+  expectFailure("carmen " + in_.file("a.clf") + " " + bag(), 1, "holds no laser scans");
   in_.write("a.rawlog", "no rawlog");
   expectFailure("rawlog " + in_.file("a.rawlog") + " " + bag(), 1, "is no MRPT rawlog");
   expectFailure("mrclam " + in_.path() + " --robot 2 " + bag(), 1, "it has no Barcodes.dat");
