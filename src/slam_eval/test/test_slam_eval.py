@@ -158,7 +158,7 @@ class SlamEval(unittest.TestCase):
     def test_wrong_use_ends_with_code_2(self):
         self.assertEqual(self.evaluate().returncode, 2)
         run_maker.make_run(self.run_folder, count=30)
-        self.assertEqual(self.evaluate(self.run_folder, '--relations', 'x').returncode, 2)
+        self.assertEqual(self.evaluate(self.run_folder, '--nonsense', 'x').returncode, 2)
 
     def test_a_missing_folder_is_named(self):
         self.fails(str(self.run_folder), 'no such folder')

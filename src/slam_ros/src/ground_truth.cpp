@@ -9,6 +9,8 @@
 #include <slam_msgs/LandmarkMap.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/product/run_writer.hpp"
@@ -65,6 +67,12 @@ std::string mapText(const slam_msgs::LandmarkMap& map) {
   return text;
 }
 
+/// The table of stamps that an importer wrote beside the bag; empty where there is none.
+std::string sourceStamps(const std::string& bag) {
+  std::ifstream file(bag + ".stamps.csv");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 }  // namespace
 
 GroundTruthCounts writeGroundTruth(const BagReader& bag, const std::string& folder) {
@@ -81,6 +89,7 @@ GroundTruthCounts writeGroundTruth(const BagReader& bag, const std::string& fold
               bag, "/ground_truth/pose", counts.poses,
               [](const auto& message) -> const auto& { return message.pose; }));
   replace(folder + "/ground_truth_landmarks.yaml", landmarks);
+  replace(folder + "/stamps.csv", sourceStamps(bag.path()));
   return counts;
 }
 

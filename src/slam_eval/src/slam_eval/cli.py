@@ -14,6 +14,8 @@ from slam_eval.plot_consistency import plot_consistency
 from slam_eval.plot_landmark_errors import plot_landmark_errors
 from slam_eval.plot_map import plot_map, plot_trajectory
 from slam_eval.plot_odometry import plot_beside_wheels
+from slam_eval.plot_relations import plot_relations
+from slam_eval.relations import judge_run
 from slam_eval.report import render
 from slam_eval.run_folder import read_run
 from slam_eval.world_plan import read_world
@@ -39,6 +41,15 @@ def missing_parts(run, result):
     return notes
 
 
+def missing_relations(errors):
+    """A sentence where the run has not all that the relations are about."""
+    if errors is None or errors.missing == 0:
+        return []
+    total = len(errors.translation) + errors.missing
+    return [f'{errors.missing} of {total} relations were left out: the run has no pose at their '
+            'stamps.']
+
+
 def draw(run, result, reference, world):
     """Write the pictures the run allows; returns their paths."""
     pictures = []
@@ -53,19 +64,24 @@ def draw(run, result, reference, world):
                        (plot_consistency, 'consistency.png')):
         if plot(run, result, run.path / name):
             pictures.append(run.path / name)
+    if result.relations is not None:
+        pictures.append(run.path / 'relations.png')
+        plot_relations(run.title, result.relations, pictures[-1])
     return pictures
 
 
-def evaluate_folder(folder, reference='ground truth', world_file=None):
+def evaluate_folder(folder, reference='ground truth', world_file=None, relations_file=None,
+                    stamps_file=None):
     """Evaluate a run folder: metrics.json, pictures, report and a table on stdout."""
     run = read_run(folder)
     world = read_world(world_file) if world_file else None
-    result = evaluate(run)
+    relations = judge_run(run, relations_file, stamps_file) if relations_file else None
+    result = evaluate(run, relations)
     metrics = merge(run.metrics, result.metrics)
-    notes = missing_parts(run, result)
+    notes = missing_parts(run, result) + missing_relations(relations)
     pictures = draw(run, result, reference, world)
     write_atomically(run.path / 'metrics.json', json.dumps(metrics, indent=2) + '\n')
-    write_atomically(run.path / 'report.html', render(run, metrics, pictures, notes))
+    write_atomically(run.path / 'report.html', render(run, metrics, pictures, notes, relations))
     print(run.title)
     print(terminal_table(metrics))
     for note in notes:
@@ -83,9 +99,16 @@ def main(arguments=None):
                         help='what the reference is called in the pictures (%(default)s)')
     parser.add_argument('--world', metavar='FILE', type=pathlib.Path,
                         help='world file of the simulation: its walls are drawn behind the map')
+    parser.add_argument('--relations', metavar='FILE', type=pathlib.Path,
+                        help='reference relations between poses of the log (Kuemmerle et al. 2009)')
+    parser.add_argument('--stamps', metavar='FILE', type=pathlib.Path,
+                        help='table of the stamps that the log had (default: stamps.csv of the run)')
     options = parser.parse_args(arguments)
+    if options.stamps and not options.relations:
+        parser.error('--stamps goes with --relations')
     try:
-        evaluate_folder(options.folder, options.reference_title, options.world)
+        evaluate_folder(options.folder, options.reference_title, options.world, options.relations,
+                        options.stamps)
     except InputError as error:
         print(f'slam_eval: {error}', file=sys.stderr)
         return 1

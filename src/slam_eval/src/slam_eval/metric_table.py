@@ -57,15 +57,22 @@ KEYS = {
         'Mean NIS per degree of freedom', '', '.3f',
         'Sum of the squared innovations in units of their covariance over the sum of their '
         'degrees of freedom; 1 is expected.', 'Consistency', True),
+    'relations': Key(
+        'Relations', '', 'd',
+        'Reference relations between two poses that the run has (Kuemmerle et al. 2009).',
+        'Accuracy', True),
     'relations_trans_mean_m': Key(
         'Relations, translation', 'm', '.4f',
-        'Mean absolute translation error over the reference relations.', 'Accuracy'),
+        'Mean absolute translation error over the reference relations.',
+        'Accuracy', True),
     'relations_trans_std_m': Key(
         'Relations, translation spread', 'm', '.4f',
-        'Standard deviation of the translation errors over the reference relations.', 'Accuracy'),
+        'Standard deviation of the translation errors over the reference relations.',
+        'Accuracy', True),
     'relations_rot_mean_deg': Key(
         'Relations, rotation', 'deg', '.3f',
-        'Mean absolute rotation error over the reference relations.', 'Accuracy'),
+        'Mean absolute rotation error over the reference relations.',
+        'Accuracy', True),
     'updates': Key('Updates', '', 'd', 'Steps the back-end made.', 'Cost'),
     'update_ms_p50': Key('Update time, median', 'ms', '.3f',
                          'Half of the steps took less time than this.', 'Cost'),

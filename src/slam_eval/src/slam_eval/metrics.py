@@ -10,6 +10,7 @@ from slam_eval import se2
 from slam_eval.chi_square import two_sided_bounds
 from slam_eval.drift import Drift, segment_drift
 from slam_eval.landmarks import match_by_id
+from slam_eval.relations import RelationErrors
 from slam_eval.trajectory import at_stamps, interpolate
 
 # A covariance whose smallest eigenvalue is not above this says nothing about an error.
@@ -67,6 +68,7 @@ class Evaluation:
     wheels_drift: Optional[Drift] = None
     landmark_error: Optional[LandmarkError] = None
     consistency: Optional[PoseConsistency] = None
+    relations: Optional[RelationErrors] = None
     metrics: dict = dataclasses.field(default_factory=dict)
 
 
@@ -123,9 +125,9 @@ def inside_bounds(values, dof, probability=0.95):
     return (values >= low) & (values <= high)
 
 
-def evaluate(run):
-    """Compute what the run's files allow."""
-    result = Evaluation()
+def evaluate(run, relations=None):
+    """Compute what the run's files allow. relations: its RelationErrors, where there are any."""
+    result = Evaluation(relations=relations)
     if run.truth is not None:
         result.ate = trajectory_error(run.trajectory, run.truth)
         if run.odometry is not None:
@@ -160,5 +162,6 @@ def _collect(run, result):
         'landmarks': None if run.landmarks is None else len(run.landmarks),
         'nees_mean': result.consistency and float(np.mean(result.consistency.nees)),
         'nis_mean': None if run.updates is None else nis_mean(run.updates),
+        **(result.relations.metrics if result.relations else {}),
     }
     return {key: value for key, value in values.items() if value is not None}

@@ -47,6 +47,10 @@ CAPTIONS = {
         'Landmark errors',
         'Red lines point from each landmark to the truth, moved onto the map by the alignment of '
         'the landmark error; 95 of 100 should end inside their ellipses.'),
+    'relations.png': (
+        'Errors of the relations',
+        'How far the estimated motion between two poses of the log is from the one that people '
+        'read off the scans (Kuemmerle et al. 2009).'),
     'consistency.png': (
         'Consistency',
         'Errors in the map frame, truth moved there by its first pose and not fitted. A consistent '
@@ -96,6 +100,25 @@ def _observation_section(updates):
     return f'<section><h2>Observations</h2><table>{cells}</table></section>'
 
 
+def _relation_section(errors):
+    """What the mean alone does not tell of the relations."""
+    rotation = np.degrees(errors.rotation)
+    head = ''.join(f'<td class="v">{name}</td>'
+                   for name in ('median', 'mean', 'spread', 'mean square', 'largest'))
+    lines = ''
+    for name, unit, values in (('Translation', 'm', errors.translation),
+                               ('Rotation', 'deg', rotation)):
+        figures = (np.median(values), np.mean(values), np.std(values), np.mean(values ** 2),
+                   np.max(values))
+        cells = ''.join(f'<td class="v">{value:.4f}</td>' for value in figures)
+        lines += f'<tr><td class="n">{name} [{unit}]</td>{cells}</tr>'
+    count = f'{len(errors.translation)} used'
+    if errors.missing:
+        count += f', {errors.missing} left out for want of a pose'
+    return (f'<section><h2>Relations</h2><table><tr><td class="n">{count}</td>{head}</tr>{lines}'
+            '</table></section>')
+
+
 def _picture_section(path):
     title, caption = CAPTIONS[path.name]
     data = base64.b64encode(path.read_bytes()).decode('ascii')
@@ -104,8 +127,9 @@ def _picture_section(path):
             '</figcaption></figure></section>')
 
 
-def render(run, metrics, pictures, notes):
-    """The report as HTML text. pictures: paths of the PNG files to embed."""
+def render(run, metrics, pictures, notes, relations=None):
+    """The report as HTML text. pictures: paths of the PNG files to embed; relations: their errors,
+    where the run was held against some."""
     seed = run.config.get('seed')
     facts = [f'{len(run.trajectory)} poses', '%.1f s of data'
              % ((run.trajectory.stamps[-1] - run.trajectory.stamps[0]) * 1e-9)]
@@ -118,6 +142,8 @@ def render(run, metrics, pictures, notes):
              f'<p>{html.escape(" · ".join(facts))}</p></header>',
              _metric_section(metrics, notes)]
     parts += [_picture_section(path) for path in pictures]
+    if relations is not None:
+        parts.append(_relation_section(relations))
     if run.updates is not None:
         parts.append(_observation_section(run.updates))
     if run.config_text:

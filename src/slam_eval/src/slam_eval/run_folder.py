@@ -21,6 +21,7 @@ class RunFolder:
 
     path: pathlib.Path
     trajectory: Trajectory
+    final: Optional[Trajectory] = None
     odometry: Optional[Trajectory] = None
     wheels: Optional[Trajectory] = None
     truth: Optional[Trajectory] = None
@@ -84,6 +85,7 @@ def read_run(path):
         raise InputError(f'{path}: holds no trajectory.tum, so it is no folder of a run; '
                          'give the folder that a run wrote')
     run = RunFolder(path, read_trajectory(path / 'trajectory.tum'))
+    run.final = _optional(path / 'trajectory_final.tum', read_trajectory)
     run.odometry = _optional(path / 'odometry.tum', read_trajectory)
     run.wheels = _optional(path / 'wheel_odometry.tum', read_trajectory)
     run.truth = _optional(path / 'ground_truth.tum', read_trajectory)

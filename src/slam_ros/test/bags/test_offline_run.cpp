@@ -154,6 +154,15 @@ TEST_F(Offline, TruthIsWrittenAndThatOfAnEarlierRunTakenAway) {
   EXPECT_FALSE(folder.has("ground_truth_landmarks.yaml"));
 }
 
+TEST_F(Offline, TheStampsOfTheLogFollowItsBagIntoTheRun) {
+  std::ofstream(folder / "x.bag.stamps.csv") << "source_stamp,written_stamp\n1.0,100.0\n";
+  writeGroundTruth(BagReader(folder / "x.bag"), folder / "");
+  EXPECT_EQ(folder.read("stamps.csv"), "source_stamp,written_stamp\n1.0,100.0\n");
+  std::filesystem::remove(folder / "x.bag.stamps.csv");
+  writeGroundTruth(BagReader(folder / "x.bag"), folder / "");
+  EXPECT_FALSE(folder.has("stamps.csv")) << "that of an earlier run";
+}
+
 TEST_F(Offline, WheelsAreWrittenForRunsWhoseOdometryIsAnother) {
   EXPECT_FALSE(folder.has("run/wheel_odometry.tum")) << "this run's odometry is the wheels'";
   writeWheelOdometry(BagReader(folder / "x.bag"), folder / "");
