@@ -14,7 +14,6 @@
 namespace slam::eval {
 namespace {
 
-constexpr char kLaserFrame[] = "laser";
 constexpr std::int64_t kLongGap = 5'000'000'000;  // [ns]
 constexpr double kFarJump = 1.0;                  // [m] between two scans
 

@@ -15,6 +15,7 @@
 namespace slam::eval {
 
 inline constexpr char kScanTopic[] = "/scan";
+inline constexpr char kLaserFrame[] = "laser";
 
 /// What a laser saw at one stamp, beams counter-clockwise.
 struct LaserReading {

@@ -3,10 +3,13 @@
 #include <slam_msgs/LandmarkObservationArray.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "importer.hpp"
+#include "laser_messages.hpp"
 #include "messages.hpp"
 #include "rawlog_log.hpp"
 #include "rawlog_truth.hpp"
@@ -44,12 +47,50 @@ slam_msgs::LandmarkObservationArray toMessage(const RawlogLog::Sighting& sightin
   return message;
 }
 
+geometry_msgs::Pose toPose(const RawlogLog::Laser& laser) {
+  const Eigen::Quaterniond turn = Eigen::AngleAxisd(laser.yaw, Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(laser.pitch, Eigen::Vector3d::UnitY()) *
+                                  Eigen::AngleAxisd(laser.roll, Eigen::Vector3d::UnitX());
+  geometry_msgs::Pose pose;
+  pose.position.x = laser.x;
+  pose.position.y = laser.y;
+  pose.position.z = laser.z;
+  pose.orientation.x = turn.x();
+  pose.orientation.y = turn.y();
+  pose.orientation.z = turn.z();
+  pose.orientation.w = turn.w();
+  return pose;
+}
+
+void addScans(const RawlogLog& log, BagWriter& bag) {
+  if (!log.main_laser) return;
+  addLaserMount(bag, kLaserFrame, toPose(log.lasers[*log.main_laser]));
+  for (const auto& scan : log.scans)
+    bag.add(kScanTopic, toMessage(scan.reading, scan.stamp, kLaserFrame));
+}
+
 void addLog(const RawlogLog& log, BagWriter& bag) {
   for (const auto& odometry : log.odometry) bag.add(kOdometryTopic, toMessage(odometry));
   std::uint64_t sequence = 0;
   for (const auto& sighting : log.sightings) {
     bag.add(kObservationsTopic, toMessage(sighting, sequence++));
   }
+  addScans(log, bag);
+}
+
+std::string laserSummary(const RawlogLog& log) {
+  if (!log.main_laser) return "";
+  std::ostringstream text;
+  text << " " << log.scans.size() << " scans";
+  if (log.left_out_scans > 0) text << ", " << log.left_out_scans << " without beams left out";
+  for (std::size_t i = 0; i < log.lasers.size(); ++i) {
+    if (i == *log.main_laser) continue;
+    const auto& laser = log.lasers[i];
+    text << ", " << laser.scans << " of the laser '" << laser.label << "' left out, which looks "
+         << std::lround(laser.yaw * 180.0 / M_PI) << " deg to the left";
+  }
+  text << ".";
+  return text.str();
 }
 
 std::string summary(const RawlogLog& log) {
@@ -62,7 +103,9 @@ std::string summary(const RawlogLog& log) {
        << " odometry entries without a frame behind them, " << log.left_out_readings
        << " impossible readings, " << log.other_objects
        << " objects of other kinds. Sorted: " << log.out_of_order << " entries out of order.";
-  if (log.sightings.empty()) text << " The log holds no range-bearing observations.";
+  text << laserSummary(log);
+  if (log.sightings.empty() && log.scans.empty())
+    text << " The log holds neither range-bearing observations nor scans.";
   if (log.made_up_stamps) {
     text << " The log's own stamps are missing, equal or closer than 5 ms: frame k (from 1) has "
             "the stamp 1 s + k * 0.1 s.";
@@ -75,7 +118,7 @@ class RawlogImporter : public Importer {
   std::string name() const override { return "rawlog"; }
 
   std::string description() const override {
-    return "MRPT rawlog: planar odometry, range-bearing observations, truth files beside it";
+    return "MRPT rawlog: planar odometry, range-bearing observations, scans, truth files beside it";
   }
 
   void addOptions(CLI::App& command) override {
@@ -88,7 +131,7 @@ class RawlogImporter : public Importer {
 
   std::string import(BagWriter& bag, Progress& progress) override {
     const RawlogLog log = readRawlog(file_, progress);
-    addRobotName(bag, "mrpt_demo");
+    addRobotName(bag, log.scans.empty() ? "mrpt_demo" : "sena");
     std::string text = summary(log);
     text += addTrueLandmarks(bag);
     text += addTruePath(log, bag);

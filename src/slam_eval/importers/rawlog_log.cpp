@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rawlog_file.hpp"
+#include "rawlog_lasers.hpp"
 #include "rawlog_steps.hpp"
 #include "sort_by_stamp.hpp"
 
@@ -64,6 +65,17 @@ void addOdometry(const RawlogStep& step, RawlogLog& log) {
   log.odometry.back().stamp = step.stamp;
 }
 
+void addSeen(RawlogStep& step, RawlogLog& log) {
+  if (step.sighting) {
+    step.sighting->stamp = step.stamp;
+    log.sightings.push_back(std::move(*step.sighting));
+  }
+  if (step.scan && step.scan->laser == log.main_laser) {
+    step.scan->stamp = step.stamp;
+    log.scans.push_back(std::move(*step.scan));
+  }
+}
+
 /// Motion needs a pose from which it starts. Where a frame comes before the first action, that is
 /// the pose of this frame.
 void addStart(const RawlogSteps& steps, RawlogLog& log) {
@@ -86,7 +98,10 @@ RawlogLog readRawlog(const std::string& path, Progress& progress) {
   RawlogLog log;
   log.left_out_odometry = steps.left_out_odometry;
   log.left_out_readings = steps.left_out_readings;
+  log.left_out_scans = steps.left_out_scans;
   log.other_objects = steps.other_objects;
+  log.lasers = std::move(steps.lasers);
+  log.main_laser = mainLaser(log.lasers);
   log.made_up_stamps = !hasUsableStamps(steps);
   if (log.made_up_stamps) makeUpStamps(steps, log.left_out_odometry);
   if (!steps.has_actions) log.out_of_order = sortByStamp(steps.steps);
@@ -96,9 +111,7 @@ RawlogLog readRawlog(const std::string& path, Progress& progress) {
   for (RawlogStep& step : steps.steps) {
     if (step.odometry) addOdometry(step, log);
     if (step.ends_frame) log.frame_stamps[step.frame] = step.stamp;
-    if (!step.sighting) continue;
-    step.sighting->stamp = step.stamp;
-    log.sightings.push_back(std::move(*step.sighting));
+    addSeen(step, log);
   }
   return log;
 }

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CActionRobotMovement3D.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationBearingRange.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
@@ -15,6 +16,7 @@
 
 #include "horizontal_reading.hpp"
 #include "import_error.hpp"
+#include "rawlog_lasers.hpp"
 
 namespace slam::eval {
 
@@ -24,6 +26,7 @@ using mrpt::obs::CActionCollection;
 using mrpt::obs::CActionRobotMovement2D;
 using mrpt::obs::CActionRobotMovement3D;
 using mrpt::obs::CObservation;
+using mrpt::obs::CObservation2DRangeScan;
 using mrpt::obs::CObservationBearingRange;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CSensoryFrame;
@@ -76,6 +79,7 @@ class StepMaker {
     findActions(objects);
     for (const Object& object : objects) add(object);
     result_.left_out_odometry += pending_actions_;
+    result_.lasers = lasers_.all();
     if (!has_odometry_) {
       throw ImportError(path_ +
                         " holds no planar odometry (CActionRobotMovement2D or "
@@ -136,6 +140,8 @@ class StepMaker {
       addOdometry(*odometry);
       return false;
     }
+    if (const auto scan = std::dynamic_pointer_cast<CObservation2DRangeScan>(observation))
+      return addScan(*scan);
     const auto bearings = std::dynamic_pointer_cast<CObservationBearingRange>(observation);
     if (!bearings) {
       ++result_.other_objects;
@@ -143,6 +149,18 @@ class StepMaker {
     }
     RawlogStep step = makeTick(bearings->timestamp);
     step.sighting = makeSighting(*bearings);
+    result_.steps.push_back(std::move(step));
+    return true;
+  }
+
+  bool addScan(const CObservation2DRangeScan& observation) {
+    auto reading = toReading(observation);
+    if (!reading) {
+      ++result_.left_out_scans;
+      return false;
+    }
+    RawlogStep step = makeTick(observation.timestamp);
+    step.scan = RawlogLog::Scan{0, lasers_.add(observation), std::move(*reading)};
     result_.steps.push_back(std::move(step));
     return true;
   }
@@ -205,6 +223,7 @@ class StepMaker {
 
   std::string path_;
   RawlogSteps result_;
+  RawlogLasers lasers_;
   mrpt::poses::CPose2D pose_;
   std::size_t pending_actions_ = 0;  // since the last frame
   bool has_odometry_ = false;

@@ -19,6 +19,7 @@ struct RawlogStep {
   bool ends_frame = false;  // a frame or observation, not odometry alone: the clock ticks
   std::optional<RawlogLog::Odometry> odometry;
   std::optional<RawlogLog::Sighting> sighting;
+  std::optional<RawlogLog::Scan> scan;
 };
 
 struct RawlogSteps {
@@ -28,6 +29,8 @@ struct RawlogSteps {
   std::size_t frames = 0;
   std::size_t left_out_odometry = 0;
   std::size_t left_out_readings = 0;
+  std::size_t left_out_scans = 0;
+  std::vector<RawlogLog::Laser> lasers;
   std::size_t other_objects = 0;
 };
 

@@ -5,13 +5,16 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationBearingRange.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace slam::eval {
 
@@ -42,6 +45,27 @@ class RawlogMaker {
 
   void object(const mrpt::serialization::CSerializable& object) {
     mrpt::serialization::archiveFrom(file_) << object;
+  }
+
+  void frame(const std::vector<mrpt::obs::CObservation2DRangeScan>& scans) {
+    mrpt::obs::CSensoryFrame frame;
+    for (const auto& scan : scans) frame.insert(mrpt::obs::CObservation2DRangeScan::Create(scan));
+    object(frame);
+  }
+
+  /// Three beams over half a circle, from the right to the left; the last one saw nothing.
+  static mrpt::obs::CObservation2DRangeScan scan(double time, const std::string& label = "front",
+                                                 double yaw = 0.0) {
+    mrpt::obs::CObservation2DRangeScan scan;
+    scan.timestamp = clock(time);
+    scan.sensorLabel = label;
+    scan.sensorPose = mrpt::poses::CPose3D(0.5, 0.1, 0.3, yaw, 0.0, 0.0);
+    scan.aperture = static_cast<float>(M_PI);
+    scan.maxRange = 80.0f;
+    const float ranges[] = {1.0f, 2.0f, 81.9f};
+    const char valid[] = {1, 0, 0};
+    scan.loadFromVectors(3, ranges, valid);
+    return scan;
   }
 
   void observation(const mrpt::obs::CObservation& observation) { object(observation); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 #include <mrpt/obs/CActionRobotMovement3D.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationRange.h>
 
 #include <cmath>
 #include <filesystem>
@@ -225,7 +225,7 @@ TEST_F(Rawlog, SeparatesTwoSensorsOfOneTime) {
 TEST_F(Rawlog, CountsObservationsOfOtherSensors) {
   const RawlogLog log = read([](RawlogMaker& maker) {
     maker.odometry(99.0, 0.0, 0.0, 0.0);
-    maker.observation(mrpt::obs::CObservation2DRangeScan());
+    maker.observation(mrpt::obs::CObservationRange());
   });
   EXPECT_EQ(log.other_objects, 1u);
   EXPECT_TRUE(log.sightings.empty());

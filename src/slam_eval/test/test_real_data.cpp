@@ -142,6 +142,29 @@ TEST(RealCarmen, KeepsTheOrderOfIntelsScansWithRisingStamps) {
   EXPECT_GT(none, 10000u);
 }
 
+TEST(RealSena, DrivesItsLoopWithOneLaserThatLooksAhead) {
+  const std::string path =
+      "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
+  if (!fs::exists(path)) GTEST_SKIP() << "mrpt-common is not installed";
+  std::ostringstream out;
+  Progress progress(out, false);
+  const RawlogLog log = readRawlog(path, progress);
+  EXPECT_FALSE(log.made_up_stamps);
+  ASSERT_EQ(log.scans.size(), 225u);
+  ASSERT_EQ(log.lasers.size(), 1u);
+  EXPECT_NEAR(log.lasers[0].x, 0.78, 1e-6);
+  double way = 0.0;
+  for (std::size_t i = 1; i < log.odometry.size(); ++i) {
+    const auto &a = log.odometry[i - 1], &b = log.odometry[i];
+    way += std::hypot(b.x - a.x, b.y - a.y);
+    EXPECT_GT(b.stamp, a.stamp);
+  }
+  EXPECT_GT(way, 20.0);
+  EXPECT_EQ(log.odometry.back().stamp, log.scans.back().stamp);
+  EXPECT_EQ(log.scans[0].reading.ranges.size(), 361u);
+  EXPECT_NEAR(log.scans[0].reading.increment, 0.5 * M_PI / 180.0, 1e-6);
+}
+
 TEST(RealCircles, HasTheNumbersOfItsDocumentation) {
   const auto path = fs::path(dataFolder()) / "circles" / "map.circles";
   if (!fs::exists(path)) GTEST_SKIP() << "the real data set is absent: " << path;

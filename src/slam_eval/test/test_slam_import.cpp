@@ -123,6 +123,29 @@ TEST_F(SlamImport, TurnsACarmenLogIntoABagWithTheStampsOfItsSource) {
   EXPECT_NE(text.find("\n10.200000000,10.200100000\n"), std::string::npos) << text;
 }
 
+TEST_F(SlamImport, TurnsARawlogOfALaserIntoABag) {
+  {
+    RawlogMaker maker(in_.file("a.rawlog"));
+    maker.frame({RawlogMaker::scan(100.0), RawlogMaker::scan(100.01, "rear", M_PI)});
+    maker.action(1.0, 0.0, 0.0);
+    maker.frame({RawlogMaker::scan(101.0)});
+  }
+  const ProgramRun run = runSlamImport("rawlog " + in_.file("a.rawlog") + " " + bag());
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("2 scans, 1 of the laser 'rear' left out"), std::string::npos)
+      << run.output;
+  EXPECT_EQ(messagesOf<std_msgs::String>(bag(), "/robot").at(0).data, "sena");
+  const auto scans = messagesOf<sensor_msgs::LaserScan>(bag(), "/scan");
+  ASSERT_EQ(scans.size(), 2u);
+  EXPECT_EQ(scans[1].ranges.size(), 3u);
+  EXPECT_NEAR(scans[1].angle_max, M_PI / 2.0, 1e-6);
+  const auto mounts = messagesOf<tf2_msgs::TFMessage>(bag(), "/tf_static");
+  ASSERT_EQ(mounts.size(), 1u);
+  EXPECT_EQ(mounts[0].transforms.at(0).child_frame_id, scans[0].header.frame_id);
+  EXPECT_NEAR(mounts[0].transforms[0].transform.translation.x, 0.5, 1e-9);
+  EXPECT_NEAR(mounts[0].transforms[0].transform.translation.z, 0.3, 1e-9);
+}
+
 TEST_F(SlamImport, SaysThatThereIsNoTruth) {
   {
     RawlogMaker maker(in_.file("a.rawlog"));
