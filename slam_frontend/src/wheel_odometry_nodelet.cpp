@@ -17,6 +17,7 @@
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/diagnostics.hpp"
+#include "slam_ros/odometry_subscriber.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/report_failure.hpp"
 #include "slam_ros/settings_from_ros.hpp"
@@ -26,7 +27,7 @@
 namespace slam_frontend {
 namespace {
 
-constexpr std::uint32_t kQueue = 1000;
+constexpr std::uint32_t kMotionQueue = 1000;
 
 struct NodeletConfig {
   static constexpr const char* kSection = "";
@@ -40,7 +41,7 @@ struct NodeletConfig {
 
 }  // namespace
 
-/// `odom` in, `motion` out.
+/// `odom`, or the transform odom -> base where that is all, in; `motion` out.
 class WheelOdometryNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
@@ -56,22 +57,22 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
     diagnostics_.emplace(handle, getPrivateNodeHandle(), getName(),
                          slam_ros::Diagnostics::Sources{[this] { return odometry_.counters(); },
                                                         [this] { return waiting(); }});
-    motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kQueue);
-    handle.resolveName(topics_.odom);  // throws now what subscribing would throw later
-    start_.emplace([this, handle]() mutable {
-      odom_ = handle.subscribe(topics_.odom, kQueue, &WheelOdometryNodelet::onOdom, this);
-    });
+    motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kMotionQueue);
+    odom_.emplace(handle,
+                  slam_ros::OdometrySubscriber::Options{topics_.odom, frames_.odom, frames_.base,
+                                                        !publish_tf_},
+                  [this](const nav_msgs::Odometry& message) { onOdom(message); });
+    start_.emplace([this] { odom_->subscribe(); });
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
-    got_odometry_ = true;
     if (clock_.hasJumpedBack()) odometry_.reset();
     const auto fault = slam_ros::saysNoPose(message) ? "" : slam_ros::poseFault(message);
-    if (!fault.empty()) diagnostics_->warn(topics_.odom + ": " + fault + "; its twist is used");
+    if (!fault.empty()) diagnostics_->warn(odom_->source() + ": " + fault + "; its twist is used");
     auto sample = slam_ros::fromMsg(message);
     frames_.complete(sample.odometry_frame, sample.base_frame);
     odometry_.set(sample);
-    diagnostics_->report(topics_.odom, odometry_.execute());
+    diagnostics_->report(odom_->source(), odometry_.execute());
     if (odometry_.motion()) publish(*odometry_.motion());
   }
 
@@ -82,9 +83,7 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
                          motion.odometry_end);
   }
 
-  std::string waiting() const {
-    return got_odometry_ ? "" : "waiting for odometry on " + topics_.odom;
-  }
+  std::string waiting() const { return odom_ ? odom_->waiting() : ""; }
 
   slam::wheel_odometry::WheelOdometry odometry_;
   slam_ros::TopicsConfig topics_;
@@ -93,9 +92,8 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
   slam_ros::TransformPublisher transform_;
   std::optional<slam_ros::Diagnostics> diagnostics_;
   bool publish_tf_ = false;
-  bool got_odometry_ = false;
   ros::Publisher motion_;
-  ros::Subscriber odom_;  // no callback may find what stands above gone
+  std::optional<slam_ros::OdometrySubscriber> odom_;  // no callback may find what stands above gone
   std::optional<slam_ros::AfterLoad> start_;
 };
 

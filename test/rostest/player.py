@@ -60,7 +60,7 @@ class Player:
         self.clear()
         self.clock = rospy.Publisher("/clock", Clock, queue_size=100)
         self.publishers = {
-            "/odom": rospy.Publisher("odom", Odometry, queue_size=1000),
+            "/odom": self.advertise_odometry(),
             "/observations": rospy.Publisher("observations", LandmarkObservationArray,
                                              queue_size=1000),
             "initialpose": rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=1)}
@@ -69,6 +69,9 @@ class Player:
         self.connected = wait_for(lambda: all(p.get_num_connections() > 0
                                               for p in self.publishers.values()), 30)
         rospy.wait_for_service("reset", 10)
+
+    def advertise_odometry(self):
+        return rospy.Publisher("odom", Odometry, queue_size=1000)
 
     def keep(self, message, topic):
         with self.lock:

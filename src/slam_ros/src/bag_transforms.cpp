@@ -8,6 +8,7 @@
 #include <map>
 
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/odometry_edge.hpp"
 
 namespace slam_ros {
 namespace {
@@ -15,17 +16,6 @@ namespace {
 bool leads(const geometry_msgs::TransformStamped& edge, const std::string& parent,
            const std::string& child) {
   return frameId(edge.header.frame_id) == parent && frameId(edge.child_frame_id) == child;
-}
-
-nav_msgs::Odometry toOdometry(const geometry_msgs::TransformStamped& edge) {
-  nav_msgs::Odometry message;
-  message.header = edge.header;
-  message.child_frame_id = edge.child_frame_id;
-  message.pose.pose.position.x = edge.transform.translation.x;
-  message.pose.pose.position.y = edge.transform.translation.y;
-  message.pose.pose.position.z = edge.transform.translation.z;
-  message.pose.pose.orientation = edge.transform.rotation;
-  return message;
 }
 
 }  // namespace
@@ -70,9 +60,9 @@ std::string findOdometryEdge(const BagReader& bag, const std::string& odom_frame
   for (const auto& topic : bag.topics()) {
     if (!sameTopic(topic.name, "tf") || !holdsTransforms(topic)) continue;
     bool found = false;
+    const OdometryEdge edge(odom_frame, base_frame);
     const auto look = [&](const tf2_msgs::TFMessage& message) {
-      for (const auto& edge : message.transforms)
-        found = found || leads(edge, odom_frame, base_frame);
+      found = found || edge.isIn(message);
     };
     bag.read({{topic.name, onMessage<tf2_msgs::TFMessage>(look)}},
              [&](std::size_t) { return !found; });
@@ -83,14 +73,9 @@ std::string findOdometryEdge(const BagReader& bag, const std::string& odom_frame
 
 BagHandler odometryOfEdge(const std::string& odom_frame, const std::string& base_frame,
                           const std::function<void(const nav_msgs::Odometry&)>& sink) {
-  return onMessage<tf2_msgs::TFMessage>([odom_frame, base_frame, sink, last = ros::Time()](
-                                            const tf2_msgs::TFMessage& message) mutable {
-    for (const auto& edge : message.transforms) {
-      if (!leads(edge, odom_frame, base_frame) || edge.header.stamp == last) continue;
-      last = edge.header.stamp;
-      sink(toOdometry(edge));
-    }
-  });
+  return onMessage<tf2_msgs::TFMessage>(
+      [edge = OdometryEdge(odom_frame, base_frame),
+       sink](const tf2_msgs::TFMessage& message) mutable { edge.take(message, sink); });
 }
 
 }  // namespace slam_ros

@@ -16,6 +16,7 @@
 #include "slam_ros/detections_publisher.hpp"
 #include "slam_ros/estimator_node.hpp"
 #include "slam_ros/motion_publisher.hpp"
+#include "slam_ros/odometry_subscriber.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
@@ -46,7 +47,7 @@ class InprocessNodelet : public nodelet::Nodelet {
   ~InprocessNodelet() override {
     // inputs first: no callback may find what it needs gone
     start_.reset();
-    odom_.shutdown();
+    if (odom_) odom_->shutdown();
     for (auto* camera : {&camera_, &ceiling_camera_})
       if (*camera) (*camera)->stop();
     node_.reset();
@@ -67,15 +68,17 @@ class InprocessNodelet : public nodelet::Nodelet {
         };
       if (product_.coordinator().detector() != nullptr) connectCamera(config.camera.transport);
       if (looks_up) connectCeilingCamera(config);
-      if (product_.coordinator().odometry().usesWheels()) connectWheels(getNodeHandle());
+      if (product_.coordinator().odometry().usesWheels()) connectWheels(config);
     });
   }
 
-  void connectWheels(ros::NodeHandle handle) {
-    handle.resolveName(node_->topics().odom);  // throws now what subscribing would throw later
-    start_.emplace([this, handle]() mutable {
-      odom_ = handle.subscribe(node_->topics().odom, kQueue, &InprocessNodelet::onOdom, this);
-    });
+  void connectWheels(const InprocessConfig& config) {
+    const auto& frames = product_.coordinator().frames();
+    odom_.emplace(getNodeHandle(),
+                  OdometrySubscriber::Options{node_->topics().odom, frames.odom, frames.base,
+                                              !config.publish_tf},
+                  [this](const nav_msgs::Odometry& message) { onOdom(message); });
+    start_.emplace([this] { odom_->subscribe(); });
   }
 
   void connectCamera(const std::string& transport) {
@@ -126,7 +129,7 @@ class InprocessNodelet : public nodelet::Nodelet {
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
-    const auto& topic = node_->topics().odom;
+    const auto& topic = odom_->source();
     node_->checkClock();
     const auto fault = saysNoPose(message) ? "" : poseFault(message);
     if (!fault.empty()) node_->diagnostics().warn(topic + ": " + fault + "; its twist is used");
@@ -140,7 +143,7 @@ class InprocessNodelet : public nodelet::Nodelet {
   std::optional<VisualMotionPublisher> visual_motion_;
   std::optional<CameraSubscriber> camera_, ceiling_camera_;
   std::unique_ptr<EstimatorNode> node_;
-  ros::Subscriber odom_;
+  std::optional<OdometrySubscriber> odom_;
   std::optional<AfterLoad> start_;
 };
 
