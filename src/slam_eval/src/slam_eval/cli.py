@@ -102,7 +102,7 @@ def main(arguments=None):
     parser.add_argument('--relations', metavar='FILE', type=pathlib.Path,
                         help='reference relations between poses of the log (Kuemmerle et al. 2009)')
     parser.add_argument('--stamps', metavar='FILE', type=pathlib.Path,
-                        help='table of the stamps that the log had (default: stamps.csv of the run)')
+                        help='table of the stamps that the log had; default: stamps.csv of the run')
     options = parser.parse_args(arguments)
     if options.stamps and not options.relations:
         parser.error('--stamps goes with --relations')

@@ -10,7 +10,8 @@ def _histogram(axes, values, unit, name):
     """Counts up to the 99th percentile; what lies beyond is told in words."""
     limit = max(float(np.percentile(values, 99)), 1e-6)
     axes.hist(values[values <= limit], bins=60, range=(0.0, limit), color=look.BAND, alpha=0.75)
-    for value, style, label in ((np.mean(values), '-', 'mean'), (np.median(values), '--', 'median')):
+    lines = ((np.mean(values), '-', 'mean'), (np.median(values), '--', 'median'))
+    for value, style, label in lines:
         axes.axvline(value, color=look.ERROR, linewidth=1.3, linestyle=style,
                      label=f'{label} {value:.3f} {unit}')
     axes.set_xlim(0.0, limit)
