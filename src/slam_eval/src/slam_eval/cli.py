@@ -8,6 +8,7 @@ import sys
 
 from slam_eval.atomic_file import write_atomically
 from slam_eval.errors import InputError
+from slam_eval.map_agreement import map_agreement
 from slam_eval.metric_table import merge, terminal_table
 from slam_eval.metrics import evaluate
 from slam_eval.plot_consistency import plot_consistency
@@ -18,6 +19,7 @@ from slam_eval.plot_relations import plot_relations
 from slam_eval.relations import judge_run
 from slam_eval.report import render
 from slam_eval.run_folder import read_run
+from slam_eval.surfaces import read_simulated_laser
 from slam_eval.world_plan import read_world
 
 
@@ -50,10 +52,18 @@ def missing_relations(errors):
             'stamps.']
 
 
+def judge_map(run, world, world_file):
+    """MapAgreement with a simulated world, or None."""
+    if world is None:
+        return None
+    laser = read_simulated_laser(world_file, run.config.get('robot'))
+    return map_agreement(run, world.surfaces(laser.height if laser else 0.0), laser)
+
+
 def draw(run, result, reference, world):
     """Write the pictures the run allows; returns their paths."""
     pictures = []
-    if run.landmarks is not None:
+    if run.landmarks is not None or run.grid is not None or run.points is not None:
         pictures.append(run.path / 'map.png')
         plot_map(run, result, pictures[-1], reference, world)
     pictures.append(run.path / 'trajectory.png')
@@ -76,7 +86,7 @@ def evaluate_folder(folder, reference='ground truth', world_file=None, relations
     run = read_run(folder)
     world = read_world(world_file) if world_file else None
     relations = judge_run(run, relations_file, stamps_file) if relations_file else None
-    result = evaluate(run, relations)
+    result = evaluate(run, relations, judge_map(run, world, world_file))
     metrics = merge(run.metrics, result.metrics)
     notes = missing_parts(run, result) + missing_relations(relations)
     pictures = draw(run, result, reference, world)

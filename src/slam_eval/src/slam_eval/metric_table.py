@@ -73,6 +73,26 @@ KEYS = {
         'Relations, rotation', 'deg', '.3f',
         'Mean absolute rotation error over the reference relations.',
         'Accuracy', True),
+    'map_area_m2': Key(
+        'Area of the map', 'm2', '.1f', 'Area of the grid\'s cells that are free or occupied.', 'Map',
+        True),
+    'map_cells_on_walls_percent': Key(
+        'Occupied cells on walls', '%', '.1f',
+        'Occupied cells whose centre lies at most one cell from a true surface, the map moved onto '
+        'the truth by the pose at the start, no fit.', 'Map', True),
+    'map_walls_found_percent': Key(
+        'Walls found', '%', '.1f',
+        'The part of the true surfaces that the laser saw on its true way that has an occupied cell '
+        'at most one cell away.', 'Map', True),
+    'points': Key('Points', '', 'd', 'Number of points in the point map at the end.', 'Map', True),
+    'points_wall_thickness_m': Key(
+        'Thickness of the walls', 'm', '.4f',
+        'Width of the band across a true wall that holds the middle 90 % of its points, mean over '
+        'the walls by their points.', 'Map', True),
+    'points_wall_error_m': Key(
+        'Points off the walls', 'm', '.4f',
+        'Root mean square distance of the points from the nearest true surface; those more than '
+        '0.3 m away belong to none.', 'Map', True),
     'updates': Key('Updates', '', 'd', 'Steps the back-end made.', 'Cost'),
     'update_ms_p50': Key('Update time, median', 'ms', '.3f',
                          'Half of the steps took less time than this.', 'Cost'),
@@ -88,7 +108,7 @@ KEYS = {
     'dropped_messages': Key('Dropped messages', '', 'd',
                             'Messages that were lost or came too late.', 'Cost'),
 }
-GROUPS = ('Accuracy', 'Consistency', 'Cost')
+GROUPS = ('Accuracy', 'Map', 'Consistency', 'Cost')
 
 
 def merge(stored, computed):

@@ -10,6 +10,7 @@ from slam_eval import se2
 from slam_eval.chi_square import two_sided_bounds
 from slam_eval.drift import Drift, segment_drift
 from slam_eval.landmarks import match_by_id
+from slam_eval.map_agreement import MapAgreement
 from slam_eval.relations import RelationErrors
 from slam_eval.trajectory import at_stamps, interpolate
 
@@ -69,6 +70,7 @@ class Evaluation:
     landmark_error: Optional[LandmarkError] = None
     consistency: Optional[PoseConsistency] = None
     relations: Optional[RelationErrors] = None
+    agreement: Optional[MapAgreement] = None
     metrics: dict = dataclasses.field(default_factory=dict)
 
 
@@ -125,9 +127,12 @@ def inside_bounds(values, dof, probability=0.95):
     return (values >= low) & (values <= high)
 
 
-def evaluate(run, relations=None):
-    """Compute what the run's files allow. relations: its RelationErrors, where there are any."""
-    result = Evaluation(relations=relations)
+def evaluate(run, relations=None, agreement=None):
+    """Compute what the run's files allow.
+
+    relations, agreement: its RelationErrors and MapAgreement, where there is a reference.
+    """
+    result = Evaluation(relations=relations, agreement=agreement)
     if run.truth is not None:
         result.ate = trajectory_error(run.trajectory, run.truth)
         if run.odometry is not None:
@@ -163,5 +168,8 @@ def _collect(run, result):
         'nees_mean': result.consistency and float(np.mean(result.consistency.nees)),
         'nis_mean': None if run.updates is None else nis_mean(run.updates),
         **(result.relations.metrics if result.relations else {}),
+        **(result.agreement.metrics if result.agreement else {}),
+        'map_area_m2': run.grid and run.grid.known_area,
+        'points': None if run.points is None else len(run.points),
     }
     return {key: value for key, value in values.items() if value is not None}

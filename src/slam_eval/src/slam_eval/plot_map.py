@@ -17,19 +17,25 @@ def _finish(figure, axes, title, errors, path):
 
 
 def plot_map(run, result, path, reference='ground truth', world=None):
-    """Figure 6.2a: the path and the landmarks with their 95 % ellipses and ids, in a WorldPlan."""
+    """Figure 6.2a: the path and the landmarks with their 95 % ellipses and ids, in a WorldPlan;
+    the grid and the points of a laser under them."""
     estimate, landmarks = run.trajectory.poses[:, :2], run.landmarks
+    grid = run.grid and run.grid.known_part()
+    has_landmarks = landmarks is not None and len(landmarks) > 0
     truth, true = plan.truth_in_map(run, result), plan.true_landmarks_in_map(run, result)
     world = plan.world_in_map(world, result)
     with look.style():
-        points = plan.bounds(estimate, truth, true, landmarks.positions, world=world)
+        points = plan.bounds(estimate, truth, true, landmarks.positions if has_landmarks else None,
+                             run.points, plan.grid_corners(grid), world=world)
         span = float(np.max(np.ptp(points, axis=0)))
-        scale = plan.magnification(landmarks, [], span, 0.03) if len(landmarks) else 1
+        scale = plan.magnification(landmarks, [], span, 0.03) if has_landmarks else 1
         figure, axes = look.plan_axes(plan.bounds(points, *plan.extent(landmarks, scale)))
-        plan.draw_world(axes, world)
+        plan.draw_grid(axes, grid)
+        plan.draw_world(axes, world, filled=grid is None)
+        plan.draw_points(axes, run.points)
         plan.draw_estimate(axes, run)
         plan.draw_truth(axes, truth, reference)
-        if len(landmarks):
+        if has_landmarks:
             plan.draw_landmarks(axes, landmarks, scale)
         plan.draw_true_landmarks(axes, true)
         _finish(figure, axes, f'Path and map · {run.title}',

@@ -5,8 +5,10 @@ import numpy as np
 
 from slam_eval import plot_style as look
 from slam_eval import se2
+from slam_eval.grid_map import FREE, OCCUPIED
 from slam_eval.trajectory import NANOSECONDS
 
+_MOST_CELLS = 1000  # that a picture shows a side
 _SIGMAS_95 = 2.45  # half axis of a 95 % ellipse in sigmas
 
 
@@ -75,12 +77,46 @@ def world_in_map(world, result):
                        [se2.transform_points(T, outline) for outline in world.furniture])
 
 
-def draw_world(axes, world):
-    """Walls and furniture behind everything."""
+def draw_world(axes, world, filled=True):
+    """Walls and furniture behind everything; over a grid as thin lines, for comparison."""
     for outline in world.furniture if world else ():
-        axes.fill(*outline.T, facecolor='#eceef1', edgecolor='#d5d9de', linewidth=0.8, zorder=0.5)
+        if filled:
+            axes.fill(*outline.T, facecolor='#eceef1', edgecolor='#d5d9de', linewidth=0.8,
+                      zorder=0.5)
+        else:
+            axes.fill(*outline.T, fill=False, edgecolor=look.LANDMARK, linewidth=0.6, zorder=0.6)
     for wall in world.walls if world else ():
-        axes.plot(*wall.T, color='#b4bac2', linewidth=2.2, zorder=0.6)
+        axes.plot(*wall.T, zorder=0.6, **({'color': '#b4bac2', 'linewidth': 2.2} if filled else
+                                          {'color': look.LANDMARK, 'linewidth': 0.6}))
+
+
+def grid_corners(grid):
+    """Two opposite corners of a GridMap (2 x 2), or None."""
+    if grid is None:
+        return None
+    size = grid.resolution * np.array(grid.cells.shape[::-1])
+    return np.array([grid.origin, grid.origin + size])
+
+
+def draw_grid(axes, grid):
+    """A GridMap under everything: free cells light, occupied ones dark, unknown ones left out."""
+    if grid is None:
+        return
+    shown = grid.coarser(_MOST_CELLS)
+    (left, bottom), (right, top) = grid_corners(shown)
+    colours = np.zeros(shown.cells.shape + (4,), np.uint8)
+    colours[shown.cells == FREE] = (240, 241, 243, 255)
+    colours[shown.cells == OCCUPIED] = (48, 52, 58, 255)
+    axes.imshow(colours, origin='lower', extent=(left, right, bottom, top), zorder=0.4,
+                interpolation='nearest', aspect='equal')
+    axes.plot([], [], 's', color='#30343a', markersize=6, label='occupied')
+
+
+def draw_points(axes, points):
+    """The points of a point map as dots."""
+    if points is not None and len(points):
+        axes.plot(*points.T, ',' if len(points) > 20000 else '.', color='#7d4fa8', markersize=1.2,
+                  zorder=1.5, label='point of the laser')
 
 
 def odometry_in_map(run):

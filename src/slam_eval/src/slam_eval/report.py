@@ -32,7 +32,8 @@ CAPTIONS = {
     'map.png': (
         'Path and map',
         'The estimated path and the landmarks with the 95 % ellipses the filter claims, in the map '
-        'frame (the thesis\'s figure 6.2a). Truth, where there is one, is moved onto the estimate '
+        'frame (the thesis\'s figure 6.2a), over the grid or the points of a laser, where the '
+        'product makes such a map. Truth, where there is one, is moved onto the estimate '
         'by the rigid alignment of the trajectory error. Dotted: no pose was written for a while.'),
     'trajectory.png': (
         'SLAM and dead reckoning',

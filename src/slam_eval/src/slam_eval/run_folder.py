@@ -10,7 +10,9 @@ import numpy as np
 import yaml
 
 from slam_eval.errors import InputError, read_text
+from slam_eval.grid_map import GridMap, read_grid
 from slam_eval.landmarks import LandmarkMap, read_landmarks
+from slam_eval.point_cloud import read_points
 from slam_eval.trajectory import Trajectory, read_trajectory
 from slam_eval.updates import Updates, read_updates
 
@@ -27,6 +29,8 @@ class RunFolder:
     truth: Optional[Trajectory] = None
     updates: Optional[Updates] = None
     landmarks: Optional[LandmarkMap] = None
+    grid: Optional[GridMap] = None
+    points: Optional[np.ndarray] = None
     true_landmarks: Optional[LandmarkMap] = None
     metrics: dict = dataclasses.field(default_factory=dict)
     config_text: str = ''
@@ -91,6 +95,8 @@ def read_run(path):
     run.truth = _optional(path / 'ground_truth.tum', read_trajectory)
     run.updates = _optional(path / 'updates.csv', read_updates)
     run.landmarks = _optional(path / 'landmarks.yaml', read_landmarks)
+    run.grid = _optional(path / 'map.yaml', read_grid)
+    run.points = _optional(path / 'points.pcd', read_points)
     run.true_landmarks = _optional(path / 'ground_truth_landmarks.yaml', read_landmarks)
     run.metrics = read_metrics(path / 'metrics.json')
     run.config_text, run.config = _read_config(path / 'config.yaml')
