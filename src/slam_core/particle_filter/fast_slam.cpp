@@ -11,6 +11,7 @@
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/particle_filter/association.hpp"
 #include "slam_core/particle_filter/hilbert_order.hpp"
+#include "slam_core/particle_filter/landmark_filter.hpp"
 #include "slam_core/particle_filter/map_update.hpp"
 #include "slam_core/particle_filter/mixture.hpp"
 
@@ -40,6 +41,7 @@ void FastSlam::reset() {
   particles_ = std::make_unique<ParticleSet>(static_cast<std::size_t>(config_.particles),
                                              static_cast<unsigned>(config_.threads));
   fit_ = FitMonitor(config_.lost_nis);
+  told_place_.reset();
   inputs_ = {};
   told_ = {};
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
@@ -102,6 +104,7 @@ void FastSlam::relocate() {
   auto stream = streams_.of(Purpose::kPlace);
   particles_->redraw(told_.estimate, stream);
   bound_.setPose(told_.estimate.covariance);
+  told_place_ = {told_.estimate.pose, told_.estimate.covariance};
   fit_.forget();
 }
 
@@ -118,21 +121,21 @@ void FastSlam::associate(Step& step) {
 
 void FastSlam::propose(Step& step) {
   step.resize(particles_->size());
+  if (told_place_ && step.motion) told_place_ = told_place_->moved(*step.motion);
+  const bool is_placed = told_place_ && !step.sight.matches.empty();
   workers_->forEach(particles_->size(), [&](std::size_t i, unsigned) {
     const auto& particle = (*particles_)[i];
     auto& prior = step.priors[i];
     prior.mean = particle.pose;
-    if (step.motion) {
-      Eigen::Matrix3d J_u;
-      prior.mean = particle.pose.compose(step.motion->increment, nullptr, &J_u);
-      prior.covariance = J_u * step.motion->covariance * J_u.transpose();
-    }
+    if (step.motion) prior = prior.moved(*step.motion);
+    if (is_placed) prior = *told_place_;
     auto stream = streams_.of(Purpose::kPropose, i);
     auto* const predictions = step.predictionsOf(i);
     step.proposals[i] = policies_.proposal->propose(policies_.model, step.sight, particle.map,
                                                     prior, stream, predictions);
     step.log_factors[i] = policies_.weighting->logFactor(predictions, step.sight.matches.size());
   });
+  if (step.hasSeen()) told_place_.reset();
 }
 
 bool FastSlam::weigh(Step& step) {
@@ -151,7 +154,9 @@ bool FastSlam::weigh(Step& step) {
 }
 
 void FastSlam::estimate(Step& step) {
-  step.moments = momentsOf(step.proposals, particles_->weights().all());
+  const auto& weights = particles_->weights();
+  step.moments = momentsOf(step.proposals, weights.all());
+  bound_.weigh(weights.effectiveSize(), weights.size());
   if (step.motion) bound_.move(told_.estimate.pose, *step.motion);
   const auto& robot = step.moments.pose;
   const auto& [sensor, matches, gate] = step.sight;
@@ -228,9 +233,12 @@ void FastSlam::record(const Step& step) {
 /// Where the best particle has.
 void FastSlam::beginAnew(const Step& step) {
   const auto& [sensor, matches, gate] = step.sight;
+  const auto& best = particles_->best();
   for (std::size_t k = 0; k < matches.size(); ++k) {
     const auto& [slot, z] = matches[k];
-    if (!told_.statistics.innovations[k].used && particles_->best().map[slot].credit == 0)
+    if (told_.statistics.innovations[k].used) continue;
+    const auto anew = initialized(policies_.model, best.pose, sensor, z);
+    if (best.map[slot].mean() == anew.mean())
       bound_.begin(policies_.model, told_.estimate.pose, sensor, slot, z);
   }
 }

@@ -77,6 +77,8 @@ class FastSlam final : public Backend {
   void record(const Step& step);
   void beginAnew(const Step& step);
   Status status(const Step& step, bool weights_are_left) const;
+  /// As the particles have it.
+  Landmark landmark(std::size_t slot) const;
   bool mapIsFixed() const { return config_.mode == "localization"; }
 
   PfConfig config_;
@@ -87,6 +89,9 @@ class FastSlam final : public Backend {
   std::unique_ptr<ParticleSet> particles_;
   FitMonitor fit_;
   KnowledgeBound bound_;
+  /// Where the robot was told to be, until it sees something of its map. So long it is everybody's
+  /// prior as a whole: of the poses drawn from it none may lie close enough to the true one.
+  std::optional<PoseGaussian> told_place_;
   Inputs inputs_;
   Told told_;
 };

@@ -11,21 +11,29 @@ PoseEstimate FastSlam::pose() const {
   return config_.pose == "best" ? about(particles_->best().pose, estimate) : estimate;
 }
 
+Landmark FastSlam::landmark(std::size_t slot) const {
+  if (config_.map != "best") return mixtureOf(*particles_, slot, index_.id(slot));
+  const auto& best = particles_->best().map;
+  return mixtureAbout(best[slot].mean(), *particles_, slot, index_.id(slot));
+}
+
 LandmarkMap FastSlam::landmarks() const {
   LandmarkMap map;
   map.reserve(index_.size());
-  const auto& best = particles_->best().map;
   for (const auto slot : index_.slotsById()) {
-    auto landmark = config_.map == "best"
-                        ? mixtureAbout(best[slot].mean(), *particles_, slot, index_.id(slot))
-                        : mixtureOf(*particles_, slot, index_.id(slot));
-    landmark.covariance = bound_.told(landmark.covariance, slot);
-    map.push_back(landmark);
+    map.push_back(landmark(slot));
+    map.back().covariance = bound_.told(map.back().covariance, slot);
   }
   return map;
 }
 
-MapState FastSlam::state() const { return {pose(), landmarks(), {}}; }
+/// Of a map to localise in counts how its landmarks lie to one another, not what all of them have
+/// in common, which the bound holds and nobody could tell apart any more.
+MapState FastSlam::state() const {
+  MapState state{pose(), {}, {}};
+  for (const auto slot : index_.slotsById()) state.landmarks.push_back(landmark(slot));
+  return state;
+}
 
 std::vector<StampedPose> FastSlam::path() const {
   const auto& best = particles_->best();

@@ -23,8 +23,8 @@ std::size_t KldSize::drawnFrom(const std::vector<Pose2>& poses, const std::vecto
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) sums[i] = sum += weights[i];
 
-  std::set<std::array<long, 3>> bins;
-  const auto bin = [](double value, double width) { return std::lround(value / width); };
+  std::set<std::array<double, 3>> bins;
+  const auto bin = [](double value, double width) { return std::round(value / width); };
   std::size_t drawn = 0;
   while (drawn < limits_.max) {
     const auto found = std::upper_bound(sums.begin(), sums.end(), sum * random.uniform());

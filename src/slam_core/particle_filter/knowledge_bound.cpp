@@ -99,8 +99,14 @@ void KnowledgeBound::load(const LandmarkMap& map, double inflation) {
     landmarks_.push_back({inflation * inflation * landmark.covariance, kNever});
 }
 
+void KnowledgeBound::weigh(double effective, std::size_t count) {
+  const auto all = static_cast<double>(count);
+  alive_ = count < 2 ? 0.0 : std::clamp((1.0 - 1.0 / effective) / (1.0 - 1.0 / all), 0.0, 1.0);
+}
+
 void KnowledgeBound::resample(const std::vector<std::uint32_t>& ancestors) {
   if (ancestors.size() < 2) return;
+  alive_ = 1.0;
   std::vector<double> offspring(1 + *std::max_element(ancestors.begin(), ancestors.end()));
   for (const auto ancestor : ancestors) offspring[ancestor] += 1.0;
   const auto count = static_cast<double>(ancestors.size());
@@ -110,7 +116,9 @@ void KnowledgeBound::resample(const std::vector<std::uint32_t>& ancestors) {
   coalesced_ -= std::log1p(-std::min(kAll, pairs / (count * (count - 1.0))));
 }
 
-double KnowledgeBound::forgotten(double since) const { return 1.0 - std::exp(since - coalesced_); }
+double KnowledgeBound::forgotten(double since) const {
+  return 1.0 - alive_ * std::exp(since - coalesced_);
+}
 
 Eigen::Matrix3d KnowledgeBound::told(const Eigen::Matrix3d& covariance) const {
   const double share = forgotten(pose_since_);

@@ -31,6 +31,9 @@ class KnowledgeBound {
   /// Landmarks from elsewhere: what their errors have in common the particles have never known.
   void load(const LandmarkMap& map, double inflation);
   void setPose(const Eigen::Matrix3d& covariance) { pose_ = covariance; }
+  /// The particles have come to weigh as much as `effective` of their `count` do; what weighs
+  /// nothing is as good as forgotten.
+  void weigh(double effective, std::size_t count);
   /// Particle i was replaced by a copy of particle ancestors[i].
   void resample(const std::vector<std::uint32_t>& ancestors);
 
@@ -64,6 +67,7 @@ class KnowledgeBound {
 
   Eigen::Matrix3d pose_ = Eigen::Matrix3d::Zero();
   double pose_since_ = 0.0;
+  double alive_ = 1.0;               ///< share of the pairs of particles, by weight
   double coalesced_ = 0.0;           ///< minus the logarithm of the share of pairs that have not
   std::vector<Landmark> landmarks_;  ///< by slot
 };

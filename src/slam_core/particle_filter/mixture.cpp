@@ -5,18 +5,11 @@
 
 #include <algorithm>
 
-#include "slam_core/geometry/angle.hpp"
-
 namespace slam::particle_filter {
 namespace {
 
 /// Few or equal particles have no spread in some direction; a covariance needs one [m^2, rad^2].
 constexpr double kSmallestVariance = 1e-12;
-
-Eigen::Vector3d difference(const Pose2& pose, const Pose2& reference) {
-  return {pose.x() - reference.x(), pose.y() - reference.y(),
-          wrapAngle(pose.theta() - reference.theta())};
-}
 
 }  // namespace
 

@@ -109,7 +109,7 @@ void PfConfig::describeStart(Fields& fields) {
       .add("initial_sigma_heading", &initial_sigma_heading,
            "standard deviation of the first heading")
       .unit("rad")
-      .in(Range::above(0));
+      .in(Range::open(0, M_PI));
   fields
       .add("load_inflation", &load_inflation,
            "factor on the standard deviations of a loaded map that has no joint covariance")

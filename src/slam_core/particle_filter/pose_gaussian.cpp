@@ -10,6 +10,20 @@
 
 namespace slam::particle_filter {
 
+Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
+  Eigen::Vector3d d = to.vector() - from.vector();
+  d.z() = wrapAngle(d.z());
+  return d;
+}
+
+PoseGaussian PoseGaussian::moved(const Motion& motion) const {
+  PoseGaussian after;
+  Eigen::Matrix3d J_x, J_u;
+  after.mean = mean.compose(motion.increment, &J_x, &J_u);
+  after.covariance = J_x * covariance * J_x.transpose() + J_u * motion.covariance * J_u.transpose();
+  return after;
+}
+
 Pose2 PoseGaussian::sample(RandomStream& random) const {
   if (isCertain()) return mean;
   const double x = random.gaussian(), y = random.gaussian(), theta = random.gaussian();
@@ -30,8 +44,7 @@ double PoseGaussian::logDensity(const Pose2& pose) const {
   if (L.info() != Eigen::Success)
     L.compute(covariance +
               (kSmallestVariance + 1e-12 * covariance.trace()) * Eigen::Matrix3d::Identity());
-  Eigen::Vector3d d = pose.vector() - mean.vector();
-  d.z() = wrapAngle(d.z());
+  Eigen::Vector3d d = difference(pose, mean);
   L.matrixL().solveInPlace(d);
   const double log_root_determinant =
       std::log(L.matrixLLT()(0, 0) * L.matrixLLT()(1, 1) * L.matrixLLT()(2, 2));

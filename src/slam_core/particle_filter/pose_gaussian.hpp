@@ -7,8 +7,12 @@
 
 #include "slam_core/common/random.hpp"
 #include "slam_core/geometry/pose2.hpp"
+#include "slam_core/models/motion.hpp"
 
 namespace slam::particle_filter {
+
+/// From `from` to `to`, (x, y, theta) apart, the angle wrapped.
+Eigen::Vector3d difference(const Pose2& to, const Pose2& from);
 
 /// A Gaussian over a pose; the covariance may be zero.
 struct PoseGaussian {
@@ -16,6 +20,8 @@ struct PoseGaussian {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
   bool isCertain() const { return covariance.isZero(0.0); }
+  /// Of the pose after a motion from here.
+  PoseGaussian moved(const Motion& motion) const;
   Pose2 sample(RandomStream& random) const;
   double logDensity(const Pose2& pose) const;  ///< not of a certain one
 };

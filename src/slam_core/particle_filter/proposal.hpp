@@ -68,7 +68,8 @@ class MotionProposal final : public Proposal {
 
 /// FastSLAM 2.0 (Montemerlo et al. 2003): the motion prior conditioned on the latest observations,
 /// refined by one after the other as by an EKF over the pose alone. The predictions include the
-/// noise of the motion and do not depend on the pose drawn.
+/// noise of the motion and do not depend on the pose drawn. A prior with a wide heading is refined
+/// again about what comes out, as by an iterated EKF.
 class ConditionedProposal final : public Proposal {
  public:
   PoseGaussian propose(const ObservationModel& model, const Sight& sight, const ParticleMap& map,

@@ -129,6 +129,24 @@ TEST_P(KidnappedRobot, GoesOnFromANewPose) {
   EXPECT_LT(hall.errorOf(filter.landmarks()), 0.2);
 }
 
+/// As one who clicks into a map would tell it: not exactly, and with an honest covariance.
+TEST_P(KidnappedRobot, IsFoundAboutAPlaceThatIsToldRoughly) {
+  if (GetParam().most < 2) GTEST_SKIP() << "one landmark does not tell a pose";
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    hall = Hall(GetParam().ids, GetParam().most);
+    filter.seed(seed);
+    filter.configure(PfConfig());
+    drive(kSteps);
+    const Pose2 truth = hall.truth();
+    const Pose2 told(truth.x() + 0.3, truth.y() - 0.3, truth.theta() + 0.2);
+    filter.set(PoseEstimate{told, Eigen::Vector3d(0.25, 0.25, 0.068).asDiagonal()});
+    filter.execute();
+    EXPECT_EQ(drive(50), 0);
+    EXPECT_LT((filter.pose().pose.position() - hall.truth().position()).norm(), 0.1);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sees, KidnappedRobot,
                          testing::Values(View{"OneLandmark", {3}, 1},
                                          View{"TwoLandmarks", {3, 7}, 2},

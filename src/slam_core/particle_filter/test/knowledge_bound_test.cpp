@@ -87,6 +87,18 @@ TEST(Forgetting, IsTheShareOfThePairsThatDescendFromTheSameParticle) {
   EXPECT_TRUE(bound.told(told).isApprox(someCovariance(), 1e-4)) << "all of it";
 }
 
+TEST(Forgetting, IncludesParticlesThatWeighNothing) {
+  const Eigen::Matrix3d bound = Eigen::Matrix3d::Identity(), spread = 0.01 * bound;
+  KnowledgeBound knowledge;
+  knowledge.restart(bound);
+  knowledge.weigh(100.0, 100);
+  EXPECT_TRUE(knowledge.told(spread).isApprox(spread)) << "all weigh the same";
+  knowledge.weigh(1.0, 100);
+  EXPECT_TRUE(knowledge.told(spread).isApprox(bound)) << "one has all the weight";
+  knowledge.weigh(1.0, 1);
+  EXPECT_TRUE(knowledge.told(spread).isApprox(bound)) << "there is only one";
+}
+
 TEST(AtLeast, IsNowhereBelowEither) {
   const Eigen::Matrix3d a = someCovariance();
   const Eigen::Matrix3d b = Eigen::Vector3d(0.09, 0.04, 1e-4).asDiagonal();

@@ -186,6 +186,17 @@ TEST(KldSize, FollowsTheSpreadOfThePosesBetweenItsBounds) {
   EXPECT_EQ(drawn(10.0), 400u);
 }
 
+TEST(KldSize, TakesAllItMayInBinsThatAreTooNarrowForTwo) {
+  KldSize::Limits limits;
+  limits.min = 20;
+  limits.max = 400;
+  limits.bin_position = 1e-30;
+  std::vector<Pose2> poses;
+  RandomStream random(6, 0), draws(6, 1);
+  for (int i = 0; i < 500; ++i) poses.emplace_back(random.gaussian(), random.gaussian(), 0.0);
+  EXPECT_EQ(KldSize(limits).drawnFrom(poses, std::vector<double>(500, 1.0 / 500), draws), 400u);
+}
+
 TEST(WeightsTest, AreNormalisedHoweverSmallTheFactors) {
   Weights weights(3);
   EXPECT_TRUE(weights.multiply({-1000.0, -1000.0 + std::log(2.0), -1000.0 + std::log(5.0)}));
