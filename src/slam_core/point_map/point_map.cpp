@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/point_map/point_map.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "slam_core/contract/known_sections.hpp"
+
+namespace slam::point_map {
+namespace {
+
+const SectionRegistrar<PointMapConfig> kSectionRegistrar;
+
+}  // namespace
+
+void PointMap::configure(Settings& settings) {
+  config_ = settings.read<PointMapConfig>();
+  fusion_ = makeFusion(config_);
+  reset();
+}
+
+void PointMap::reset() {
+  collator_ = PoseCollator();
+  counters_.clear();
+  fault_.clear();
+  stamp_ = Stamp();
+  is_busy_ = false;
+  begin();
+}
+
+void PointMap::begin() {
+  points_.clear();
+  fusion_->reset();
+  ++revision_;
+}
+
+void PointMap::set(Motion motion) {
+  const auto fault = faultOf(motion);
+  if (fault.empty()) {
+    collator_.push(std::move(motion));
+    return;
+  }
+  counters_.add("invalid_motion");
+  fault_ = fault + "; it is left out";
+}
+
+void PointMap::set(const FilterPose& pose) {
+  if (pose.pose().isFinite()) {
+    collator_.push(pose);
+    return;
+  }
+  counters_.add("invalid_pose");
+  fault_ = "a pose holds a value that is not a number; it is left out";
+}
+
+void PointMap::set(LaserScan scan) { collator_.push(std::move(scan)); }
+
+Status PointMap::execute() {
+  const auto placed = collator_.next();
+  is_busy_ = placed.has_value();
+  const auto status = fault_.empty() ? Status::ok() : Status::warning(std::exchange(fault_, ""));
+  if (!placed) return status;
+  if (placed->restart) begin();
+  stamp_ = placed->scan.stamp;
+  const auto fused = fuse(placed->scan, fusion_->place(placed->scan, placed->T_map_base, points_));
+  return status.isOk() ? fused : status;
+}
+
+Status PointMap::fuse(const LaserScan& scan, const Pose2& T_map_base) {
+  const Pose2 T_map_sensor = T_map_base * scan.sensor_pose;
+  std::uint64_t left_out = 0;
+  for (const auto& beam : scan.beams) {
+    if (!beam.hit) continue;
+    const Eigen::Vector2d end = T_map_sensor.transform(beam.end());
+    if (const auto near = fusion_->match(end, points_))
+      points_.fuse(*near, end);
+    else if (points_.size() < config_.max_points)
+      points_.append(end);
+    else
+      ++left_out;
+  }
+  ++revision_;
+  counters_.add("full", left_out);
+  if (left_out == 0) return Status::ok();
+  return Status::warning("the point map is full with " + std::to_string(points_.size()) +
+                         " points: new ones are left out; raise point_map.max_points or "
+                         "point_map.fusion_distance");
+}
+
+Counters PointMap::counters() const {
+  Counters all = counters_;
+  for (const auto& [reason, count] : collator_.counters().all()) all.add(reason, count);
+  return all;
+}
+
+std::uint64_t PointMap::dropped() const {
+  const auto& collated = collator_.counters();
+  return collated["late"] + collated["lost"] + collated["overflow"] + collated["stamp_jump"] +
+         counters_["invalid_motion"];
+}
+
+}  // namespace slam::point_map

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/settings.hpp"
+#include "slam_core/common/status.hpp"
+#include "slam_core/point_map/fusion_policy.hpp"
+#include "slam_core/point_map/point_map_config.hpp"
+#include "slam_core/point_map/point_set.hpp"
+#include "slam_core/point_map/pose_collator.hpp"
+
+namespace slam::point_map {
+
+/// A map of points where a laser's beams end (thesis 5.6): scans, motion and the filter's poses in,
+/// points out. It has no effect on the filter.
+///
+/// Call order: configure(), set(...) of what has come, execute() while isBusy(). Counted beyond the
+/// collator's reasons: "invalid_motion", "invalid_pose", "full" (end points left out).
+class PointMap {
+ public:
+  /// A fresh start. @throw ConfigError listing all faults of its section
+  void configure(Settings& settings);
+
+  void set(Motion motion);
+  void set(const FilterPose& pose);
+  void set(LaserScan scan);
+
+  /// Takes the next scan that is due into the map.
+  Status execute();
+
+  /// Whether the last execute() took a scan; further ones may be due.
+  bool isBusy() const { return is_busy_; }
+  const std::vector<MapPoint>& points() const { return points_.points(); }
+  /// Grows whenever points() tells something else.
+  std::uint64_t revision() const { return revision_; }
+  /// Of the last scan taken.
+  Stamp stamp() const { return stamp_; }
+  std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
+  std::optional<Stamp> lastPose() const { return collator_.lastPose(); }
+  Counters counters() const;
+  /// Messages that had no effect because they came late or were lost.
+  std::uint64_t dropped() const;
+
+  /// As after configure().
+  void reset();
+
+ private:
+  void begin();
+  Status fuse(const LaserScan& scan, const Pose2& T_map_base);
+
+  PointMapConfig config_;
+  std::unique_ptr<FusionPolicy> fusion_;
+  PoseCollator collator_;
+  PointSet points_;
+  Counters counters_;
+  std::string fault_;  ///< of an input since the last execute()
+  std::uint64_t revision_ = 0;
+  Stamp stamp_;
+  bool is_busy_ = false;
+};
+
+}  // namespace slam::point_map

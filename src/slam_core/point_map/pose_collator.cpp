@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/point_map/pose_collator.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace slam::point_map {
+namespace {
+
+/// Of poses and motion, for scans that come later than those.
+constexpr Duration kKept = std::chrono::seconds(5);
+
+}  // namespace
+
+FilterPose FilterPose::of(Stamp stamp, const Pose2& T_map_base) {
+  return {stamp, T_map_base.x(), T_map_base.y(), std::sin(T_map_base.theta() / 2),
+          std::cos(T_map_base.theta() / 2)};
+}
+
+Pose2 FilterPose::pose() const { return {x, y, std::atan2(2.0 * qw * qz, qw * qw - qz * qz)}; }
+
+void PoseCollator::push(Motion motion) {
+  const auto stamp = motion.end;
+  const auto sequence = motion.sequence;
+  motions_.push(stamp, sequence, std::move(motion), counters_);
+  restartWhenAllWentBack();
+}
+
+void PoseCollator::push(const FilterPose& pose) {
+  if (pose.stamp == poses_.last()) return;
+  poses_.push(pose.stamp, pose_sequence_++, pose, counters_);
+  restartWhenAllWentBack();
+}
+
+void PoseCollator::push(LaserScan scan) {
+  const auto stamp = scan.stamp;
+  const auto sequence = scan.sequence;
+  scans_.push(stamp, sequence, std::move(scan), counters_);
+  restartWhenAllWentBack();
+}
+
+std::optional<PoseCollator::Placed> PoseCollator::next() {
+  // nobody need keep what all scans are past
+  if (scans_.empty() && poses_.last()) takePoses(*poses_.last() - kKept);
+  while (!scans_.empty()) {
+    const auto stamp = scans_.front().stamp;
+    const bool is_due =
+        poses_.last() && *poses_.last() >= stamp && motions_.last() && *motions_.last() >= stamp;
+    if (!is_due) return std::nullopt;
+    takePoses(stamp);
+    if (pose_ && pose_->stamp <= stamp) {
+      const auto pose = carriedTo(stamp);
+      return Placed{scans_.pop().value, pose, std::exchange(restart_, false)};
+    }
+    counters_.add(pose_ ? "late" : "before_pose");
+    scans_.pop();
+  }
+  return std::nullopt;
+}
+
+void PoseCollator::takePoses(Stamp up_to) {
+  while (!poses_.empty() && poses_.front().stamp <= up_to) pose_ = poses_.pop().value;
+  if (!pose_) return;
+  while (!motions_.empty() && motions_.front().stamp <= pose_->stamp) motions_.pop();
+}
+
+Pose2 PoseCollator::carriedTo(Stamp stamp) {
+  auto pose = pose_->pose();
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    auto motion = motions_[i].value;
+    if (motion.start >= stamp) break;
+    if (motion.start < pose_->stamp) motion = split(motion, pose_->stamp).second;
+    if (motion.end > stamp) motion = split(motion, stamp).first;
+    pose = pose * motion.increment;
+  }
+  return pose;
+}
+
+void PoseCollator::restartWhenAllWentBack() {
+  const auto has_gone_back = [](const auto& source) { return source.wentBack() || !source.last(); };
+  if (!motions_.wentBack() || !has_gone_back(poses_) || !has_gone_back(scans_)) return;
+  motions_.restart();
+  poses_.restart();
+  scans_.restart();
+  pose_.reset();
+  restart_ = true;
+  counters_.add("restart");
+}
+
+}  // namespace slam::point_map

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/stamped_queue.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam::point_map {
+
+/// A pose of the filter's as it is published: the heading as the z and w of a unit quaternion, so
+/// that one that went through a message has the same bits as one that did not.
+struct FilterPose {
+  Stamp stamp;
+  double x = 0.0, y = 0.0;    ///< of the robot in the map frame [m]
+  double qz = 0.0, qw = 1.0;  ///< sine and cosine of half the heading
+
+  static FilterPose of(Stamp stamp, const Pose2& T_map_base);
+  Pose2 pose() const;
+};
+
+/// Finds the robot's pose for each scan, whatever the order of arrival: the filter's last pose not
+/// after the scan, carried on by motion. A scan waits until the filter has told a pose at or after
+/// its stamp, and motion covers it. Of several poses of one stamp the first counts.
+///
+/// Counted: those of a StampedQueue, "before_pose" (a scan before the first pose), "restart";
+/// a scan that comes after poses 5 s younger may be "late".
+class PoseCollator {
+ public:
+  struct Placed {
+    LaserScan scan;
+    Pose2 T_map_base;
+    bool restart = false;  ///< time began anew, forget everything first
+  };
+
+  void push(Motion motion);
+  void push(const FilterPose& pose);
+  void push(LaserScan scan);
+
+  /// The next scan that is due, or nothing. Call until it is empty after every push().
+  std::optional<Placed> next();
+
+  const Counters& counters() const { return counters_; }
+  std::optional<Stamp> lastMotion() const { return motions_.last(); }
+  std::optional<Stamp> lastPose() const { return poses_.last(); }
+
+ private:
+  void takePoses(Stamp up_to);
+  Pose2 carriedTo(Stamp stamp);
+  void restartWhenAllWentBack();
+
+  StampedQueue<Motion> motions_{20000};
+  StampedQueue<FilterPose> poses_{20000};
+  StampedQueue<LaserScan> scans_{500};
+  std::optional<FilterPose> pose_;  ///< the last one not after the scan in hand
+  std::uint64_t pose_sequence_ = 0;
+  bool restart_ = false;
+  Counters counters_;
+};
+
+}  // namespace slam::point_map
