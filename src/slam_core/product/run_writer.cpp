@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "slam_core/common/atomic_file.hpp"
-#include "slam_core/product/landmark_file.hpp"
+#include "slam_core/product/map_files.hpp"
 
 namespace slam {
 namespace {
@@ -80,9 +80,10 @@ RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw std::runtime_error("cannot make the output folder " + folder + ": " + error.message());
-  for (const auto* name : {"trajectory_final.tum", "wheel_odometry.tum", "landmarks.yaml",
-                           "config.yaml", "metrics.json", "trajectory.png", "odometry.png",
-                           "map.png", "consistency.png", "report.html"})
+  for (const auto* name :
+       {"trajectory_final.tum", "wheel_odometry.tum", "landmarks.yaml", "config.yaml",
+        "metrics.json", "trajectory.png", "odometry.png", "map.png", "consistency.png",
+        "report.html", "map.yaml", "map.pgm", "points.pcd"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
   begin();
 }
@@ -134,7 +135,7 @@ void RunWriter::finish(const Backend& backend, const std::string& map_frame,
       throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
   writeFileAtomically(folder_ + "/trajectory_final.tum",
                       revised(readFile(folder_ + "/trajectory.tum"), backend.path()));
-  saveLandmarks(folder_ + "/landmarks.yaml", {map_frame, last_stamp_, backend.state()});
+  saveMap(folder_ + "/landmarks.yaml", {map_frame, last_stamp_, backend.state()});
   writeFileAtomically(folder_ + "/config.yaml", config);
 }
 

@@ -17,8 +17,9 @@ namespace slam {
 std::string tumLine(Stamp stamp, const Pose2& pose);
 
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
-/// updates.csv; landmarks.yaml and config.yaml at the end. Every driver of an Estimator uses this
-/// one, so that offline and online runs can be compared byte for byte.
+/// updates.csv; landmarks.yaml, of a grid map.yaml and map.pgm, and config.yaml at the end. Every
+/// driver of an Estimator uses this one, so that offline and online runs can be compared byte for
+/// byte.
 class RunWriter {
  public:
   /// Makes the folder; files of an earlier run in it are replaced, its evaluation is removed.

@@ -16,9 +16,11 @@ BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Backend& back
       landmarks_(handle, backend, map_frame, config.landmark_rate),
       map_odom_(handle, map_frame, config),
       particles_(handle, backend, map_frame, config.landmark_rate) {
+  if (backend.usesScans()) grid_.emplace(handle, backend, map_frame, config.map_period);
   const auto flush = [this](const ros::WallTimerEvent&) {
     pose_.flush();
     landmarks_.flush();
+    if (grid_) grid_->flush();
   };
   flush_timer_ = handle.createWallTimer(ros::WallDuration(kFlushInterval), flush);
 }
@@ -28,6 +30,7 @@ void BackendOutputs::publish(const slam::StepReport& report) {
   landmarks_.update(report.stamp);
   map_odom_.update(report);
   particles_.update(report.stamp);
+  if (grid_) grid_->update(report.stamp);
 }
 
 void BackendOutputs::restart() {

@@ -33,15 +33,17 @@ std::string inflated(const slam::LandmarkFile& file) {
   return complete ? "" : "; it holds no joint covariance, so the landmarks' own were inflated";
 }
 
-std::string count(const slam::LandmarkFile& file) {
-  return std::to_string(file.map.landmarks.size()) + " landmarks";
+std::string contents(const slam::LandmarkFile& file) {
+  const auto landmarks = std::to_string(file.map.landmarks.size()) + " landmarks";
+  return file.map.grid ? "a grid, " + landmarks : landmarks;
 }
 
 }  // namespace
 
-BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame,
+BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame, bool has_grid,
                                  BackendActions actions)
     : map_frame_(std::move(map_frame)),
+      has_grid_(has_grid),
       actions_(std::move(actions)),
       reset_(handle.advertiseService("reset", &BackendServices::reset, this)),
       pause_(handle.advertiseService("pause", &BackendServices::pause, this)),
@@ -66,21 +68,16 @@ bool BackendServices::pause(std_srvs::SetBool::Request& request,
 
 bool BackendServices::save(slam_msgs::SaveMap::Request& request,
                            slam_msgs::SaveMap::Response& response) {
-  return answer(response, [&] {
-    const auto path = absolute(request.path);
-    const auto file = actions_.map();
-    slam::saveLandmarks(path, file);
-    return count(file) + " written to " + path;
-  });
+  return answer(response, [&] { return slam::saveMap(absolute(request.path), actions_.map()); });
 }
 
 bool BackendServices::load(slam_msgs::LoadMap::Request& request,
                            slam_msgs::LoadMap::Response& response) {
   return answer(response, [&] {
     const auto path = absolute(request.path);
-    const auto file = slam::loadLandmarks(path, map_frame_);
+    const auto file = slam::loadMap(path, map_frame_, has_grid_);
     actions_.load(file);
-    return count(file) + " and the pose loaded from " + path + inflated(file);
+    return contents(file) + " and the pose loaded from " + path + inflated(file);
   });
 }
 

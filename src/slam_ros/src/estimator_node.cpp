@@ -22,7 +22,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   auto& estimator = source_.estimator();
   slam::MapState start;
   if (!outputs.load_map.empty()) {
-    start = slam::loadLandmarks(outputs.load_map, map_frame_).map;
+    start = slam::loadMap(outputs.load_map, map_frame_, estimator.backend().usesScans()).map;
     estimator.startWith(start);
   }
   diagnostics_.emplace(
@@ -35,7 +35,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
   outputs_->refresh();
   consistency_.emplace(handles.product, *diagnostics_, estimator.consistency());
-  services_.emplace(handles.product, map_frame_, actions());
+  services_.emplace(handles.product, map_frame_, estimator.backend().usesScans(), actions());
   for (const auto& topic : {topics_.motion, topics_.observations})
     handles.product.resolveName(topic);  // throws now what subscribing would throw later
   if (source_.usesScans()) connectLaser(handles.product, settings);

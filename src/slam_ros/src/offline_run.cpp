@@ -11,7 +11,8 @@
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
-#include "slam_core/product/landmark_file.hpp"
+#include "slam_core/point_map/pcd_file.hpp"
+#include "slam_core/product/map_files.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
@@ -77,7 +78,9 @@ void OfflineRun::connectLaser(const std::string& base_frame) {
 }
 
 void OfflineRun::loadMap() {
-  const auto map = slam::loadLandmarks(options_.load_map, frameId(coordinator_.frames().map)).map;
+  const auto map = slam::loadMap(options_.load_map, frameId(coordinator_.frames().map),
+                                 coordinator_.estimator().backend().usesScans())
+                       .map;
   if (!map.landmarks.empty() && map.joint_covariance.size() == 0)
     warn(options_.load_map + " has no joint covariance; its marginals are inflated");
   coordinator_.estimator().startWith(map);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "slam_core/common/atomic_file.hpp"
-#include "slam_core/product/landmark_file.hpp"
+#include "slam_core/product/map_files.hpp"
 
 namespace slam_ros {
 
@@ -58,8 +58,8 @@ void RunRecorder::finish(const slam::Backend& backend, std::uint64_t dropped_mes
     });
   if (config_.save_on_exit.empty()) return;
   attempt([&] {
-    slam::saveLandmarks(config_.save_on_exit + "/landmarks.yaml",
-                        {map_frame_, last_stamp_, backend.state()});
+    slam::saveMap(config_.save_on_exit + "/landmarks.yaml",
+                  {map_frame_, last_stamp_, backend.state()});
   });
 }
 

@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <optional>
+
+#include "slam_ros/grid_publisher.hpp"
 #include "slam_ros/landmark_publisher.hpp"
 #include "slam_ros/map_odom_broadcaster.hpp"
 #include "slam_ros/particle_publisher.hpp"
@@ -27,6 +30,7 @@ class BackendOutputs {
   LandmarkPublisher landmarks_;
   MapOdomBroadcaster map_odom_;
   ParticlePublisher particles_;
+  std::optional<GridPublisher> grid_;  ///< of back-ends that make one
   ros::WallTimer flush_timer_;
 };
 

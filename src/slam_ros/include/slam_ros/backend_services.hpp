@@ -13,7 +13,7 @@
 #include <functional>
 #include <string>
 
-#include "slam_core/product/landmark_file.hpp"
+#include "slam_core/product/map_files.hpp"
 
 namespace slam_ros {
 
@@ -28,7 +28,9 @@ struct BackendActions {
 /// The services `reset`, `pause`, `save_map` and `load_map`.
 class BackendServices {
  public:
-  BackendServices(ros::NodeHandle handle, std::string map_frame, BackendActions actions);
+  /// @param has_grid whether the back-end's map has a grid
+  BackendServices(ros::NodeHandle handle, std::string map_frame, bool has_grid,
+                  BackendActions actions);
 
  private:
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
@@ -37,6 +39,7 @@ class BackendServices {
   bool load(slam_msgs::LoadMap::Request& request, slam_msgs::LoadMap::Response& response);
 
   std::string map_frame_;
+  bool has_grid_;
   BackendActions actions_;
   ros::ServiceServer reset_, pause_, save_, load_;
 };

@@ -17,15 +17,26 @@ struct OutputsConfig {
   std::string load_map;
   std::string save_on_exit;
   double landmark_rate = 2.0;
+  double map_period = 2.0;
+  double points_rate = 1.0;
   double tf_rate = 20.0;
   double transform_tolerance = 0.1;
 
   void describe(slam::Fields& fields) {
     fields.add("output_dir", &output_dir,
                "folder for the files of the run; none are written without");
-    fields.add("load_map", &load_map, "landmarks.yaml to start with");
-    fields.add("save_on_exit", &save_on_exit, "folder that gets a landmarks.yaml at the end");
+    fields.add("load_map", &load_map,
+               "landmarks.yaml, a grid's yaml, or a folder with both, to start with");
+    fields.add(
+        "save_on_exit", &save_on_exit,
+        "folder that gets the map at the end: landmarks.yaml, of a grid map.yaml and map.pgm");
     fields.add("landmark_rate", &landmark_rate, "of the landmarks, their markers and the path")
+        .unit("1/s of stamps")
+        .in(slam::Range::above(0));
+    fields.add("map_period", &map_period, "of the grid map, at least")
+        .unit("s of stamps")
+        .in(slam::Range::above(0));
+    fields.add("points_rate", &points_rate, "of the point map, where it is made in this nodelet")
         .unit("1/s of stamps")
         .in(slam::Range::above(0));
     fields.add("tf_rate", &tf_rate, "of the map's transform")

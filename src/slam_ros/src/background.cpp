@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/background.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace slam_ros {
+
+bool Background::tryRun(std::function<void()> work) {
+  if (work_.valid() && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return false;
+  work_ = std::async(std::launch::async, std::move(work));
+  return true;
+}
+
+Background::~Background() {
+  if (work_.valid()) work_.wait();
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/grid_publisher.hpp"
+
+#include <utility>
+
+#include "slam_ros/conversions.hpp"
+
+namespace slam_ros {
+
+nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp,
+                              const std::string& frame) {
+  nav_msgs::OccupancyGrid message;
+  message.header.stamp = message.info.map_load_time = toRos(stamp);
+  message.header.frame_id = frame;
+  message.info.resolution = static_cast<float>(grid.resolution);
+  message.info.width = grid.width;
+  message.info.height = grid.height;
+  message.info.origin.position.x = grid.origin.x();
+  message.info.origin.position.y = grid.origin.y();
+  message.info.origin.orientation.w = 1.0;
+  message.data = grid.cells;
+  return message;
+}
+
+GridPublisher::GridPublisher(ros::NodeHandle handle, const slam::Backend& backend,
+                             std::string map_frame, double period)
+    : backend_(backend),
+      map_frame_(std::move(map_frame)),
+      map_(handle.advertise<nav_msgs::OccupancyGrid>("map", 1, true)),
+      metadata_(handle.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)),
+      service_(handle.advertiseService("dynamic_map", &GridPublisher::answer, this)),
+      rate_(1.0 / period) {}
+
+void GridPublisher::update(slam::Stamp stamp) {
+  stamp_ = stamp;
+  if (rate_.isDue(stamp)) flush();
+}
+
+void GridPublisher::flush() {
+  const auto subscribers = map_.getNumSubscribers() + metadata_.getNumSubscribers();
+  const bool has_changed = backend_.gridRevision() != published_;
+  if (subscribers > 0 && (has_changed || subscribers > subscribers_)) publish();
+  subscribers_ = subscribers;
+}
+
+void GridPublisher::publish() {
+  auto grid = backend_.grid();
+  if (!grid || grid->cells.empty()) return;
+  const auto send = [this, grid = std::move(*grid), stamp = stamp_] {
+    const auto message =
+        boost::make_shared<const nav_msgs::OccupancyGrid>(toMsg(grid, stamp, map_frame_));
+    metadata_.publish(message->info);
+    map_.publish(message);
+  };
+  if (background_.tryRun(send)) published_ = backend_.gridRevision();
+}
+
+bool GridPublisher::answer(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
+  const auto grid = backend_.grid();
+  if (!grid) return false;
+  response.map = toMsg(*grid, stamp_, map_frame_);
+  return true;
+}
+
+}  // namespace slam_ros
