@@ -36,9 +36,14 @@ void MetaCoordinator::takeMotions() {
     auto motion = parts_.odometry->motion();
     if (!motion) continue;
     parts_.frames.complete(motion->odometry_frame, motion->base_frame);
-    parts_.estimator.set(*motion);
+    set(*motion);
     if (on_motion) on_motion(*motion);
   } while (parts_.odometry->isBusy());
+}
+
+void MetaCoordinator::set(const Motion& motion) {
+  parts_.estimator.set(motion);
+  if (parts_.point_map) parts_.point_map->set(motion);
 }
 
 template <class Input>
@@ -73,6 +78,7 @@ void MetaCoordinator::takeScans() {
   do {
     note(parts_.laser.next());
     if (scan) parts_.estimator.set(*scan);
+    if (scan && parts_.point_map) parts_.point_map->set(*scan);
   } while (scan);
 }
 
@@ -82,8 +88,19 @@ void MetaCoordinator::note(const Status& status) {
 
 Status MetaCoordinator::execute() {
   const auto status = parts_.estimator.execute();
+  if (parts_.point_map) updatePointMap();
   const auto front_end_status = std::exchange(front_end_status_, Status::ok());
   return front_end_status.isOk() ? status : front_end_status;
+}
+
+void MetaCoordinator::updatePointMap() {
+  auto& map = *parts_.point_map;
+  if (const auto& report = parts_.estimator.report()) {
+    map.set(point_map::FilterPose::of(report->stamp, report->pose.pose));
+    return;
+  }
+  do note(map.execute());
+  while (map.isBusy());
 }
 
 Counters MetaCoordinator::counters() const {
@@ -94,6 +111,7 @@ Counters MetaCoordinator::counters() const {
   add("odometry_", parts_.odometry->counters());
   if (parts_.detector) add("detector_", parts_.detector->counters());
   add("laser_", parts_.laser.counters());
+  if (parts_.point_map) add("pointmap_", parts_.point_map->counters());
   return all;
 }
 
@@ -107,6 +125,7 @@ void MetaCoordinator::reset() {
   parts_.odometry->reset();
   if (parts_.detector) parts_.detector->reset();
   parts_.laser.reset();
+  if (parts_.point_map) parts_.point_map->reset();
   parts_.estimator.reset();
   front_end_status_ = Status::ok();
 }

@@ -32,7 +32,7 @@ class MetaCoordinator {
   void set(LaserSweep sweep);
   void set(const LaserMount& mount);
   /// For data that already carry what a component would make.
-  void set(const Motion& motion) { parts_.estimator.set(motion); }
+  void set(const Motion& motion);
   void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
 
   /// Called with every motion that the odometry source makes, its frames completed.
@@ -41,9 +41,10 @@ class MetaCoordinator {
   std::function<void(const LandmarkObservationArray&)> on_detections;
 
   /// Whether anything comes of scans.
-  bool usesScans() const { return parts_.estimator.usesScans(); }
+  bool usesScans() const { return parts_.estimator.usesScans() || parts_.point_map; }
 
-  /// One step, as Estimator::execute(); a warning of the front-end comes first.
+  /// One step, as Estimator::execute(), and when none is due the point map's turn; a warning of
+  /// these others comes first.
   Status execute();
 
   Estimator& estimator() { return parts_.estimator; }
@@ -51,8 +52,11 @@ class MetaCoordinator {
   const OdometrySource& odometry() const { return *parts_.odometry; }
   /// Of the product's images; null where it looks at none.
   const LandmarkDetector* detector() const { return parts_.detector.get(); }
+  /// Null where the product has none.
+  const point_map::PointMap* pointMap() const { return parts_.point_map.get(); }
   const FramesConfig& frames() const { return parts_.frames; }
-  /// Of the front-end ("odometry_...", "detector_...", "laser_...") and the estimator.
+  /// Of the front-end ("odometry_...", "detector_...", "laser_..."), the point map ("pointmap_...")
+  /// and the estimator.
   Counters counters() const;
   std::uint64_t dropped() const;
 
@@ -63,6 +67,7 @@ class MetaCoordinator {
   void setForDetector(const Input& input);
   void takeMotions();
   void takeScans();
+  void updatePointMap();
   void note(const Status& status);
 
   ProductComponents parts_;

@@ -43,6 +43,11 @@ ProductComponents makeComponents(Settings& settings) {
     });
   if (parts.detector) faults.attempt([&] { parts.detector->configure(settings); });
   faults.attempt([&] { parts.laser.configure(settings.read<LaserConfig>()); });
+  if (product.pointmap)
+    faults.attempt([&] {
+      parts.point_map = std::make_unique<point_map::PointMap>();
+      parts.point_map->configure(settings);
+    });
   if (backend)
     faults.attempt([&] {
       parts.estimator.configure(settings, std::move(backend));

@@ -8,6 +8,7 @@
 #include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/contract/odometry_source.hpp"
 #include "slam_core/laser/scan_gate.hpp"
+#include "slam_core/point_map/point_map.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_core/product/product_config.hpp"
 
@@ -17,9 +18,10 @@ namespace slam {
 struct ProductComponents {
   FramesConfig frames;
   std::unique_ptr<OdometrySource> odometry;
-  std::unique_ptr<LandmarkDetector> detector;  ///< none where the product looks at no images
-  ScanGate laser;                              ///< of the scans, where the product uses them
-  Estimator estimator;                         ///< with the back-end
+  std::unique_ptr<LandmarkDetector> detector;      ///< none where the product looks at no images
+  ScanGate laser;                                  ///< of the scans, where the product uses them
+  Estimator estimator;                             ///< with the back-end
+  std::unique_ptr<point_map::PointMap> point_map;  ///< none where the product has none
 };
 
 /// Creates and configures what the product names.

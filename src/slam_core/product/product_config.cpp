@@ -24,6 +24,7 @@ void ProductConfig::describe(Fields& fields) {
       .add("map", &map,
            "representation of the map: landmarks, or a grid that a laser's scans are drawn into")
       .oneOf({"landmarks", "grid"});
+  fields.add("pointmap", &pointmap, "also a map of points where a laser's beams end, to look at");
   fields.add("seed", &seed, "of every random stream");
   fields
       .add("source_timeout", &source_timeout,

@@ -23,12 +23,14 @@ struct ProductConfig {
   std::string odometry = "wheel";
   std::string detector = "none";
   std::string map = "landmarks";
+  bool pointmap = false;
   std::uint64_t seed = 1;
   double source_timeout = 1.0;
   std::string robot;
 
   void describe(Fields& fields);
   bool usesImages() const { return detector != "none"; }
+  bool usesScans() const { return hasGrid() || pointmap; }
   bool hasGrid() const { return map == "grid"; }
 };
 

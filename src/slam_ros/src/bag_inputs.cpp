@@ -152,7 +152,7 @@ std::vector<Input> inputsOf(const TopicsConfig& topics) {
 InputNeeds needsOf(const slam::ProductConfig& product) {
   InputNeeds needs;
   needs.images = product.usesImages();
-  needs.scans = product.hasGrid();
+  needs.scans = product.usesScans();
   needs.landmarks = !product.hasGrid();
   const auto odometry = slam::makeOdometry(product);
   needs.wheels = odometry->usesWheels();

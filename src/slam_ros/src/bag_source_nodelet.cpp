@@ -35,6 +35,11 @@ namespace {
 
 constexpr FlowWindow::Timeout kPatience(5000);
 const ros::WallDuration kPoll(0.05);
+// what is acknowledged, beside "motion" and "observations"
+constexpr const char* kScans = "scans";
+constexpr const char* kPointMapScans = "scans for the point map";
+constexpr const char* kPointMapMotion = "motion for the point map";
+constexpr const char* kPointMapPose = "poses for the point map";
 
 struct BagSourceConfig {
   static constexpr const char* kSection = "";
@@ -44,6 +49,7 @@ struct BagSourceConfig {
   bool publish_clock = true;
   bool exit_at_end = true;
   bool odometry_tf = true;
+  bool pointmap = false;
   std::vector<std::string> remaps;
 
   void describe(slam::Fields& fields) {
@@ -55,6 +61,7 @@ struct BagSourceConfig {
     fields.add("exit_at_end", &exit_at_end, "ends the process when the bag is through");
     fields.add("odometry_tf", &odometry_tf,
                "the bag's transform of the odometry too; not where the product publishes it");
+    fields.add("pointmap", &pointmap, "scans wait for the point map's nodelet too");
     fields.add("remaps", &remaps, "input:=topic of the bag");
   }
 };
@@ -88,8 +95,10 @@ class BagSourceNodelet : public nodelet::Nodelet {
       std::vector<Remap> remaps;
       for (const auto& text : config_.remaps) remaps.push_back(parseRemap(text));
       inputs_ = findInputs(*bag_, needs, remaps);
+      // in one process with the point map it is the product's nodelet that takes them
+      backend_takes_scans_ = product.hasGrid() || !config_.pointmap;
       const bool has_landmarks = inputs_.hasImages() || !inputs_.observations.empty();
-      if (!inputs_.scan.empty() && has_landmarks)
+      if (product.hasGrid() && has_landmarks)
         max_ahead_ = slam::durationFromSeconds(product.source_timeout / 2);
       for (const auto& note : inputs_.notes) NODELET_INFO_STREAM(note);
       for (const auto& warning : inputs_.warnings) NODELET_WARN_STREAM(warning);
@@ -102,19 +111,41 @@ class BagSourceNodelet : public nodelet::Nodelet {
 
   void connect(ros::NodeHandle handle) {
     publishers_.emplace(handle, topics_, inputs_, [this](const std::string& input, auto stamp) {
-      return waitForRoom(input, stamp);
+      return input == kScans ? waitForRoomOfScan(stamp) : waitForRoom(input, stamp);
     });
     if (inputs_.hasImages()) inputs_of_few_.insert("observations");
     if (inputs_.ceiling.hasImages()) inputs_of_few_.insert("motion");
     for (const auto& input : inputs_of_few_) window_.limit(input, kImagesInFlight);
+    for (const auto* input : {kScans, kPointMapScans}) window_.limit(input, kScansInFlight);
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
     progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
+    if (config_.pointmap)
+      point_map_progress_ = handle.subscribe("pointmap/progress", 10 * kInFlight,
+                                             &BagSourceNodelet::onPointMapProgress, this);
   }
 
   void onProgress(const slam_msgs::Progress& message) {
+    if (config_.pointmap) expectOfPointMap(message);
     window_.acknowledged("motion", fromRos(message.motion));
     window_.acknowledged("observations", fromRos(message.observations));
-    window_.acknowledged("scans", fromRos(message.scans));
+    window_.acknowledged(kScans, fromRos(message.scans));
+  }
+
+  /// What the back-end has had and has told must reach the point map as well.
+  void expectOfPointMap(const slam_msgs::Progress& message) {
+    // it may have been faster than this message
+    if (message.motion > told_.motion && message.motion > point_map_told_.motion)
+      window_.sent(kPointMapMotion, fromRos(message.motion));
+    if (message.step > told_.step && message.step > point_map_told_.step)
+      window_.sent(kPointMapPose, fromRos(message.step));
+    told_ = message;
+  }
+
+  void onPointMapProgress(const slam_msgs::Progress& message) {
+    point_map_told_ = message;
+    window_.acknowledged(kPointMapScans, fromRos(message.scans));
+    window_.acknowledged(kPointMapMotion, fromRos(message.motion));
+    window_.acknowledged(kPointMapPose, fromRos(message.step));
   }
 
   void play() {
@@ -165,8 +196,12 @@ class BagSourceNodelet : public nodelet::Nodelet {
     if (has_mounts && tf_static_ && tf_static_.getNumSubscribers() == 0)
       return "a subscriber of " + tf_static_.getTopic();
     const auto subscriber = publishers_->missingSubscriber();
-    if (!subscriber.empty() || progress_.getNumPublishers() > 0) return subscriber;
-    return "a back-end that publishes " + progress_.getTopic();
+    if (!subscriber.empty()) return subscriber;
+    if (progress_.getNumPublishers() == 0)
+      return "a back-end that publishes " + progress_.getTopic();
+    if (point_map_progress_ && point_map_progress_.getNumPublishers() == 0)
+      return "a point map that publishes " + point_map_progress_.getTopic();
+    return "";
   }
 
   BagHandlers handlers() {
@@ -193,6 +228,12 @@ class BagSourceNodelet : public nodelet::Nodelet {
       if (!config_.odometry_tf) kept = withoutEdge(kept, inputs_.odom_frame, inputs_.base_frame);
       if (!kept.transforms.empty()) tf_.publish(kept);
     });
+  }
+
+  /// Scans go to the back-end, to the point map or to both. @return as waitForRoom()
+  bool waitForRoomOfScan(slam::Stamp stamp) {
+    const bool to_point_map = !config_.pointmap || waitForRoom(kPointMapScans, stamp);
+    return to_point_map && (!backend_takes_scans_ || waitForRoom(kScans, stamp));
   }
 
   /// @return false when the nodelet is being unloaded
@@ -223,7 +264,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
   std::atomic<bool> stop_{false};
   std::optional<InputPublishers> publishers_;
   ros::Publisher tf_, tf_static_;
-  ros::Subscriber progress_;
+  ros::Subscriber progress_, point_map_progress_;
+  slam_msgs::Progress told_, point_map_told_;  ///< by the back-end and the point map, last
+  bool backend_takes_scans_ = false;
   std::thread thread_;
   std::optional<AfterLoad> start_;
 };

@@ -103,7 +103,7 @@ void EstimatorNode::onMotion(const slam_msgs::Motion& message) {
     diagnostics_->warn(topics_.motion + ": its frames changed from " + motion_frames_ + " to " +
                        frames + "; the new ones are used");
   motion_frames_ = frames;
-  source_.estimator().set(motion);
+  source_.set(motion);
   takeSteps(topics_.motion);
 }
 
@@ -135,6 +135,7 @@ void EstimatorNode::takeSteps(const std::string& topic) {
     diagnostics_->report(topic, status);
     if (report) publishStep(*report, time);
   } while (report);
+  if (on_idle) on_idle();
   publishProgress();
 }
 
@@ -157,6 +158,7 @@ void EstimatorNode::publishProgress() {
   message.observations = toRos(estimator.lastObservations().value_or(slam::Stamp()));
   message.scans = toRos(last_scan_);
   message.step = toRos(recorder_->lastStamp());
+  message.resets = resets_;
   progress_.publish(message);
 }
 
@@ -167,10 +169,16 @@ void EstimatorNode::checkClock() {
   if (source_.estimator().lastMotion().value_or(slam::Stamp()) < middle) return;  // it has seen it
   diagnostics_->warn("/clock jumped back by " + std::to_string((from - to).toSec()) +
                      " s: map and pose begin anew");
-  reset();
+  beginAnew();
 }
 
 void EstimatorNode::reset() {
+  beginAnew();
+  ++resets_;
+  publishProgress();
+}
+
+void EstimatorNode::beginAnew() {
   source_.reset();
   recorder_->restart();
   outputs_->restart();

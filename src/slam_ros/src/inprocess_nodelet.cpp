@@ -10,6 +10,7 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "slam_core/point_map/pcd_file.hpp"
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/camera_subscriber.hpp"
 #include "slam_ros/conversions.hpp"
@@ -18,6 +19,7 @@
 #include "slam_ros/motion_publisher.hpp"
 #include "slam_ros/odometry_subscriber.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
+#include "slam_ros/points_publisher.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
 #include "slam_ros/transport_config.hpp"
@@ -51,12 +53,14 @@ class InprocessNodelet : public nodelet::Nodelet {
     for (auto* camera : {&camera_, &ceiling_camera_})
       if (*camera) (*camera)->stop();
     node_.reset();
+    savePoints();
   }
 
  private:
   void onInit() override {
     reportFailure(getName(), [this] {
       const auto config = parametersFromRos<InprocessConfig>(getPrivateNodeHandle());
+      output_dir_ = config.outputs.output_dir;
       node_ = std::make_unique<EstimatorNode>(
           EstimatorNode::Handles{getNodeHandle(), getPrivateNodeHandle(), getName()},
           config.outputs, product_);
@@ -68,6 +72,7 @@ class InprocessNodelet : public nodelet::Nodelet {
         };
       if (product_.coordinator().detector() != nullptr) connectCamera(config.camera.transport);
       if (looks_up) connectCeilingCamera(config);
+      if (product_.coordinator().pointMap() != nullptr) showPoints(config.outputs.points_rate);
       if (product_.coordinator().odometry().usesWheels()) connectWheels(config);
     });
   }
@@ -122,6 +127,23 @@ class InprocessNodelet : public nodelet::Nodelet {
     node_->front_end_waiting = [this] { return waiting(); };
   }
 
+  void showPoints(double rate) {
+    const auto& coordinator = product_.coordinator();
+    points_.emplace(getNodeHandle(), *coordinator.pointMap(), frameId(coordinator.frames().map),
+                    rate);
+    node_->on_idle = [this] { points_->update(); };
+  }
+
+  void savePoints() {
+    if (!points_ || output_dir_.empty()) return;
+    try {
+      slam::point_map::savePcd(output_dir_ + "/points.pcd",
+                               product_.coordinator().pointMap()->points());
+    } catch (const std::exception& error) {
+      NODELET_ERROR_STREAM(error.what());
+    }
+  }
+
   std::string waiting() const {
     for (const auto* camera : {&camera_, &ceiling_camera_})
       if (*camera && !(*camera)->waiting().empty()) return (*camera)->waiting();
@@ -141,6 +163,8 @@ class InprocessNodelet : public nodelet::Nodelet {
   TransformPublisher odometry_transform_;
   std::optional<DetectionsPublisher> detections_;
   std::optional<VisualMotionPublisher> visual_motion_;
+  std::optional<PointsPublisher> points_;
+  std::string output_dir_;
   std::optional<CameraSubscriber> camera_, ceiling_camera_;
   std::unique_ptr<EstimatorNode> node_;
   std::optional<OdometrySubscriber> odom_;

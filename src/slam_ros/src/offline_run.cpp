@@ -95,6 +95,8 @@ void OfflineRun::run() {
   if (inputs_.ceiling.hasImages()) writeWheelOdometry(bag_, options_.folder);
   requireSteps(writer);
   writer.finish(coordinator_.estimator().backend(), coordinator_.frames().map, settings_.inForce());
+  if (const auto* points = coordinator_.pointMap())
+    slam::point_map::savePcd(options_.folder + "/points.pcd", points->points());
   slam::writeFileAtomically(options_.folder + "/metrics.json",
                             metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
   printSummary(writer);

@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/queue_sizes.hpp"
 
 namespace slam_ros {
 
 PosePublisher::PosePublisher(ros::NodeHandle handle, std::string map_frame, double path_rate)
     : map_frame_(std::move(map_frame)),
-      pose_(handle.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 100)),
+      pose_(handle.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", kQueue)),
       path_publisher_(handle.advertise<nav_msgs::Path>("path", 1)),
       rate_(path_rate) {
   reset();
@@ -19,7 +20,8 @@ PosePublisher::PosePublisher(ros::NodeHandle handle, std::string map_frame, doub
 
 void PosePublisher::publish(const slam::StepReport& report) {
   const auto message = toMsg(report.pose, report.stamp, map_frame_);
-  pose_.publish(message);
+  // by pointer: a subscriber in this process has it before what follows
+  pose_.publish(boost::make_shared<const geometry_msgs::PoseWithCovarianceStamped>(message));
 
   geometry_msgs::PoseStamped last;
   last.header = message.header;

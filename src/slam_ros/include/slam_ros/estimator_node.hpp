@@ -54,6 +54,8 @@ class EstimatorNode {
   void takeSteps(const std::string& topic);
   /// Called with every step.
   std::function<void(const slam::StepReport&)> on_step;
+  /// Called when all steps that were due have been taken.
+  std::function<void()> on_idle;
   /// What the front-end in this process waits for ("waiting for ..."), where there is one.
   std::function<std::string()> front_end_waiting;
 
@@ -69,6 +71,7 @@ class EstimatorNode {
   Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
   void publishProgress();
+  void beginAnew();
   void reset();
 
   StepSource& source_;
@@ -85,7 +88,8 @@ class EstimatorNode {
   std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
   std::vector<ros::Subscriber> subscribers_;
   std::optional<LaserSubscriber> laser_;
-  slam::Stamp last_scan_;  ///< that has come, whether or not it could be used
+  slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
+  std::uint32_t resets_ = 0;  ///< that were asked for
   std::optional<AfterLoad> start_;
 };
 

@@ -18,6 +18,8 @@ constexpr std::size_t kInFlight = 100;
 /// Of images. Each takes long, and a nodelet manager's thread works off all that one nodelet was
 /// sent before the others have their turn, the back-end and who waits for its answer among them.
 constexpr std::size_t kImagesInFlight = 8;
+/// Of scans, for the same reason, and so that little of the rest goes by meanwhile.
+constexpr std::size_t kScansInFlight = 20;
 /// More than a component holds while it waits for calibration and mount.
 constexpr std::size_t kImagesHeld = 40;
 

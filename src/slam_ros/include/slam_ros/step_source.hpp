@@ -17,7 +17,8 @@ class StepSource {
   /// @throw slam::ConfigError listing the faults of the whole product
   virtual void configure(slam::Settings& settings) = 0;
   virtual slam::Estimator& estimator() = 0;
-  /// Of the laser; nothing comes of them unless usesScans().
+  virtual void set(const slam::Motion& motion) = 0;
+  /// Of the laser; nothing comes of these two unless usesScans().
   virtual void set(const slam::LaserSweep& sweep) = 0;
   virtual void set(const slam::LaserMount& mount) = 0;
   virtual bool usesScans() const = 0;
@@ -38,6 +39,7 @@ class BackendAlone final : public StepSource {
     estimator_.configure(settings, std::move(backend_));
   }
   slam::Estimator& estimator() override { return estimator_; }
+  void set(const slam::Motion& motion) override { estimator_.set(motion); }
   void set(const slam::LaserSweep& sweep) override { takeScans(sweep); }
   void set(const slam::LaserMount& mount) override { takeScans(mount); }
   bool usesScans() const override { return estimator_.usesScans(); }
@@ -61,6 +63,7 @@ class WholeProduct final : public StepSource {
  public:
   void configure(slam::Settings& settings) override { coordinator_.configure(settings); }
   slam::Estimator& estimator() override { return coordinator_.estimator(); }
+  void set(const slam::Motion& motion) override { coordinator_.set(motion); }
   void set(const slam::LaserSweep& sweep) override { coordinator_.set(sweep); }
   void set(const slam::LaserMount& mount) override { coordinator_.set(mount); }
   bool usesScans() const override { return coordinator_.usesScans(); }
