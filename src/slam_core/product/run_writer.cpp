@@ -20,6 +20,25 @@
 namespace slam {
 namespace {
 
+/// What a run and its evaluation leave in the folder beside the files that are begun at once: none
+/// of it may be of another run.
+constexpr const char* kResults[] = {"trajectory_final.tum",
+                                    "wheel_odometry.tum",
+                                    "ground_truth.tum",
+                                    "ground_truth_landmarks.yaml",
+                                    "landmarks.yaml",
+                                    "map.pgm",
+                                    "map.yaml",
+                                    "points.pcd",
+                                    "config.yaml",
+                                    "metrics.json",
+                                    "trajectory.png",
+                                    "odometry.png",
+                                    "map.png",
+                                    "landmark_errors.png",
+                                    "consistency.png",
+                                    "report.html"};
+
 constexpr const char* kUpdatesHeader =
     "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
     "landmarks\n";
@@ -80,10 +99,7 @@ RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
   std::filesystem::create_directories(folder, error);
   if (error)
     throw std::runtime_error("cannot make the output folder " + folder + ": " + error.message());
-  for (const auto* name :
-       {"trajectory_final.tum", "wheel_odometry.tum", "landmarks.yaml", "config.yaml",
-        "metrics.json", "trajectory.png", "odometry.png", "map.png", "consistency.png",
-        "report.html", "map.yaml", "map.pgm", "points.pcd"})
+  for (const auto* name : kResults)
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
   begin();
 }

@@ -166,13 +166,25 @@ TEST_F(RunWriterTest, NothingOfALongRunIsLeftAfterARestart) {
 
 TEST_F(RunWriterTest, ReplacesAnEarlierRunAtOnce) {
   run("run", 5);
-  for (const auto* name : {"metrics.json", "map.png", "report.html"})
-    folder.write(std::string("run/") + name, "{}");
+  const auto results = {"metrics.json",
+                        "map.png",
+                        "trajectory.png",
+                        "odometry.png",
+                        "consistency.png",
+                        "landmark_errors.png",
+                        "map.pgm",
+                        "map.yaml",
+                        "points.pcd",
+                        "ground_truth.tum",
+                        "ground_truth_landmarks.yaml",
+                        "report.html"};
+  for (const auto* name : results) folder.write(std::string("run/") + name, "{}");
+  const auto own = folder.write("run/notes.txt", "of the user");
   const RunWriter writer(folder / "run");
   EXPECT_FALSE(std::filesystem::exists(folder / "run/landmarks.yaml"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "run/metrics.json"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "run/map.png"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "run/report.html"));
+  for (const auto* name : results)
+    EXPECT_FALSE(std::filesystem::exists(folder / (std::string("run/") + name))) << name;
+  EXPECT_TRUE(std::filesystem::exists(own));
   EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 0u);
 }
 
