@@ -47,6 +47,15 @@ std::string jointText(const Eigen::MatrixXd& joint) {
   return fmt::to_string(text);
 }
 
+/// Whose numbers are not finite; empty where all are.
+std::string notFinite(const MapState& map) {
+  if (!map.robot.pose.isFinite() || !map.robot.covariance.allFinite()) return "the pose";
+  for (const auto& landmark : map.landmarks)
+    if (!landmark.position.allFinite() || !landmark.covariance.allFinite())
+      return fmt::format("landmark {}", landmark.id);
+  return map.joint_covariance.allFinite() ? "" : "the joint covariance";
+}
+
 double number(const YAML::Node& parent, const std::string& key) {
   const double value = parent[key].as<double>();
   if (!std::isfinite(value)) throw std::runtime_error(key + " is not a finite number");
@@ -172,6 +181,10 @@ std::string toYaml(const LandmarkFile& file) {
 }
 
 void saveLandmarks(const std::string& path, const LandmarkFile& file) {
+  if (const auto culprit = notFinite(file.map); !culprit.empty())
+    throw std::runtime_error("cannot save the landmark map " + path + ": " + culprit +
+                             " is not finite, the filter has failed; check the noise in the robot "
+                             "file and the configuration");
   writeFileAtomically(path, toYaml(file));
 }
 

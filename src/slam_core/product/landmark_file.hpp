@@ -22,7 +22,8 @@ struct LandmarkFile {
 
 std::string toYaml(const LandmarkFile& file);
 
-/// Written whole or not at all. @throw std::runtime_error naming the file and the cause
+/// Written whole or not at all. @throw std::runtime_error naming the file and the cause, also where
+/// the map holds what is no finite number
 void saveLandmarks(const std::string& path, const LandmarkFile& file);
 
 /// @param frame the map frame it must be in

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <limits>
+
 #include "slam_core/common/random.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/common/test/temporary_folder.hpp"
@@ -89,6 +92,21 @@ TEST_F(LandmarkFileTest, MayBeWrittenByHand) {
                "{version: 1, frame: map, pose: {x: 0, y: 0, theta: 0, covariance: [1,0,0,0,1,0,0,0,"
                "1]}, landmarks: [{id: 4, x: 1, y: 2, covariance: [0.1, 0, 0, 0.1]}]}");
   EXPECT_EQ(loadLandmarks(path, "map").map.landmarks.at(0).id, 4);
+}
+
+TEST_F(LandmarkFileTest, IsNotWrittenWithWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refusalOf = [&](const LandmarkFile& file) {
+    return sentenceOf([&] { saveLandmarks(path, file); });
+  };
+  auto of_landmark = exampleFile(), of_pose = exampleFile(), of_joint = exampleFile();
+  of_landmark.map.landmarks[1].covariance(0, 1) = nan;
+  of_pose.map.robot.covariance(0, 0) = std::numeric_limits<double>::infinity();
+  of_joint.map.joint_covariance(6, 2) = nan;
+  EXPECT_TRUE(oneSays({refusalOf(of_landmark)}, {path.c_str(), "landmark 7", "not finite"}));
+  EXPECT_TRUE(oneSays({refusalOf(of_pose)}, {path.c_str(), "the pose", "not finite"}));
+  EXPECT_TRUE(oneSays({refusalOf(of_joint)}, {path.c_str(), "joint covariance", "not finite"}));
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST_F(LandmarkFileTest, SaysThatItIsMissing) {
