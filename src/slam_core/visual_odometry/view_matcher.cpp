@@ -48,6 +48,7 @@ std::string ViewMatcher::take(const ImageGate& gate, View& now) {
 
 const Alignment& ViewMatcher::align(const View& reference, const View& now,
                                     const SearchWindow& window) {
+  countTracked(*reference.features);
   matches_ = policy_->match(*reference.features, *now.features, ceiling_, window);
   RandomStream random(seed_, images_, kStream);
   alignment_ = visual_odometry::align(matches_, config_, random);
@@ -55,9 +56,14 @@ const Alignment& ViewMatcher::align(const View& reference, const View& now,
   return alignment_;
 }
 
-void ViewMatcher::prepare(View& view) const {
+void ViewMatcher::countTracked(const Features& reference) {
+  if (!policy_->countsFeatures()) features_ = reference.size();
+}
+
+void ViewMatcher::prepare(View& view) {
   auto features = *view.features;
   policy_->prepareReference(features, ceiling_);
+  countTracked(features);
   view.features = std::make_shared<const Features>(std::move(features));
 }
 

@@ -34,15 +34,18 @@ class ViewMatcher {
   /// The same numbers in alignment(), its fault included.
   const Alignment& align(const View& reference, const View& now, const SearchWindow& window);
   /// To be called before a view is a reference.
-  void prepare(View& view) const;
+  void prepare(View& view);
 
   const CeilingView& ceiling() const { return ceiling_; }
+  /// Of the image; where features are tracked, of its reference.
   std::size_t features() const { return features_; }
   /// Of the last align() of this image.
   const PointMatches& matches() const { return matches_; }
   const Alignment& alignment() const { return alignment_; }
 
  private:
+  void countTracked(const Features& reference);
+
   VisualOdometryConfig config_;
   std::unique_ptr<FeaturePolicy> policy_;
   std::uint64_t seed_ = 1, images_ = 0;

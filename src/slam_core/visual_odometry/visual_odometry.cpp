@@ -69,13 +69,13 @@ Status VisualOdometry::execute() {
   if (last && now.stamp <= last->stamp) beginAnew();
   if (!views_.gap_begin) views_.gap_begin = now.stamp;
 
-  const auto fault = look(now);
+  auto fault = look(now);
   if (last && fault.empty() && views_.keyframe)
     motion_ = increments_.follow(*last, now, matcher_.alignment(), views_.T_odom_reference,
                                  last->stamp != views_.last_good->stamp);
   else if (last)
     motion_ = increments_.bridge(*last, now, *views_.gap_begin);
-  chooseKeyframe(now, fault.empty());
+  if (!chooseKeyframe(now, fault.empty())) counters_.add(fault = "few_features");
   last = std::move(now);
   return explain(fault, status);
 }
@@ -131,12 +131,13 @@ bool VisualOdometry::isWithinReach(const View& now) const {
          std::abs(step.theta()) <= dt * config_.max_turn_rate + turn_noise;
 }
 
-void VisualOdometry::chooseKeyframe(const View& now, bool is_good) {
+/// Whether there is one in the end, unless another fault of the image is known.
+bool VisualOdometry::chooseKeyframe(const View& now, bool is_good) {
   if (!is_good) {
     // the robot may have left what the keyframe shows
     const bool is_patient = seconds(now.stamp - *views_.gap_begin) < config_.patience;
     if (views_.keyframe && now.features && !is_patient) makeKeyframe(now);
-    return;
+    return true;
   }
   if (!views_.keyframe) return makeKeyframe(now);
   views_.last_good = now;
@@ -145,19 +146,21 @@ void VisualOdometry::chooseKeyframe(const View& now, bool is_good) {
   views_.keyframe_inliers = std::max(views_.keyframe_inliers, inliers);
   if (static_cast<double>(inliers) <
       config_.keyframe_share * static_cast<double>(views_.keyframe_inliers))
-    makeKeyframe(now);
+    makeKeyframe(now);  // or the old one serves on
+  return true;
 }
 
-/// From here on the pose is told in relation to this view.
-void VisualOdometry::makeKeyframe(View view) {
+/// From here on the pose is told in relation to this view. Not where it has too few features.
+bool VisualOdometry::makeKeyframe(View view) {
   matcher_.prepare(view);
-  if (view.features->size() < static_cast<std::size_t>(config_.min_inliers)) return;
+  if (view.features->size() < static_cast<std::size_t>(config_.min_inliers)) return false;
   views_.keyframe = view;
   views_.last_good = std::move(view);
   views_.gap_begin = views_.last_good->stamp;
   increments_.forgetGap();
   views_.keyframe_inliers = 0;
   counters_.add("keyframes");
+  return true;
 }
 
 Status VisualOdometry::explain(const std::string& fault, const Status& gate_status) const {

@@ -70,8 +70,8 @@ class VisualOdometry final : public OdometrySource {
   bool isWithinReach(const View& now) const;
   SearchWindow windowFor(const View& reference, Stamp stamp) const;
   void beginAnew();
-  void chooseKeyframe(const View& now, bool is_good);
-  void makeKeyframe(View view);
+  bool chooseKeyframe(const View& now, bool is_good);
+  bool makeKeyframe(View view);
   Status explain(const std::string& fault, const Status& gate_status) const;
   std::string sentenceOf(const std::string& fault) const;
 

@@ -144,6 +144,35 @@ TEST_P(VisualOdometryTest, CoastsWhileLampsAreOffAndComesBackWhereItIs) {
   EXPECT_LT(motion().covariance(0, 0), 1e-4);
 }
 
+TEST_P(VisualOdometryTest, SaysWhatIsMissingWhereItStartsInTheDark) {
+  const cv::Mat bare(240, 320, CV_8UC1, cv::Scalar(90));
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    const auto status = show(bare);
+    EXPECT_NE(status.message.find("the ceiling shows only 0 features"), std::string::npos)
+        << status.message;
+    EXPECT_EQ(count("few_features"), i);
+  }
+  EXPECT_EQ(count("keyframes"), 0u);
+  EXPECT_TRUE(odometry_.isLost());
+  EXPECT_TRUE(look(Pose2()).isOk());
+  EXPECT_TRUE(look(Pose2(0.03, 0.0, 0.0)).isOk());
+  expectNear(motion().increment, Pose2(0.03, 0.0, 0.0), 0.004, 0.004);
+  EXPECT_EQ(count("few_features"), 3u);
+}
+
+TEST_P(VisualOdometryTest, TellsHowManyFeaturesThereAre) {
+  const auto features = [&] {
+    for (const auto& [name, value] : odometry_.figures())
+      if (name == "features") return value;
+    return -1.0;
+  };
+  for (int i = 0; i < 3; ++i) {
+    look(Pose2(0.02 * i, 0.0, 0.0));
+    EXPECT_GE(features(), config_.min_inliers) << i;
+    EXPECT_LE(features(), config_.max_features) << i;
+  }
+}
+
 TEST_P(VisualOdometryTest, GoesOnWithWhatItSeesWhenTheKeyframeIsGone) {
   Pose2 truth;
   look(truth);
