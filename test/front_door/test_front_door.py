@@ -57,6 +57,12 @@ class WithoutBuild(FrontDoorTest):
         commands = "setup demo test products import sim run tune eval bench".split()
         self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands])
 
+    def test_names_the_commands_that_explain_their_arguments(self):
+        sentence = call(self.slam, "help").stdout.splitlines()[-1]
+        self.assertIn("--help", sentence)
+        for command in "import sim run tune eval bench".split():
+            self.assertIn(f" {command}", sentence)
+
     def test_suggests_the_nearest_name_for_an_unknown_command(self):
         self.expect(call(self.slam, "prodcuts"), 2, "unknown command 'prodcuts'", "products")
 
