@@ -113,6 +113,11 @@ void Neighbourhood::update(const MatrixXd& W, const Eigen::VectorXd& dx) {
   is_fresh_ = false;
 }
 
+void Neighbourhood::updateRobot(const MatrixXd& W) {
+  local_.subtractOuterProductOfRobot(W);
+  is_fresh_ = false;
+}
+
 void Neighbourhood::resetRobot(const Eigen::Matrix3d& robot) {
   for (Index row = 0; row < prior_.size(); ++row)
     for (Index column = 0; column < std::min(row + 1, kPoseSize); ++column)

@@ -49,7 +49,7 @@ class Neighbourhood {
   /// P <- P - W W^T after a correction dx = W y.
   void update(const Eigen::MatrixXd& W, const Eigen::VectorXd& dx);
   /// The same for the robot only.
-  void updateRobot(const Eigen::MatrixXd& W) { local_.subtractOuterProductOfRobot(W); }
+  void updateRobot(const Eigen::MatrixXd& W);
   /// The robot is drawn anew: its block is replaced, its correlations are removed.
   void resetRobot(const Eigen::Matrix3d& robot);
 
@@ -92,7 +92,7 @@ class Neighbourhood {
   std::vector<Eigen::Index> taken_;  ///< landmarks by slot
   std::vector<Eigen::Index> slots_;  ///< slots by landmark
   Eigen::Index known_ = 0;           ///< landmarks that stand in the prior
-  bool is_fresh_ = true;             ///< nothing was predicted
+  bool is_fresh_ = true;             ///< the robot was neither moved nor corrected
   bool is_updated_ = false;          ///< the taken part has been corrected
 
   // the taken part as far as it stands in the prior: rows there and in local_

@@ -159,6 +159,32 @@ TEST_P(Compression, TakesALoadedMapAndANewPoseInTheMiddleOfAStretch) {
   expectSameState(compressed.state(), dense.state());
 }
 
+TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
+  WideWorld world(13, 60);
+  for (int i = 0; i < 150; ++i) step(world);
+  const auto map = dense.state();
+  const auto [linearization, neighbourhood] = GetParam();
+  auto config = configOf(linearization, "compressed", neighbourhood);
+  config.mode = "localization";
+  compressed.configure(config);
+  config.update = "dense";
+  dense.configure(config);
+  for (auto* ekf : {&compressed, &dense}) ekf->set(map);
+  auto half = world.look();  // then more comes into view
+  ASSERT_GT(half.observations.size(), 3u);
+  half.observations.resize(half.observations.size() / 2);
+  for (const auto& array : {half, world.look()}) {
+    for (auto* ekf : {&compressed, &dense}) {
+      ekf->set(array);
+      ekf->execute();
+    }
+    EXPECT_GT(dense.statistics().used, 0);
+    expectSameState(compressed.state(), dense.state());
+  }
+  for (int i = 0; i < 40; ++i) step(world);
+  expectSameState(compressed.state(), dense.state());
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Compression,
                          testing::Combine(testing::ValuesIn(linearizationNames()),
                                           testing::Values(1, 8, 25)),
