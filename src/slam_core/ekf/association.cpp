@@ -36,9 +36,9 @@ Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
     if (passesGate(match, state, model, array.sensor_pose, linearizations, association))
       association.matches.push_back(match);
     else
-      ++association.gated;
+      association.gated.push_back(z);
   }
-  counters.add("gated", static_cast<std::uint64_t>(association.gated));
+  counters.add("gated", association.gated.size());
   counters.add("unknown_id", static_cast<std::uint64_t>(association.unknown));
   return association;
 }

@@ -15,10 +15,10 @@ namespace slam::ekf {
 struct Association {
   std::vector<Match> matches;                      ///< of known landmarks, within the gate
   std::vector<LandmarkObservation> unseen;         ///< of landmarks that are not in the map yet
+  std::vector<LandmarkObservation> gated;          ///< of known landmarks, outside the gate
   std::vector<ObservationInnovation> innovations;  ///< of known landmarks, gated ones included
   double gated_log_likelihood = 0.0;               ///< see UpdateStatistics
-  int gated = 0;
-  int unknown = 0;  ///< without an id
+  int unknown = 0;                                 ///< without an id
 };
 
 /// Association by the observations' own ids. A known landmark's observation must pass the

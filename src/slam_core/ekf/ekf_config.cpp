@@ -39,12 +39,12 @@ void EkfConfig::describe(Fields& fields) {
       .add("initial_sigma_position", &initial_sigma_position,
            "standard deviation of the first position; the first pose defines the map frame")
       .unit("m")
-      .in(Range::above(0));
+      .in({0, kLargestSigmaPosition, true, false});
   fields
       .add("initial_sigma_heading", &initial_sigma_heading,
-           "standard deviation of the first heading")
+           "standard deviation of the first heading; with pi nothing is known of it")
       .unit("rad")
-      .in(Range::above(0));
+      .in({0, kLargestSigmaHeading, true, false});
   fields
       .add("load_inflation", &load_inflation,
            "factor on the standard deviations of a loaded map that has no joint covariance")

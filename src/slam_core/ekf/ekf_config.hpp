@@ -3,11 +3,16 @@
 
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
 
 namespace slam::ekf {
+
+/// A pose of which less is known [m], [rad]: the filter would compute with differences of numbers
+/// that are too large for them.
+constexpr double kLargestSigmaPosition = 1000.0, kLargestSigmaHeading = M_PI;
 
 struct EkfConfig {
   static constexpr const char* kSection = "ekf";

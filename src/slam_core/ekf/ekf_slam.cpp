@@ -3,6 +3,9 @@
 
 #include "slam_core/ekf/ekf_slam.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
@@ -18,8 +21,20 @@ const SectionRegistrar<EkfConfig> kSectionRegistrar;
 /// Of the observations' sigmas: beyond it the reference is renewed before an update.
 constexpr double kLargestReferenceEffect = 0.1;
 
+/// With no more doubt than the filter can compute with; what is correlated stays so.
+PoseEstimate bounded(PoseEstimate estimate) {
+  const Eigen::Vector3d largest(kLargestSigmaPosition, kLargestSigmaPosition, kLargestSigmaHeading);
+  const Eigen::Vector3d sigma = estimate.covariance.diagonal().cwiseSqrt();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (sigma(i) <= largest(i)) continue;
+    estimate.covariance.row(i) *= largest(i) / sigma(i);
+    estimate.covariance.col(i) *= largest(i) / sigma(i);
+  }
+  return estimate;
+}
+
 /// So many gated ones at once, and none that fits, are no chance outliers.
-constexpr int kLost = 3;
+constexpr std::size_t kLost = 3;
 
 }  // namespace
 
@@ -37,6 +52,7 @@ void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
   state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()});
+  sightings_ = Sightings();
   statistics_ = {};
   counters_.clear();
   map_.reset();
@@ -71,18 +87,25 @@ Status EkfSlam::execute() {
   const auto z = *std::exchange(observations_, std::nullopt);
   state_.take(z.observations);
   auto association = association_.associate(z, state_, model_, config_.iterations, counters_);
-  const auto status = update(association.matches, z.sensor_pose);
-  augment(association.unseen, z.sensor_pose);
-  statistics_.gated = association.gated;
+  const auto updated = update(association.matches, z.sensor_pose);
+  const auto reconsidered = reconsider(association, z.sensor_pose);
+  const auto augmented = augment(association.unseen, z.sensor_pose);
+  statistics_.gated = static_cast<int>(association.gated.size());
   statistics_.log_likelihood += association.gated_log_likelihood;
   statistics_.unknown += association.unknown;
   statistics_.innovations = std::move(association.innovations);
   statistics_.landmarks = static_cast<int>(state_.landmarks());
-  if (association.matches.empty() && association.gated >= kLost)
+  return summary(association, {updated, augmented, reconsidered});
+}
+
+Status EkfSlam::summary(const Association& association, const std::vector<Status>& of_steps) const {
+  if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::warning("no observation fits the map, all are gated: the pose may be lost");
   if (config_.mode == "localization" && state_.landmarks() == 0)
     return Status::warning("there is no map to localise in; load one");
-  return status;
+  const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
+                                  [](const Status& status) { return !status.isOk(); });
+  return fault == of_steps.end() ? Status::ok() : *fault;
 }
 
 StretchLimits EkfSlam::limits() const { return {config_.neighbourhood, config_.update == "dense"}; }
@@ -90,12 +113,13 @@ StretchLimits EkfSlam::limits() const { return {config_.neighbourhood, config_.u
 void EkfSlam::replaceMap() {
   if (!map_) return;
   state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation);
+  sightings_ = Sightings(map_->landmarks);
   map_.reset();
 }
 
 void EkfSlam::relocate() {
   if (!initial_pose_) return;
-  state_.relocate(*initial_pose_);
+  state_.relocate(bounded(*initial_pose_));
   initial_pose_.reset();
 }
 
@@ -118,33 +142,69 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
   }
   if (!step->isSolved())
     return Status::error("the innovations' covariance is not positive definite; update left out");
+  const auto W = step->gain();
+  const Eigen::VectorXd dx = step->correction(W);
+  if (!dx.allFinite() || !W.allFinite())
+    return Status::error("the correction is not finite; update left out");
 
   statistics_.nis = step->nis();
   statistics_.nis_dof = 2 * static_cast<int>(matches.size());
   statistics_.used = static_cast<int>(matches.size());
   statistics_.log_likelihood += step->logLikelihood();
   statistics_.joint = step->joint();
-  const auto W = step->gain();
   if (config_.mode == "localization")
-    state_.updateRobot(step->correction(W), W);
+    state_.updateRobot(dx, W);
   else
-    state_.update(step->correction(W), W);
+    state_.update(dx, W);
   return Status::ok();
 }
 
-void EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {
+Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) {
+  const auto verdict = sightings_.judge(association);
+  std::string ids;
+  for (const auto& z : verdict.doubtful) {
+    const auto m = initialized(z, sensor);
+    if (!m.isFinite() || config_.mode == "localization") continue;
+    state_.beginAnew(z.id, m.position, m.J_robot, m.R);
+    counters_.add("begun_anew");
+    ids += (ids.empty() ? "" : ", ") + std::to_string(z.id);
+  }
+  if (!ids.empty())
+    return Status::warning("landmark " + ids +
+                           " was hardly ever where the map had it: it is begun anew");
+  if (verdict.times == 0) return Status::ok();
+  return Status::warning("landmark " + std::to_string(verdict.moved) +
+                         " was not where the map has it " + std::to_string(verdict.times) +
+                         " times in a row: was it moved?");
+}
+
+Status EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {
   if (config_.mode == "localization") {
     statistics_.unknown += static_cast<int>(unseen.size());
     counters_.add("not_in_map", unseen.size());
-    return;
+    return Status::ok();
   }
+  auto status = Status::ok();
   for (const auto& z : unseen) {
-    Eigen::Matrix<double, 2, 3> J_m_robot;
-    Eigen::Matrix2d J_m_z;
-    const auto m_map = model_.invert(state_.robot(), sensor, z.vector(), &J_m_robot, &J_m_z);
-    state_.append(z.id, m_map, J_m_robot, J_m_z * z.covariance * J_m_z.transpose());
+    const auto m = initialized(z, sensor);
+    if (!m.isFinite()) {
+      counters_.add("not_finite");
+      status = Status::error("landmark " + std::to_string(z.id) +
+                             " would lie at a place that is not finite; it is left out");
+      continue;
+    }
+    state_.append(z.id, m.position, m.J_robot, m.R);
     ++statistics_.added;
   }
+  return status;
+}
+
+EkfSlam::NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {
+  NewLandmark m;
+  Eigen::Matrix2d J_z;
+  m.position = model_.invert(state_.robot(), sensor, z.vector(), &m.J_robot, &J_z);
+  m.R = J_z * z.covariance * J_z.transpose();
+  return m;
 }
 
 }  // namespace slam::ekf

@@ -10,6 +10,7 @@
 #include "slam_core/ekf/association.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
 #include "slam_core/ekf/ekf_state.hpp"
+#include "slam_core/ekf/sightings.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam::ekf {
@@ -40,18 +41,32 @@ class EkfSlam final : public Backend {
   void reset() override;
 
  private:
+  /// Where an observation puts a landmark, its Jacobian by the robot, and the observation's noise.
+  struct NewLandmark {
+    Eigen::Vector2d position;
+    Eigen::Matrix<double, 2, 3> J_robot;
+    Eigen::Matrix2d R;
+    /// So far that its covariance would not be is not finite either.
+    bool isFinite() const {
+      return position.allFinite() && R.allFinite() && (J_robot * J_robot.transpose()).allFinite();
+    }
+  };
+  NewLandmark initialized(const LandmarkObservation& z, const Pose2& sensor) const;
   StretchLimits limits() const;
   void replaceMap();
   void relocate();
   void predict();
   Status update(const std::vector<Match>& matches, const Pose2& sensor);
-  void augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
+  Status reconsider(const Association& association, const Pose2& sensor);
+  Status augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
+  Status summary(const Association& association, const std::vector<Status>& of_steps) const;
 
   EkfConfig config_;
   RangeBearingModel model_;
   KnownIdAssociation association_;
   EkfState::LinearizationPtr linearization_;
   EkfState state_;
+  Sightings sightings_;
   UpdateStatistics statistics_;
   Counters counters_;
 

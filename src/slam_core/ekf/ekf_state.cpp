@@ -168,6 +168,15 @@ void EkfState::append(LandmarkId id, const Eigen::Vector2d& m_map,
   ++seen_;
 }
 
+void EkfState::beginAnew(LandmarkId id, const Eigen::Vector2d& m_map,
+                         const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R) {
+  const auto landmark = index_.at(id);
+  renew();
+  neighbourhood_.replace(landmark, J_m_robot, R);
+  starts_[at(landmark)] = firsts_[at(landmark)] = m_map;
+  takeWholeMap();
+}
+
 void EkfState::relocate(const PoseEstimate& robot) {
   renew();
   robot_ = robot.pose;

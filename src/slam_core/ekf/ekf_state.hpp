@@ -59,6 +59,9 @@ class EkfState {
   /// Appends m = g(robot, z): J = dg/drobot, R the noise of z mapped into the plane.
   void append(LandmarkId id, const Eigen::Vector2d& m_map,
               const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
+  /// A known landmark is forgotten and appended again, in its place in the order.
+  void beginAnew(LandmarkId id, const Eigen::Vector2d& m_map,
+                 const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
   /// The robot is drawn anew: its correlations are removed.
   void relocate(const PoseEstimate& robot);
   /// A new stretch with the same landmarks, unless this one has just begun.

@@ -125,6 +125,24 @@ void Neighbourhood::resetRobot(const Eigen::Matrix3d& robot) {
   begin();
 }
 
+void Neighbourhood::replace(Index landmark, const DenseCovariance::Matrix23& J_m_robot,
+                            const Eigen::Matrix2d& R) {
+  const Index first = priorRow(landmark);
+  const Eigen::Matrix3d robot = local_.robot();
+  const Eigen::Matrix2d itself = J_m_robot * robot * J_m_robot.transpose() + R;
+  for (Index other = 0; other < prior_.size(); ++other) {
+    if (other == first || other == first + 1) continue;
+    const Eigen::Vector3d of_robot(prior_(0, other), prior_(1, other), prior_(2, other));
+    const Eigen::Vector2d cross = J_m_robot * of_robot;
+    for (Index axis = 0; axis < 2; ++axis)
+      prior_.at(std::max(first + axis, other), std::min(first + axis, other)) = cross(axis);
+  }
+  for (Index axis = 0; axis < 2; ++axis)
+    for (Index other = 0; other <= axis; ++other)
+      prior_.at(first + axis, first + other) = itself(axis, other);
+  begin();
+}
+
 std::vector<Index> Neighbourhood::rest() const {
   std::vector<Index> rest;
   for (Index landmark = 0; landmark < landmarks(); ++landmark)

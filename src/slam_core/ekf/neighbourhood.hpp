@@ -53,6 +53,10 @@ class Neighbourhood {
   /// The robot is drawn anew: its block is replaced, its correlations are removed.
   void resetRobot(const Eigen::Matrix3d& robot);
 
+  /// A landmark is forgotten and appended again in its place. Right after renew() only.
+  void replace(Eigen::Index landmark, const DenseCovariance::Matrix23& J_m_robot,
+               const Eigen::Matrix2d& R);
+
   /// The corrections of all landmarks since the stretch began, a column each.
   Eigen::Matrix2Xd allCorrections() const;
   /// The marginals of all landmarks, each error e_m turned into e_m + c e_theta of the reference.

@@ -131,6 +131,21 @@ TEST(EkfMap, LosesItsCorrelationsToTheRobotWhenThatIsRedrawn) {
   EXPECT_EQ(mapBlock(after), mapBlock(before));
 }
 
+/// What rviz or a script sends that knows nothing of where the robot is.
+TEST(EkfMap, StaysFiniteWhateverTheSigmaOfAnInitialPose) {
+  for (const double sigma : {1e4, 1e6, 1e100, 1e150}) {
+    EkfSlam ekf;
+    ekf.configure(EkfConfig());
+    ekf.set(PoseEstimate{Pose2(), sigma * sigma * Eigen::Matrix3d::Identity()});
+    SimulatedWorld world(3);
+    run(ekf, world, 200);
+    EXPECT_TRUE(ekf.pose().pose.isFinite()) << sigma;
+    EXPECT_TRUE(ekf.state().joint_covariance.allFinite()) << sigma;
+    EXPECT_EQ(ekf.landmarks().size(), world.landmarks().size());
+    EXPECT_GT(ekf.statistics().used, 0) << sigma;
+  }
+}
+
 TEST(EkfMap, ComesBackWholeFromItsState) {
   const auto map = mappedWorld();
   EkfSlam ekf;
@@ -191,6 +206,16 @@ TEST(EkfConfigTest, RefusesWhatMakesNoFilter) {
   EXPECT_EQ(faults.size(), 4u);
   EXPECT_TRUE(test::oneSays(faults, {"ekf.gate_probability", "(0, 1)"}));
   EXPECT_TRUE(test::oneSays(faults, {"ekf.linearization", "did you mean 'textbook'"}));
+}
+
+TEST(EkfConfigTest, RefusesAFirstPoseOfWhichNothingIsKnown) {
+  EkfConfig config;
+  config.initial_sigma_heading = 3.15;
+  config.initial_sigma_position = 1001.0;
+  const auto faults = test::faultsOf([&] { EkfSlam().configure(config); });
+  EXPECT_EQ(faults.size(), 2u);
+  EXPECT_TRUE(test::oneSays(faults, {"ekf.initial_sigma_heading", "3.15", "(0, 3.14159"}));
+  EXPECT_TRUE(test::oneSays(faults, {"ekf.initial_sigma_position", "(0, 1000]"}));
 }
 
 }  // namespace

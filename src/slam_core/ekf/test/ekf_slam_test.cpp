@@ -188,6 +188,29 @@ TEST_F(EkfUpdate, LeavesOutALandmarkItStandsOn) {
   EXPECT_TRUE(ekf.pose().pose.isFinite());
 }
 
+TEST_F(EkfUpdate, RefusesALandmarkThatWouldNotLieAtAFinitePlace) {
+  auto z = observation(77, 1e200, 0.1);
+  ekf.set(arrayOf({observation(1, 2, 0.1), z}));
+  const auto status = ekf.execute();
+  EXPECT_TRUE(test::oneSays({status.message}, {"landmark 77", "not finite", "left out"}));
+  EXPECT_EQ(ekf.statistics().added, 1);
+  EXPECT_EQ(ekf.counters()["not_finite"], 1u);
+  EXPECT_TRUE(ekf.state().joint_covariance.allFinite());
+}
+
+TEST_F(EkfUpdate, RefusesACorrectionThatIsNotFinite) {
+  MapState map;
+  map.robot.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  map.landmarks = {{1, {2, 0}, 1e306 * Eigen::Matrix2d::Identity()}};
+  ekf.set(map);
+  auto z = observation(1, 1e160, 3.0);
+  ekf.set(arrayOf({z}));
+  ekf.execute();
+  EXPECT_TRUE(ekf.pose().pose.isFinite());
+  EXPECT_TRUE(ekf.landmarks()[0].position.allFinite());
+  EXPECT_TRUE(ekf.pose().covariance.allFinite());
+}
+
 TEST_F(EkfUpdate, TellsLandmarksSortedById) {
   see({observation(30, 2, 0), observation(7, 3, 1), observation(12, 1, -1)});
   const auto map = ekf.landmarks();

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <numeric>
+#include <set>
 
 #include "slam_core/common/random.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
@@ -159,6 +160,27 @@ TEST_P(Compression, TakesALoadedMapAndANewPoseInTheMiddleOfAStretch) {
   expectSameState(compressed.state(), dense.state());
 }
 
+/// The first reading of some landmarks, and single ones later on, are far off.
+TEST_P(Compression, BeginsWronglySeenLandmarksAnewAsTheDenseFilterDoes) {
+  WideWorld world(21, 60);
+  RandomStream random(5, 0);
+  std::set<LandmarkId> met;
+  for (int i = 1; i <= 240; ++i) {
+    const auto motion = world.drive();
+    auto array = world.look();
+    for (auto& z : array.observations)
+      if (random.uniform() < (met.insert(z.id).second ? 0.3 : 0.02)) z.range += 10.0;
+    for (auto* ekf : {&compressed, &dense}) {
+      ekf->set(motion);
+      ekf->set(array);
+      ekf->execute();
+    }
+    ASSERT_EQ(compressed.counters()["begun_anew"], dense.counters()["begun_anew"]);
+    if (i % 40 == 0) expectSameState(compressed.state(), dense.state());
+  }
+  EXPECT_GT(dense.counters()["begun_anew"], 0u);
+}
+
 TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
   WideWorld world(13, 60);
   for (int i = 0; i < 150; ++i) step(world);
@@ -207,6 +229,29 @@ TEST(Neighbourhood, BeginsWithLandmarksThatAreNotCorrelated) {
     for (Eigen::Index column = 0; column < 7; ++column)
       EXPECT_EQ(sparse.prior(row, column), full.prior(row, column));
   EXPECT_EQ(sparse.landmarks(), 2);
+}
+
+TEST(Neighbourhood, ReplacesALandmarkAsTheWholeMatrixWould) {
+  const int landmarks = 12, replaced = 5;
+  const Eigen::Index size = 3 + 2 * landmarks, row = 3 + 2 * replaced;
+  RandomStream random(4, 0);
+  const auto gaussian = [&](Eigen::Index rows, Eigen::Index columns) {
+    return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.gaussian(); }).eval();
+  };
+  const Eigen::MatrixXd A = gaussian(size, 40);
+  const Eigen::MatrixXd P = A * A.transpose() / 40;
+  const Eigen::Matrix<double, 2, 3> J = gaussian(2, 3);
+  const Eigen::Matrix2d R = Eigen::Vector2d(0.3, 0.2).asDiagonal();
+  Neighbourhood neighbourhood(P);
+  neighbourhood.replace(replaced, J, R);
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(size, size);  // of the errors, old to new
+  T.middleRows<2>(row).setZero();
+  T.block<2, 3>(row, 0) = J;
+  Eigen::MatrixXd expected = T * P * T.transpose();
+  expected.block<2, 2>(row, row) += R;
+  for (Eigen::Index i = 0; i < size; ++i)
+    for (Eigen::Index j = 0; j < size; ++j)
+      ASSERT_NEAR(neighbourhood.prior(i, j), expected(i, j), 1e-12) << i << ", " << j;
 }
 
 TEST(Neighbourhood, KeepsTheRestOfALargeMapUntilItEnds) {

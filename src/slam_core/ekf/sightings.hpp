@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+#include "slam_core/ekf/association.hpp"
+#include "slam_core/models/landmark_map.hpp"
+
+namespace slam::ekf {
+
+/// Of each landmark: how often it was seen where the map has it, and how often in a row elsewhere
+/// (after the evidence counter of Montemerlo 2003, ch. 3). A wrong reading that put a landmark into
+/// the map gates all right ones from then on: it must not stay there for ever. Only steps count in
+/// which confirmed landmarks fit, and as many as do not: else the robot may be what is elsewhere.
+class Sightings {
+ public:
+  /// What was seen elsewhere once too often.
+  struct Verdict {
+    /// The latest observations of landmarks that were never confirmed: to be begun anew.
+    std::vector<LandmarkObservation> doubtful;
+    LandmarkId moved = kUnknownId;  ///< the confirmed landmark that was elsewhere most often
+    int times = 0;                  ///< in a row
+  };
+
+  /// Those of a loaded map are confirmed.
+  explicit Sightings(const LandmarkMap& map = {});
+  Verdict judge(const Association& association);
+
+ private:
+  static constexpr int kConfirmed = 3;  ///< seen so often after the first time where it is
+  static constexpr int kDoubtful = 3, kMoved = 10;  ///< seen so often in a row elsewhere
+
+  struct Record {
+    int fits = 0, misses = 0;
+  };
+  bool isConfirmed(LandmarkId id) const;
+  bool robotIsWhereItShould(const Association& association) const;
+
+  std::unordered_map<LandmarkId, Record> records_;  // looked up only, never iterated
+};
+
+}  // namespace slam::ekf

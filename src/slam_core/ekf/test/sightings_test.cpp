@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/ekf/sightings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/ekf/ekf_slam.hpp"
+
+namespace slam::ekf {
+namespace {
+
+constexpr LandmarkId kOdd = 77;
+const Eigen::Vector2d kPlace(4, 1.5);
+
+/// A robot that stands among three landmarks, and looks at a fourth.
+class SightingsTest : public testing::Test {
+ protected:
+  void SetUp() override { ekf.configure(EkfConfig()); }
+  static LandmarkObservation of(LandmarkId id, const Eigen::Vector2d& place) {
+    LandmarkObservation z;
+    z.id = id;
+    z.range = place.norm();
+    z.bearing = std::atan2(place.y(), place.x());
+    z.covariance = Eigen::Vector2d(0.01, 0.0004).asDiagonal();
+    return z;
+  }
+  Status look(const Eigen::Vector2d& odd, bool others_fit = true) {
+    const double off = others_fit ? 0.0 : 3.0;
+    LandmarkObservationArray array;
+    array.observations = {of(1, {3 + off, 0}), of(2, {2 + off, 2}), of(3, {4 + off, -1}),
+                          of(kOdd, odd)};
+    ekf.set(array);
+    return ekf.execute();
+  }
+  Eigen::Vector2d placeOfOdd() const { return ekf.landmarks().back().position; }
+  std::uint64_t begunAnew() const { return ekf.counters()["begun_anew"]; }
+
+  EkfSlam ekf;
+};
+
+TEST_F(SightingsTest, ALandmarkSeenOnceByChanceFarAwayIsBegunAnewWhereItIs) {
+  look({27, 42});
+  std::string warning;
+  for (int i = 0; i < 30; ++i) {
+    const auto status = look(kPlace);
+    if (!status.isOk()) warning += status.message;
+  }
+  EXPECT_LT((placeOfOdd() - kPlace).norm(), 0.01);
+  EXPECT_EQ(begunAnew(), 1u);
+  EXPECT_TRUE(test::oneSays({warning}, {"landmark 77", "begun anew"})) << warning;
+  EXPECT_EQ(ekf.statistics().used, 4);
+  EXPECT_EQ(ekf.landmarks().size(), 4u);
+  EXPECT_EQ(ekf.state().joint_covariance.llt().info(), Eigen::Success);
+}
+
+TEST_F(SightingsTest, AConfirmedLandmarkStaysAndIsWarnedOf) {
+  for (int i = 0; i < 6; ++i) EXPECT_TRUE(look(kPlace).isOk());
+  for (int i = 1; i < 10; ++i) EXPECT_TRUE(look({2, 5}).isOk()) << i;
+  EXPECT_TRUE(test::oneSays({look({2, 5}).message}, {"landmark 77", "10 times in a row", "moved"}));
+  EXPECT_TRUE(test::oneSays({look({2, 5}).message}, {"landmark 77", "11 times in a row"}));
+  EXPECT_LT((placeOfOdd() - kPlace).norm(), 0.01);
+  EXPECT_EQ(begunAnew(), 0u);
+  EXPECT_TRUE(look(kPlace).isOk());
+  EXPECT_TRUE(look({2, 5}).isOk()) << "it was where it should be in between";
+}
+
+TEST_F(SightingsTest, ALandmarkOfALoadedMapIsConfirmed) {
+  for (const bool localizes : {false, true}) {
+    EkfConfig config;
+    config.mode = localizes ? "localization" : "slam";
+    ekf.configure(config);
+    MapState map;
+    map.robot.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix2d P = 1e-4 * Eigen::Matrix2d::Identity();
+    map.landmarks = {{1, {3, 0}, P}, {2, {2, 2}, P}, {3, {4, -1}, P}, {kOdd, kPlace, P}};
+    ekf.set(map);
+    Status status;
+    for (int i = 0; i < 12; ++i) status = look({2, 5});
+    EXPECT_TRUE(test::oneSays({status.message}, {"landmark 77", "12 times in a row", "moved"}));
+    EXPECT_EQ(begunAnew(), 0u);
+    EXPECT_LT((placeOfOdd() - kPlace).norm(), 0.01);
+  }
+}
+
+TEST_F(SightingsTest, NoLandmarkIsDoubtedWhileNothingElseFits) {
+  look({27, 42});
+  for (int i = 0; i < 10; ++i) look(kPlace, false);
+  EXPECT_EQ(begunAnew(), 0u);
+  EXPECT_GT((placeOfOdd() - kPlace).norm(), 10.0);
+}
+
+TEST_F(SightingsTest, AreForgottenWithReset) {
+  for (int i = 0; i < 6; ++i) look(kPlace);
+  ekf.reset();
+  look({27, 42});
+  for (int i = 0; i < 8; ++i) look(kPlace);
+  EXPECT_EQ(begunAnew(), 1u);
+  EXPECT_LT((placeOfOdd() - kPlace).norm(), 0.05);
+}
+
+}  // namespace
+}  // namespace slam::ekf
