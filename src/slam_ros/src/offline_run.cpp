@@ -97,6 +97,7 @@ void OfflineRun::run() {
   writer.finish(coordinator_.estimator().backend(), coordinator_.frames().map, settings_.inForce());
   if (const auto* points = coordinator_.pointMap())
     slam::point_map::savePcd(options_.folder + "/points.pcd", points->points());
+  if (const auto grid = coordinator_.estimator().backend().grid()) metrics_.setGrid(*grid);
   slam::writeFileAtomically(options_.folder + "/metrics.json",
                             metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
   printSummary(writer);

@@ -40,6 +40,19 @@ double percentile(std::vector<double> values, double share) {
   return values[below] + (rank - std::floor(rank)) * (values[above] - values[below]);
 }
 
+std::optional<double> meanEntropy(const slam::OccupancyGrid& grid) {
+  double sum = 0.0;
+  std::size_t known = 0;
+  for (const auto cell : grid.cells) {
+    if (cell == slam::OccupancyGrid::kUnknown) continue;
+    const double p = cell / 100.0, q = 1.0 - p;
+    if (p > 0.0 && q > 0.0) sum -= p * std::log2(p) + q * std::log2(q);
+    ++known;
+  }
+  if (known == 0) return std::nullopt;
+  return sum / static_cast<double>(known);
+}
+
 double RunMetrics::wallSeconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
@@ -54,6 +67,7 @@ std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_m
     metrics["update_ms_p50"] = percentile(update_ms_, 0.5);
     metrics["update_ms_p99"] = percentile(update_ms_, 0.99);
   }
+  if (map_entropy_) metrics["map_entropy_bits"] = *map_entropy_;
   metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   metrics["wall_s"] = wall;
   if (wall > 0) metrics["realtime_factor"] = slam::seconds(data_time) / wall;

@@ -52,9 +52,10 @@ void RunRecorder::finish(const slam::Backend& backend, std::uint64_t dropped_mes
   if (writer_)
     attempt([&] {
       writer_->finish(backend, map_frame_, values_in_force_);
-      if (metrics_)
-        slam::writeFileAtomically(config_.output_dir + "/metrics.json",
-                                  metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
+      if (!metrics_) return;
+      if (const auto grid = backend.grid()) metrics_->setGrid(*grid);
+      slam::writeFileAtomically(config_.output_dir + "/metrics.json",
+                                metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
     });
   if (config_.save_on_exit.empty()) return;
   attempt([&] {

@@ -74,15 +74,19 @@ KEYS = {
         'Mean absolute rotation error over the reference relations.',
         'Accuracy', True),
     'map_area_m2': Key(
-        'Area of the map', 'm2', '.1f', 'Area of the grid\'s cells that are free or occupied.', 'Map',
-        True),
+        'Area of the map', 'm2', '.1f',
+        'Area of the grid\'s cells that are free or occupied.', 'Map', True),
+    'map_entropy_bits': Key(
+        'Entropy of the map', 'bit', '.3f',
+        'Mean entropy of the grid\'s known cells: 0 where all is certain, 1 where nothing is.',
+        'Map'),
     'map_cells_on_walls_percent': Key(
         'Occupied cells on walls', '%', '.1f',
         'Occupied cells whose centre lies at most one cell from a true surface, the map moved onto '
         'the truth by the pose at the start, no fit.', 'Map', True),
     'map_walls_found_percent': Key(
         'Walls found', '%', '.1f',
-        'The part of the true surfaces that the laser saw on its true way that has an occupied cell '
+        'The part of the true surfaces seen by the laser on its true way that has an occupied cell '
         'at most one cell away.', 'Map', True),
     'points': Key('Points', '', 'd', 'Number of points in the point map at the end.', 'Map', True),
     'points_wall_thickness_m': Key(

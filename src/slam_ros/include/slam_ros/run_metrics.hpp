@@ -5,10 +5,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "slam_core/common/time.hpp"
+#include "slam_core/models/occupancy_grid.hpp"
 
 namespace slam_ros {
 
@@ -16,7 +18,11 @@ namespace slam_ros {
 /// @throw std::invalid_argument when there is no value
 double percentile(std::vector<double> values, double share);
 
-/// What a run cost, for metrics.json.
+/// Mean entropy of a grid's known cells [bit]: 0 where all is certain, 1 where nothing is. Nothing
+/// for a grid that knows no cell.
+std::optional<double> meanEntropy(const slam::OccupancyGrid& grid);
+
+/// What a run cost, and what it itself knows of its grid map, for metrics.json.
 class RunMetrics {
  public:
   using Clock = std::chrono::steady_clock;
@@ -28,6 +34,8 @@ class RunMetrics {
     update_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
   }
   std::size_t updates() const { return update_ms_.size(); }
+  /// The map at the end.
+  void setGrid(const slam::OccupancyGrid& grid) { map_entropy_ = meanEntropy(grid); }
   double wallSeconds() const;
 
   /// The metrics up to now, of this process. Keys without a value are absent.
@@ -37,6 +45,7 @@ class RunMetrics {
  private:
   Clock::time_point start_;
   std::vector<double> update_ms_;
+  std::optional<double> map_entropy_;
 };
 
 }  // namespace slam_ros

@@ -17,6 +17,23 @@ constexpr FlowWindow::Timeout kShort(20), kLong(20000);
 
 slam::Stamp stamp(int ns) { return slam::stampFromNanoseconds(ns); }
 
+TEST(MeanEntropy, IsOfTheKnownCellsOnly) {
+  slam::OccupancyGrid grid;
+  EXPECT_FALSE(meanEntropy(grid));
+  grid.cells = {slam::OccupancyGrid::kUnknown, slam::OccupancyGrid::kUnknown};
+  EXPECT_FALSE(meanEntropy(grid));
+  grid.cells = {slam::OccupancyGrid::kUnknown, 0, 100};
+  EXPECT_DOUBLE_EQ(*meanEntropy(grid), 0.0);
+  grid.cells = {50, 0, slam::OccupancyGrid::kUnknown};
+  EXPECT_DOUBLE_EQ(*meanEntropy(grid), 0.5);
+  grid.cells = {25, 75};
+  EXPECT_NEAR(*meanEntropy(grid), 0.811278, 1e-6);
+  RunMetrics metrics;
+  EXPECT_EQ(metrics.toJson(slam::Duration(1), 0).find("map_entropy_bits"), std::string::npos);
+  metrics.setGrid(grid);
+  EXPECT_NE(metrics.toJson(slam::Duration(1), 0).find("map_entropy_bits"), std::string::npos);
+}
+
 TEST(FlowWindow, IsFullForOneInputOnlyUntilAcknowledged) {
   FlowWindow window(2);
   for (int ns : {1, 2}) window.sent("motion", stamp(ns));
