@@ -14,7 +14,7 @@ import tempfile
 from slam_eval import (bench_consistency, bench_demo, bench_fiducial, bench_landmarks, bench_mrclam,
                        bench_office, bench_online, bench_options, bench_pf_circles,
                        bench_pf_mrclam, bench_pf_office, bench_pf_threads, bench_pf_update,
-                       bench_update, bench_vo)
+                       bench_pointmap, bench_update, bench_vo)
 from slam_eval.atomic_file import write_atomically
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_progress import Progress
@@ -43,6 +43,10 @@ BENCHMARKS = {
         {'mrclam': bench_pf_mrclam.measure, 'office': bench_pf_office.measure,
          'circles': bench_pf_circles.measure, 'update': bench_pf_update.measure,
          'threads': bench_pf_threads.measure}, bench_options.add_pf),
+    'pointmap': Benchmark(
+        'the point map', 'what a scan into a point map costs, and how thick its walls are',
+        {'scan': bench_pointmap.measure_scan, 'office': bench_pointmap.measure_office},
+        bench_options.add_pointmap),
     'office': Benchmark(
         'a product in the simulated office', 'a product in the simulated office, many seeds',
         {'office': bench_office.measure}, bench_options.add_office),

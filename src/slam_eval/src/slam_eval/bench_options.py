@@ -85,6 +85,12 @@ def add_pf(parser):
                         'else in shared/data beside the repository)')
 
 
+def add_pointmap(parser):
+    """Options of `slam_bench pointmap`."""
+    parser.add_argument('--seeds', metavar='N', type=count, default=3,
+                        help='simulated drives of the part office (%(default)s)')
+
+
 def _add_product(parser):
     parser.add_argument('--product', metavar='NAME', default='ekf_wheel',
                         help='what is measured (%(default)s)')

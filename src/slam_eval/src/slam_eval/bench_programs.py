@@ -18,6 +18,16 @@ def workspace_program(package, name):
                      'build it and source its setup.bash')
 
 
+def simulation_file(kind, name):
+    """A file of the package slam_sim (kind: worlds, robots), in its source folder or installed."""
+    import rospkg  # only here: the rest of slam_eval needs no ROS
+    try:
+        return pathlib.Path(rospkg.RosPack().get_path('slam_sim')) / kind / f'{name}.yaml'
+    except rospkg.ResourceNotFound:
+        raise BenchError(f'the package slam_sim with its {kind} is not there; source the '
+                         "workspace's setup.bash") from None
+
+
 def system_program(name):
     """The path of a program on PATH, or None."""
     found = shutil.which(name)

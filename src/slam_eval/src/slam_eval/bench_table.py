@@ -49,6 +49,11 @@ def table(header, rows):
     return '\n'.join([line(header), rule, *(line(row) for row in rows)])
 
 
+def lines_of(rows, forms):
+    """Rows of a name and numbers as text."""
+    return [[row[0], *(number(x, form) for x, form in zip(row[1:], forms))] for row in rows]
+
+
 def mean_row(name, rows):
     """The mean of each column of numbers; None where a value is missing."""
     columns = list(zip(*rows))

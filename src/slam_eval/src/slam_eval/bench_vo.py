@@ -3,10 +3,9 @@
 """Benchmark vo: drift of visual odometry beside that of the wheels, and its time."""
 import json
 import math
-import pathlib
 
 from slam_eval.bench_error import BenchError
-from slam_eval.bench_programs import workspace_program
+from slam_eval.bench_programs import simulation_file, workspace_program
 from slam_eval.bench_runs import call
 from slam_eval.bench_table import Section, mean_row, number, table, verdict
 from slam_eval.plot_odometry import plot_odometry
@@ -23,23 +22,13 @@ WRONG_HEIGHT = 1.02       # told over true height of the ceiling
 HEIGHT = 1.7              # of the ceiling above the camera of the simulated robots [m]
 
 
-def _description(kind, name):
-    """A file of the package slam_sim, in its source folder or installed."""
-    import rospkg  # only here: the rest of slam_eval needs no ROS
-    try:
-        return pathlib.Path(rospkg.RosPack().get_path('slam_sim')) / kind / f'{name}.yaml'
-    except rospkg.ResourceNotFound:
-        raise BenchError(f'the package slam_sim with its {kind} is not there; source the '
-                         "workspace's setup.bash") from None
-
-
 def run(context, name, scenario, *arguments, features=('orb',), seed=1):
     """Result of one call of the program."""
     options = context.options
     log = context.work / f'vo_{name}.json'
     command = [workspace_program('slam_eval', PROGRAM),
-               '--world', options.world or _description('worlds', 'office'),
-               '--robot', options.robot or _description('robots', 'segway'),
+               '--world', options.world or simulation_file('worlds', 'office'),
+               '--robot', options.robot or simulation_file('robots', 'segway'),
                '--scenario', scenario, '--seed', str(seed), '--features', *features,
                '--set', 'visual_odometry.alpha_translation=1e-6',
                'visual_odometry.alpha_rotation=1e-7', *arguments]
