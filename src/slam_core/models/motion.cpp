@@ -26,6 +26,17 @@ bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
 }
 
+Motion joined(const Motion& first, const Motion& second) {
+  Eigen::Matrix3d J_first, J_second;
+  Motion motion = second;
+  motion.start = first.start;
+  motion.odometry_start = first.odometry_start;
+  motion.increment = first.increment.compose(second.increment, &J_first, &J_second);
+  motion.covariance = J_first * first.covariance * J_first.transpose() +
+                      J_second * second.covariance * J_second.transpose();
+  return motion;
+}
+
 std::string faultOf(const Motion& motion) {
   const bool finite = motion.increment.isFinite() && motion.odometry_start.isFinite() &&
                       motion.odometry_end.isFinite() && motion.covariance.allFinite();

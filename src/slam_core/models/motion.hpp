@@ -29,6 +29,9 @@ struct Motion {
 /// geodesic, a part s of the interval carries s times the covariance.
 std::pair<Motion, Motion> split(const Motion& motion, Stamp at);
 
+/// Two motions, one after the other, as one: of the same odometry, the second's where they differ.
+Motion joined(const Motion& first, const Motion& second);
+
 /// Empty, or one sentence on what makes the motion unusable (NaN, an interval that is not positive,
 /// a covariance that is not positive definite).
 std::string faultOf(const Motion& motion);

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "slam_core/common/reference_count.hpp"
 #include "slam_core/particle_filter/block_pool.hpp"
-#include "slam_core/particle_filter/reference_count.hpp"
 
 namespace slam::particle_filter {
 

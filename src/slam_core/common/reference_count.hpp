@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace slam::particle_filter {
+namespace slam {
 
 /// How many hold a block. Where only one thread is at work (concurrent = false) the operations are
 /// plain loads and stores, an order of magnitude cheaper than atomic ones.
@@ -36,4 +36,4 @@ class ReferenceCount {
   std::atomic<std::uint32_t> count_;
 };
 
-}  // namespace slam::particle_filter
+}  // namespace slam

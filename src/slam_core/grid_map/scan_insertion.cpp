@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/grid_map/scan_insertion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "slam_core/grid_map/likelihood.hpp"
+
+namespace slam::grid_map {
+namespace {
+
+/// The cells in which beams of one scan end.
+class EndCells {
+ public:
+  explicit EndCells(std::size_t most) {
+    std::size_t size = 16;
+    while (size < 4 * most) size *= 2;
+    cells_.resize(size, kNone);
+  }
+  void add(CellIndex cell) { cells_[slotOf(cell)] = keyOf(cell); }
+  bool contains(CellIndex cell) const { return cells_[slotOf(cell)] != kNone; }
+
+ private:
+  static constexpr std::uint64_t kNone = ~std::uint64_t{0};
+  static std::uint64_t keyOf(CellIndex cell) {
+    return std::uint64_t{static_cast<std::uint32_t>(cell.x)} << 32 |
+           static_cast<std::uint32_t>(cell.y);
+  }
+  std::size_t slotOf(CellIndex cell) const {
+    const auto key = keyOf(cell);
+    auto slot = (key * 0x9E3779B97F4A7C15u) >> 40 & (cells_.size() - 1);
+    while (cells_[slot] != kNone && cells_[slot] != key) slot = (slot + 1) & (cells_.size() - 1);
+    return slot;
+  }
+  std::vector<std::uint64_t> cells_;
+};
+
+/// The tile written last, so that neighbouring cells need no search.
+class TileCursor {
+ public:
+  explicit TileCursor(GridMap& map) : map_(map) {}
+
+  const Tile* read(CellIndex cell) {
+    moveTo(cell);
+    return read_;
+  }
+  Tile* own(CellIndex cell) {
+    moveTo(cell);
+    if (own_ == nullptr) read_ = own_ = map_.ownTile(cell);
+    return own_;
+  }
+
+ private:
+  void moveTo(CellIndex cell) {
+    const CellIndex tile{cell.x >> Tile::kBits, cell.y >> Tile::kBits};
+    if (is_set_ && tile == tile_) return;
+    is_set_ = true;
+    tile_ = tile;
+    read_ = map_.tile(cell);
+    own_ = nullptr;
+  }
+  GridMap& map_;
+  CellIndex tile_;
+  bool is_set_ = false;
+  const Tile* read_ = nullptr;
+  Tile* own_ = nullptr;
+};
+
+CellIndex cellOf(const Eigen::Vector2d& point) {
+  return {static_cast<std::int32_t>(std::floor(point.x())),
+          static_cast<std::int32_t>(std::floor(point.y()))};
+}
+
+/// Calls visit(cell) for those from one to another, without the last (Bresenham 1965).
+template <class Visit>
+void traverse(CellIndex from, CellIndex to, const Visit& visit) {
+  const std::int32_t dx = std::abs(to.x - from.x), dy = -std::abs(to.y - from.y);
+  const std::int32_t step_x = from.x < to.x ? 1 : -1, step_y = from.y < to.y ? 1 : -1;
+  std::int32_t error = dx + dy;
+  while (!(from == to)) {
+    visit(from);
+    const std::int32_t twice = 2 * error;
+    if (twice >= dy) {
+      error += dy;
+      from.x += step_x;
+    }
+    if (twice <= dx) {
+      error += dx;
+      from.y += step_y;
+    }
+  }
+}
+
+class Insertion {
+ public:
+  Insertion(const BeamModel& model, const ScanPoints& scan, const Pose2& pose, GridMap& map)
+      : model_(model),
+        scan_(scan),
+        pose_(pose),
+        map_(map),
+        cursor_(map),
+        ends_(scan.beams.size()) {}
+
+  std::size_t run() {
+    for (const auto& beam : scan_.beams)
+      if (beam.hit) ends_.add(cellOf(pose_.transform(beam.end)));
+    const auto from = cellOf(pose_.transform(scan_.origin));
+    for (const auto& beam : scan_.beams)
+      traverse(from, cellOf(pose_.transform(beam.end)), [&](CellIndex cell) { miss(cell); });
+    for (const auto& beam : scan_.beams)
+      if (beam.hit) hit(pose_.transform(beam.end));
+    for (const auto cell : freed_) takeLikelihood(model_, cell, map_);
+    return beyond_;
+  }
+
+ private:
+  void miss(CellIndex cell) {
+    const auto* const tile = cursor_.read(cell);
+    const auto at = Tile::at(cell);
+    const LogOdds before = tile == nullptr ? kUnseen : tile->log_odds[at];
+    const LogOdds after = model_.afterMiss(before);
+    if (after == before || ends_.contains(cell)) return;
+    auto* const own = cursor_.own(cell);
+    if (own == nullptr) return;
+    own->log_odds[at] = after;
+    if (BeamModel::isOccupied(before) && !BeamModel::isOccupied(after)) {
+      own->ends[at] = 0;
+      freed_.push_back(cell);
+    }
+  }
+
+  void hit(const Eigen::Vector2d& end) {
+    const auto cell = cellOf(end);
+    const auto at = Tile::at(cell);
+    const auto* const tile = cursor_.read(cell);
+    const LogOdds before = tile == nullptr ? kUnseen : tile->log_odds[at];
+    const LogOdds after = model_.afterHit(before);
+    if (after == before && tile->ends[at] >= kMostEnds) return;
+    auto* const own = cursor_.own(cell);
+    if (own == nullptr) {
+      ++beyond_;
+      return;
+    }
+    own->log_odds[at] = after;
+    if (own->ends[at] < kMostEnds) {
+      const int n = ++own->ends[at];
+      own->mean_x[at] = moved(own->mean_x[at], end.x() - cell.x, n);
+      own->mean_y[at] = moved(own->mean_y[at], end.y() - cell.y, n);
+      if (BeamModel::isOccupied(after)) giveLikelihood(model_, cell, map_);
+    } else if (!BeamModel::isOccupied(before) && BeamModel::isOccupied(after)) {
+      giveLikelihood(model_, cell, map_);
+    }
+  }
+
+  static std::int8_t moved(std::int8_t mean, double end, int n) {
+    const double offset = 256.0 * (end - 0.5);
+    return static_cast<std::int8_t>(
+        std::clamp(std::lround(mean + (offset - mean) / n), -128l, 127l));
+  }
+
+  static constexpr std::uint8_t kMostEnds = 20;
+  const BeamModel& model_;
+  const ScanPoints& scan_;
+  const Pose2 pose_;
+  GridMap& map_;
+  TileCursor cursor_;
+  EndCells ends_;
+  std::vector<CellIndex> freed_;
+  std::size_t beyond_ = 0;
+};
+
+}  // namespace
+
+std::size_t insertScan(const BeamModel& model, const ScanPoints& scan, const Pose2& pose,
+                       GridMap& map) {
+  if (!scan.isOnMap(pose)) return scan.beams.size();
+  return Insertion(model, scan, scan.inCells(pose), map).run();
+}
+
+}  // namespace slam::grid_map

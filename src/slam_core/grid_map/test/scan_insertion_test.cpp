@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/grid_map/scan_insertion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "slam_core/grid_map/likelihood.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+
+namespace slam::grid_map {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+LaserScan scanWith(std::vector<LaserBeam> beams) {
+  LaserScan scan;
+  scan.beams = std::move(beams);
+  return scan;
+}
+
+class ScanInsertion : public testing::Test {
+ protected:
+  void insert(const LaserScan& scan, const Pose2& pose = {}) {
+    beyond = insertScan(model, pointsOf(scan, model, 0.05), pose, map);
+  }
+  LogOdds at(double x, double y) const {
+    return map.logOdds({static_cast<std::int32_t>(std::floor(x / model.resolution())),
+                        static_cast<std::int32_t>(std::floor(y / model.resolution()))});
+  }
+
+  GridMapConfig config;
+  BeamModel model{config};
+  GridMap::Memory memory;
+  GridMap map{memory};
+  std::size_t beyond = 0;
+};
+
+TEST_F(ScanInsertion, FreesTheCellsOnABeamsWayAndOccupiesItsEnd) {
+  insert(scanWith({{0.0f, 1.02f, true}}), Pose2(0.52, 0.02, M_PI / 2));
+  for (double y = 0.03; y < 1.0; y += 0.05) EXPECT_LT(at(0.52, y), 0) << y;
+  EXPECT_GT(at(0.52, 1.04), 0);
+  EXPECT_EQ(at(0.52, 1.09), kUnseen);
+  EXPECT_EQ(at(0.57, 0.5), kUnseen);
+}
+
+TEST_F(ScanInsertion, FreesNothingAlongABeamThatMetNothingUnlessToldSo) {
+  insert(scanWith({{0.0f, 80.0f, false}}));
+  EXPECT_TRUE(map.isEmpty());
+  config.free_range = 2.0;
+  model = BeamModel(config);
+  insert(scanWith({{0.0f, 80.0f, false}, {1.5707963f, 1.0f, false}}));
+  EXPECT_LT(at(1.9, 0.01), 0);
+  EXPECT_EQ(at(2.1, 0.01), kUnseen);
+  EXPECT_LT(at(0.01, 0.9), 0) << "a beam is not free beyond where the sensor can see";
+  EXPECT_EQ(at(0.01, 1.1), kUnseen);
+}
+
+TEST_F(ScanInsertion, FreesTheWayToAnEndBeyondTheUsableRange) {
+  config.usable_range = 3.0;
+  model = BeamModel(config);
+  insert(scanWith({{0.0f, 5.0f, true}}));
+  EXPECT_LT(at(2.9, 0.01), 0);
+  EXPECT_EQ(at(3.1, 0.01), kUnseen);
+  EXPECT_EQ(at(5.0, 0.01), kUnseen);
+}
+
+TEST_F(ScanInsertion, LeavesOutWhatIsNoNumber) {
+  insert(scanWith({{0.0f, kNan, true},
+                   {0.1f, kInf, true},
+                   {0.2f, -kInf, true},
+                   {kNan, 1.0f, true},
+                   {0.3f, 0.0f, true},
+                   {0.4f, -1.0f, true},
+                   {0.5f, kInf, false},
+                   {0.6f, kNan, false}}));
+  const auto rectangle = map.rectangle();
+  EXPECT_LE(rectangle.width, 40 / config.resolution) << "infinite is as far as is usable";
+  GridMap untouched = map;
+  LaserScan scan = scanWith({{0.0f, 1.0f, true}});
+  scan.sensor_pose = Pose2(kNan, 0, 0);
+  insert(scan);
+  insert(scanWith({{0.0f, 1.0f, true}}), Pose2(0, kInf, 0));
+  insert(scanWith({{0.0f, 1.0f, true}}), Pose2(1e12, 0, 0));
+  insert(scanWith({}));
+  EXPECT_EQ(map.identity(), untouched.identity());
+}
+
+TEST_F(ScanInsertion, AnEndIsNotOnTheWayOfAnotherBeamOfTheScan) {
+  // along a wall, where the further beams pass the cells in which the nearer ones end
+  std::vector<LaserBeam> beams;
+  for (int i = 1; i < 60; ++i) {
+    const double bearing = M_PI / 2 - 0.025 * i;
+    beams.push_back(
+        {static_cast<float>(bearing), static_cast<float>(0.52 / std::sin(bearing)), true});
+  }
+  insert(scanWith(beams), Pose2(0.02, 0, 0));
+  for (const auto& beam : beams) EXPECT_GT(at(0.02 + beam.end().x(), 0.52), 0);
+}
+
+TEST_F(ScanInsertion, FollowsWhatChanges) {
+  for (int i = 0; i < 50; ++i) insert(scanWith({{0.0f, 1.02f, true}}));
+  EXPECT_GT(at(1.02, 0.0), 0);
+  for (int i = 0; i < 10; ++i) insert(scanWith({{0.0f, 2.02f, true}}));
+  EXPECT_LT(at(1.02, 0.0), 0);
+  EXPECT_GT(at(2.02, 0.0), 0);
+}
+
+TEST_F(ScanInsertion, CopiesNothingOfWhatItOnlyConfirms) {
+  for (int i = 0; i < 50; ++i) insert(scanWith({{0.0f, 1.02f, true}}));
+  const GridMap copy = map;
+  insert(scanWith({{0.0f, 1.02f, true}}));
+  EXPECT_EQ(copy.identity(), map.identity());
+}
+
+TEST_F(ScanInsertion, TellsOfBeamsThatEndBeyondTheLargestMap) {
+  GridMap::Memory small(4);
+  map = GridMap(small);
+  insert(scanWith({{0.0f, 1.0f, true}, {0.0f, 25.0f, true}}));
+  EXPECT_EQ(beyond, 1u);
+  EXPECT_GT(at(1.0, 0.0), 0) << "the rest is mapped";
+  map = GridMap(memory);
+}
+
+TEST_F(ScanInsertion, MapsARoomWithinACellOfItsWalls) {
+  test::RoomDrive drive(1);
+  for (int i = 0; i < 145; ++i) {
+    const auto step = drive.next();
+    insert(step.scan, drive.start() * step.truth);
+  }
+  int occupied = 0, wrong = 0;
+  const auto all = map.rectangle();
+  for (std::int32_t y = all.least.y; y < all.least.y + all.height; ++y)
+    for (std::int32_t x = all.least.x; x < all.least.x + all.width; ++x) {
+      if (map.logOdds({x, y}) <= 0) continue;
+      ++occupied;
+      wrong += drive.room().distance(config.resolution * Eigen::Vector2d(x + 0.5, y + 0.5)) > 0.06;
+    }
+  EXPECT_GT(occupied, 600) << "36 m of walls";
+  EXPECT_LT(wrong, occupied / 50);
+}
+
+/// After many scans the likelihood of each cell is that of the occupied cells around it as they
+/// are, up to what means of ends have moved since.
+TEST_F(ScanInsertion, KeepsLikelihoodsInStepWithOccupiedCells) {
+  test::RoomDrive drive(2);
+  for (int i = 0; i < 60; ++i) {
+    const auto step = drive.next();
+    insert(step.scan, drive.start() * step.truth);
+  }
+  const auto all = map.rectangle();
+  for (std::int32_t y = all.least.y + 4; y < all.least.y + all.height - 4; ++y)
+    for (std::int32_t x = all.least.x + 4; x < all.least.x + all.width - 4; ++x) {
+      const auto* const tile = map.tile({x, y});
+      if (tile == nullptr) continue;
+      double nearest = INFINITY;
+      for (std::int32_t v = y - model.reach(); v <= y + model.reach(); ++v)
+        for (std::int32_t u = x - model.reach(); u <= x + model.reach(); ++u) {
+          if (map.logOdds({u, v}) <= 0) continue;
+          const auto* const other = map.tile({u, v});
+          const auto i = Tile::at({u, v});
+          nearest = std::min(nearest, std::hypot(u + other->mean_x[i] / 256.0 - x,
+                                                 v + other->mean_y[i] / 256.0 - y));
+        }
+      const double sigmas = nearest * config.resolution / config.sigma;
+      const double expected = 255.0 * std::exp(-0.5 * sigmas * sigmas);
+      EXPECT_GE(tile->likelihood[Tile::at({x, y})] + 1.0, expected) << x << " " << y;
+      if (std::isinf(nearest)) {
+        EXPECT_EQ(tile->likelihood[Tile::at({x, y})], 0) << x << " " << y;
+      }
+    }
+}
+
+}  // namespace
+}  // namespace slam::grid_map

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "slam_core/common/random.hpp"
+#include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam::test {
+
+/// Walls that beams meet.
+class Room {
+ public:
+  /// Ten metres by eight with a niche, a box in the middle and a pillar: no two places look alike.
+  Room() {
+    addLoop({{-5, -4}, {5, -4}, {5, 2}, {3.5, 2}, {3.5, 4}, {-5, 4}});
+    addLoop({{-0.6, -0.5}, {0.8, -0.5}, {0.8, 0.7}, {-0.6, 0.7}});
+    addLoop({{-3.9, 2.6}, {-3.5, 2.6}, {-3.5, 3.0}, {-3.9, 3.0}});
+  }
+
+  /// To the nearest wall [m].
+  double distance(const Eigen::Vector2d& point) const {
+    double least = INFINITY;
+    for (const auto& [a, b] : walls_) {
+      const double along = (point - a).dot(b - a) / (b - a).squaredNorm();
+      const Eigen::Vector2d foot = a + std::clamp(along, 0.0, 1.0) * (b - a);
+      least = std::min(least, (point - foot).norm());
+    }
+    return least;
+  }
+
+  /// To the first wall in a direction [m]; infinite where there is none.
+  double range(const Eigen::Vector2d& from, double direction) const {
+    const Eigen::Vector2d ray(std::cos(direction), std::sin(direction));
+    double nearest = INFINITY;
+    for (const auto& [a, b] : walls_) {
+      Eigen::Matrix2d A;
+      A << ray, a - b;
+      const Eigen::Vector2d solution = A.fullPivLu().solve(a - from);
+      const bool is_met = A.fullPivLu().isInvertible() && solution.x() > 0.0 &&
+                          solution.y() >= 0.0 && solution.y() <= 1.0;
+      if (is_met) nearest = std::min(nearest, solution.x());
+    }
+    return nearest;
+  }
+
+ private:
+  void addLoop(const std::vector<Eigen::Vector2d>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      walls_.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> walls_;
+};
+
+/// A laser that looks ahead over 180 degrees.
+inline LaserScan scanOf(const Room& room, const Pose2& base, const Pose2& sensor, int beams,
+                        double sigma, RandomStream& random) {
+  constexpr double kMostRange = 8.0;
+  const Pose2 laser = base * sensor;
+  LaserScan scan;
+  scan.sensor_frame = "laser";
+  scan.sensor_pose = sensor;
+  for (int i = 0; i < beams; ++i) {
+    const double bearing = M_PI * (static_cast<double>(i) / (beams - 1) - 0.5);
+    const double range =
+        room.range(laser.position(), laser.theta() + bearing) + sigma * random.gaussian();
+    const bool hit = range < kMostRange;
+    scan.beams.push_back(
+        {static_cast<float>(bearing), static_cast<float>(hit ? range : kMostRange), hit});
+  }
+  return scan;
+}
+
+/// A robot that drives round the box in the room; its motion has exactly the noise it claims.
+class RoomDrive {
+ public:
+  struct Step {
+    Motion motion;
+    LaserScan scan;
+    Pose2 truth;  ///< in the frame of the first pose
+  };
+
+  explicit RoomDrive(std::uint64_t seed) : random_(seed, 0) {
+    Q_ << 1e-4, 0, 0, 0, 2e-5, 1e-5, 0, 1e-5, 2e-4;
+  }
+
+  /// The first scan is taken before the robot moves: it defines the map's frame.
+  Step next() {
+    const bool stands = count_ == 0;
+    const Pose2 way = stands ? Pose2() : Pose2::exp({0.1, 0.0, 0.1 / kRadius});
+    const Eigen::Matrix3d Q = stands ? Eigen::Matrix3d(1e-10 * Q_) : Q_;
+    Step step;
+    step.motion.sequence = count_;
+    step.motion.start = stamp();
+    ++count_;
+    step.motion.end = step.scan.stamp = stamp();
+    step.motion.covariance = Q;
+    step.motion.odometry_frame = "odom";
+    step.motion.base_frame = "base_link";
+    const Eigen::Vector3d white(random_.gaussian(), random_.gaussian(), random_.gaussian());
+    step.motion.increment = Pose2::fromVector(way.vector() + Q.llt().matrixL() * white);
+    step.motion.odometry_start = odometry_;
+    step.motion.odometry_end = odometry_ = odometry_ * step.motion.increment;
+    truth_ = truth_ * way;  // stays on its circle: it is the odometry that errs
+    step.scan = scanOf(room_, truth_, Pose2(0.1, 0.0, 0.05), beams, 0.01, random_);
+    step.scan.stamp = stamp();
+    step.truth = start().between(truth_);
+    return step;
+  }
+
+  const Room& room() const { return room_; }
+  /// In the room's frame.
+  static Pose2 start() { return {0.1, -2.2, 0.0}; }
+  /// What the robot has seen, from its first pose, with the noise of a camera.
+  LandmarkObservation sight(LandmarkId id, const Eigen::Vector2d& landmark) {
+    LandmarkObservation z;
+    const Eigen::Vector2d seen = start().between(truth_).inverse().transform(landmark);
+    z.id = id;
+    z.range = seen.norm() + 0.02 * random_.gaussian();
+    z.bearing = std::atan2(seen.y(), seen.x()) + 0.01 * random_.gaussian();
+    z.covariance << 4e-4, 0, 0, 1e-4;
+    return z;
+  }
+
+  int beams = 181;
+
+ private:
+  static constexpr double kRadius = 2.3;
+  Stamp stamp() const {
+    return stampFromNanoseconds(1000000000000) + count_ * std::chrono::milliseconds(100);
+  }
+
+  RandomStream random_;
+  Room room_;
+  Eigen::Matrix3d Q_;
+  Pose2 truth_ = start(), odometry_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace slam::test
