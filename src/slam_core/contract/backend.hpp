@@ -73,6 +73,10 @@ class Backend {
   /// Names all its random streams from the next configure() or reset() on. Back-ends that draw
   /// nothing need it not.
   virtual void seed(std::uint64_t /*seed*/) {}
+  /// The representations of a map that it can make.
+  virtual std::vector<std::string> maps() const { return {"landmarks"}; }
+  /// Makes this one of maps() from the next configure() on.
+  virtual void useMap(const std::string& /*map*/) {}
   /// A fresh start. @throw ConfigError listing all faults of its section
   virtual void configure(Settings& settings) = 0;
 

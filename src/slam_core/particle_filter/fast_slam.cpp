@@ -20,26 +20,52 @@ namespace {
 
 const Registrar<Backend, FastSlam> kRegistrar("pf");
 const SectionRegistrar<PfConfig> kSectionRegistrar;
+const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
+const SectionRegistrar<ScanConfig> kScanRegistrar;
 
 using Purpose = RandomStreams::Purpose;
 
+void append(const Motion& motion, std::optional<Motion>& sum) {
+  sum = sum ? joined(*sum, motion) : motion;
+}
+
 }  // namespace
 
-void FastSlam::configure(const PfConfig& config) {
-  validatePf(config);
+void FastSlam::configure(const PfConfig& config, const grid_map::GridMapConfig& grid,
+                         const ScanConfig& scan) {
+  FaultCollector faults;
+  faults.attempt([&] { validatePf(config); });
+  if (uses_grid_) faults.attempt([&] { validate(grid); });
+  if (uses_grid_) faults.attempt([&] { validate(scan); });
+  faults.raise();
   config_ = config;
+  scans_.reset();
+  if (uses_grid_) scans_.emplace(grid, scan);
   policies_ = Policies(config);
   workers_ = std::make_unique<Workers>(static_cast<unsigned>(config.threads));
   reset();
 }
 
-void FastSlam::configure(Settings& settings) { configure(settings.read<PfConfig>()); }
+void FastSlam::configure(Settings& settings) {
+  PfConfig config;
+  grid_map::GridMapConfig grid;
+  ScanConfig scan;
+  FaultCollector faults;
+  faults.attempt([&] { settings.read(config); });
+  if (uses_grid_) faults.attempt([&] { settings.read(grid); });
+  if (uses_grid_) faults.attempt([&] { settings.read(scan); });
+  faults.attempt([&] { configure(config, grid, scan); });
+  faults.raise();
+}
 
 void FastSlam::reset() {
   streams_.restart();
   index_.clear();
   particles_ = std::make_unique<ParticleSet>(static_cast<std::size_t>(config_.particles),
-                                             static_cast<unsigned>(config_.threads));
+                                             static_cast<unsigned>(config_.threads),
+                                             scans_ ? scans_->mostTiles() : 0);
+  if (scans_) scans_->restart({});
+  carried_.reset();
   fit_ = FitMonitor(config_.lost_nis);
   told_place_.reset();
   inputs_ = {};
@@ -53,34 +79,32 @@ void FastSlam::reset() {
   bound_.restart(told_.estimate.covariance);
 }
 
-void FastSlam::set(const Motion& motion) {
-  auto& sum = inputs_.motion;
-  if (!sum) {
-    sum = motion;
-    return;
-  }
-  Eigen::Matrix3d J_before, J_u;
-  sum->increment = sum->increment.compose(motion.increment, &J_before, &J_u);
-  sum->covariance =
-      J_before * sum->covariance * J_before.transpose() + J_u * motion.covariance * J_u.transpose();
-  sum->end = motion.end;
-}
+void FastSlam::set(const Motion& motion) { append(motion, inputs_.motion); }
 
 Status FastSlam::execute() {
   streams_.nextStep();
   told_.statistics = {};
+  told_.grid_status = {};
   replaceMap();
   relocate();
   Step step;
+  takeMotion(step);
   associate(step);
+  takeScan(step);
+  if (usesScans() && !step.hasSeen()) return carry(step);
+  step.motion = std::exchange(carried_, std::nullopt);
   bool weights_are_left = true;
   if (!step.isNothing()) {
+    const auto* const grid = particles_->best().grid.identity();
     propose(step);
     weights_are_left = weigh(step);
     estimate(step);
     resample(step);
     weights_are_left &= draw(step);
+    insertScan(step);
+    if (step.scan) scans_->markTaken(step.stamp);
     record(step);
+    told_.grid_revision += step.is_mapped || particles_->best().grid.identity() != grid;
   }
   told_.statistics.landmarks = static_cast<int>(index_.size());
   return status(step, weights_are_left);
@@ -93,13 +117,16 @@ void FastSlam::replaceMap() {
   for (const auto& landmark : map.landmarks) index_.append(landmark.id);
   const bool has_joint = map.joint_covariance.size() > 0;
   const double inflation = has_joint ? 1.0 : config_.load_inflation;
-  particles_->replaceMaps(map.landmarks, inflation);
+  particles_->replaceMaps(map.landmarks, inflation, gridOf(map));
   bound_.load(map.landmarks, inflation);
   if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
 }
 
 void FastSlam::relocate() {
   if (!inputs_.initial_pose) return;
+  particles_->move(carriedIncrement());  // where they were is the end of their paths
+  carried_.reset();
+  if (scans_) scans_->restart(*inputs_.initial_pose);
   told_.estimate = *std::exchange(inputs_.initial_pose, std::nullopt);
   auto stream = streams_.of(Purpose::kPlace);
   particles_->redraw(told_.estimate, stream);
@@ -108,9 +135,15 @@ void FastSlam::relocate() {
   fit_.forget();
 }
 
+void FastSlam::takeMotion(Step& step) {
+  step.latest = std::exchange(inputs_.motion, std::nullopt);
+  if (!step.latest) return;
+  step.stamp = step.latest->end;
+  append(*step.latest, carried_);
+  if (scans_) scans_->move(*step.latest);
+}
+
 void FastSlam::associate(Step& step) {
-  step.motion = std::exchange(inputs_.motion, std::nullopt);
-  if (step.motion) step.stamp = step.motion->end;
   if (!inputs_.observations) return;
   const auto array = *std::exchange(inputs_.observations, std::nullopt);
   step.stamp = array.stamp;
@@ -122,20 +155,27 @@ void FastSlam::associate(Step& step) {
 void FastSlam::propose(Step& step) {
   step.resize(particles_->size());
   if (told_place_ && step.motion) told_place_ = told_place_->moved(*step.motion);
-  const bool is_placed = told_place_ && !step.sight.matches.empty();
-  workers_->forEach(particles_->size(), [&](std::size_t i, unsigned) {
-    const auto& particle = (*particles_)[i];
-    auto& prior = step.priors[i];
-    prior.mean = particle.pose;
-    if (step.motion) prior = prior.moved(*step.motion);
-    if (is_placed) prior = *told_place_;
-    auto stream = streams_.of(Purpose::kPropose, i);
-    auto* const predictions = step.predictionsOf(i);
-    step.proposals[i] = policies_.proposal->propose(policies_.model, step.sight, particle.map,
-                                                    prior, stream, predictions);
-    step.log_factors[i] = policies_.weighting->logFactor(predictions, step.sight.matches.size());
-  });
+  workers_->forEach(particles_->size(), [&](std::size_t i, unsigned) { proposeFor(step, i); });
   if (step.hasSeen()) told_place_.reset();
+}
+
+void FastSlam::proposeFor(Step& step, std::size_t i) {
+  const auto& particle = (*particles_)[i];
+  auto& prior = step.priors[i];
+  prior.mean = particle.pose;
+  if (step.motion) prior = prior.moved(*step.motion);
+  auto stream = streams_.of(Purpose::kPropose, i);
+  if (step.scan) {
+    prior.covariance = scans_->covarianceAt(prior.mean);
+    step.proposals[i] =
+        scans_->propose(*step.scan, particle.grid, prior, stream, step.log_factors[i]);
+    return;
+  }
+  if (told_place_ && !step.sight.matches.empty()) prior = *told_place_;
+  auto* const predictions = step.predictionsOf(i);
+  step.proposals[i] = policies_.proposal->propose(policies_.model, step.sight, particle.map, prior,
+                                                  stream, predictions);
+  step.log_factors[i] = policies_.weighting->logFactor(predictions, step.sight.matches.size());
 }
 
 bool FastSlam::weigh(Step& step) {
@@ -144,9 +184,9 @@ bool FastSlam::weigh(Step& step) {
   told_.counters.add("gated", static_cast<std::uint64_t>(told_.statistics.gated));
   told_.figures["recent_nis"] = fit_.recentNis();
   step.is_lost = fit_.isLost();
-  step.is_doubtful = step.hasSeen() && fit_.isDoubtful();
+  step.is_doubtful = step.hasSeenLandmarks() && fit_.isDoubtful();
   told_.counters.add("doubtful", step.is_doubtful);
-  if (step.sight.matches.empty()) return true;
+  if (!step.weighs()) return true;
   const bool are_left = weights.multiply(step.log_factors);
   if (!are_left) told_.counters.add("weight_underflow");
   particles_->findBest();
@@ -157,7 +197,8 @@ void FastSlam::estimate(Step& step) {
   const auto& weights = particles_->weights();
   step.moments = momentsOf(step.proposals, weights.all());
   bound_.weigh(weights.effectiveSize(), weights.size());
-  if (step.motion) bound_.move(told_.estimate.pose, *step.motion);
+  if (step.latest) bound_.move(told_.estimate.pose, *step.latest);
+  if (step.scan) bound_.setPose(step.moments.covariance);  // nothing is known beyond their spread
   const auto& robot = step.moments.pose;
   const auto& [sensor, matches, gate] = step.sight;
   for (std::size_t k = 0; k < matches.size(); ++k) {
@@ -207,7 +248,7 @@ bool FastSlam::draw(const Step& step) {
 }
 
 double FastSlam::drawParticle(const Step& step, std::size_t i, unsigned lane) {
-  auto& [pose, map, path] = (*particles_)[i];
+  auto& [pose, map, grid, path] = (*particles_)[i];
   const auto ancestor = step.ancestors[i];
   const auto* const predictions = step.predictionsOf(ancestor);
   auto stream = streams_.of(Purpose::kDraw, i);
@@ -220,7 +261,7 @@ double FastSlam::drawParticle(const Step& step, std::size_t i, unsigned lane) {
 }
 
 void FastSlam::record(const Step& step) {
-  particles_->record(step.stamp, step.motion ? step.motion->increment : Pose2(), step.hasSeen());
+  particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), step.hasSeen());
   if (mapIsFixed() || step.is_doubtful) return;
   beginAnew(step);
   for (const auto& z : step.unseen) {
@@ -248,7 +289,8 @@ Status FastSlam::status(const Step& step, bool weights_are_left) const {
     return Status::warning(
         "no particle can explain the observations, all weights vanished; they are made equal and "
         "the filter goes on: check the noise of the sensor in the robot file");
-  if (mapIsFixed() && index_.size() == 0)
+  if (!told_.grid_status.isOk()) return told_.grid_status;
+  if (mapIsFixed() && index_.size() == 0 && particles_->best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
   if (step.is_lost)
     return Status::warning(

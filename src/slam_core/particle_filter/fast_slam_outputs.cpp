@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+
+#include "slam_core/grid_map/grid_conversion.hpp"
 #include "slam_core/particle_filter/fast_slam.hpp"
 #include "slam_core/particle_filter/mixture.hpp"
 
@@ -8,7 +11,7 @@ namespace slam::particle_filter {
 
 PoseEstimate FastSlam::pose() const {
   const auto& estimate = told_.estimate;
-  return config_.pose == "best" ? about(particles_->best().pose, estimate) : estimate;
+  return tellsBest() ? about(particles_->best().pose * carriedIncrement(), estimate) : estimate;
 }
 
 Landmark FastSlam::landmark(std::size_t slot) const {
@@ -30,20 +33,33 @@ LandmarkMap FastSlam::landmarks() const {
 /// Of a map to localise in counts how its landmarks lie to one another, not what all of them have
 /// in common, which the bound holds and nobody could tell apart any more.
 MapState FastSlam::state() const {
-  MapState state{pose(), {}, {}};
+  MapState state{pose(), {}, {}, grid()};
   for (const auto slot : index_.slotsById()) state.landmarks.push_back(landmark(slot));
   return state;
 }
 
+std::optional<OccupancyGrid> FastSlam::grid() const {
+  if (!scans_) return std::nullopt;
+  return occupancyGridOf(particles_->best().grid, scans_->model().resolution());
+}
+
 std::vector<StampedPose> FastSlam::path() const {
   const auto& best = particles_->best();
-  return best.path.poses(best.pose);
+  auto poses = best.path.poses(best.pose * carriedIncrement());
+  // landmarks and a scan of the same stamp are two steps, of which the second knows more
+  const auto is_outdone = [](const StampedPose& later, const StampedPose& earlier) {
+    return later.stamp == earlier.stamp;
+  };
+  const auto kept = std::unique(poses.rbegin(), poses.rend(), is_outdone);
+  poses.erase(poses.begin(), kept.base());
+  return poses;
 }
 
 std::vector<Pose2> FastSlam::particles() const {
   std::vector<Pose2> poses;
   poses.reserve(particles_->size());
-  for (std::size_t i = 0; i < particles_->size(); ++i) poses.push_back((*particles_)[i].pose);
+  for (std::size_t i = 0; i < particles_->size(); ++i)
+    poses.push_back((*particles_)[i].pose * carriedIncrement());
   return poses;
 }
 

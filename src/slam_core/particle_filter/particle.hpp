@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "slam_core/grid_map/grid_map.hpp"
 #include "slam_core/particle_filter/landmark_estimate.hpp"
 #include "slam_core/particle_filter/persistent_array.hpp"
 #include "slam_core/particle_filter/shared_path.hpp"
@@ -18,6 +19,7 @@ using ParticleMap = PersistentArray<LandmarkEstimate>;
 struct Particle {
   Pose2 pose;  ///< T_map_base
   ParticleMap map;
+  grid_map::GridMap grid;  ///< empty where the filter makes none
   SharedPath path;
 };
 

@@ -8,10 +8,12 @@
 
 namespace slam::particle_filter {
 
-ParticleSet::ParticleSet(std::size_t count, unsigned lanes)
+ParticleSet::ParticleSet(std::size_t count, unsigned lanes, std::size_t most_tiles)
     : map_memory_(std::make_unique<ParticleMap::Memory>(lanes)),
+      grid_memory_(std::make_unique<grid_map::GridMap::Memory>(most_tiles)),
       path_memory_(std::make_unique<SharedPath::Memory>()),
-      particles_(count, {Pose2(), ParticleMap(*map_memory_), SharedPath(*path_memory_)}),
+      particles_(count,
+                 {Pose2(), ParticleMap(*map_memory_), emptyGrid(), SharedPath(*path_memory_)}),
       weights_(count) {}
 
 void ParticleSet::findBest() {
@@ -44,7 +46,12 @@ void ParticleSet::record(Stamp stamp, const Pose2& odometry, bool has_learned) {
   for (auto& particle : particles_) particle.path.append(particle.pose);
 }
 
-void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation) {
+void ParticleSet::move(const Pose2& increment) {
+  for (auto& particle : particles_) particle.pose = particle.pose * increment;
+}
+
+void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation,
+                              const grid_map::GridMap& grid) {
   ParticleMap shared(*map_memory_);
   for (const auto& landmark : map) {
     LandmarkEstimate estimate(landmark.position, inflation * inflation * landmark.covariance);
@@ -53,6 +60,7 @@ void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation) {
   }
   for (auto& particle : particles_) {
     particle.map = shared;
+    particle.grid = grid;
     particle.path = SharedPath(*path_memory_);
   }
   path_memory_->clearSteps();

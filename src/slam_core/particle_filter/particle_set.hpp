@@ -18,7 +18,8 @@ namespace slam::particle_filter {
 class ParticleSet {
  public:
   /// `count` equal particles without a map, at the origin.
-  ParticleSet(std::size_t count, unsigned lanes);
+  /// @param most_tiles of the largest grid map
+  ParticleSet(std::size_t count, unsigned lanes, std::size_t most_tiles = 0);
 
   std::size_t size() const { return particles_.size(); }
   Particle& operator[](std::size_t i) { return particles_[i]; }
@@ -40,16 +41,21 @@ class ParticleSet {
   /// @param odometry since the last call
   /// @param has_learned the particles' poses are more than the last ones and the odometry
   void record(Stamp stamp, const Pose2& odometry, bool has_learned);
-  /// All particles get this map, equal weights and an empty path.
-  void replaceMaps(const LandmarkMap& map, double inflation);
+  /// All particles are moved by the same.
+  void move(const Pose2& increment);
+  /// All particles get these maps, equal weights and an empty path.
+  void replaceMaps(const LandmarkMap& map, double inflation, const grid_map::GridMap& grid);
+  grid_map::GridMap emptyGrid() { return grid_map::GridMap(*grid_memory_); }
   /// Particle i is replaced by a copy of particle ancestors[i]; weights become equal.
   void resample(const std::vector<std::uint32_t>& ancestors);
 
   const ParticleMap::Memory& mapMemory() const { return *map_memory_; }
+  const grid_map::GridMap::Memory& gridMemory() const { return *grid_memory_; }
   const SharedPath::Memory& pathMemory() const { return *path_memory_; }
 
  private:
   std::unique_ptr<ParticleMap::Memory> map_memory_;  // before those that live in it
+  std::unique_ptr<grid_map::GridMap::Memory> grid_memory_;
   std::unique_ptr<SharedPath::Memory> path_memory_;
   std::vector<Particle> particles_;
   Weights weights_;

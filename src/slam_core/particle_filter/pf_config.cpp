@@ -87,8 +87,11 @@ void PfConfig::describeSize(Fields& fields) {
 }
 
 void PfConfig::describeOutput(Fields& fields) {
-  fields.add("pose", &pose, "the pose told: the weighted mean, or that of the most likely particle")
-      .oneOf({"mean", "best"});
+  fields
+      .add("pose", &pose,
+           "the pose told: the weighted mean, that of the most likely particle, or (auto) the mean "
+           "beside landmarks and the most likely one beside a grid, whose map is shown")
+      .oneOf({"auto", "mean", "best"});
   fields.add("map", &map, "the map told: that of the most likely particle, or the weighted mixture")
       .oneOf({"best", "mixture"});
   fields

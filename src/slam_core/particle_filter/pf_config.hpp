@@ -27,7 +27,7 @@ struct PfConfig {
   double kld_bin_heading = 0.05;
   double gate_probability = 0.9999;
   double lost_nis = 5.0;
-  std::string pose = "mean";
+  std::string pose = "auto";
   std::string map = "best";
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/grid_map/scan_points.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/particle_filter/proposal.hpp"
@@ -16,7 +17,9 @@ namespace slam::particle_filter {
 /// What one step of the filter works with.
 struct Step {
   Stamp stamp;
-  std::optional<Motion> motion;
+  std::optional<Motion> motion;  ///< since the particles were moved last
+  std::optional<Motion> latest;  ///< its part since the last step
+  std::optional<grid_map::ScanPoints> scan;
   Sight sight;
   std::vector<LandmarkObservation> unseen;  ///< of landmarks that are in no map yet
 
@@ -26,10 +29,14 @@ struct Step {
   std::vector<Prediction> predictions;          ///< all of particle 0, then of particle 1, ...
   std::vector<std::uint32_t> ancestors;  ///< whose prior, proposal and predictions a particle has
   bool is_lost = false;
-  bool is_doubtful = false;  ///< the maps stay as they are
+  bool is_mapped = false;    ///< the scan has gone into the particles' grids
+  bool is_doubtful = false;  ///< the maps of landmarks stay as they are
 
   bool isNothing() const { return !motion && !hasSeen(); }
-  bool hasSeen() const { return !sight.matches.empty() || !unseen.empty(); }
+  bool hasSeen() const { return hasSeenLandmarks() || scan; }
+  bool hasSeenLandmarks() const { return !sight.matches.empty() || !unseen.empty(); }
+  /// Whether what was seen tells the particles apart.
+  bool weighs() const { return !sight.matches.empty() || scan; }
   /// Room for the particles' results.
   void resize(std::size_t particles);
   Prediction* predictionsOf(std::size_t i) { return predictions.data() + i * sight.matches.size(); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/product/map_choice.hpp"
 
 namespace slam {
 namespace {
@@ -24,6 +25,7 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
   expects_observations_ = true;
   FaultCollector faults;
   faults.attempt([&] { backend_->seed(settings.read<ProductConfig>().seed); });
+  faults.attempt([&] { chooseMap(settings.read<ProductConfig>(), *backend_); });
   faults.attempt([&] { backend_->configure(settings); });
   faults.attempt([&] { consistency_config_ = settings.read<ConsistencyConfig>(); });
   faults.attempt([&] { sensor_ = settings.read<LandmarkSensorConfig>(); });

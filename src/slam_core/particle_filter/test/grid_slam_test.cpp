@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/particle_filter/fast_slam.hpp"
+
+namespace slam::particle_filter {
+namespace {
+
+using test::RoomDrive;
+
+constexpr int kLap = 145;
+
+PfConfig gridConfig() {
+  PfConfig config;
+  config.particles = 15;
+  config.resampling_threshold = 0.5;
+  return config;
+}
+
+std::unique_ptr<FastSlam> made(const PfConfig& config = gridConfig(), const ScanConfig& scan = {},
+                               const grid_map::GridMapConfig& grid = {}) {
+  auto filter = std::make_unique<FastSlam>();
+  filter->useMap("grid");
+  filter->configure(config, grid, scan);
+  return filter;
+}
+
+Status take(Backend& backend, const RoomDrive::Step& step) {
+  backend.set(step.motion);
+  backend.set(step.scan);
+  return backend.execute();
+}
+
+/// @return the largest distance between pose and truth [m]
+double run(Backend& backend, RoomDrive& drive, int steps) {
+  double worst = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const auto step = drive.next();
+    EXPECT_EQ(take(backend, step).message, "");
+    worst = std::max(worst, (backend.pose().pose.position() - step.truth.position()).norm());
+  }
+  return worst;
+}
+
+/// Share of the occupied cells that lie within 6 cm of a wall.
+double shareOnWalls(const OccupancyGrid& grid, const test::Room& room) {
+  int occupied = 0, right = 0;
+  for (std::uint32_t y = 0; y < grid.height; ++y)
+    for (std::uint32_t x = 0; x < grid.width; ++x) {
+      if (grid.cells[y * grid.width + x] <= 50) continue;
+      ++occupied;
+      const Eigen::Vector2d middle =
+          grid.origin + grid.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
+      right += room.distance(RoomDrive::start().transform(middle)) < 0.075;
+    }
+  EXPECT_GT(occupied, 500);
+  return static_cast<double>(right) / occupied;
+}
+
+TEST(GridSlam, MapsARoomAndStaysOnIt) {
+  for (const std::string matcher : {"hill_climbing", "correlative"}) {
+    ScanConfig scan;
+    scan.matcher = matcher;
+    const auto filter = made(gridConfig(), scan);
+    RoomDrive drive(1);
+    EXPECT_LT(run(*filter, drive, 2 * kLap), 0.15);
+    ASSERT_TRUE(filter->grid());
+    EXPECT_GT(shareOnWalls(*filter->grid(), drive.room()), 0.8);
+  }
+}
+
+TEST(GridSlam, TheThesissProposalFromTheMotionAloneWorksToo) {
+  ScanConfig scan;
+  scan.proposal = "motion";
+  scan.weighting = "likelihood";
+  PfConfig config = gridConfig();
+  config.particles = 200;
+  const auto filter = made(config, scan);
+  RoomDrive drive(2);
+  EXPECT_LT(run(*filter, drive, kLap), 0.5);
+}
+
+TEST(GridSlam, IsBetterThanItsOdometry) {
+  RoomDrive drive(3);
+  const auto filter = made();
+  Pose2 odometry;
+  double odometry_worst = 0.0, worst = 0.0;
+  for (int i = 0; i < 2 * kLap; ++i) {
+    const auto step = drive.next();
+    take(*filter, step);
+    odometry = odometry * step.motion.increment;
+    const auto off = [&](const Pose2& pose) {
+      return (pose.position() - step.truth.position()).norm();
+    };
+    odometry_worst = std::max(odometry_worst, off(odometry));
+    worst = std::max(worst, off(filter->pose().pose));
+  }
+  EXPECT_LT(worst, 0.3 * odometry_worst);
+}
+
+TEST(GridSlam, GivesTheSameBitsForAnyNumberOfThreads) {
+  std::vector<std::vector<StampedPose>> paths;
+  std::vector<OccupancyGrid> grids;
+  for (const int threads : {1, 2, 4}) {
+    auto config = gridConfig();
+    config.threads = threads;
+    const auto filter = made(config);
+    RoomDrive drive(4);
+    run(*filter, drive, kLap);
+    paths.push_back(filter->path());
+    grids.push_back(*filter->grid());
+  }
+  for (int k = 1; k < 3; ++k) {
+    ASSERT_EQ(paths[k].size(), paths[0].size());
+    for (std::size_t i = 0; i < paths[0].size(); ++i)
+      ASSERT_EQ(paths[k][i].pose.vector(), paths[0][i].pose.vector());
+    EXPECT_EQ(grids[k].cells, grids[0].cells);
+  }
+}
+
+TEST(GridSlam, CarriesThePoseBetweenUpdatesWithoutTouchingParticles) {
+  const auto filter = made();
+  RoomDrive drive(5);
+  run(*filter, drive, 1);
+  const auto poses_held = filter->particleSet().pathMemory().posesInUse();
+  const auto revision = filter->gridRevision();
+  for (int i = 0; i < 2; ++i) {
+    const auto before = filter->pose();
+    const auto particle = filter->particleSet()[3].pose;
+    const auto step = drive.next();
+    take(*filter, step);
+    EXPECT_EQ(filter->particleSet()[3].pose.vector(), particle.vector());
+    const Pose2 moved = before.pose.between(filter->pose().pose);
+    EXPECT_LT((moved.vector() - step.motion.increment.vector()).norm(), 1e-12);
+    EXPECT_GT(filter->pose().covariance(0, 0), before.covariance(0, 0));
+  }
+  EXPECT_EQ(filter->particleSet().pathMemory().posesInUse(), poses_held);
+  EXPECT_EQ(filter->gridRevision(), revision);
+  run(*filter, drive, 3);
+  EXPECT_GT(filter->gridRevision(), revision);
+  EXPECT_EQ(filter->path().size(), 6u) << "a line for each scan, used or not";
+}
+
+TEST(GridSlam, TakesScansWithAnotherNumberOfBeamsEmptyOnesAndSuchWithoutMotion) {
+  const auto filter = made();
+  RoomDrive drive(7);
+  for (int i = 0; i < kLap; ++i) {
+    drive.beams = i % 3 == 0 ? 361 : 91;
+    auto step = drive.next();
+    if (i % 5 == 4) step.scan.beams.clear();
+    EXPECT_EQ(take(*filter, step).message, "");
+    step.scan.stamp += std::chrono::milliseconds(1);
+    filter->set(step.scan);  // the same once more, nothing between them
+    EXPECT_EQ(filter->execute().message, "");
+    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
+  }
+}
+
+TEST(GridSlam, UpdatesWithEveryScanWhereToldSoAlsoWithoutMotion) {
+  ScanConfig every;
+  every.update_distance = 0.0;
+  const auto filter = made(gridConfig(), every);
+  RoomDrive drive(8);
+  auto step = drive.next();
+  for (int i = 0; i < 20; ++i) {
+    if (i == 0) filter->set(step.motion);
+    step.scan.stamp += std::chrono::milliseconds(100);
+    filter->set(step.scan);
+    EXPECT_EQ(filter->execute().message, "");
+  }
+  EXPECT_EQ(filter->gridRevision(), 20u);
+  EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.05);
+}
+
+TEST(GridSlam, SurvivesBeamsThatAreNoNumbers) {
+  const auto filter = made();
+  RoomDrive drive(9);
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = INFINITY;
+  for (int i = 0; i < kLap; ++i) {
+    auto step = drive.next();
+    for (std::size_t k = 0; k < step.scan.beams.size(); k += 7) {
+      step.scan.beams[k].range = k % 2 == 0 ? nan : inf;
+      step.scan.beams[k].bearing = k % 3 == 0 ? nan : step.scan.beams[k].bearing;
+    }
+    take(*filter, step);
+    ASSERT_TRUE(filter->pose().pose.isFinite());
+    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
+  }
+}
+
+TEST(GridSlam, SaysWhenTheMapIsTooLargeAndGoesOn) {
+  grid_map::GridMapConfig small;
+  small.largest_area = 20.0;
+  const auto filter = made(gridConfig(), {}, small);
+  RoomDrive drive(10);
+  EXPECT_TRUE(test::oneSays({take(*filter, drive.next()).message},
+                            {"beyond the largest grid map", "raise grid_map.largest_area"}));
+  for (int i = 0; i < 50; ++i) take(*filter, drive.next());
+  EXPECT_TRUE(filter->pose().pose.isFinite());
+  EXPECT_GT(filter->counters()["beams_beyond_map"], 0u);
+}
+
+TEST(GridSlam, SaysWhenThereIsNotEnoughMemoryAndKeepsTheMap) {
+  grid_map::GridMapConfig small;
+  small.largest_memory = 4.0;
+  const auto filter = made(gridConfig(), {}, small);
+  RoomDrive drive(11);
+  std::vector<std::string> sentences;
+  for (int i = 0; i < kLap; ++i) sentences.push_back(take(*filter, drive.next()).message);
+  EXPECT_TRUE(test::oneSays(sentences, {"grid_map.largest_memory", "lower pf.particles"}));
+  EXPECT_LE(filter->particleSet().gridMemory().bytes(), 4e6);
+  EXPECT_TRUE(filter->pose().pose.isFinite());
+}
+
+TEST(GridSlam, LocalisesInALoadedGridOfAnotherResolution) {
+  grid_map::GridMapConfig coarse;
+  coarse.resolution = 0.08;
+  const auto mapper = made(gridConfig(), {}, coarse);
+  RoomDrive first(12);
+  run(*mapper, first, kLap);
+  const auto map = mapper->state();
+  ASSERT_TRUE(map.grid);
+
+  auto config = gridConfig();
+  config.mode = "localization";
+  config.particles = 50;
+  const auto filter = made(config);
+  RoomDrive drive(13);
+  EXPECT_TRUE(test::oneSays({take(*filter, drive.next()).message}, {"no map to localise in"}));
+  filter->set(map);
+  filter->set(PoseEstimate{Pose2(0.2, 0.05, 0.1), 0.02 * Eigen::Matrix3d::Identity()});
+  filter->execute();
+  const auto shown = filter->grid()->cells;
+  const auto revision = filter->gridRevision();
+  run(*filter, drive, 20);
+  EXPECT_LT(run(*filter, drive, kLap), 0.12);
+  EXPECT_EQ(filter->grid()->cells, shown) << "it stays as it was loaded";
+  EXPECT_EQ(filter->gridRevision(), revision);
+}
+
+TEST(GridSlam, GoesOnWithAMapThatWasSavedInTheMiddle) {
+  const auto filter = made();
+  RoomDrive drive(14);
+  run(*filter, drive, kLap);
+  const auto saved = filter->state();
+  const auto next = made();
+  next->set(saved);
+  EXPECT_EQ(next->execute().message, "");
+  EXPECT_LT(run(*next, drive, kLap), 0.12);
+  EXPECT_GT(shareOnWalls(*next->grid(), drive.room()), 0.75);
+}
+
+TEST(GridSlam, TellsOfALoadedGridThatIsNone) {
+  const auto filter = made();
+  MapState state;
+  state.robot.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+  state.grid.emplace();
+  state.grid->resolution = -1.0;
+  filter->set(state);
+  EXPECT_TRUE(
+      test::oneSays({filter->execute().message}, {"grid map cannot be used", "resolution"}));
+  RoomDrive drive(15);
+  EXPECT_LT(run(*filter, drive, 30), 0.1);
+}
+
+TEST(GridSlam, ParticlesCarryBothMapsAndLandmarksWeighIn) {
+  const auto filter = made();
+  RoomDrive drive(16);
+  const Eigen::Vector2d landmark(2.0, -1.0);  // from the first pose
+  for (int i = 0; i < 2 * kLap; ++i) {
+    auto step = drive.next();
+    filter->set(step.motion);
+    LandmarkObservationArray seen;
+    seen.stamp = step.scan.stamp;
+    if (i % 3 == 0) seen.observations.push_back(drive.sight(7, landmark));
+    filter->set(seen);
+    EXPECT_EQ(filter->execute().message, "");
+    filter->set(step.scan);  // of the same stamp
+    EXPECT_EQ(filter->execute().message, "");
+    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
+  }
+  ASSERT_EQ(filter->landmarks().size(), 1u);
+  EXPECT_LT((filter->landmarks()[0].position - landmark).norm(), 0.05);
+  EXPECT_GT(shareOnWalls(*filter->grid(), drive.room()), 0.8);
+  const auto path = filter->path();
+  EXPECT_EQ(path.size(), 2u * kLap) << "one line for each stamp";
+}
+
+TEST(GridSlam, StartsAfreshWithReset) {
+  const auto filter = made();
+  RoomDrive first(17);
+  run(*filter, first, 40);
+  const auto before = filter->path();
+  filter->reset();
+  EXPECT_TRUE(filter->grid()->cells.empty());
+  EXPECT_EQ(filter->particleSet().gridMemory().tilesInUse(), 0u);
+  RoomDrive again(17);
+  run(*filter, again, 40);
+  ASSERT_EQ(filter->path().size(), before.size());
+  EXPECT_EQ(filter->path().back().pose.vector(), before.back().pose.vector());
+}
+
+TEST(GridSlam, WithoutAGridItWantsNoScans) {
+  FastSlam filter;
+  filter.configure(PfConfig());
+  EXPECT_FALSE(filter.usesScans());
+  EXPECT_FALSE(filter.grid());
+  RoomDrive drive(18);
+  filter.set(drive.next().scan);
+  EXPECT_TRUE(filter.execute().isOk());
+}
+
+TEST(GridSlam, RefusesParametersThatMakeNoGrid) {
+  FastSlam filter;
+  filter.useMap("grid");
+  grid_map::GridMapConfig grid;
+  ScanConfig scan;
+  grid.resolution = 0.0;
+  grid.hit_probability = 0.4;
+  scan.matcher = "guessing";
+  scan.outlier = 0.0;
+  const auto faults = test::faultsOf([&] { filter.configure(gridConfig(), grid, scan); });
+  EXPECT_EQ(faults.size(), 4u);
+  EXPECT_TRUE(test::oneSays(faults, {"grid_map.resolution", "0 is not allowed"}));
+  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.matcher", "correlative"}));
+}
+
+}  // namespace
+}  // namespace slam::particle_filter
