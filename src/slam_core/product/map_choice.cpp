@@ -33,8 +33,8 @@ void chooseMap(const ProductConfig& product, Backend& backend) {
           ? ": a grid needs a non-parametric state representation, which can not be used with an "
             "EKF back-end"
           : "";
-  throw ConfigError("back-end '" + product.backend + "' makes no map '" + product.map + "'" +
-                    reason + "; choose backend: " + join(backendsThatMake(product.map), " or ") +
+  throw ConfigError("map: the back-end '" + product.backend + "' makes no " + product.map + reason +
+                    "; choose backend: " + join(backendsThatMake(product.map), " or ") +
                     ", or map: " + join(backend.maps(), " or "));
 }
 

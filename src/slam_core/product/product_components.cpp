@@ -10,16 +10,6 @@
 
 namespace slam {
 
-namespace {
-
-void requireMap(const ProductConfig& product, const Estimator& estimator) {
-  if (product.hasGrid() && !estimator.usesScans())
-    throw ConfigError("map: the back-end '" + product.backend +
-                      "' makes no grid; give map: landmarks, or backend: pf");
-}
-
-}  // namespace
-
 ProductComponents makeComponents(Settings& settings) {
   ProductConfig product;
   ProductComponents parts;
@@ -48,11 +38,7 @@ ProductComponents makeComponents(Settings& settings) {
       parts.point_map = std::make_unique<point_map::PointMap>();
       parts.point_map->configure(settings);
     });
-  if (backend)
-    faults.attempt([&] {
-      parts.estimator.configure(settings, std::move(backend));
-      requireMap(product, parts.estimator);
-    });
+  if (backend) faults.attempt([&] { parts.estimator.configure(settings, std::move(backend)); });
   if (complete) {
     faults.attempt([&] { KnownSections::instance().checkUnused(settings); });
     faults.attempt([&] { settings.requireAllRead(); });

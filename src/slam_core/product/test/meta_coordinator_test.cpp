@@ -56,8 +56,12 @@ TEST(MetaCoordinatorConfig, FindsASectionWithATypo) {
 }
 
 TEST(MetaCoordinatorConfig, RefusesAGridThatTheBackEndDoesNotMake) {
-  EXPECT_TRUE(oneSays(faultsOf("{version: 1, backend: ekf, map: grid}"),
-                      {"map", "'ekf' makes no grid", "map: landmarks"}));
+  const auto faults = faultsOf("{version: 1, backend: ekf, map: grid}");
+  EXPECT_EQ(faults.size(), 1u) << join(faults, "\n");
+  EXPECT_TRUE(oneSays(
+      faults, {"'ekf' makes no grid", "non-parametric", "choose backend: pf", "map: landmarks"}));
+  EXPECT_TRUE(
+      faultsOf("{version: 1, backend: pf, map: grid, grid_map: {resolution: 0.1}}").empty());
 }
 
 TEST(MetaCoordinatorConfig, KnowsTheLasersSectionOfEveryRobot) {
