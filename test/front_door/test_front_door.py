@@ -26,6 +26,7 @@ def make_clone(folder):
 def call(*command, cwd=None, **environment):
     """Runs a command without a terminal; its standard error is part of stdout."""
     clean = {name: value for name, value in os.environ.items() if name not in ("CI", "SUDO_USER")}
+    clean["XDG_CONFIG_HOME"] = "/nowhere"  # not the products of who runs the tests
     return subprocess.run([str(word) for word in command], cwd=cwd, env={**clean, **environment},
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False, timeout=300)
@@ -54,7 +55,7 @@ class WithoutBuild(FrontDoorTest):
                                                        encoding="utf-8")
 
     def test_names_every_command_when_called_without_one(self):
-        commands = "setup demo test products import sim run tune eval bench".split()
+        commands = "setup demo test products check new menu import sim run tune eval bench".split()
         self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands])
 
     def test_names_the_commands_that_explain_their_arguments(self):
@@ -130,9 +131,24 @@ class WithBuild(FrontDoorTest):
         self.assertEqual(log.stat().st_mtime_ns, built)
         product = self.clone / "slam_launch/products/other.yaml"
         self.addCleanup(product.unlink)
-        product.write_text("product: other\nsentence: Another one.\n", encoding="utf-8")
+        product.write_text("version: 1\nproduct: other\nsentence: Another one.\nbackend: ekf\n"
+                           "odometry: wheel\n", encoding="utf-8")
         self.assertRegex(call(self.slam, "products").stdout, "(?m)^other +Another one[.]$")
         self.assertNotEqual(log.stat().st_mtime_ns, built)
+
+    def test_refuses_what_makes_no_product(self):
+        self.expect(call(self.slam, "check", "backend=ekf", "odometry=weel"), 1,
+                    "did you mean 'wheel'?")
+        self.expect(call(self.slam, "check", "backend=ekf", "odometry=wheel"), 0, "(ekf_wheel)")
+
+    def test_lists_a_product_that_it_has_written(self):
+        home = self.folder / "config of mine"
+        written = call(self.slam, "new", "mine", "backend=pf", "odometry=wheel", "detector=none",
+                       XDG_CONFIG_HOME=str(home))
+        self.expect(written, 0, f"{home}/slam/products/mine.yaml")
+        self.expect(call(self.slam, "products", XDG_CONFIG_HOME=str(home)), 0, "\nmine  ")
+        self.expect(call(self.slam, "check", "mine", XDG_CONFIG_HOME=str(home)), 0,
+                    "valid: backend=pf odometry=wheel")
 
     def test_is_found_through_a_link_from_another_folder(self):
         link = self.folder / "link"

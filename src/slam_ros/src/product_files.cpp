@@ -7,6 +7,7 @@
 #include <ros/package.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "slam_core/common/nearest_name.hpp"
@@ -20,41 +21,59 @@ bool isPath(const std::string& text) {
   return text.find('/') != std::string::npos || fs::path(text).extension() == ".yaml";
 }
 
-std::vector<std::string> namesIn(const std::string& folder) {
-  std::vector<std::string> names;
+void addNamesIn(const std::string& folder, std::vector<std::string>& names) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none))
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem());
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
-std::string fileOf(const std::string& subfolder, const std::string& kind, const std::string& name) {
-  if (isPath(name)) return name;
-  const auto package = ros::package::getPath("slam_launch");
-  if (package.empty())
-    throw UnknownName("the package slam_launch, which holds the " + kind + " '" + name +
-                      "', is not in ROS_PACKAGE_PATH; source the workspace's setup.bash or give a "
-                      "file");
-  return findConfigFile(package + "/" + subfolder, kind, name);
+std::string launchPackage(const std::string& kind, const std::string& name) {
+  auto package = ros::package::getPath("slam_launch");
+  if (!package.empty()) return package;
+  throw UnknownName("the package slam_launch, which holds the " + kind + " '" + name +
+                    "', is not in ROS_PACKAGE_PATH; source the workspace's setup.bash or give a "
+                    "file");
+}
+
+/// As slam_launch's config_files.py has it, which writes there.
+std::string userProducts() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && *config != '\0') return std::string(config) + "/slam/products";
+  const char* home = std::getenv("HOME");
+  return std::string(home != nullptr ? home : "") + "/.config/slam/products";
 }
 
 }  // namespace
 
 std::string productFile(const std::string& name_or_path) {
-  return fileOf("products", "product", name_or_path);
+  if (isPath(name_or_path)) return name_or_path;
+  std::vector<std::string> folders = {launchPackage("product", name_or_path) + "/products"};
+  ros::package::getPlugins("slam_launch", "products", folders, true);
+  folders.push_back(userProducts());
+  return findConfigFile(folders, "product", name_or_path);
 }
 
 std::string robotFile(const std::string& name_or_path) {
-  return fileOf("robots", "robot", name_or_path);
+  if (isPath(name_or_path)) return name_or_path;
+  return findConfigFile(launchPackage("robot", name_or_path) + "/robots", "robot", name_or_path);
 }
 
 std::string findConfigFile(const std::string& folder, const std::string& kind,
                            const std::string& name_or_path) {
+  return findConfigFile(std::vector<std::string>{folder}, kind, name_or_path);
+}
+
+std::string findConfigFile(const std::vector<std::string>& folders, const std::string& kind,
+                           const std::string& name_or_path) {
   if (isPath(name_or_path)) return name_or_path;
-  const auto names = namesIn(folder);
-  if (std::find(names.begin(), names.end(), name_or_path) != names.end())
-    return folder + "/" + name_or_path + ".yaml";
+  std::vector<std::string> names;
+  for (const auto& folder : folders) {
+    const auto file = folder + "/" + name_or_path + ".yaml";
+    if (fs::exists(file)) return file;
+    addNamesIn(folder, names);
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   throw UnknownName(fmt::format("there is no {} '{}'{}; there are: {}", kind, name_or_path,
                                 slam::didYouMean(name_or_path, names), slam::join(names)));
 }

@@ -15,16 +15,20 @@ class UnknownName : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The file of a product, given by its name in slam_launch's products/ or as a path.
-/// @throw UnknownName
+/// The file of a product, given as a path or by its name: in slam_launch's products/, in the
+/// folders that other packages export (<slam_launch products="..."/>), or in the user's own,
+/// ~/.config/slam/products. @throw UnknownName
 std::string productFile(const std::string& name_or_path);
 
-/// The same for robots/.
+/// The same for a robot, in slam_launch's robots/.
 std::string robotFile(const std::string& name_or_path);
 
 /// The file `name`.yaml of a folder; what ends in .yaml or holds a slash is a path already.
 /// `kind` ("product") is for the message. @throw UnknownName
 std::string findConfigFile(const std::string& folder, const std::string& kind,
+                           const std::string& name_or_path);
+/// The same in several folders; the first that has the name counts.
+std::string findConfigFile(const std::vector<std::string>& folders, const std::string& kind,
                            const std::string& name_or_path);
 
 }  // namespace slam_ros

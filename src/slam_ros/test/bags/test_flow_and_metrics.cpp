@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -126,6 +128,24 @@ TEST(ConfigFile, AnUnknownNameIsAnsweredWithTheKnownOnes) {
     FAIL();
   } catch (const UnknownName& error) {
     EXPECT_NE(std::string(error.what()).find("there is no robot 'mine'"), std::string::npos);
+  }
+}
+
+TEST(ConfigFile, TheFirstFolderThatHasTheNameCounts) {
+  const std::string root = testing::TempDir() + "slam_ros_config_file/";
+  std::filesystem::remove_all(root);
+  for (const std::string folder : {"shipped", "own"})
+    std::filesystem::create_directories(root + folder);
+  for (const std::string file : {"shipped/a.yaml", "own/a.yaml", "own/b.yaml"})
+    std::ofstream(root + file) << "version: 1\n";
+  const std::vector<std::string> folders = {root + "shipped", "/nowhere", root + "own"};
+  EXPECT_EQ(findConfigFile(folders, "product", "a"), root + "shipped/a.yaml");
+  EXPECT_EQ(findConfigFile(folders, "product", "b"), root + "own/b.yaml");
+  try {
+    findConfigFile(folders, "product", "c");
+    FAIL();
+  } catch (const UnknownName& error) {
+    EXPECT_NE(std::string(error.what()).find("there are: a, b"), std::string::npos);
   }
 }
 

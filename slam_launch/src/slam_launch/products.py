@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Products: their files against the feature model, finding and writing them."""
+
+import dataclasses
+import re
+
+import yaml
+
+from . import config_files
+from .errors import ProductError
+from .feature_model import text
+
+WRITTEN = """\
+# A product of the SLAM product line; `./slam check {name}` checks it.
+"""
+IN_FILES = {"detector": "none"}  # what leaving a key out of a product file means, where the model
+#                                  has another default
+
+
+@dataclasses.dataclass(frozen=True)
+class Product:
+    """A valid product: what a product file holds, or would hold."""
+
+    name: str       # empty where there is no file
+    content: dict
+    features: dict  # complete
+
+
+def read(path, model):
+    """Returns the product of a file. Whatever is wrong with it is told with its path."""
+    content = config_files.load(path)
+    given = {key: value_text(value) for key, value in content.items()
+             if key in model.groups and value is not None}
+    for key, value in IN_FILES.items():
+        if key in model.groups:
+            given.setdefault(key, value)
+    try:
+        features = model.require_valid(given)
+        require_sections(content, features, model)
+    except ProductError as error:
+        raise ProductError(f"{path}: {error}") from error
+    return Product(path.stem, content, features)
+
+
+def value_text(value):
+    """YAML's true is the text true, as in an argument."""
+    return value if isinstance(value, (list, str)) else str(value).lower()
+
+
+def require_sections(content, features, model):
+    """Refuses parameters of features that are not chosen."""
+    for section, values in content.items():
+        needed = model.needed_by(section, features) if isinstance(values, dict) else None
+        if needed:
+            name = ".".join([section, *list(values)[:1]])
+            raise ProductError(f"{name} is a parameter of {needed}, which is not chosen: the "
+                               f"product is {text(features)}")
+
+
+def find(name_or_file, model):
+    return read(config_files.find("products", name_or_file), model)
+
+
+def named(model, report=lambda fault: None):
+    """Returns every valid product that has a name; what is wrong with other files is reported."""
+    found = []
+    for path in config_files.files("products").values():
+        try:
+            found.append(read(path, model))
+        except ProductError as fault:
+            report(fault)
+    return found
+
+
+def without_file(features, model, name=""):
+    """Returns the product with these features, as it would stand in a file."""
+    content = {"version": config_files.VERSION, "product": name or "_".join(
+        value for value in features.values() if value not in ("true", "false", "none")),
+               "sentence": f"The product {text(features)}.", **yaml_features(features),
+               "libraries": model.strings("LIBRARY_", features), "seed": 1}
+    return Product(name, content, dict(features))
+
+
+def yaml_features(features):
+    return {key: value == "true" if value in ("true", "false") else value
+            for key, value in features.items()}
+
+
+def with_features(features, model):
+    """Returns the first named product with these features, or one that differs in its detector,
+    given this one; else a product without a name."""
+    known = named(model)
+    for same in (lambda product: product.features,
+                 lambda product: {**product.features, **detector_of(features)}):
+        for product in known:
+            if same(product) == features:
+                return with_detector(product, features)
+    return without_file(features, model)
+
+
+def detector_of(features):
+    return {"detector": features["detector"]} if "detector" in features else {}
+
+
+def with_detector(product, features):
+    """Returns a product with the detector of other features; all detectors are alike to it."""
+    swapped = detector_of(features)
+    return Product(product.name, {**product.content, **swapped}, {**product.features, **swapped})
+
+
+def split_arguments(words):
+    """Returns the features and the parameters ({section: {key: text}}) of KEY=VALUE arguments."""
+    features, parameters = {}, {}
+    for word in words:
+        key, equals, value = word.partition("=")
+        key = key.rstrip(":")
+        section, dot, field = key.rpartition(".")
+        if not equals or not key or not value:
+            raise ProductError(f"'{word}' is not KEY=VALUE")
+        target = parameters.setdefault(section, {}) if dot else features
+        name = field if dot else key
+        if name in target:
+            raise ProductError(f"{key} is given twice, as {target[name]} and as {value}; a product "
+                               f"has exactly one")
+        target[name] = value
+    return features, parameters
+
+
+def make(name, words, model):
+    """Returns the product that KEY=VALUE arguments describe."""
+    given, parameters = split_arguments(words)
+    features = model.require_valid(given)
+    product = without_file(features, model, name)
+    product.content.update({section: {key: yaml.safe_load(value) for key, value in values.items()}
+                            for section, values in parameters.items()})
+    require_sections(product.content, features, model)
+    return product
+
+
+def write(product):
+    """Writes a product into the user's folder, for everybody who looks a name up; returns where."""
+    if not re.fullmatch(r"[A-Za-z]\w*", product.name, re.ASCII):
+        raise ProductError(f"'{product.name}' is no name of a product: letters, digits and _, a "
+                           "letter first")
+    taken = config_files.files("products").get(product.name)
+    if taken:
+        raise ProductError(f"there is a product '{product.name}' already, {taken}; give another "
+                           "name, or remove that file")
+    folder = config_files.user_products()
+    path = folder / f"{product.name}.yaml"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        path.write_text(WRITTEN.format(name=product.name) +
+                        yaml.safe_dump(product.content, sort_keys=False, width=100),
+                        encoding="utf-8")
+    except OSError as error:
+        raise ProductError(f"cannot write {path}: {error.strerror}") from error
+    return path

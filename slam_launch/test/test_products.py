@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Product files: what is refused and why, and that what is written is found again."""
+
+import os
+import pathlib
+import tempfile
+import unittest
+from unittest import mock
+
+from slam_launch import config_files, products
+from slam_launch.errors import ProductError
+from slam_launch.feature_model import FeatureModel
+import yaml
+
+HEAD = "version: 1\nproduct: mine\n"
+FEATURES = "backend: pf\nodometry: wheel\nmap: landmarks\ndetector: apriltag\n"
+
+
+class ProductFiles(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.model = FeatureModel()
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        home = mock.patch.dict(os.environ, {"XDG_CONFIG_HOME": folder.name})
+        home.start()
+        self.addCleanup(home.stop)
+
+    def read(self, content):
+        path = self.folder / "mine.yaml"
+        path.write_text(content, encoding="utf-8")
+        return products.read(path, self.model)
+
+    def expect_refusal(self, sentence, content):
+        with self.assertRaises(ProductError) as caught:
+            self.read(content)
+        self.assertIn(sentence, str(caught.exception))
+        self.assertIn(str(self.folder / "mine.yaml"), str(caught.exception))
+
+    def make(self, *words, name="mine"):
+        return products.make(name, words, self.model)
+
+
+class Reading(ProductFiles):
+    def test_the_shipped_ones_are_valid(self):
+        self.assertGreaterEqual(len(products.named(self.model, self.fail)), 6)
+
+    def test_takes_what_is_left_out_as_the_programs_without_ros_do(self):
+        product = self.read(HEAD + "backend: ekf\nodometry: visual\n")
+        self.assertEqual(product.features["detector"], "none")
+        self.assertEqual(product.features["map"], "landmarks")
+
+    def test_refuses_a_newer_version(self):
+        self.expect_refusal("has version 2, which is newer than this program",
+                            HEAD.replace("1", "2") + FEATURES)
+
+    def test_refuses_no_version(self):
+        self.expect_refusal("has no version; this program reads version 1", FEATURES)
+
+    def test_refuses_an_unknown_feature_and_names_the_nearest(self):
+        self.expect_refusal("odometry=wheels is not a feature; odometry is one of: wheel, visual",
+                            HEAD + FEATURES.replace("wheel", "wheels"))
+
+    def test_refuses_a_missing_mandatory_feature(self):
+        self.expect_refusal("needs odometry (one of:", HEAD + "backend: pf\n")
+
+    def test_refuses_two_of_a_one_of_group(self):
+        self.expect_refusal("backend is ekf and pf; a product has exactly one of: ",
+                            HEAD + "backend: [ekf, pf]\nodometry: wheel\n")
+        self.expect_refusal("backend stands there a second time",
+                            HEAD + FEATURES + "backend: ekf\n")
+
+    def test_refuses_a_parameter_of_a_feature_that_is_not_chosen(self):
+        self.expect_refusal("ekf.gate_probability is a parameter of backend=ekf, which is not "
+                            "chosen: the product is backend=pf",
+                            HEAD + FEATURES + "ekf: {gate_probability: 0.9}\n")
+        self.read(HEAD + FEATURES + "pf: {particles: 20}\n")
+
+    def test_reports_a_bad_file_among_the_named_ones_and_lists_the_others(self):
+        folder = config_files.user_products()
+        folder.mkdir(parents=True)
+        (folder / "mine.yaml").write_text(HEAD, encoding="utf-8")
+        faults = []
+        self.assertGreaterEqual(len(products.named(self.model, faults.append)), 6)
+        self.assertEqual(len(faults), 1)
+
+
+class Writing(ProductFiles):
+    def test_a_written_product_is_found_by_its_name(self):
+        written = self.make("backend=pf", "odometry=visual", "detector=aruco", "pf.particles=50")
+        path = products.write(written)
+        self.assertEqual(path, self.folder / "slam" / "products" / "mine.yaml")
+        found = products.find("mine", self.model)
+        self.assertEqual(found.features["detector"], "aruco")
+        self.assertEqual(found.content["pf"], {"particles": 50})
+        self.assertEqual(yaml.safe_load(path.read_text(encoding="utf-8")), found.content)
+        self.assertIn("mine", [product.name for product in products.named(self.model)])
+
+    def test_arguments_may_be_written_as_those_of_a_launch(self):
+        self.assertEqual(self.make("backend:=pf", "odometry:=wheel").features["backend"], "pf")
+
+    def expect_refusal_of(self, sentence, *words, name="mine"):
+        with self.assertRaises(ProductError) as caught:
+            products.write(self.make(*words, name=name))
+        self.assertIn(sentence, str(caught.exception))
+        self.assertFalse(config_files.user_products().exists())
+
+    def test_refuses_a_name_that_is_taken_or_is_none(self):
+        self.expect_refusal_of("there is a product 'pf_wheel' already", "backend=pf",
+                               "odometry=wheel", name="pf_wheel")
+        self.expect_refusal_of("'../x' is no name of a product", "backend=pf", "odometry=wheel",
+                               name="../x")
+
+    def test_refuses_what_is_given_twice(self):
+        self.expect_refusal_of("backend is given twice, as ekf and as pf", "backend=ekf",
+                               "backend=pf", "odometry=wheel")
+
+    def test_refuses_a_parameter_of_a_feature_that_is_not_chosen(self):
+        self.expect_refusal_of("pf.particles is a parameter of backend=pf, which is not chosen",
+                               "backend=ekf", "odometry=wheel", "pf.particles=50")
+
+    def test_refuses_a_word_without_a_value(self):
+        self.expect_refusal_of("'backend' is not KEY=VALUE", "backend")
+
+    def test_says_where_it_cannot_write(self):
+        (self.folder / "slam").write_text("a file", encoding="ascii")
+        with self.assertRaisesRegex(ProductError, "cannot write .*/slam/products/mine.yaml"):
+            products.write(self.make("backend=pf", "odometry=wheel"))
+
+
+class ByFeatures(ProductFiles):
+    def test_the_named_product_comes_first(self):
+        features = self.model.require_valid({"backend": "pf", "odometry": "wheel"})
+        self.assertEqual(products.with_features(features, self.model).name, "pf_wheel")
+
+    def test_another_detector_keeps_the_rest_of_a_named_product(self):
+        features = self.model.require_valid({"backend": "pf", "odometry": "wheel",
+                                             "detector": "aruco"})
+        product = products.with_features(features, self.model)
+        self.assertEqual((product.name, product.content["detector"]), ("pf_wheel", "aruco"))
+        self.assertIn("particles", product.content["pf"])
+
+
+if __name__ == "__main__":
+    unittest.main()
