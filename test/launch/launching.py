@@ -113,3 +113,13 @@ class SameAsOffline:
         self.assertEqual(ours["dropped_messages"], 0)
         self.assertEqual(ours["updates"], theirs["updates"])
         self.assertEqual(ours.keys(), theirs.keys())
+
+
+class Refusals:
+    """For a TestCase: launches that end before any node starts."""
+
+    def assert_refused(self, sentence, *arguments):
+        output, code = run_launch(*arguments)
+        self.assertNotEqual(code, 0)
+        self.assertIn(sentence, output)
+        self.assertNotIn("process[", output, "a node was started")

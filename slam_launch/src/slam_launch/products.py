@@ -88,25 +88,28 @@ def yaml_features(features):
 
 
 def with_features(features, model):
-    """Returns the first named product with these features, or one that differs in its detector,
-    given this one; else a product without a name."""
+    """Returns the first named product with these features, or one that differs in what can be
+    swapped, given these; else a product without a name."""
     known = named(model)
     for same in (lambda product: product.features,
-                 lambda product: {**product.features, **detector_of(features)}):
+                 lambda product: {**product.features, **swappable(features)}):
         for product in known:
             if same(product) == features:
-                return with_detector(product, features)
+                return swapped(product, features)
     return without_file(features, model)
 
 
-def detector_of(features):
-    return {"detector": features["detector"]} if "detector" in features else {}
+def swappable(features):
+    """Returns the detector and the modules: the rest of a product is the same with another."""
+    return {key: value for key, value in features.items()
+            if key == "detector" or value in ("true", "false")}
 
 
-def with_detector(product, features):
-    """Returns a product with the detector of other features; all detectors are alike to it."""
-    swapped = detector_of(features)
-    return Product(product.name, {**product.content, **swapped}, {**product.features, **swapped})
+def swapped(product, features):
+    """Returns a product with the detector and the modules of other features."""
+    changed = swappable(features)
+    return Product(product.name, {**product.content, **yaml_features(changed)},
+                   {**product.features, **changed})
 
 
 def split_arguments(words):

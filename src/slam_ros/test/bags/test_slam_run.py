@@ -67,11 +67,6 @@ class Launch(unittest.TestCase):
         self.assertIn("rate:=0", command)
         self.assertIn(f"product:={os.getcwd()}/p.yaml", command)
 
-    def test_names_the_features_of_the_product(self):
-        command = self.command()
-        for word in ("backend:=ekf", "odometry:=wheel", "map:=landmarks"):
-            self.assertIn(word, command)
-
     def test_passes_on_what_was_asked_for_without_a_colon_in_a_value(self):
         command = self.command("--set", "a.b=1", "c.d=2", "--set", "e.f=3", "--remap", "odom:=/w",
                                "--seed", "7", "--composition", "inprocess", "--rate", "3")
@@ -94,6 +89,17 @@ class Output(unittest.TestCase):
         self.assertEqual(self.of("a\n[INFO] x.bag is through\nb\n"),
                          ("a\n[INFO] x.bag is through\nb\n", True))
         self.assertEqual(self.of("a\nb"), ("a\nb", False))
+
+
+class InvalidProduct(unittest.TestCase):
+    def test_is_refused_before_anything_starts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            product = pathlib.Path(folder) / "p.yaml"
+            product.write_text(PRODUCT.replace("ekf", "efk"), encoding="ascii")
+            with self.assertRaisesRegex(slam_run.UsageError, "backend=efk.*did you mean 'ekf'"):
+                slam_run.require_product(str(product))
+            product.write_text(PRODUCT, encoding="ascii")
+            slam_run.require_product(str(product))
 
 
 class Online(unittest.TestCase):

@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What slam.launch asks before any node starts: is it a product, which robot, which parts."""
+
+import os
+import pathlib
+import time
+from xml.sax.saxutils import quoteattr
+
+from . import config_files, products
+from .errors import did_you_mean, ProductError
+from .feature_model import FeatureModel, text
+
+CHOICES = {"composition": ("pubsub", "inprocess"), "mode": ("slam", "localization"),
+           "camera_transport": ("auto", "raw", "compressed")}
+DEFAULTS = {"backend": "ekf", "odometry": "wheel"}  # of a launch without a product
+DRIVER = "wheel"  # the odometry whose transform a driver publishes
+OLD = 60  # [s], after which nobody reads a list of parts any more
+
+
+def check_values(arguments):
+    """Refuses values that no product could make good."""
+    for key, choices in CHOICES.items():
+        if arguments[key] not in choices:
+            raise ProductError(f"{key}:={arguments[key]} is not one of: {', '.join(choices)}"
+                               f"{did_you_mean(arguments[key], choices)}")
+    if arguments["mode"] == "localization" and not arguments["load_map"]:
+        raise ProductError("mode:=localization keeps a map fixed and needs one: load_map:=FILE")
+    for key, exists in (("load_map", os.path.exists), ("bag", os.path.isfile)):
+        if arguments[key] and not exists(arguments[key]):
+            raise ProductError(f"{key}:={arguments[key]}: there is no such file")
+    for key, number in (("rate", float), ("seed", int)):
+        try:
+            if arguments[key] and not 0 <= number(arguments[key]) < float("inf"):
+                raise ValueError
+        except ValueError:
+            raise ProductError(f"{key}:={arguments[key]} is not a number >= 0") from None
+
+
+def choose_product(arguments, model):
+    """Returns the product that the arguments name, by its name or by its features."""
+    given = {key: arguments[key].lower() for key in model.groups if arguments.get(key)}
+    if not arguments["product"]:
+        return products.with_features(model.require_valid({**DEFAULTS, **given}), model)
+    product = products.find(arguments["product"], model)
+    model.require_known(given)
+    product = products.swapped(product, {**product.features, **given})
+    if {**product.features, **given} != product.features:
+        raise ProductError(f"the product {arguments['product']} is {text(product.features)}, the "
+                           f"launch says {text(given)}; leave out the one or the other")
+    model.require_valid(product.features)
+    return product
+
+
+def configured(product, arguments, model):
+    """Returns the content for the parameter server; the mode is the launch's."""
+    products.require_sections(sections_of(arguments["set"]), product.features, model)
+    backend = product.features["backend"]
+    section = {**(product.content.get(backend) or {}), "mode": arguments["mode"]}
+    return {**product.content, backend: section}
+
+
+def sections_of(overrides):
+    """Returns the sections of SECTION.KEY=VALUE ..., each with the first key that is set."""
+    names = [word.partition("=")[0].rpartition(".") for word in overrides.split()]
+    return {section: {key: None} for section, _, key in reversed(names) if section}
+
+
+def parts(product, arguments, model):
+    """Returns PACKAGE/FILE of each launch file that makes up the product."""
+    if arguments["composition"] == "pubsub":
+        files = model.strings("LAUNCH_", product.features)
+    else:
+        files = ["slam_launch/launch/inprocess.launch"]
+    return files + (["slam_launch/launch/bag_source.launch"] if arguments["bag"] else [])
+
+
+def common_arguments(product, arguments):
+    """Returns the arguments of the parts beyond those of slam.launch itself."""
+    by_default = arguments["bag"] or product.features["odometry"] != DRIVER
+    with_pointmap = product.features.get("pointmap") == "true"
+    return {"transport": arguments["camera_transport"],
+            "waits_for_pointmap":
+                "true" if with_pointmap and arguments["composition"] == "pubsub" else "false",
+            "publish_tf": arguments["publish_tf"] or ("true" if by_default else "false")}
+
+
+def launch_file(files, arguments):
+    """Returns a launch file that includes others."""
+    common = "".join(f"    <arg name={quoteattr(name)} value={quoteattr(value)}/>\n"
+                     for name, value in arguments.items())
+    includes = "".join(f"  <include file={quoteattr(f'$(find {package})/{file}')} "
+                       f'pass_all_args="true">\n{common}  </include>\n'
+                       for package, _, file in (name.partition("/") for name in files))
+    return f"<launch>\n{includes}</launch>\n"
+
+
+def write_parts(path, content):
+    """Writes the file that slam.launch includes next, and removes what earlier launches left."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        for other in path.parent.glob("*.launch"):
+            if other.stat().st_mtime < time.time() - OLD:
+                other.unlink(missing_ok=True)
+        path.write_text(content, encoding="utf-8")
+    except OSError as error:
+        raise ProductError(f"cannot write {path}, the list of the product's parts: "
+                           f"{error.strerror}") from error
+
+
+def product_for(arguments):
+    """Checks a launch's arguments; returns the product's content and writes its parts' file."""
+    check_values(arguments)
+    model = FeatureModel()
+    product = choose_product(arguments, model)
+    content = configured(product, arguments, model)
+    write_parts(pathlib.Path(arguments["parts"]),
+                launch_file(parts(product, arguments, model), common_arguments(product, arguments)))
+    return content
+
+
+def robot_of_bag(path):
+    """Returns the robot that a bag names, or None."""
+    import rosbag  # takes a while, and is seldom needed
+    try:
+        with rosbag.Bag(path) as bag:
+            return next((m.data for _, m, _ in bag.read_messages(topics=["/robot", "robot"])), None)
+    except (OSError, rosbag.ROSBagException) as error:
+        raise ProductError(f"cannot read the bag {path}: {error}") from error
+
+
+def robot_for(arguments):
+    """Returns the content of the robot file that is given, or that the bag names."""
+    name = arguments["robot"]
+    if not name and arguments["bag"]:
+        name = robot_of_bag(arguments["bag"])
+    if not name:
+        raise ProductError("no robot is given and no bag names one; give robot:=NAME or "
+                           f"robot:=FILE, there are: {', '.join(config_files.files('robots'))}")
+    return config_files.load(config_files.find("robots", name))
