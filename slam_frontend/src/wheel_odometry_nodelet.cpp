@@ -11,8 +11,7 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "slam_core/product/product_config.hpp"
-#include "slam_core/wheel_odometry/wheel_odometry.hpp"
+#include "slam_core/product/product_components.hpp"
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/conversions.hpp"
@@ -41,7 +40,8 @@ struct NodeletConfig {
 
 }  // namespace
 
-/// `odom`, or the transform odom -> base where that is all, in; `motion` out.
+/// `odom`, or the transform odom -> base where that is all, in; `motion` out, by the
+/// odometry source that the product names.
 class WheelOdometryNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
@@ -50,12 +50,16 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
 
   void initialise(ros::NodeHandle handle) {
     auto settings = slam_ros::settingsFromRos(handle);
+    const auto product = settings.read<slam::ProductConfig>();
     topics_ = settings.read<slam_ros::TopicsConfig>();
     frames_ = settings.read<slam::FramesConfig>();
-    odometry_.configure(settings);
+    slam::loadLibraries(product.libraries);
+    odometry_ = slam::makeOdometry(product);
+    odometry_->configure(settings);
+    odometry_->seed(product.seed);
     publish_tf_ = slam_ros::parametersFromRos<NodeletConfig>(getPrivateNodeHandle()).publish_tf;
     diagnostics_.emplace(handle, getPrivateNodeHandle(), getName(),
-                         slam_ros::Diagnostics::Sources{[this] { return odometry_.counters(); },
+                         slam_ros::Diagnostics::Sources{[this] { return odometry_->counters(); },
                                                         [this] { return waiting(); }});
     motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, kMotionQueue);
     odom_.emplace(handle,
@@ -66,14 +70,14 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
-    if (clock_.hasJumpedBack()) odometry_.reset();
+    if (clock_.hasJumpedBack()) odometry_->reset();
     const auto fault = slam_ros::saysNoPose(message) ? "" : slam_ros::poseFault(message);
     if (!fault.empty()) diagnostics_->warn(odom_->source() + ": " + fault + "; its twist is used");
     auto sample = slam_ros::fromMsg(message);
     frames_.complete(sample.odometry_frame, sample.base_frame);
-    odometry_.set(sample);
-    diagnostics_->report(odom_->source(), odometry_.execute());
-    if (odometry_.motion()) publish(*odometry_.motion());
+    odometry_->set(sample);
+    diagnostics_->report(odom_->source(), odometry_->execute());
+    if (odometry_->motion()) publish(*odometry_->motion());
   }
 
   void publish(const slam::Motion& motion) {
@@ -85,7 +89,7 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
 
   std::string waiting() const { return odom_ ? odom_->waiting() : ""; }
 
-  slam::wheel_odometry::WheelOdometry odometry_;
+  std::unique_ptr<slam::OdometrySource> odometry_;
   slam_ros::TopicsConfig topics_;
   slam::FramesConfig frames_;
   slam_ros::ClockWatch clock_;
