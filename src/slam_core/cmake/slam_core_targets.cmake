@@ -37,8 +37,8 @@ function(slam_core_install)
   list(TRANSFORM ARG_LIBRARIES PREPEND slam_core_ OUTPUT_VARIABLE targets)
   install(TARGETS ${targets} EXPORT slam_core_targets LIBRARY DESTINATION lib)
   foreach(name IN LISTS ARG_LIBRARIES ITEMS contract)
-    install(DIRECTORY ${name} DESTINATION include/slam_core FILES_MATCHING PATTERN "*.hpp"
-            PATTERN test EXCLUDE)
+    # those of the tests as well: other packages' back-ends pass the contract suite, too
+    install(DIRECTORY ${name} DESTINATION include/slam_core FILES_MATCHING PATTERN "*.hpp")
   endforeach()
   install(TARGETS ${ARG_PROGRAMS} DESTINATION lib/slam_core)
   install(EXPORT slam_core_targets NAMESPACE slam_core:: DESTINATION share/slam_core/cmake)
