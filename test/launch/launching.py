@@ -123,3 +123,28 @@ class Refusals:
         self.assertNotEqual(code, 0)
         self.assertIn(sentence, output)
         self.assertNotIn("process[", output, "a node was started")
+
+
+class ReplayOfProduct(SameAsOffline):
+    """For a TestCase with the name of a product: both compositions do what the offline run does."""
+
+    product = None
+    seconds = 5  # of the log
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = pathlib.Path(folder.name)
+        make_demo_bag(cls.root / "whole.bag")
+        cut_bag(cls.root / "whole.bag", cls.root / "short.bag", 0, cls.seconds)
+        run_offline(cls.root / "short.bag", cls.root / "offline", product=cls.product)
+
+    def test_launches_in_both_compositions_as_offline(self):
+        for composition in ("pubsub", "inprocess"):
+            with self.subTest(composition):
+                run = self.root / composition
+                output, _ = run_launch(f"product:={self.product}", f"bag:={self.root}/short.bag",
+                                       "rate:=0", f"composition:={composition}",
+                                       f"output_dir:={run}")
+                self.assert_same_runs(run, self.root / "offline", output)

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <pluginlib/class_list_macros.hpp>
+#include <slam_ros/backend_nodelet.hpp>
+
+#include "toy_backend.hpp"
+
+namespace slam_backend_toy {
+
+class ToyNodelet final : public slam_ros::BackendNodelet {
+ private:
+  std::unique_ptr<slam::Backend> makeBackend() const override {
+    return std::make_unique<slam_toy::ToyBackend>();
+  }
+};
+
+}  // namespace slam_backend_toy
+
+PLUGINLIB_EXPORT_CLASS(slam_backend_toy::ToyNodelet, nodelet::Nodelet)

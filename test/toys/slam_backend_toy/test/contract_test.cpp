@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/test/backend_contract.hpp"
+
+namespace slam::test {
+
+INSTANTIATE_TEST_SUITE_P(Toy, BackendContract, testing::Values(Variant{"toy", "toy", {}}),
+                         variantName);
+
+}  // namespace slam::test
