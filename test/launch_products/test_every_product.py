@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every product that the feature model allows is launched on a few seconds of the office, and
+publishes what its features promise."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from launching import free_port, program
+import rosbag
+from slam_launch import products
+from slam_launch.feature_model import FeatureModel, text
+import yaml
+
+SECONDS = 4  # of the drive, replayed at the robot's own speed
+BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
+ALWAYS = {"/pose", "/path", "/landmarks", "/landmark_markers", "/tf"}
+PROMISED = {"backend=pf": {"/particlecloud"},
+            "pointmap=true": {"/points"},
+            "odometry=visual": {"/visual_odometry/odom"},
+            "odometry=visual_wheel": {"/visual_odometry/odom"}}
+RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def promised(features, composition):
+    named = [f"{key}={value}" for key, value in features.items()]
+    own = ALWAYS.union(*(PROMISED.get(name, set()) for name in named))
+    return own | BETWEEN if composition == "pubsub" else own
+
+
+def launch(product, bag, record, composition):
+    """Returns what a launch printed; what it published stands in the bag `record`."""
+    port = free_port()
+    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+    return subprocess.run(["roslaunch", "-p", str(port), HERE / "recorded.launch",
+                           f"product:={product}", f"bag:={bag}", f"record:={record}",
+                           f"composition:={composition}", f"topics:={' '.join(sorted(RECORDED))}"],
+                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, timeout=100, check=False).stdout
+
+
+def published(record):
+    """Returns the topics of a bag; of /tf only where it holds map -> odom."""
+    with rosbag.Bag(str(record)) as bag:
+        topics = {topic for topic, message, _ in bag.read_messages() if topic != "/tf"}
+        corrections = [True for _, message, _ in bag.read_messages(topics=["/tf"])
+                       for edge in message.transforms if edge.header.frame_id == "map"]
+    return topics | ({"/tf"} if corrections else set())
+
+
+def simulate(path):
+    subprocess.run([program("slam_sim", "slam_sim"), path, "--duration", str(SECONDS), "--only",
+                    "odom,scan,camera,ceiling_camera"], check=True, stdout=subprocess.DEVNULL)
+
+
+def with_observations(bag, record, path):
+    """Writes a bag that has the recorded observations instead of the camera's images."""
+    with rosbag.Bag(str(bag)) as images, rosbag.Bag(str(record)) as made, \
+            rosbag.Bag(str(path), "w") as both:
+        messages = [entry for entry in images.read_messages()
+                    if not entry.topic.startswith("/camera/")]
+        messages += made.read_messages(topics=["/observations"])
+        for topic, message, stamp in sorted(messages, key=lambda entry: entry.timestamp.to_nsec()):
+            both.write(topic, message, stamp)
+
+
+class EveryProductTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = pathlib.Path(folder.name)
+        simulate(cls.root / "images.bag")
+        launch("ekf_wheel", cls.root / "images.bag", cls.root / "made.bag", "pubsub")
+        with_observations(cls.root / "images.bag", cls.root / "made.bag",
+                          cls.root / "observations.bag")
+        cls.model = FeatureModel()
+
+    def bag_for(self, features):
+        """A product without a detector needs observations that others made."""
+        return self.root / ("observations.bag" if features["detector"] == "none" else "images.bag")
+
+    def assert_keeps_its_promise(self, features, composition):
+        product = self.root / "product.yaml"
+        product.write_text(yaml.safe_dump(products.without_file(features, self.model).content),
+                           encoding="utf-8")
+        record = self.root / "record.bag"
+        record.unlink(missing_ok=True)
+        output = launch(product, self.bag_for(features), record, composition)
+        self.assertTrue(record.exists(), output)
+        inputs = BETWEEN if composition == "inprocess" else set()  # a bag may bring observations
+        self.assertEqual(published(record) - inputs, promised(features, composition), output)
+        self.assertNotIn("exit code -", output)  # of a crash
+
+    def test_publishes_what_its_features_promise(self):
+        valid = self.model.valid()
+        self.assertGreaterEqual(len(valid), 12)
+        for number, features in enumerate(valid):
+            composition = ("pubsub", "inprocess")[number % 5 == 4]
+            with self.subTest(text(features), composition=composition):
+                self.assert_keeps_its_promise(features, composition)
+
+
+if __name__ == "__main__":
+    unittest.main()
