@@ -20,6 +20,7 @@ BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
 ALWAYS = {"/pose", "/path", "/landmarks", "/landmark_markers", "/tf"}
 PROMISED = {"backend=pf": {"/particlecloud"},
             "pointmap=true": {"/points"},
+            "map=grid": {"/map", "/map_metadata"},
             "odometry=visual": {"/visual_odometry/odom"},
             "odometry=visual_wheel": {"/visual_odometry/odom"}}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
