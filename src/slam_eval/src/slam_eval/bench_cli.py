@@ -11,10 +11,10 @@ import signal
 import sys
 import tempfile
 
-from slam_eval import (bench_consistency, bench_demo, bench_fiducial, bench_landmarks, bench_mrclam,
-                       bench_office, bench_online, bench_options, bench_pf_circles,
-                       bench_pf_mrclam, bench_pf_office, bench_pf_threads, bench_pf_update,
-                       bench_pointmap, bench_update, bench_vo)
+from slam_eval import (bench_consistency, bench_demo, bench_fiducial, bench_grid, bench_grid_scan,
+                       bench_grid_sena, bench_landmarks, bench_mrclam, bench_office, bench_online,
+                       bench_options, bench_pf_circles, bench_pf_mrclam, bench_pf_office,
+                       bench_pf_threads, bench_pf_update, bench_pointmap, bench_update, bench_vo)
 from slam_eval.atomic_file import write_atomically
 from slam_eval.bench_error import BenchError
 from slam_eval.bench_progress import Progress
@@ -43,6 +43,12 @@ BENCHMARKS = {
         {'mrclam': bench_pf_mrclam.measure, 'office': bench_pf_office.measure,
          'circles': bench_pf_circles.measure, 'update': bench_pf_update.measure,
          'threads': bench_pf_threads.measure}, bench_options.add_pf),
+    'grid': Benchmark(
+        'grid maps', 'the particle filter with grid maps on real logs and simulations, beside '
+        'MRPT\'s',
+        {'intel': bench_grid.measure_intel, 'sena': bench_grid_sena.measure,
+         'office': bench_grid.measure_office, 'scan': bench_grid_scan.measure,
+         'threads': bench_pf_threads.measure_grid}, bench_options.add_grid),
     'pointmap': Benchmark(
         'the point map', 'what a scan into a point map costs, and how thick its walls are',
         {'scan': bench_pointmap.measure_scan, 'office': bench_pointmap.measure_office},

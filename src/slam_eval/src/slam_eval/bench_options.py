@@ -85,6 +85,17 @@ def add_pf(parser):
                         'else in shared/data beside the repository)')
 
 
+def add_grid(parser):
+    """Options of `slam_bench grid`."""
+    parser.add_argument('--laser', metavar='DIR', type=_folder,
+                        help='folder of intel.clf and intel.relations (default: laser in '
+                        '$SLAM_DATA_DIR, else in shared/data beside the repository)')
+    parser.add_argument('--seeds', metavar='N', type=count, default=3,
+                        help='runs of the part intel, with the seeds 1 to N (%(default)s)')
+    parser.add_argument('--drives', metavar='N', type=count, default=3,
+                        help='simulated drives of the part office (%(default)s)')
+
+
 def add_pointmap(parser):
     """Options of `slam_bench pointmap`."""
     parser.add_argument('--seeds', metavar='N', type=count, default=3,

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Part threads of benchmark pf: the files of a run for other numbers of threads, byte by byte."""
+"""Part threads of benchmarks pf and grid: the files of a run for other numbers of threads, byte
+by byte."""
 import hashlib
 
 from slam_eval.bench_office import SENSORS
@@ -9,11 +10,12 @@ from slam_eval.bench_table import Section, table
 
 THREADS = (1, 2, 4)
 FILES = ('trajectory.tum', 'trajectory_final.tum', 'landmarks.yaml')
+GRID_FILES = (*FILES, 'map.pgm', 'map.yaml')
 
 
-def digests(folder):
+def digests(folder, files=FILES):
     """The SHA-256 of each file of a run that its result is in."""
-    return tuple(hashlib.sha256((folder / name).read_bytes()).hexdigest() for name in FILES)
+    return tuple(hashlib.sha256((folder / name).read_bytes()).hexdigest() for name in files)
 
 
 def verdict(rows):
@@ -22,15 +24,24 @@ def verdict(rows):
     return f'- the same bytes for any number of threads: {"reached" if same else "MISSED"}'
 
 
-def measure(context):
-    """The section of this part."""
-    bag = simulate(context, 'threads', 'office', 1, SENSORS)
-    rows = [(threads, digests(run_ours(context, f'threads_{threads}', bag, product='pf_wheel',
-                                       settings=(f'pf.threads={threads}',))[0]))
+def _measure(context, product, sensors, files):
+    bag = simulate(context, 'threads', 'office', 1, sensors)
+    rows = [(threads, digests(run_ours(context, f'threads_{threads}', bag, product=product,
+                                       settings=(f'pf.threads={threads}',))[0], files))
             for threads in THREADS]
     section = Section('Threads')
     section.paragraphs += [
-        table(['threads', *FILES], [[str(threads), *(d[:12] for d in digest)]
+        table(['threads', *files], [[str(threads), *(d[:12] for d in digest)]
                                     for threads, digest in rows]),
         verdict(rows), 'The beginning of the SHA-256 of the files of a run, office, seed 1.']
     return section
+
+
+def measure(context):
+    """The section of this part of benchmark pf."""
+    return _measure(context, 'pf_wheel', SENSORS, FILES)
+
+
+def measure_grid(context):
+    """The section of this part of benchmark grid."""
+    return _measure(context, 'pf_wheel_grid', f'{SENSORS},scan', GRID_FILES)
