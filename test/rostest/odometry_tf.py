@@ -58,6 +58,7 @@ class OdometryTransformTest(unittest.TestCase):
         self.assertEqual([p.header.stamp for p in self.player.get("pose")][:len(arrays)], arrays)
         odometry = [m for topic, m in part if topic == "/odom"]
         sent = {(m.header.stamp, m.pose.pose.position.x) for m in odometry}
+        wait_for(lambda: set(self.edges()) >= sent)
         self.assertEqual(set(self.edges()), sent, "only the driver publishes this transform")
         end, last = self.player.get("pose")[-1].pose.pose.position, odometry[-1].pose.pose.position
         self.assertLess(math.hypot(end.x - last.x, end.y - last.y), 1.0)

@@ -43,6 +43,7 @@ class ReplayTest(unittest.TestCase):
         wait_for(lambda: len(cls.player.get("pose")) >= len(cls.arrays) and
                  len(cls.player.get("path")) > 0 and
                  len(cls.player.get("path")[-1].poses) >= len(cls.arrays) and
+                 cls.player.get("landmarks")[-1].header.stamp == cls.arrays[-1].header.stamp and
                  cls.player.counters("slam").get("message") == "running")
         cls.full = {topic: cls.player.get(topic) for topic in cls.player.received}
 
