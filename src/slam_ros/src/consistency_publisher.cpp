@@ -17,8 +17,7 @@ constexpr std::size_t kMostPending = 100;
 
 ConsistencyPublisher::ConsistencyPublisher(ros::NodeHandle handle, Diagnostics& diagnostics,
                                            const slam::ConsistencyMonitor& monitor)
-    : monitor_(monitor),
-      publisher_(handle.advertise<slam_msgs::Consistency>("consistency", 100)) {
+    : monitor_(monitor), publisher_(handle.advertise<slam_msgs::Consistency>("consistency", 100)) {
   diagnostics.add("consistency", [this](auto& status) { fill(status); });
 }
 
