@@ -5,7 +5,8 @@ import dataclasses
 
 import numpy as np
 
-from slam_eval.bench_pf_variants import DEFAULT, EKF, FEW, MANY, few_verdict
+from slam_eval.bench_pf_variants import (DEFAULT, EKF, FEW, MANY, OTHER_EKFS,
+                                         few_verdict)
 from slam_eval.bench_programs import data_folder
 from slam_eval.bench_runs import import_log, run_ours
 from slam_eval.bench_table import Section, number, table, verdict
@@ -71,7 +72,7 @@ def measure(context):
                               ['mrclam', data, '--robot', str(robot)])
             for robot in ROBOTS}
     of = {variant.name: summary(run_variant(context, variant, bags))
-          for variant in (EKF, DEFAULT, FEW, MANY)}
+          for variant in (EKF, *OTHER_EKFS, DEFAULT, FEW, MANY)}
     lines = [[name, *(number(x, f) for x, f in zip(values, FORMS))] for name, values in of.items()]
     section.paragraphs += [table(HEADER, lines), verdicts(of),
                            f'{data.name}: means over five robots and '

@@ -23,6 +23,8 @@ class Variant:
 
 
 EKF = Variant('ekf', 'ekf_wheel', (), random=False)
+OTHER_EKFS = tuple(Variant(f'ekf, {name}', 'ekf_wheel', (f'ekf.linearization={name}',),
+                           random=False) for name in ('textbook', 'first_estimates'))
 DEFAULT = Variant('pf, 100 particles', 'pf_wheel', ('pf.particles=100',))
 FEW = Variant('fastslam2, 30 particles', 'pf_wheel',
               ('pf.particles=30', 'pf.proposal=fastslam2'))
