@@ -45,8 +45,8 @@ struct UpdateStatistics {
   int added = 0;      ///< landmarks seen for the first time
   int unknown = 0;    ///< without an id, or not in a fixed map; left out
   int landmarks = 0;  ///< in the map after the step
-  /// Of the observations of known landmarks: log N(nu; 0, S); a gated one counts as one that lies
-  /// at the gate.
+  /// Of the observations of known landmarks: log N(nu; 0, S). Outside the gate the density falls
+  /// like a power of the distance instead, so that an outlier costs more the smaller S is.
   double log_likelihood = 0.0;
   /// One by one, those that were gated included; in the order of the observations.
   std::vector<ObservationInnovation> innovations;

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace slam::ekf {
@@ -43,6 +44,11 @@ Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
   return association;
 }
 
+double outlierLogLikelihood(double gate, double nis, const Eigen::Matrix2d& S) {
+  return -0.5 * gate - (1.0 + 0.5 * gate) * std::log(nis / gate) - std::log(2.0 * M_PI) -
+         0.5 * std::log(S.determinant());
+}
+
 /// Where the prediction is far off, a right observation may fail its gate for the linearisation
 /// alone: the second look is iterated.
 bool KnownIdAssociation::passesGate(const Match& match, const EkfState& state,
@@ -51,25 +57,21 @@ bool KnownIdAssociation::passesGate(const Match& match, const EkfState& state,
   const auto predicted = model.predict(state.robot(), sensor, state.point(match.slot).now);
   if (model.isSingular(predicted)) return false;
   const std::vector<Match> one = {match};
+  std::optional<ObservationInnovation> seen;
+  double nis = 0.0;
   const auto look = [&](int limit) {
     const ObservationUpdate update(model, state, sensor, one, limit);
     if (!update.isSolved()) return false;
-    const bool passes = update.nis() <= gate_;
-    association.innovations.push_back(
-        {match.z.id, update.innovation(0), update.covariance(0), match.z.covariance, passes});
-    return passes;
+    nis = update.nis();
+    seen = {match.z.id, update.innovation(0), update.covariance(0), match.z.covariance,
+            nis <= gate_};
+    return seen->used;
   };
-  const auto before = association.innovations.size();
-  if (look(1)) return true;
-  if (linearizations > 1) {
-    association.innovations.resize(before);
-    if (look(linearizations)) return true;
-  }
-  if (association.innovations.size() > before)
-    association.gated_log_likelihood -=
-        0.5 * (gate_ + 2.0 * std::log(2.0 * M_PI) +
-               std::log(association.innovations.back().S.determinant()));
-  return false;
+  const bool passes = look(1) || (linearizations > 1 && look(linearizations));
+  if (!seen) return false;
+  association.innovations.push_back(*seen);
+  if (!passes) association.gated_log_likelihood += outlierLogLikelihood(gate_, nis, seen->S);
+  return passes;
 }
 
 }  // namespace slam::ekf

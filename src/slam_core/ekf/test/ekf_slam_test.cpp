@@ -164,6 +164,36 @@ TEST_F(EkfUpdate, GatesAtTheQuantileOfItsProbability) {
   }
 }
 
+TEST_F(EkfUpdate, AnOutlierIsLessLikelyTheSharperItsSensorIsSaidToBe) {
+  double last = 0.0;
+  for (const double sigma : {0.1, 0.05, 0.02, 0.01, 0.001}) {
+    ekf.configure(EkfConfig());
+    auto first = observation(1, 2.0, 0.1), outlier = observation(1, 4.0, 0.1);
+    first.covariance = outlier.covariance = sigma * sigma * Eigen::Matrix2d::Identity();
+    see({first});
+    const auto statistics = see({outlier});
+    ASSERT_EQ(statistics.gated, 1);
+    ASSERT_TRUE(last == 0.0 || statistics.log_likelihood < last - 1.0) << sigma;
+    last = statistics.log_likelihood;
+  }
+}
+
+TEST(OutlierLogLikelihood, IsADensityTogetherWithTheNormalOneInsideTheGate) {
+  Eigen::Matrix2d S;
+  S << 0.04, 0.01, 0.01, 0.09;
+  for (const double probability : {0.3, 0.5, 0.9, 0.9999}) {
+    const double gate = -2.0 * std::log(1.0 - probability), root = std::sqrt(S.determinant());
+    const double at_gate = -0.5 * gate - std::log(2.0 * M_PI * root);
+    EXPECT_NEAR(outlierLogLikelihood(gate, gate, S), at_gate, 1e-12);
+    // An ellipse of squared distance d has the area pi d root.
+    double outside = 0.0;
+    constexpr double kStep = 1e-3;  // of log d
+    for (double log_d = std::log(gate) + 0.5 * kStep; log_d < 60.0; log_d += kStep)
+      outside += std::exp(outlierLogLikelihood(gate, std::exp(log_d), S) + log_d) * M_PI * root;
+    EXPECT_NEAR(outside * kStep, 1.0 - probability, 1e-5 * (1.0 - probability));
+  }
+}
+
 TEST_F(EkfUpdate, LeavesOutObservationsWithoutIdAndCountsThem) {
   const auto statistics =
       see({observation(kUnknownId, 1, 0), observation(kUnknownId, 2, 0), observation(3, 2, 1)});
