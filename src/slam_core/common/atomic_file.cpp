@@ -32,21 +32,39 @@ bool writeAll(int descriptor, const std::string& content) {
   return ::fsync(descriptor) == 0;
 }
 
+std::string temporaryOf(const std::string& path) {
+  return path + ".part" + std::to_string(::getpid());
+}
+
+/// The temporary file beside it.
+int openBeside(const std::string& path) {
+  // Renaming would replace a device like /dev/null, and root may do that.
+  struct stat target {};
+  const bool exists = ::stat(path.c_str(), &target) == 0;
+  if (exists && S_ISDIR(target.st_mode)) fail(path, temporaryOf(path), EISDIR);
+  if (exists && !S_ISREG(target.st_mode))
+    throw std::runtime_error("cannot write " + path + ": it is no ordinary file");
+  const auto temporary = temporaryOf(path);
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor < 0) fail(path, temporary, errno);
+  return descriptor;
+}
+
 }  // namespace
 
 void writeFileAtomically(const std::string& path, const std::string& content) {
-  // Renaming would replace a device like /dev/null, and root may do that.
-  struct stat target {};
-  if (::stat(path.c_str(), &target) == 0 && !S_ISREG(target.st_mode) && !S_ISDIR(target.st_mode))
-    throw std::runtime_error("cannot write " + path + ": it is no ordinary file");
-  const std::string temporary = path + ".part" + std::to_string(::getpid());
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) fail(path, temporary, errno);
+  const int descriptor = openBeside(path);
+  const auto temporary = temporaryOf(path);
   const bool complete = writeAll(descriptor, content);
   const int write_error = errno;
   const bool closed = ::close(descriptor) == 0;
   if (!complete || !closed) fail(path, temporary, complete ? errno : write_error);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+}
+
+void requireWritable(const std::string& path) {
+  ::close(openBeside(path));
+  ::unlink(temporaryOf(path).c_str());
 }
 
 }  // namespace slam

@@ -12,4 +12,9 @@ namespace slam {
 /// @throw std::runtime_error naming the file and the cause (full disk, no permission)
 void writeFileAtomically(const std::string& path, const std::string& content);
 
+/// Tells what would keep writeFileAtomically() from it, before there is anything to write. Nothing
+/// is changed.
+/// @throw std::runtime_error as that
+void requireWritable(const std::string& path);
+
 }  // namespace slam

@@ -96,5 +96,20 @@ TEST(AtomicFile, DoesNotReplaceADevice) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
+TEST(AtomicFile, TellsBeforehandWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "folder");
+  const auto sentence = [&](const char* name) {
+    return sentenceOf([&] { requireWritable(folder / name); });
+  };
+  EXPECT_TRUE(test::oneSays({sentence("nowhere/map.yaml")}, {"No such file or directory"}));
+  EXPECT_TRUE(test::oneSays({sentence("folder")}, {"Is a directory"}));
+  const auto path = folder.write("map.yaml", "old");
+  requireWritable(path);
+  requireWritable(folder / "new.yaml");
+  EXPECT_EQ(contentOf(path), "old");
+  EXPECT_EQ(folder.files(), 2u);
+}
+
 }  // namespace
 }  // namespace slam
