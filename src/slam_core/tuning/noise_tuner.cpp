@@ -52,7 +52,7 @@ TunedParameter parameterOf(const std::string& name, Settings settings) {
                       "' is no number of the sections wheel_odometry and landmark_sensor of a "
                       "robot file");
   parameter.before = *value;
-  parameter.value = std::max(*value, kSmallStart);
+  parameter.value = *value > 0.0 ? *value : kSmallStart;
   return parameter;
 }
 
@@ -198,11 +198,10 @@ bool NoiseTuner::refine(TuningResult& result, const Progress& progress) const {
       },
       start);
   result.has_converged = maximum.has_converged;
-  const auto marginal = marginalSigmas(maximum.information);
   for (Eigen::Index i = 0; i < start.size(); ++i) {
     auto& parameter = *seen[static_cast<std::size_t>(i)];
     parameter.value = std::exp(maximum.log_parameters(i));
-    parameter.sigma = parameter.value * marginal(i);
+    parameter.sigma = parameter.value * maximum.sigmas(i);
   }
   Eigen::Index worst = 0;
   if (conditionalSigmas(maximum.information).maxCoeff(&worst) < kUnseen) return true;
@@ -210,14 +209,22 @@ bool NoiseTuner::refine(TuningResult& result, const Progress& progress) const {
   return false;
 }
 
+std::vector<TunedParameter> NoiseTuner::start(const std::vector<std::string>& names) const {
+  std::vector<TunedParameter> parameters;
+  std::set<std::string> known;
+  for (const auto& name : names) {
+    if (!known.insert(name).second) throw ConfigError("'" + name + "' is to be tuned twice");
+    parameters.push_back(parameterOf(name, make_settings_({})));
+  }
+  return parameters;
+}
+
 TuningResult NoiseTuner::run(const std::vector<std::string>& names,
                              const Progress& progress) const {
   requireEvidence();
   TuningResult result;
-  for (const auto& name : names) {
-    result.parameters.push_back(parameterOf(name, make_settings_({})));
-    result.parameters.back().why_unseen = whyUnseen(result.parameters.back());
-  }
+  result.parameters = start(names);
+  for (auto& parameter : result.parameters) parameter.why_unseen = whyUnseen(parameter);
   result.log_likelihood_before = evaluate({}).sum();
   while (!refine(result, progress)) continue;
   for (auto& parameter : result.parameters) {

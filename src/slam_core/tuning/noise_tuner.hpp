@@ -53,9 +53,14 @@ class NoiseTuner {
   /// file has it.
   std::vector<std::string> defaultParameters() const;
 
+  /// The parameters as the robot file has them, before a search over them.
+  /// @param names "section.key"
+  /// @throw ConfigError where a name is none, or stands there twice
+  std::vector<TunedParameter> start(const std::vector<std::string>& names) const;
+
   /// @param parameters "section.key"
   /// @throw std::runtime_error naming the log: there are no observations, no odometry, or no
-  /// landmark that is seen twice; ConfigError where a parameter is none
+  /// landmark that is seen twice; ConfigError as start()
   TuningResult run(const std::vector<std::string>& parameters, const Progress& progress = {}) const;
 
  private:

@@ -7,8 +7,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <map>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/motion_model.hpp"
 #include "slam_core/tuning/maximum_likelihood.hpp"
 #include "slam_core/tuning/robot_file_text.hpp"
@@ -67,6 +69,13 @@ Settings wrongSettings(const std::vector<std::string>& overrides) {
   return Settings({}, {}, all);
 }
 
+std::vector<std::string> rightMotion(std::vector<std::string> overrides) {
+  for (const auto& [key, value] :
+       {std::pair("alpha1", kAlpha1), {"alpha3", kAlpha3}, {"alpha4", kAlpha4}})
+    overrides.push_back(std::string("wheel_odometry.") + key + "=" + std::to_string(value));
+  return overrides;
+}
+
 const TunedParameter& find(const TuningResult& result, const std::string& key) {
   for (const auto& parameter : result.parameters)
     if (parameter.key == key) return parameter;
@@ -97,7 +106,7 @@ TEST(MaximumLikelihood, FindsVariancesAndHowSureTheyAre) {
   Eigen::Matrix2d information;  // of one draw: half of the product of the shares of the variance
   information << 0.5 + 0.125, 0.125, 0.125, 0.125;
   const Eigen::Vector2d sigma = (kDraws * information).inverse().diagonal().cwiseSqrt();
-  const Eigen::Vector2d found = marginalSigmas(maximum.information);
+  const Eigen::Vector2d found = maximum.sigmas;
   EXPECT_NEAR(maximum.log_parameters(0), std::log(4.0), 3 * sigma(0));
   EXPECT_NEAR(maximum.log_parameters(1), std::log(4.0), 3 * sigma(1));
   EXPECT_NEAR(found(0), sigma(0), 0.2 * sigma(0));
@@ -119,7 +128,38 @@ TEST(MaximumLikelihood, SaysThatNothingIsKnownOfWhatDoesNotMatter) {
   const auto maximum = maximize(f, Eigen::Vector2d(0.5, 0.7));
   EXPECT_EQ(maximum.log_parameters(1), 0.7);
   EXPECT_GT(conditionalSigmas(maximum.information)(1), 1.0);
-  EXPECT_GT(marginalSigmas(maximum.information)(1), 1.0);
+  EXPECT_GT(maximum.sigmas(1), 1.0);
+}
+
+/// Noise of variance 1 that is seldom small and often far out, and alike in a row of steps.
+Eigen::VectorXd unkindNoise(std::uint64_t seed, int count) {
+  RandomStream random(seed, 0);
+  Eigen::VectorXd noise(count);
+  double strength = 1.0;
+  for (int i = 0; i < count; ++i) {
+    if (i % 5 == 0) strength = random.uniform() < 0.2 ? 2.0 : 0.5;
+    noise(i) = strength * random.gaussian();
+  }
+  return noise;
+}
+
+TEST(MaximumLikelihood, TellsAnUncertaintyThatHoldsWhereTheModelDoesNot) {
+  constexpr int kRuns = 200, kSteps = 1500;
+  double sum = 0.0;
+  int inside = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const auto noise = unkindNoise(static_cast<std::uint64_t>(run), kSteps);
+    const auto maximum = maximize(
+        [&](const Eigen::VectorXd& x) {
+          return noise.unaryExpr([&](double z) { return normal(z, std::exp(x(0))); }).eval();
+        },
+        Eigen::VectorXd::Constant(1, 0.5));
+    const double off = maximum.log_parameters(0) / maximum.sigmas(0);
+    sum += off * off;
+    inside += std::abs(off) < 2.0;
+  }
+  EXPECT_NEAR(std::sqrt(sum / kRuns), 1.0, 0.2);
+  EXPECT_GT(inside, 0.9 * kRuns);
 }
 
 TEST(NoiseTunerTest, FindsTheNoiseOfASimulatedLogWithinItsUncertainty) {
@@ -137,6 +177,9 @@ TEST(NoiseTunerTest, FindsTheNoiseOfASimulatedLogWithinItsUncertainty) {
     EXPECT_TRUE(found.why_unseen.empty()) << key << ": " << found.why_unseen;
     EXPECT_NEAR(found.value, truth, 3 * found.sigma) << key;
   }
+  const double best = 1.0 / std::sqrt(2.0 * result.innovations);  // of a known mean
+  EXPECT_GT(find(result, "sigma_range").sigma, 0.95 * best * kSigmaRange);
+  EXPECT_GT(find(result, "sigma_bearing").sigma, 0.95 * best * kSigmaBearing);
   EXPECT_NEAR(find(result, "sigma_range").value, kSigmaRange, 0.05 * kSigmaRange);
   EXPECT_NEAR(find(result, "sigma_bearing").value, kSigmaBearing, 0.05 * kSigmaBearing);
 }
@@ -183,6 +226,37 @@ TEST(NoiseTunerTest, RefusesLogsThatTellNothing) {
   EXPECT_NE(faultOf(once, "wheel_odometry.alpha1").find("no landmark twice"), std::string::npos);
   EXPECT_NE(faultOf(drive(4, 20, 0.1, 0.0), "wheel_odometry.drive").find("is no number"),
             std::string::npos);
+  const auto twice = test::sentenceOf([] {
+    NoiseTuner(wrongSettings, {}).start({"wheel_odometry.alpha1", "wheel_odometry.alpha1"});
+  });
+  EXPECT_EQ(twice, "'wheel_odometry.alpha1' is to be tuned twice");
+}
+
+TEST(NoiseTunerTest, BeginsWhereTheRobotFileStandsHoweverSmallThatIs) {
+  const NoiseTuner tuner(wrongSettings, {});
+  EXPECT_EQ(tuner.start({"wheel_odometry.alpha1"})[0].value, 0.0015);
+  const NoiseTuner tiny([](auto) { return Settings({}, {}, {"wheel_odometry.alpha1=2e-6"}); }, {});
+  EXPECT_EQ(tiny.start({"wheel_odometry.alpha1"})[0].value, 2e-6);
+  const NoiseTuner zero([](auto) { return Settings({}, {}, {"wheel_odometry.alpha1=0"}); }, {});
+  EXPECT_GT(zero.start({"wheel_odometry.alpha1"})[0].value, 0.0);
+}
+
+/// Where the rest of the model is right, it does not matter how much the filter leaves out.
+TEST(NoiseTunerTest, FindsTheSameWithAnyGate) {
+  const auto log = drive(5, 300, 0.1, M_PI / 40);
+  for (const char* gate : {"0.97", "0.9999", "0.999999999"}) {
+    const NoiseTuner tuner(
+        [&](const auto& overrides) {
+          auto all = rightMotion(overrides);
+          all.push_back(std::string("ekf.gate_probability=") + gate);
+          return wrongSettings(all);
+        },
+        {log});
+    const auto result = tuner.run({"landmark_sensor.sigma_range", "landmark_sensor.sigma_bearing"});
+    for (const auto& [key, truth] :
+         {std::pair("sigma_range", kSigmaRange), std::pair("sigma_bearing", kSigmaBearing)})
+      EXPECT_NEAR(find(result, key).value, truth, 0.1 * truth) << gate << " " << key;
+  }
 }
 
 TEST(RobotFileText, ChangesTheTunedValuesOnlyAndKeepsItsComments) {
@@ -203,6 +277,49 @@ TEST(RobotFileText, AddsASectionThatIsMissing) {
   TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
   EXPECT_EQ(withTunedValues("version: 1\n", {range}, "R"),
             "# R\nversion: 1\n\nlandmark_sensor:\n  sigma_range: 0.25\n");
+}
+
+TEST(RobotFileText, IndentsAsTheSectionDoes) {
+  const std::string text =
+      "version: 1\nwheel_odometry:\n    alpha1: 0.003\n    drive: differential\n"
+      "landmark_sensor:\n    sigma_range: 0.1\n";
+  TunedParameter alpha1{"wheel_odometry", "alpha1", 0.003, 0.01, 0.001, ""};
+  TunedParameter alpha4{"wheel_odometry", "alpha4", 0.003, 0.012, 0.001, ""};
+  EXPECT_EQ(withTunedValues(text, {alpha1, alpha4}, "R"),
+            "# R\nversion: 1\nwheel_odometry:\n    alpha1: 0.01\n    drive: differential\n"
+            "    alpha4: 0.012\nlandmark_sensor:\n    sigma_range: 0.1\n");
+}
+
+TEST(RobotFileText, KeepsSectionsInBraces) {
+  const std::string text =
+      "version: 1\nwheel_odometry: {alpha1: 0.003, drive: differential}  # wheels\n"
+      "landmark_sensor: {}\n";
+  TunedParameter alpha1{"wheel_odometry", "alpha1", 0.003, 0.01, 0.001, ""};
+  TunedParameter alpha4{"wheel_odometry", "alpha4", 0.003, 0.012, 0.001, ""};
+  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
+  EXPECT_EQ(withTunedValues(text, {alpha1, alpha4, range}, "R"),
+            "# R\nversion: 1\nwheel_odometry: {alpha4: 0.012, alpha1: 0.01, drive: differential}"
+            "  # wheels\nlandmark_sensor: {sigma_range: 0.25}\n");
+}
+
+TEST(RobotFileText, ReplacesAnEarlierRemark) {
+  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
+  const std::string text = "# The robot.\nlandmark_sensor:\n  sigma_range: '0.1'\n";
+  const auto once = withTunedValues(text, {range}, tuningRemark("ekf_wheel", "a.bag"));
+  EXPECT_NE(once.find("# The robot.\n# Noise tuned by slam_tune"), std::string::npos) << once;
+  EXPECT_NE(once.find("sigma_range: 0.25\n"), std::string::npos) << once;
+  const auto again = withTunedValues(once, {range}, tuningRemark("ekf_wheel", "b.bag"));
+  EXPECT_EQ(again, withTunedValues(text, {range}, tuningRemark("ekf_wheel", "b.bag")));
+}
+
+TEST(RobotFileText, RefusesWhatItCannotWriteInto) {
+  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
+  for (const char* text :
+       {"{version: 1}\n", "landmark_sensor: ~\n", "landmark_sensor:\n  sigma_range: &a 0.1\n",
+        "landmark_sensor:\n  ? sigma_range\n  : 0.1\nx: [\n"})
+    EXPECT_TRUE(test::oneSays({test::sentenceOf([&] { withTunedValues(text, {range}, "R"); })},
+                              {"cannot be put into the robot file", "below it, indented alike"}))
+        << text;
 }
 
 }  // namespace
