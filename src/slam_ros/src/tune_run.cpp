@@ -134,7 +134,8 @@ RecordedLog recordedLog(const TuneOptions& options, const std::string& bag) {
 }
 
 void tune(const TuneOptions& options) {
-  const auto robot = robotFile(options.robot);
+  const auto robot = readText(robotFile(options.robot));
+  slam::requireWritable(options.out);
   std::vector<RecordedLog> logs;
   for (const auto& bag : options.bags) logs.push_back(recordedLog(options, bag));
   const NoiseTuner tuner(
@@ -144,16 +145,15 @@ void tune(const TuneOptions& options) {
         return settingsFor(options, all);
       },
       std::move(logs));
-  const auto result = tuner.run(
-      options.parameters.empty() ? tuner.defaultParameters() : options.parameters, progressLine());
+  const auto names = options.parameters.empty() ? tuner.defaultParameters() : options.parameters;
+  const auto remark = slam::tuning::tuningRemark(options.product, bagNames(options));
+  // A file that cannot take the values is told of before the search.
+  slam::tuning::withTunedValues(robot, tuner.start(names), remark);
+  const auto result = tuner.run(names, progressLine());
   if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\n");
   print(result);
-  const auto remark = fmt::format(
-      "Noise tuned by slam_tune with the product {} on {}: figures of these bags\n"
-      "are no test of it.",
-      options.product, bagNames(options));
-  slam::writeFileAtomically(
-      options.out, slam::tuning::withTunedValues(readText(robot), result.parameters, remark));
+  slam::writeFileAtomically(options.out,
+                            slam::tuning::withTunedValues(robot, result.parameters, remark));
   fmt::print("{}\n", options.out);
 }
 

@@ -22,9 +22,10 @@ struct Tune : ::testing::Test {
   }
   /// The exit code; what it printed stands in the files stdout and stderr.
   int tune(const std::string& bag, const std::string& more = "") const {
+    const auto out = contains(more, "--out ") ? "" : " --out " + (folder / "tuned.yaml");
     const auto command = std::string(SLAM_TUNE) + " " + robot + " --bag " + (folder / bag) +
-                         " --product " + product + " --out " + (folder / "tuned.yaml") + " " +
-                         more + " > " + (folder / "stdout") + " 2> " + (folder / "stderr");
+                         " --product " + product + out + " " + more + " > " + (folder / "stdout") +
+                         " 2> " + (folder / "stderr");
     return WEXITSTATUS(std::system(command.c_str()));
   }
   /// A robot that stands; ranges and bearings err by a known amount, without covariances.
@@ -85,6 +86,33 @@ TEST_F(Tune, SaysSoWhereEveryObservationBringsItsCovariance) {
   ASSERT_EQ(tune("x.bag", "--parameter landmark_sensor.sigma_range"), 0) << folder.read("stderr");
   EXPECT_TRUE(contains(folder.read("stdout"), "every observation brings its own covariance"));
   EXPECT_TRUE(contains(folder.read("tuned.yaml"), "sigma_range: 0.3  # [m]"));
+}
+
+TEST_F(Tune, AgainInPlaceReadsWhatItWroteAndLeavesOneRemark) {
+  makeStanding("standing.bag");
+  folder.write("robot.yaml",
+               "version: 1\nrobot: test\nlandmark_sensor: {sigma_range: 0.3}  # [m]\n");
+  for (int i = 0; i < 2; ++i)
+    ASSERT_EQ(tune("standing.bag", "--parameter landmark_sensor.sigma_bearing --out " + robot), 0)
+        << folder.read("stderr");
+  const auto file = folder.read("robot.yaml"), opening = std::string("# Noise tuned by");
+  EXPECT_EQ(file.find(opening), file.rfind(opening)) << file;
+  EXPECT_TRUE(contains(file, "landmark_sensor: {sigma_bearing: 0.02")) << file;
+}
+
+TEST_F(Tune, FindsBeforeItSearchesWhatWouldSpoilTheResult) {
+  makeStanding("standing.bag");
+  EXPECT_EQ(tune("standing.bag", "--out " + (folder / "nowhere/tuned.yaml")), 1);
+  EXPECT_TRUE(contains(folder.read("stderr"), "No such file or directory"));
+  EXPECT_FALSE(contains(folder.read("stdout"), "log-likelihood")) << folder.read("stdout");
+  EXPECT_EQ(tune("standing.bag",
+                 "--parameter landmark_sensor.sigma_range --parameter landmark_sensor.sigma_range"),
+            1);
+  EXPECT_TRUE(contains(folder.read("stderr"), "is to be tuned twice")) << folder.read("stderr");
+  folder.write("robot.yaml", "{version: 1, robot: test}\n");
+  EXPECT_EQ(tune("standing.bag"), 1);
+  EXPECT_TRUE(contains(folder.read("stderr"), "cannot be put into the robot file"));
+  EXPECT_FALSE(contains(folder.read("stdout"), "log-likelihood")) << folder.read("stdout");
 }
 
 TEST_F(Tune, ExitCodesTellFailureFromWrongUse) {
