@@ -3,6 +3,7 @@
 """Every product that the feature model allows is launched on a few seconds of the office, and
 publishes what its features promise."""
 
+from concurrent.futures import ThreadPoolExecutor
 import os
 import pathlib
 import subprocess
@@ -15,7 +16,8 @@ from slam_launch import products
 from slam_launch.feature_model import FeatureModel, text
 import yaml
 
-SECONDS = 4  # of the drive, replayed at the robot's own speed
+SECONDS = 2  # of the drive, replayed at the robot's own speed
+MASTERS = 2  # at a time: a launch mostly waits
 BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
 ALWAYS = {"/pose", "/path", "/landmarks", "/landmark_markers", "/tf"}
 PROMISED = {"backend=pf": {"/particlecloud"},
@@ -85,25 +87,27 @@ class EveryProductTest(unittest.TestCase):
         """A product without a detector needs observations that others made."""
         return self.root / ("observations.bag" if features["detector"] == "none" else "images.bag")
 
-    def assert_keeps_its_promise(self, features, composition):
-        product = self.root / "product.yaml"
+    def launch(self, number, features):
+        """Launches a product; returns its composition, what it published and what it printed."""
+        composition = ("pubsub", "inprocess")[number % 5 == 4]
+        product = self.root / f"{number}.yaml"
         product.write_text(yaml.safe_dump(products.without_file(features, self.model).content),
                            encoding="utf-8")
-        record = self.root / "record.bag"
-        record.unlink(missing_ok=True)
+        record = self.root / f"{number}.bag"
         output = launch(product, self.bag_for(features), record, composition)
-        self.assertTrue(record.exists(), output)
-        inputs = BETWEEN if composition == "inprocess" else set()  # a bag may bring observations
-        self.assertEqual(published(record) - inputs, promised(features, composition), output)
-        self.assertNotIn("exit code -", output)  # of a crash
+        return composition, published(record) if record.exists() else set(), output
 
     def test_publishes_what_its_features_promise(self):
         valid = self.model.valid()
         self.assertGreaterEqual(len(valid), 12)
-        for number, features in enumerate(valid):
-            composition = ("pubsub", "inprocess")[number % 5 == 4]
+        with ThreadPoolExecutor(MASTERS) as masters:
+            launches = list(masters.map(self.launch, range(len(valid)), valid))
+        for features, (composition, topics, output) in zip(valid, launches):
             with self.subTest(text(features), composition=composition):
-                self.assert_keeps_its_promise(features, composition)
+                # a bag may bring observations
+                inputs = BETWEEN if composition == "inprocess" else set()
+                self.assertEqual(topics - inputs, promised(features, composition), output)
+                self.assertNotIn("exit code -", output)  # of a crash
 
 
 if __name__ == "__main__":
