@@ -49,10 +49,11 @@ def free_port():
         return probe.getsockname()[1]
 
 
-def start_launch(*arguments):
-    """Starts slam.launch with a master of its own."""
-    port = free_port()
-    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+def start_launch(*arguments, port=None, namespace="/"):
+    """Starts slam.launch with a master of its own, or with the one on a port."""
+    port = port or free_port()
+    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}",
+                   "ROS_NAMESPACE": namespace}
     launch = subprocess.Popen(["roslaunch", "-p", str(port), "slam_launch", "slam.launch",
                                *arguments], env=environment, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
