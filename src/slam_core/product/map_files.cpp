@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "slam_core/product/grid_file.hpp"
+#include "slam_core/grid_map/grid_file.hpp"
 
 namespace slam {
 namespace {
@@ -62,7 +62,7 @@ std::string saveMap(const std::string& path, const LandmarkFile& file) {
   const auto& grid = file.map.grid;
   const bool has_grid = grid && !grid->cells.empty();
   const auto files = mapFilesAt(path, has_grid);
-  if (has_grid) saveGrid(files.grid, *grid);
+  if (has_grid) grid_map::saveGrid(files.grid, *grid);
   saveLandmarks(files.landmarks, file);
   auto text =
       std::to_string(file.map.landmarks.size()) + " landmarks written to " + files.landmarks;
@@ -83,7 +83,7 @@ LandmarkFile loadMap(const std::string& path, const std::string& frame, bool has
     file.map.robot = unknownStart();
   else
     file = loadLandmarks(files.landmarks, frame);
-  if (!files.grid.empty()) file.map.grid = loadGrid(files.grid);
+  if (!files.grid.empty()) file.map.grid = grid_map::loadGrid(files.grid);
   return file;
 }
 

@@ -28,7 +28,7 @@ std::string saveMap(const std::string& path, const LandmarkFile& file);
 /// without landmarks.yaml tells no pose: the robot is taken to be at the origin, give or take 0.5 m
 /// and 15 degrees.
 /// @param has_grid whether the back-end makes grids; one that does not takes landmarks only
-/// @throw std::runtime_error in one sentence, as loadLandmarks() and loadGrid()
+/// @throw std::runtime_error in one sentence, as loadLandmarks() and grid_map::loadGrid()
 LandmarkFile loadMap(const std::string& path, const std::string& frame, bool has_grid);
 
 }  // namespace slam

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/product/grid_file.hpp"
+#include "slam_core/grid_map/grid_file.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -14,9 +14,9 @@
 #include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
-#include "slam_core/product/pgm_image.hpp"
+#include "slam_core/grid_map/pgm_image.hpp"
 
-namespace slam {
+namespace slam::grid_map {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ OccupancyGrid loadGrid(const std::string& yaml_path) {
   }
 }
 
-}  // namespace slam
+}  // namespace slam::grid_map

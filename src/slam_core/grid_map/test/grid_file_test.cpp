@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/product/grid_file.hpp"
+#include "slam_core/grid_map/grid_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/common/test/temporary_folder.hpp"
 
-namespace slam {
+namespace slam::grid_map {
 namespace {
 
 constexpr auto kUnknown = OccupancyGrid::kUnknown;
@@ -149,4 +149,4 @@ TEST_F(GridFileTest, SavesNoGridWithoutCellsAndTellsWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace slam
+}  // namespace slam::grid_map

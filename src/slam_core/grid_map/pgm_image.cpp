@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/product/pgm_image.hpp"
+#include "slam_core/grid_map/pgm_image.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
 #include <stdexcept>
 
-namespace slam {
+namespace slam::grid_map {
 namespace {
 
 /// Reads the header's words, which comments may stand between.
@@ -81,4 +81,4 @@ PgmImage fromPgm(const std::string& content) {
   return image;
 }
 
-}  // namespace slam
+}  // namespace slam::grid_map

@@ -7,7 +7,7 @@
 
 #include "slam_core/models/occupancy_grid.hpp"
 
-namespace slam {
+namespace slam::grid_map {
 
 /// Writes `yaml_path` and beside it the image of the same name with the ending .pgm, as
 /// map_server's map_saver does: cells up to 25 % are free (254), those from 65 % on occupied (0),
@@ -22,4 +22,4 @@ void saveGrid(const std::string& yaml_path, const OccupancyGrid& grid);
 /// size that no map has
 OccupancyGrid loadGrid(const std::string& yaml_path);
 
-}  // namespace slam
+}  // namespace slam::grid_map

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace slam {
+namespace slam::grid_map {
 
 /// An image of 8 bit grey values, row by row from the top.
 struct PgmImage {
@@ -21,4 +21,4 @@ std::string toPgm(const PgmImage& image, const std::string& comment);
 /// @throw std::runtime_error with what is wrong with the file's content
 PgmImage fromPgm(const std::string& content);
 
-}  // namespace slam
+}  // namespace slam::grid_map
