@@ -30,6 +30,14 @@ function(slam_core_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
+# slam_core_program(NAME LINK ...): the program slam_core_NAME of tools/NAME.cpp.
+function(slam_core_program name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(slam_core_${name} tools/${name}.cpp)
+  slam_core_target(slam_core_${name})
+  target_link_libraries(slam_core_${name} PRIVATE ${ARG_LINK})
+endfunction()
+
 # slam_core_install(LIBRARIES name... PROGRAMS target...): libraries, headers, programs, and the
 # targets for other packages, from the build tree as from the installation.
 function(slam_core_install)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "exit_code.hpp"
 #include "slam_core/camera/calibration_file.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/fiducial/fiducial_detector.hpp"
@@ -85,11 +86,5 @@ int main(int argc, char** argv) {
   }
   arguments.detector = argv[1];
   arguments.calibration = argv[2];
-  try {
-    slam::run(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return slam::exitCodeOf([&] { slam::run(arguments); });
 }

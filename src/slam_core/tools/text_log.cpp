@@ -3,20 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <sstream>
-#include <stdexcept>
+#include <string>
 
+#include "exit_code.hpp"
+#include "log_rows.hpp"
+#include "motion_row.hpp"
+#include "observations_row.hpp"
+#include "odometry_row.hpp"
+#include "scan_row.hpp"
+#include "slam_core/point_map/pcd_file.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 
-// A product without ROS: reads a text log, writes a run's folder. Lines of the log, in any order
+// A product without ROS: reads a text log, writes a run's folder. Rows of the log, in any order
 // of stamps that the sensors would have sent; '#' begins a comment:
 //   odometry STAMP_NS X Y THETA                     pose in the odometry frame [m, m, rad]
+//   motion ...                                      instead, as slam_core_wheel_log prints it
 //   observations STAMP_NS [ID RANGE BEARING]...     [m, rad]; noise from the robot file
+//   scan STAMP_NS ANGLE_MIN ANGLE_INCREMENT RANGE_MIN RANGE_MAX RANGE...    [rad, rad, m, m, m];
+//                                                   laser.sensor_pose from the robot file
 
 namespace slam {
 namespace {
@@ -26,66 +31,40 @@ class TextLog {
   TextLog(MetaCoordinator& coordinator, RunWriter& writer)
       : coordinator_(coordinator), writer_(writer) {}
 
-  void read(std::istream& log) {
-    std::string line;
-    for (number_ = 1; std::getline(log, line); ++number_) {
-      std::istringstream words(line.substr(0, line.find('#')));
-      std::string kind;
-      if (!(words >> kind)) continue;
-      if (kind == "odometry")
-        coordinator_.set(odometry(words));
-      else if (kind == "observations")
-        coordinator_.set(observations(words));
-      else
-        throw std::runtime_error(
-            fmt::format("line {}: '{}' is neither odometry nor observations", number_, kind));
-      drain();
-    }
+  void take(LogRows& row) {
+    if (row.kind() == "odometry")
+      coordinator_.set(odometryIn(row));
+    else if (row.kind() == "motion")
+      takeMotion(motionIn(row));
+    else if (row.kind() == "observations")
+      takeObservations(observationsIn(row));
+    else if (row.kind() == "scan")
+      coordinator_.set(sweepIn(row));
+    drain(row);
   }
 
  private:
-  template <class T>
-  T next(std::istream& words) const {
-    T value;
-    if (words >> value) return value;
-    throw std::runtime_error(fmt::format("line {}: a number is missing or malformed", number_));
+  void takeMotion(Motion motion) {
+    motion.sequence = motions_++;
+    coordinator_.set(motion);
   }
 
-  OdometrySample odometry(std::istream& words) const {
-    OdometrySample sample;
-    sample.stamp = stampFromNanoseconds(next<std::int64_t>(words));
-    const double x = next<double>(words), y = next<double>(words);
-    sample.pose = Pose2(x, y, next<double>(words));
-    return sample;
+  void takeObservations(LandmarkObservationArray array) {
+    array.sequence = arrays_++;
+    coordinator_.set(array);
   }
 
-  LandmarkObservationArray observations(std::istream& words) {
-    LandmarkObservationArray array;
-    array.stamp = stampFromNanoseconds(next<std::int64_t>(words));
-    array.sequence = sequence_++;
-    while (words >> std::ws && !words.eof()) {
-      LandmarkObservation z;
-      z.id = next<LandmarkId>(words);
-      z.range = next<double>(words);
-      z.bearing = next<double>(words);
-      z.covariance(0, 0) = -1.0;  // the robot file's
-      array.observations.push_back(z);
-    }
-    return array;
-  }
-
-  void drain() {
+  void drain(LogRows& row) {
     do {
       const auto status = coordinator_.execute();
-      if (!status.isOk()) fmt::print(stderr, "line {}: {}\n", number_, status.message);
+      if (!status.isOk()) row.tell(status.message);
       if (coordinator_.estimator().report()) writer_.write(*coordinator_.estimator().report());
     } while (coordinator_.estimator().report());
   }
 
   MetaCoordinator& coordinator_;
   RunWriter& writer_;
-  std::uint64_t sequence_ = 0;
-  int number_ = 0;
+  std::uint64_t arrays_ = 0, motions_ = 0;
 };
 
 void run(const std::string& product, const std::string& robot, const std::string& log_path,
@@ -93,13 +72,15 @@ void run(const std::string& product, const std::string& robot, const std::string
   Settings settings(loadConfigFile(product), loadConfigFile(robot), {});
   MetaCoordinator coordinator;
   coordinator.configure(settings);
-  std::ifstream log(log_path);
-  if (!log) throw std::runtime_error("cannot read the log " + log_path + "; does it exist?");
+  LogRows row(log_path);
   RunWriter writer(folder);
-  TextLog(coordinator, writer).read(log);
-  writer.finish(coordinator.estimator().backend(), coordinator.frames().map, settings.inForce());
-  fmt::print("{}: {} poses, {} landmarks\n", folder, writer.lines(),
-             coordinator.estimator().backend().landmarks().size());
+  TextLog log(coordinator, writer);
+  while (row.next()) log.take(row);
+  const auto& backend = coordinator.estimator().backend();
+  if (const auto* map = coordinator.pointMap())
+    point_map::savePcd(folder + "/points.pcd", map->points());
+  writer.finish(backend, coordinator.frames().map, settings.inForce());
+  fmt::print("{}: {} poses, {} landmarks\n", folder, writer.lines(), backend.landmarks().size());
 }
 
 }  // namespace
@@ -110,11 +91,5 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: {} PRODUCT.yaml ROBOT.yaml LOG.txt OUTPUT_FOLDER\n", argv[0]);
     return 2;
   }
-  try {
-    slam::run(argv[1], argv[2], argv[3], argv[4]);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return slam::exitCodeOf([&] { slam::run(argv[1], argv[2], argv[3], argv[4]); });
 }

@@ -14,6 +14,7 @@
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/occupancy_grid.hpp"
 
 namespace slam::test {
 
@@ -145,5 +146,20 @@ class RoomDrive {
   Pose2 truth_ = start(), odometry_;
   std::uint64_t count_ = 0;
 };
+
+/// Share of the occupied cells of a map of such a drive that lie on the room's walls, give or take
+/// a cell.
+inline double shareOnWalls(const OccupancyGrid& grid, const Room& room) {
+  int occupied = 0, right = 0;
+  for (std::uint32_t y = 0; y < grid.height; ++y)
+    for (std::uint32_t x = 0; x < grid.width; ++x) {
+      if (grid.cells[y * grid.width + x] <= 50) continue;
+      ++occupied;
+      const Eigen::Vector2d middle =
+          grid.origin + grid.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
+      right += room.distance(RoomDrive::start().transform(middle)) < 0.075;
+    }
+  return occupied < 500 ? 0.0 : static_cast<double>(right) / occupied;
+}
 
 }  // namespace slam::test

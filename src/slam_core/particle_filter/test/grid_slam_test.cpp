@@ -48,21 +48,6 @@ double run(Backend& backend, RoomDrive& drive, int steps) {
   return worst;
 }
 
-/// Share of the occupied cells that lie within 6 cm of a wall.
-double shareOnWalls(const OccupancyGrid& grid, const test::Room& room) {
-  int occupied = 0, right = 0;
-  for (std::uint32_t y = 0; y < grid.height; ++y)
-    for (std::uint32_t x = 0; x < grid.width; ++x) {
-      if (grid.cells[y * grid.width + x] <= 50) continue;
-      ++occupied;
-      const Eigen::Vector2d middle =
-          grid.origin + grid.resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
-      right += room.distance(RoomDrive::start().transform(middle)) < 0.075;
-    }
-  EXPECT_GT(occupied, 500);
-  return static_cast<double>(right) / occupied;
-}
-
 TEST(GridSlam, MapsARoomAndStaysOnIt) {
   for (const std::string matcher : {"hill_climbing", "correlative"}) {
     ScanConfig scan;
@@ -71,7 +56,7 @@ TEST(GridSlam, MapsARoomAndStaysOnIt) {
     RoomDrive drive(1);
     EXPECT_LT(run(*filter, drive, 2 * kLap), 0.15);
     ASSERT_TRUE(filter->grid());
-    EXPECT_GT(shareOnWalls(*filter->grid(), drive.room()), 0.8);
+    EXPECT_GT(test::shareOnWalls(*filter->grid(), drive.room()), 0.8);
   }
 }
 
@@ -253,7 +238,7 @@ TEST(GridSlam, GoesOnWithAMapThatWasSavedInTheMiddle) {
   next->set(saved);
   EXPECT_EQ(next->execute().message, "");
   EXPECT_LT(run(*next, drive, kLap), 0.12);
-  EXPECT_GT(shareOnWalls(*next->grid(), drive.room()), 0.75);
+  EXPECT_GT(test::shareOnWalls(*next->grid(), drive.room()), 0.75);
 }
 
 TEST(GridSlam, TellsOfALoadedGridThatIsNone) {
@@ -287,7 +272,7 @@ TEST(GridSlam, ParticlesCarryBothMapsAndLandmarksWeighIn) {
   }
   ASSERT_EQ(filter->landmarks().size(), 1u);
   EXPECT_LT((filter->landmarks()[0].position - landmark).norm(), 0.05);
-  EXPECT_GT(shareOnWalls(*filter->grid(), drive.room()), 0.8);
+  EXPECT_GT(test::shareOnWalls(*filter->grid(), drive.room()), 0.8);
   const auto path = filter->path();
   EXPECT_EQ(path.size(), 2u * kLap) << "one line for each stamp";
 }
