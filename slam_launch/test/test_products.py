@@ -125,6 +125,17 @@ class Writing(ProductFiles):
 
     def test_refuses_a_word_without_a_value(self):
         self.expect_refusal_of("'backend' is not KEY=VALUE", "backend")
+        for word in (".particles=5", "pf.=5"):
+            self.expect_refusal_of(f"'{word}' is not KEY=VALUE", word)
+
+    def test_refuses_a_value_that_no_file_could_hold(self):
+        for value in ("[1", "!!python/object:os.system ls"):
+            self.expect_refusal_of(f"pf.particles={value} is no value: ", "backend=pf",
+                                   "odometry=wheel", f"pf.particles={value}")
+
+    def test_names_the_feature_that_was_meant_in_capitals(self):
+        self.expect_refusal_of("there is no feature 'BACKEND' (did you mean 'backend'?)",
+                               "BACKEND=pf")
 
     def test_says_where_it_cannot_write(self):
         (self.folder / "slam").write_text("a file", encoding="ascii")

@@ -11,5 +11,5 @@ class ProductError(Exception):
 
 def did_you_mean(name, candidates):
     """" (did you mean 'x'?)", or nothing where none is near."""
-    near = difflib.get_close_matches(name, list(candidates), 1)
+    near = difflib.get_close_matches(name.lower(), list(candidates), 1)
     return f" (did you mean '{near[0]}'?)" if near else ""

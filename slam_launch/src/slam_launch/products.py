@@ -119,7 +119,7 @@ def split_arguments(words):
         key, equals, value = word.partition("=")
         key = key.rstrip(":")
         section, dot, field = key.rpartition(".")
-        if not equals or not key or not value:
+        if not equals or not key or not value or dot and not (section and field):
             raise ProductError(f"'{word}' is not KEY=VALUE")
         target = parameters.setdefault(section, {}) if dot else features
         name = field if dot else key
@@ -135,10 +135,19 @@ def make(name, words, model):
     given, parameters = split_arguments(words)
     features = model.require_valid(given)
     product = without_file(features, model, name)
-    product.content.update({section: {key: yaml.safe_load(value) for key, value in values.items()}
-                            for section, values in parameters.items()})
+    for section, values in parameters.items():
+        product.content[section] = {key: parsed(f"{section}.{key}", value)
+                                    for key, value in values.items()}
     require_sections(product.content, features, model)
     return product
+
+
+def parsed(key, value):
+    """Returns the value of an argument as a product file would have it."""
+    try:
+        return yaml.safe_load(value)
+    except yaml.YAMLError as error:
+        raise ProductError(f"{key}={value} is no value: {' '.join(str(error).split())}") from error
 
 
 def write(product):
