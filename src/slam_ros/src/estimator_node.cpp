@@ -61,6 +61,7 @@ void EstimatorNode::connectLaser(ros::NodeHandle handle, slam::Settings& setting
 EstimatorNode::~EstimatorNode() {
   // from here on no callback runs
   start_.reset();
+  silence_timer_.stop();
   if (laser_) laser_->stop();
   subscribers_.clear();
   services_.reset();
@@ -75,6 +76,9 @@ void EstimatorNode::subscribe(ros::NodeHandle handle) {
       handle.subscribe(topics_.motion, kQueue, &EstimatorNode::onMotion, this),
       handle.subscribe(topics_.observations, kQueue, &EstimatorNode::onObservations, this),
       handle.subscribe("initialpose", 1, &EstimatorNode::onInitialPose, this)};
+  silence_timer_ = handle.createWallTimer(
+      ros::WallDuration(1.0),
+      [this](const ros::WallTimerEvent&) { tellNews(silence_.news(SilenceWatch::Clock::now())); });
   // last: who sees it may send
   progress_ = handle.advertise<slam_msgs::Progress>("progress", kQueue);
   tells_progress_ = true;
@@ -126,7 +130,12 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
     source_.estimator().set(estimate);
 }
 
+void EstimatorNode::tellNews(const std::string& sentence) {
+  if (!sentence.empty()) diagnostics_->warn(sentence);
+}
+
 void EstimatorNode::takeSteps(const std::string& topic) {
+  tellNews(silence_.heard(topic, SilenceWatch::Clock::now()));
   const auto& report = source_.estimator().report();
   do {
     const auto start = RunMetrics::Clock::now();
@@ -190,6 +199,8 @@ std::string EstimatorNode::waiting() const {
   const auto& estimator = source_.estimator();
   if (!estimator.lastMotion()) return "waiting for motion on " + topics_.motion;
   if (const auto wait = laser_ ? laser_->waiting() : ""; !wait.empty()) return wait;
+  if (const auto stale = silence_.sentence(SilenceWatch::Clock::now()); !stale.empty())
+    return stale;
   if (estimator.lastObservations() || estimator.usesScans()) return "";
   const auto sensor = front_end_waiting ? front_end_waiting() : "";
   return sensor.empty() ? "waiting for observations on " + topics_.observations : sensor;

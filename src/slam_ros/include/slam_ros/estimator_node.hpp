@@ -6,6 +6,7 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
+#include <ros/wall_timer.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
 
@@ -22,6 +23,7 @@
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/laser_subscriber.hpp"
 #include "slam_ros/run_recorder.hpp"
+#include "slam_ros/silence_watch.hpp"
 #include "slam_ros/step_source.hpp"
 #include "slam_ros/topics_config.hpp"
 
@@ -67,6 +69,7 @@ class EstimatorNode {
   void subscribe(ros::NodeHandle handle);
   void connectLaser(ros::NodeHandle handle, slam::Settings& settings);
   BackendActions actions();
+  void tellNews(const std::string& sentence);
   std::string waiting() const;
   Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
@@ -78,6 +81,7 @@ class EstimatorNode {
   TopicsConfig topics_;
   std::string map_frame_;
   ClockWatch clock_;
+  SilenceWatch silence_;
   std::optional<Diagnostics> diagnostics_;
   std::optional<RunRecorder> recorder_;
   std::optional<BackendOutputs> outputs_;
@@ -90,6 +94,7 @@ class EstimatorNode {
   std::optional<LaserSubscriber> laser_;
   slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
   std::uint32_t resets_ = 0;  ///< that were asked for
+  ros::WallTimer silence_timer_;
   std::optional<AfterLoad> start_;
 };
 
