@@ -115,10 +115,14 @@ class FeatureModel:
 
     def strings(self, prefix, features):
         """Returns what the features bring: LIBRARY_... to load, LAUNCH_... files to include."""
+        return list(self.named_strings(prefix, features).values())
+
+    def named_strings(self, prefix, features):
+        """Returns the same by what stands behind the prefix."""
         self._set(features)
-        values = [symbol.str_value for symbol in self.kconfig.unique_defined_syms
-                  if symbol.name.startswith(prefix)]
-        return [value for value in values if value]
+        values = {symbol.name[len(prefix):]: symbol.str_value
+                  for symbol in self.kconfig.unique_defined_syms if symbol.name.startswith(prefix)}
+        return {name: value for name, value in values.items() if value}
 
     def describe(self, symbol):
         """Returns KEY=VALUE for a feature's symbol, else its name."""
