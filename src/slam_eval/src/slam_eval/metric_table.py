@@ -102,6 +102,12 @@ KEYS = {
                          'Half of the steps took less time than this.', 'Cost'),
     'update_ms_p99': Key('Update time, 99 %', 'ms', '.3f',
                          '99 of 100 steps took less time than this.', 'Cost'),
+    'latency_ms_p50': Key('Latency, median', 'ms', '.2f',
+                          'Work from an image, a scan or an array of observations to its pose: '
+                          'detector and back-end. Half of the steps took less; waiting for motion '
+                          'is not in it.', 'Cost'),
+    'latency_ms_p99': Key('Latency, 99 %', 'ms', '.2f',
+                          '99 of 100 steps took less than this.', 'Cost'),
     'cpu_s': Key('CPU time', 's', '.2f',
                  'User and system time of the estimating process, reading the bag included.',
                  'Cost'),

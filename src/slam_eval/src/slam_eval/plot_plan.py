@@ -115,8 +115,9 @@ def draw_grid(axes, grid):
 def draw_points(axes, points):
     """The points of a point map as dots."""
     if points is not None and len(points):
-        axes.plot(*points.T, ',' if len(points) > 20000 else '.', color='#7d4fa8', markersize=1.2,
-                  zorder=1.5, label='point of the laser')
+        axes.plot(*points.T, ',' if len(points) > 20000 else '.', color='#7d4fa8',
+                  markersize=1.2 if len(points) > 2000 else 2.4, zorder=1.5,
+                  label='point of the laser')
 
 
 def odometry_in_map(run):

@@ -1,32 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """report.html: one file that holds the figures, the pictures and the configuration of a run."""
-import base64
 import html
 
 import numpy as np
 
 from slam_eval.metric_table import GROUPS, KEYS, format_value, rows
-
-_CSS = """
-body{margin:0;background:#f4f5f7;color:#22262b;font:15px/1.55 system-ui,"Segoe UI",Helvetica,
-Arial,sans-serif}
-main{max-width:960px;margin:0 auto;padding:34px 22px 60px}
-header h1{margin:0;font-size:27px;letter-spacing:-.01em}header p{margin:4px 0 0;color:#687079}
-section{background:#fff;border:1px solid #e3e6ea;border-radius:10px;padding:20px 24px;
-margin-top:20px}
-h2{font-size:18px;margin:0 0 10px}h3{font-size:13px;margin:18px 0 4px;color:#1f5fa8;
-text-transform:uppercase;letter-spacing:.05em}
-table{border-collapse:collapse;width:100%}td{padding:7px 10px 7px 0;vertical-align:top;
-border-top:1px solid #edeff2}td.n{white-space:nowrap;width:210px}
-td.v{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums;font-weight:600;
-width:110px;padding-right:6px}td.u{width:34px;color:#687079}td.m{color:#4a4f57;font-size:14px}
-figure{margin:0}figure img{width:100%;height:auto;display:block}
-figcaption{color:#4a4f57;font-size:14px;margin-top:6px}
-pre{background:#f7f8fa;border-radius:8px;padding:14px 16px;overflow-x:auto;font-size:13px;
-line-height:1.45;margin:8px 0 0}
-.note{color:#8a5a12;background:#fdf5e6;border-radius:8px;padding:10px 14px;margin:0 0 8px}
-"""
+from slam_eval.report_page import page, picture
 
 CAPTIONS = {
     'map.png': (
@@ -122,10 +102,7 @@ def _relation_section(errors):
 
 def _picture_section(path):
     title, caption = CAPTIONS[path.name]
-    data = base64.b64encode(path.read_bytes()).decode('ascii')
-    return (f'<section><h2>{title}</h2><figure><img alt="{title}" '
-            f'src="data:image/png;base64,{data}"><figcaption>{html.escape(caption)}'
-            '</figcaption></figure></section>')
+    return f'<section><h2>{title}</h2>{picture(path, title, caption)}</section>'
 
 
 def render(run, metrics, pictures, notes, relations=None):
@@ -136,12 +113,7 @@ def render(run, metrics, pictures, notes, relations=None):
              % ((run.trajectory.stamps[-1] - run.trajectory.stamps[0]) * 1e-9)]
     if seed is not None:
         facts.append(f'seed {seed}')
-    title = html.escape(run.title)
-    parts = [f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" '
-             f'content="width=device-width,initial-scale=1"><title>{title}</title>'
-             f'<style>{_CSS}</style></head><body><main><header><h1>{title}</h1>'
-             f'<p>{html.escape(" · ".join(facts))}</p></header>',
-             _metric_section(metrics, notes)]
+    parts = [_metric_section(metrics, notes)]
     parts += [_picture_section(path) for path in pictures]
     if relations is not None:
         parts.append(_relation_section(relations))
@@ -150,4 +122,4 @@ def render(run, metrics, pictures, notes, relations=None):
     if run.config_text:
         parts.append('<section><h2>Configuration in force</h2>'
                      f'<pre>{html.escape(run.config_text)}</pre></section>')
-    return ''.join(parts) + '</main></body></html>\n'
+    return page(run.title, ' · '.join(facts), parts)
