@@ -109,13 +109,13 @@ void OfflineRun::read(slam::RunWriter& writer) {
   sinks.motion = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
   sinks.odom = [&](const auto& message) { take(message); };
   sinks.observations = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
-  const auto look = [&](const auto& message) { camera_->take(message); };
+  const auto look = [&](const auto& message) { timed(message, [&] { camera_->take(message); }); };
   static_cast<CameraSinks&>(sinks) = {look, look, look};
   const auto look_up = [&](const auto& message) { ceiling_camera_->take(message); };
   sinks.ceiling = {look_up, look_up, look_up};
-  sinks.scan = [&](const auto& message) { laser_->take(message); };
+  sinks.scan = [&](const auto& message) { timed(message, [&] { laser_->take(message); }); };
   const auto transforms = staticTransforms(bag_, frameId(coordinator_.frames().map));
-  if (inputs_.hasImages()) look(transforms);
+  if (inputs_.hasImages()) camera_->take(transforms);
   if (inputs_.ceiling.hasImages()) look_up(transforms);
   if (!inputs_.scan.empty()) laser_->take(transforms);
   const auto handlers = handlersFor(inputs_, sinks);
@@ -126,6 +126,13 @@ void OfflineRun::read(slam::RunWriter& writer) {
     return true;
   });
   progress_.end();
+}
+
+template <class Message, class Work>
+void OfflineRun::timed(const Message& message, const Work& work) {
+  const auto start = RunMetrics::Clock::now();
+  work();
+  metrics_.addFrontEnd(fromRos(message.header.stamp), RunMetrics::Clock::now() - start);
 }
 
 void OfflineRun::take(const nav_msgs::Odometry& message) {
@@ -149,7 +156,10 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
     if (report->restarted) warn("the stamps went back: map and pose begin anew");
-    if (report->hasTrigger()) metrics_.addUpdate(time);
+    if (report->hasTrigger()) {
+      metrics_.addUpdate(time);
+      metrics_.addLatency(report->stamp, time);
+    }
     writer.write(*report);
   }
 }

@@ -57,6 +57,12 @@ double RunMetrics::wallSeconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
+void RunMetrics::addLatency(slam::Stamp stamp, Clock::duration time) {
+  if (const auto found = front_end_.find(stamp); found != front_end_.end()) time += found->second;
+  front_end_.erase(front_end_.begin(), front_end_.upper_bound(stamp));
+  latency_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
+}
+
 std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_messages) const {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -66,6 +72,10 @@ std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_m
   if (!update_ms_.empty()) {
     metrics["update_ms_p50"] = percentile(update_ms_, 0.5);
     metrics["update_ms_p99"] = percentile(update_ms_, 0.99);
+  }
+  if (!latency_ms_.empty()) {
+    metrics["latency_ms_p50"] = percentile(latency_ms_, 0.5);
+    metrics["latency_ms_p99"] = percentile(latency_ms_, 0.99);
   }
   if (map_entropy_) metrics["map_entropy_bits"] = *map_entropy_;
   metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);

@@ -43,6 +43,8 @@ class OfflineRun {
   void connectLaser(const std::string& base_frame);
   void loadMap();
   void read(slam::RunWriter& writer);
+  template <class Message, class Work>
+  void timed(const Message& message, const Work& work);
   void take(const nav_msgs::Odometry& message);
   void drain(slam::RunWriter& writer);
   void warn(const std::string& sentence);

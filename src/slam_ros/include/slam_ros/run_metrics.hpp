@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ class RunMetrics {
     update_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
   }
   std::size_t updates() const { return update_ms_.size(); }
+  /// Work on what makes a step of this stamp, before it is due: an image's, a scan's.
+  void addFrontEnd(slam::Stamp stamp, Clock::duration time) { front_end_[stamp] += time; }
+  /// The back-end's time for the step of this stamp, which ends what addFrontEnd() began.
+  void addLatency(slam::Stamp stamp, Clock::duration time);
   /// The map at the end.
   void setGrid(const slam::OccupancyGrid& grid) { map_entropy_ = meanEntropy(grid); }
   double wallSeconds() const;
@@ -44,7 +49,8 @@ class RunMetrics {
 
  private:
   Clock::time_point start_;
-  std::vector<double> update_ms_;
+  std::vector<double> update_ms_, latency_ms_;
+  std::map<slam::Stamp, Clock::duration> front_end_;
   std::optional<double> map_entropy_;
 };
 

@@ -121,6 +121,21 @@ TEST(RunMetrics, GivesUpdateTimesInMilliseconds) {
   EXPECT_NEAR(json["update_ms_p99"].get<double>(), 2.98, 1e-9);
 }
 
+TEST(RunMetrics, TheLatencyOfAStepIsThatOfItsInputsAndItsOwn) {
+  using std::chrono::milliseconds;
+  RunMetrics metrics;
+  EXPECT_EQ(metrics.toJson(slam::Duration(1), 0).find("latency"), std::string::npos);
+  metrics.addFrontEnd(stamp(1), milliseconds(7));  // no step came of it
+  metrics.addFrontEnd(stamp(2), milliseconds(10));
+  metrics.addFrontEnd(stamp(2), milliseconds(20));
+  metrics.addFrontEnd(stamp(3), milliseconds(40));
+  metrics.addLatency(stamp(2), milliseconds(5));
+  metrics.addLatency(stamp(2), milliseconds(5));  // as a scan of the same stamp
+  const auto json = nlohmann::json::parse(metrics.toJson(std::chrono::seconds(10), 0));
+  EXPECT_DOUBLE_EQ(json["latency_ms_p50"].get<double>(), 20.0);
+  EXPECT_NEAR(json["latency_ms_p99"].get<double>(), 34.7, 1e-9);
+}
+
 TEST(ConfigFile, AnUnknownNameIsAnsweredWithTheKnownOnes) {
   EXPECT_EQ(findConfigFile("/nowhere", "robot", "my/robot.yaml"), "my/robot.yaml");
   try {

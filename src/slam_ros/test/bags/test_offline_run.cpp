@@ -79,8 +79,8 @@ TEST_F(Offline, MetricsCountUpdatesAndCost) {
   const auto metrics = nlohmann::json::parse(folder.read("run/metrics.json"));
   EXPECT_EQ(metrics["updates"], 17);
   EXPECT_EQ(metrics["dropped_messages"], 0);
-  for (const auto* key :
-       {"update_ms_p50", "update_ms_p99", "cpu_s", "wall_s", "realtime_factor", "max_rss_mb"})
+  for (const auto* key : {"update_ms_p50", "update_ms_p99", "latency_ms_p50", "latency_ms_p99",
+                          "cpu_s", "wall_s", "realtime_factor", "max_rss_mb"})
     EXPECT_GT(metrics[key].get<double>(), 0.0) << key;
 }
 
