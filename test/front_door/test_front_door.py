@@ -55,7 +55,7 @@ class WithoutBuild(FrontDoorTest):
                                                        encoding="utf-8")
 
     def test_names_every_command_when_called_without_one(self):
-        commands = ("setup demo test products check new menu import sim run tune eval "
+        commands = ("setup demo test products parameters check new menu import sim run tune eval "
                     "bench")
         self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands.split()])
 
@@ -141,6 +141,18 @@ class WithBuild(FrontDoorTest):
         self.expect(call(self.slam, "check", "backend=ekf", "odometry=weel"), 1,
                     "did you mean 'wheel'?")
         self.expect(call(self.slam, "check", "backend=ekf", "odometry=wheel"), 0, "(ekf_wheel)")
+
+    def test_tells_what_a_diagram_lacks(self):
+        self.expect(call(self.slam, "products", "--diagram", "ekf_whel"), 1,
+                    "did you mean 'ekf_wheel'?")
+        self.expect(call(self.slam, "products", "--diagram", "ekf_wheel", "--out", "a.gif",
+                         cwd=self.folder), 1, "a.gif ends with none of: .svg")
+        self.expect(call(self.slam, "products", "--out", "a.svg"), 2, "go with --diagram")
+        self.assertEqual(list(self.folder.glob("*.*")), [])
+
+    def test_names_the_demonstrations_beside_a_product_that_is_none(self):
+        self.expect(call(self.slam, "demo", "al", "--yes"), 2, "there is no product 'al'",
+                    "all are the thesis's five", "sena is a real robot's log")
 
     def test_lists_a_product_that_it_has_written(self):
         home = self.folder / "config of mine"

@@ -22,21 +22,43 @@ class KnownSections {
     return sections;
   }
 
+  /// Gets a section's name and the fields of its configuration, with their defaults.
+  using Visitor = std::function<void(const std::string&, const Fields&)>;
+
   template <class Config>
   void add() {
-    checks_[Config::kSection] = [](Settings& settings) { settings.checkUnused<Config>(); };
+    sections_[Config::kSection] = {[](Settings& settings) { settings.checkUnused<Config>(); },
+                                   [](const Visitor& visit) { visitSection<Config>(visit); }};
+  }
+
+  /// Every section in the order of their names.
+  void visit(const Visitor& visit) const {
+    for (const auto& entry : sections_) entry.second.show(visit);
+  }
+
+  template <class Config>
+  static void visitSection(const Visitor& visit) {
+    Config config;
+    Fields fields;
+    config.describe(fields);
+    visit(Config::kSection, fields);
   }
 
   /// To be called when all components of a product have read theirs.
   /// @throw ConfigError listing the faults of the sections that nobody has read
   void checkUnused(Settings& settings) const {
     FaultCollector faults;
-    for (const auto& entry : checks_) faults.attempt([&] { entry.second(settings); });
+    for (const auto& entry : sections_) faults.attempt([&] { entry.second.check(settings); });
     faults.raise();
   }
 
  private:
-  std::map<std::string, std::function<void(Settings&)>> checks_;
+  struct Section {
+    std::function<void(Settings&)> check;
+    std::function<void(const Visitor&)> show;
+  };
+
+  std::map<std::string, Section> sections_;
 };
 
 /// A static object of this type beside a component's Registrar declares a section it reads.

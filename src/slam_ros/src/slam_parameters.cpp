@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+
+#include "slam_core/common/config_error.hpp"
+#include "slam_core/common/parameter_table.hpp"
+#include "slam_core/consistency/consistency_monitor.hpp"
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/laser/laser_config.hpp"
+#include "slam_core/models/landmark_sensor.hpp"
+#include "slam_core/product/product_config.hpp"
+#include "slam_ros/topics_config.hpp"
+
+namespace {
+
+constexpr int kFailed = 1, kWrongUse = 2;
+constexpr const char* kTopLevel = "top";
+constexpr const char* kHead =
+    "# Parameters\n\n"
+    "What a product file and a robot file may hold. `./slam parameters` prints this page from the\n"
+    "descriptions that also check the files; `./slam parameters SECTION` prints a part of it. A "
+    "value\n"
+    "is set in the file, or for one run by `--set section.key=value` (roslaunch: `set:=`).\n";
+
+/// The page's sections: a table by the section's name, the top level first.
+std::map<std::string, std::string> sections() {
+  std::map<std::string, std::string> tables;
+  const auto add = [&](const std::string& name, const slam::Fields& fields) {
+    const auto title = name.empty() ? "Top level" : "Section `" + name + "`";
+    tables[name] = fmt::format("## {}\n\nFile: {}.\n\n{}", title, slam::filesOf(fields),
+                               slam::parameterTable(fields));
+  };
+  const auto& known = slam::KnownSections::instance();
+  known.visitSection<slam::ProductConfig>(add);
+  known.visitSection<slam::FramesConfig>(add);
+  known.visitSection<slam::LandmarkSensorConfig>(add);
+  known.visitSection<slam::ConsistencyConfig>(add);
+  known.visitSection<slam::LaserConfig>(add);
+  known.visitSection<slam_ros::TopicsConfig>(add);
+  known.visit(add);
+  return tables;
+}
+
+std::vector<std::string> names(const std::map<std::string, std::string>& tables) {
+  std::vector<std::string> names;
+  for (const auto& entry : tables) names.push_back(entry.first.empty() ? kTopLevel : entry.first);
+  return names;
+}
+
+int print(const std::string& section) {
+  const auto tables = sections();
+  if (section.empty()) {
+    fmt::print("{}", kHead);
+    for (const auto& entry : tables) fmt::print("\n{}", entry.second);
+    return 0;
+  }
+  const auto found = tables.find(section == kTopLevel ? "" : section);
+  if (found == tables.end()) {
+    std::cerr << "slam_parameters: there is no section '" << section << "'"
+              << slam::didYouMean(section, names(tables))
+              << "; there are: " << slam::join(names(tables)) << std::endl;
+    return kWrongUse;
+  }
+  fmt::print("{}", found->second);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Prints the parameters of product and robot files as tables in Markdown.",
+               "slam_parameters");
+  std::string section;
+  std::vector<std::string> libraries;
+  app.add_option("SECTION", section,
+                 std::string("only this one; ") + kTopLevel + ": the top level");
+  app.add_option("--library", libraries, "also of the components in this shared library");
+  try {
+    app.parse(argc, argv);
+    slam::loadLibraries(libraries);
+    return print(section);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "slam_parameters: " << error.what() << "; --help lists the options" << std::endl;
+    return kWrongUse;
+  } catch (const slam::ConfigError& error) {
+    std::cerr << "slam_parameters: " << error.what() << std::endl;
+    return kFailed;
+  }
+}
