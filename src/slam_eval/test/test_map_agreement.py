@@ -7,6 +7,7 @@ import json
 import pathlib
 import sys
 import tempfile
+import types
 import unittest
 
 import numpy as np
@@ -20,6 +21,7 @@ from slam_eval.errors import InputError  # noqa: E402
 from slam_eval.grid_map import FREE, GridMap, OCCUPIED, read_grid, UNKNOWN  # noqa: E402
 from slam_eval.point_cloud import read_points  # noqa: E402
 from slam_eval.surfaces import Laser, read_simulated_laser, Surfaces  # noqa: E402
+from slam_eval.trajectory import Trajectory  # noqa: E402
 from slam_eval.world_plan import read_world  # noqa: E402
 
 ROOM = [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]
@@ -199,6 +201,21 @@ class Agreement(unittest.TestCase):
         self.assertLess(thickness, 0.02)
         self.assertAlmostEqual(error, 0.1, delta=0.01)
         self.assertEqual(agreement.wall_thickness(points + 50.0, room(), NO_TURN), (None, None))
+
+
+class Alignment(unittest.TestCase):
+
+    def test_is_that_of_the_path_on_which_the_map_was_made(self):
+        poses = run_maker.ring(60)
+        stamps = np.arange(60, dtype=np.int64) * 100_000_000
+        truth = Trajectory(stamps, se2.transform_poses(run_maker.T_WORLD_MAP, poses))
+        wrong = Trajectory(stamps, poses + [1.0, 0.0, 0.0])
+        run = types.SimpleNamespace(trajectory=wrong, final=Trajectory(stamps, poses), truth=truth)
+        np.testing.assert_allclose(agreement.path_alignment(run), run_maker.T_WORLD_MAP, atol=1e-9)
+        run.final.poses[0, 2] += 0.5  # one heading that is off turns no wall
+        np.testing.assert_allclose(agreement.path_alignment(run), run_maker.T_WORLD_MAP, atol=1e-9)
+        run.truth = Trajectory(stamps + 10 ** 12, poses)
+        self.assertIsNone(agreement.path_alignment(run))
 
 
 class Sight(unittest.TestCase):

@@ -122,6 +122,6 @@ def measure_office(context):
         table(OFFICE_HEADER, lines_of([*rows, mean_row('mean', rows)], OFFICE_FORMS)),
         verdicts(OFFICE_GOALS, OFFICE_HEADER, rows),
         'ATE with the landmarks that the camera sees and without. Cells on walls and walls found '
-        'are of the run with landmarks: within one cell, the map moved onto the truth by the pose '
-        'at the start. CPU time includes the detection of landmarks.']
+        'are of the run with landmarks: within one cell, the map moved onto the truth by a rigid '
+        'fit of its path. CPU time includes the detection of landmarks.']
     return section

@@ -97,5 +97,5 @@ def measure_office(context):
         table(HEADER, lines_of([*rows, mean_row('mean', rows)], FORMS)),
         'Thickness: width of the band across a wall that holds the middle 90 % of its points. Off '
         'walls: root mean square distance of the points from the true walls, the map moved onto '
-        'the truth by the pose at the start.']
+        'the truth by a rigid fit of its path.']
     return section

@@ -36,13 +36,17 @@ class MapAgreement:
         return {key: value for key, value in values.items() if value is not None}
 
 
-def start_alignment(trajectory, truth):
-    """The map in the frame of the truth by the first pose that has truth, no fit; or None."""
-    true, valid = interpolate(truth, trajectory.stamps)
-    if not np.any(valid):
+def path_alignment(run):
+    """The map in the frame of the truth, by a rigid fit of the path that the map was made on; or
+    None where fewer than two of its poses have truth.
+
+    One pose alone, like the first, would put its own error of heading into every wall.
+    """
+    path = run.final or run.trajectory
+    true, valid = interpolate(run.truth, path.stamps)
+    if np.count_nonzero(valid) < 2:
         return None
-    first = int(np.argmax(valid))
-    return se2.compose(true[first], se2.inverse(trajectory.poses[first]))
+    return se2.align_rigid(path.poses[valid, :2], true[valid, :2])
 
 
 def _is_near(points, others, distance):
@@ -111,7 +115,7 @@ def map_agreement(run, surfaces, laser):
     """MapAgreement of a run whose world is known, or None where nothing can be told."""
     if run.truth is None or (run.grid is None and run.points is None):
         return None
-    T = start_alignment(run.trajectory, run.truth)
+    T = path_alignment(run)
     if T is None:
         return None
     result = MapAgreement()

@@ -83,7 +83,7 @@ KEYS = {
     'map_cells_on_walls_percent': Key(
         'Occupied cells on walls', '%', '.1f',
         'Occupied cells whose centre lies at most one cell from a true surface, the map moved onto '
-        'the truth by the pose at the start, no fit.', 'Map', True),
+        'the truth by a rigid fit of its path.', 'Map', True),
     'map_walls_found_percent': Key(
         'Walls found', '%', '.1f',
         'The part of the true surfaces seen by the laser on its true way that has an occupied cell '
