@@ -49,6 +49,7 @@ void Estimator::reset() {
   limits.source_timeout = source_timeout_;
   collator_ = TriggerCollator(usesScans() ? 2 : 1, limits);
   if (!expects_observations_) collator_.expectNothing(kObservations);
+  gap_.reset();
   last_motion_.reset();
   report_.reset();
   fault_.clear();
@@ -82,6 +83,7 @@ void Estimator::set(Motion motion) {
   warnOfBaseFrame(motion.base_frame);
   const auto fault = faultOf(motion);
   if (fault.empty()) {
+    if (gap_.bridge(motion)) counters_.add("bridged");
     collator_.push(std::move(motion));
     return;
   }

@@ -12,6 +12,7 @@
 #include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/models/landmark_sensor.hpp"
+#include "slam_core/models/motion_gap.hpp"
 #include "slam_core/product/product_config.hpp"
 
 namespace slam {
@@ -36,7 +37,7 @@ struct StepReport {
 /// them, scans by stamp and takes one step of the back-end at a time. The back-end's nodelet and
 /// the MetaCoordinator share it, which is why both compositions give the same result. Counted
 /// beyond the collator's and the back-end's reasons: "invalid_motion", "invalid_observation",
-/// "invalid_scan", "paused".
+/// "invalid_scan", "paused", "bridged" (a gap of lost motion, crossed by the odometry's poses).
 class Estimator {
  public:
   /// A fresh start. @throw ConfigError listing all faults
@@ -93,6 +94,7 @@ class Estimator {
   ConsistencyMonitor consistency_;
   std::optional<MapState> start_map_;
   bool expects_observations_ = true;
+  MotionGap gap_;
   TriggerCollator collator_;
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;

@@ -17,6 +17,7 @@ const std::map<std::string, std::string>& sentences() {
   static const std::map<std::string, std::string> kSentences = {
       {"late", "messages had a stamp that was not newer than the one before; they were dropped"},
       {"lost", "messages were lost on the way, as the gap in their sequence tells"},
+      {"bridged", "gaps of lost motion were bridged by the odometry's own poses"},
       {"overflow", "messages were dropped because nothing came to go with them"},
       {"before_start", "observation arrays were older than the first motion and were left out"},
       {"stamp_jump", "messages were stamped far ahead of those around them; they were dropped"},

@@ -79,6 +79,19 @@ TEST_F(EstimatorTest, GivesTheSameTrajectoryWhateverTheOrderOfArrival) {
   EXPECT_EQ(reports.size(), steps.size());
 }
 
+TEST_F(EstimatorTest, FindsItselfAgainWhereMessagesWereLostOnTheWay) {
+  const auto steps = simulate(1, 400);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (i < 200 || i >= 260) take(steps[i]);
+  const auto counters = estimator.counters();
+  EXPECT_EQ(counters["lost"], 120u);  // of motion and of observations
+  EXPECT_EQ(counters["bridged"], 1u);
+  EXPECT_EQ(reports.size(), 340u);
+  const auto& last = reports.back().pose;
+  EXPECT_LT((last.pose.position() - steps.back().truth.position()).norm(), 0.1);
+  EXPECT_LT(test::nees(steps.back().truth, last.pose, last.covariance), 16.0);
+}
+
 TEST_F(EstimatorTest, DoesNotMindTheOrderWithinAnArray) {
   const auto steps = simulate(1, 60);
   for (const auto& step : steps) take(step);
