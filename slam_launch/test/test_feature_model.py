@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the feature model allows and what it says of the rest."""
 
+import pathlib
+import tempfile
 import unittest
 
+from slam_launch import packages
 from slam_launch.errors import ProductError
 from slam_launch.feature_model import FeatureModel, text
 from small_model import EXTENSION, KCONFIG, small_model
@@ -73,6 +76,51 @@ class SmallModel(unittest.TestCase):
         features = {"filter": "gauss", "map": "points", "camera": "true", "laser": "false"}
         self.assertEqual(self.model.strings("LAUNCH_", features), ["gauss/gauss.launch"])
         self.assertEqual(self.model.strings("LAUNCH_", {**features, "filter": "cloud"}), [])
+
+
+OTHERS = """
+choice BACKEND
+config BACKEND_MINE
+	bool "mine"
+endchoice
+choice ODOMETRY
+config ODOMETRY_SONAR
+	bool "sonar"
+endchoice
+config LAUNCH_MINE
+	string
+	default "mine/backend.launch" if BACKEND_MINE
+config LAUNCH_SONAR
+	string
+	depends on ODOMETRY_SONAR
+	default "sonar/sonar.launch"
+"""
+
+
+class Halves(unittest.TestCase):
+    """Which machine a launch file goes to."""
+
+    def setUp(self):
+        self.model = FeatureModel()
+
+    def files(self, **given):
+        return self.model.launch_files(self.model.require_valid(given))
+
+    def test_what_features_of_the_front_end_launch_is_front_end(self):
+        files = self.files(backend="pf", odometry="visual", pointmap="true")
+        self.assertEqual(files["frontend"], ["slam_visual_odometry/launch/odometry.launch",
+                                             "slam_frontend/launch/detector.launch"])
+        self.assertEqual(files["backend"], ["slam_backend_pf/launch/backend.launch",
+                                            "slam_pointmap/launch/pointmap.launch"])
+
+    def test_so_it_is_with_a_package_that_opens_a_choice_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            other = pathlib.Path(folder) / "Kconfig"
+            other.write_text(OTHERS, encoding="ascii")
+            model = FeatureModel([packages.share() / "features" / "Kconfig", other])
+        files = model.launch_files(model.require_valid({"backend": "mine", "odometry": "sonar"}))
+        self.assertIn("sonar/sonar.launch", files["frontend"])
+        self.assertEqual(files["backend"], ["mine/backend.launch"])
 
 
 class ExtendedModel(unittest.TestCase):

@@ -16,6 +16,7 @@ from . import packages
 from .errors import did_you_mean, ProductError
 from .kconfig_reasons import reason, requirement
 
+FRONT_END = "Front-end"  # the menu of what runs at the sensors
 NEAREST = 3  # products that are named beside a combination that makes none
 
 
@@ -124,6 +125,17 @@ class FeatureModel:
                   for symbol in self.kconfig.unique_defined_syms if symbol.name.startswith(prefix)}
         return {name: value for name, value in values.items() if value}
 
+    def launch_files(self, features):
+        """Returns PACKAGE/FILE of what the features launch, {"frontend": [...], "backend": [...]}:
+        the front-end's for a feature of that menu, all others beside the back-end."""
+        self._set(features)
+        files = {"frontend": [], "backend": []}
+        for symbol in self.kconfig.unique_defined_syms:
+            if symbol.name.startswith("LAUNCH_") and symbol.str_value:
+                half = "frontend" if is_for(symbol, FRONT_END) else "backend"
+                files[half].append(symbol.str_value)
+        return files
+
     def describe(self, symbol):
         """Returns KEY=VALUE for a feature's symbol, else its name."""
         for key, group in self.groups.items():
@@ -166,6 +178,20 @@ def choice_group(choice):
 def module_group(symbol):
     title = next(node.prompt[0] for node in symbol.nodes if node.prompt)
     return Group(symbol.name.lower(), title, {"false": symbol.name, "true": symbol.name}, "false")
+
+
+def is_for(symbol, menu):
+    """Whether a symbol's value is asked for by a feature within a menu."""
+    wanted = {item for _, condition in symbol.defaults for item in kconfiglib.expr_items(condition)}
+    return any(stands_in(getattr(item, "choice", None) or item, menu) for item in wanted)
+
+
+def stands_in(item, menu):
+    for node in item.nodes:
+        while node := node.parent:
+            if node.prompt and node.prompt[0] == menu:
+                return True
+    return False
 
 
 def read_kconfig(files):

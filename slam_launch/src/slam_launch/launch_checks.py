@@ -5,9 +5,8 @@
 import os
 import pathlib
 import time
-from xml.sax.saxutils import quoteattr
 
-from . import config_files, products
+from . import config_files, machines, products
 from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
 
@@ -26,8 +25,10 @@ def check_values(arguments):
                                f"{did_you_mean(arguments[key], choices)}")
     if arguments["mode"] == "localization" and not arguments["load_map"]:
         raise ProductError("mode:=localization keeps a map fixed and needs one: load_map:=FILE")
-    for key, exists in (("load_map", os.path.exists), ("bag", os.path.isfile)):
-        if arguments[key] and not exists(arguments[key]):
+    machines.check_machines(arguments)
+    for key, exists, half in (("load_map", os.path.exists, "backend"),
+                              ("bag", os.path.isfile, "frontend")):
+        if arguments[key] and machines.runs_here(half, arguments) and not exists(arguments[key]):
             raise ProductError(f"{key}:={arguments[key]}: there is no such file")
     for key, number in (("rate", float), ("seed", int)):
         try:
@@ -67,12 +68,14 @@ def sections_of(overrides):
 
 
 def parts(product, arguments, model):
-    """Returns PACKAGE/FILE of each launch file that makes up the product."""
+    """Returns PACKAGE/FILE of the launch files that make up the halves of the product."""
     if arguments["composition"] == "pubsub":
-        files = model.strings("LAUNCH_", product.features)
+        files = model.launch_files(product.features)
     else:
-        files = ["slam_launch/launch/inprocess.launch"]
-    return files + (["slam_launch/launch/bag_source.launch"] if arguments["bag"] else [])
+        files = {"frontend": [], "backend": ["slam_launch/launch/inprocess.launch"]}
+    if arguments["bag"]:
+        files["frontend"].append("slam_launch/launch/bag_source.launch")
+    return files
 
 
 def common_arguments(product, arguments):
@@ -83,16 +86,6 @@ def common_arguments(product, arguments):
             "waits_for_pointmap":
                 "true" if with_pointmap and arguments["composition"] == "pubsub" else "false",
             "publish_tf": arguments["publish_tf"] or ("true" if by_default else "false")}
-
-
-def launch_file(files, arguments):
-    """Returns a launch file that includes others."""
-    common = "".join(f"    <arg name={quoteattr(name)} value={quoteattr(value)}/>\n"
-                     for name, value in arguments.items())
-    includes = "".join(f"  <include file={quoteattr(f'$(find {package})/{file}')} "
-                       f'pass_all_args="true">\n{common}  </include>\n'
-                       for package, _, file in (name.partition("/") for name in files))
-    return f"<launch>\n{includes}</launch>\n"
 
 
 def write_parts(path, content):
@@ -114,8 +107,10 @@ def product_for(arguments):
     model = FeatureModel()
     product = choose_product(arguments, model)
     content = configured(product, arguments, model)
+    groups = machines.groups(parts(product, arguments, model), arguments)
     write_parts(pathlib.Path(arguments["parts"]),
-                launch_file(parts(product, arguments, model), common_arguments(product, arguments)))
+                machines.launch_file(groups, common_arguments(product, arguments),
+                                     arguments["env_loader"]))
     return content
 
 
@@ -132,7 +127,7 @@ def robot_of_bag(path):
 def robot_for(arguments):
     """Returns the content of the robot file that is given, or that the bag names."""
     name = arguments["robot"]
-    if not name and arguments["bag"]:
+    if not name and os.path.isfile(arguments["bag"]):  # it may lie on another machine
         name = robot_of_bag(arguments["bag"])
     if not name:
         raise ProductError("no robot is given and no bag names one; give robot:=NAME or "
