@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 import time
 
 from . import config_files, machines, products
@@ -11,7 +12,7 @@ from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
 
 CHOICES = {"composition": ("pubsub", "inprocess"), "mode": ("slam", "localization"),
-           "camera_transport": ("auto", "raw", "compressed")}
+           "camera_transport": ("auto", "raw", "compressed"), "publish_tf": ("", "true", "false")}
 DEFAULTS = {"backend": "ekf", "odometry": "wheel"}  # of a launch without a product
 DRIVER = "wheel"  # the odometry whose transform a driver publishes
 OLD = 60  # [s], after which nobody reads a list of parts any more
@@ -21,8 +22,9 @@ def check_values(arguments):
     """Refuses values that no product could make good."""
     for key, choices in CHOICES.items():
         if arguments[key] not in choices:
-            raise ProductError(f"{key}:={arguments[key]} is not one of: {', '.join(choices)}"
-                               f"{did_you_mean(arguments[key], choices)}")
+            known = list(filter(None, choices))
+            raise ProductError(f"{key}:={arguments[key]} is not one of: {', '.join(known)}"
+                               f"{did_you_mean(arguments[key], known)}")
     if arguments["mode"] == "localization" and not arguments["load_map"]:
         raise ProductError("mode:=localization keeps a map fixed and needs one: load_map:=FILE")
     machines.check_machines(arguments)
@@ -63,6 +65,9 @@ def configured(product, arguments, model):
 
 def sections_of(overrides):
     """Returns the sections of SECTION.KEY=VALUE ..., each with the first key that is set."""
+    for word in overrides.split():
+        if not re.fullmatch(r"[^.=]+(\.[^=]+)?=.+", word):
+            raise ProductError(f"set:= holds '{word}', which is not [SECTION.]KEY=VALUE")
     names = [word.partition("=")[0].rpartition(".") for word in overrides.split()]
     return {section: {key: None} for section, _, key in reversed(names) if section}
 

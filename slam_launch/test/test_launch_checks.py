@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The arguments of slam.launch before anything is started."""
+
+import pathlib
+import tempfile
+import unittest
+
+from slam_launch import launch_checks
+from slam_launch.errors import ProductError
+
+DEFAULTS = dict.fromkeys(
+    ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "bag", "seed",
+     "publish_tf", "set", "frontend_machine", "backend_machine", "env_loader", "only"), "")
+DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
+
+
+class LaunchChecks(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.parts = pathlib.Path(folder.name) / "parts.launch"
+
+    def check(self, **given):
+        return launch_checks.product_for({**DEFAULTS, "parts": str(self.parts), **given})
+
+    def expect_refusal(self, sentence, **given):
+        with self.assertRaises(ProductError) as caught:
+            self.check(**given)
+        self.assertIn(sentence, str(caught.exception))
+        self.assertFalse(self.parts.exists())
+
+    def test_the_defaults_make_a_product_and_a_list_of_its_parts(self):
+        self.assertEqual(self.check()["product"], "ekf_wheel")
+        self.assertIn("slam_backend_ekf", self.parts.read_text(encoding="utf-8"))
+
+    def test_refuses_a_value_that_is_not_among_those_there_are(self):
+        self.expect_refusal("publish_tf:=ja is not one of: true, false", publish_tf="ja")
+        self.expect_refusal("composition:=inproces is not one of: pubsub, inprocess (did you mean "
+                            "'inprocess'?)", composition="inproces")
+        self.expect_refusal("rate:=nan is not a number >= 0", rate="nan")
+
+    def test_refuses_what_sets_no_parameter(self):
+        for word in ("ekf.gate_probability", ".mode=slam", "ekf.gate_probability=", "x"):
+            self.expect_refusal(f"set:= holds '{word}', which is not [SECTION.]KEY=VALUE",
+                                set=f"ekf.mode=slam {word}")
+        self.check(set="ekf.gate_probability=0.9 frames.map=world source_timeout=20")
+
+
+if __name__ == "__main__":
+    unittest.main()
