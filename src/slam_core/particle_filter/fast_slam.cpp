@@ -101,13 +101,14 @@ Status FastSlam::execute() {
     estimate(step);
     resample(step);
     weights_are_left &= draw(step);
+    judgeScan(step);
     insertScan(step);
     if (step.scan) scans_->markTaken(step.stamp);
     record(step);
     told_.grid_revision += step.is_mapped || particles_->best().grid.identity() != grid;
   }
   told_.statistics.landmarks = static_cast<int>(index_.size());
-  return status(step, weights_are_left);
+  return status(weights_are_left);
 }
 
 void FastSlam::replaceMap() {
@@ -284,7 +285,7 @@ void FastSlam::beginAnew(const Step& step) {
   }
 }
 
-Status FastSlam::status(const Step& step, bool weights_are_left) const {
+Status FastSlam::status(bool weights_are_left) const {
   if (!weights_are_left)
     return Status::warning(
         "no particle can explain the observations, all weights vanished; they are made equal and "
@@ -292,7 +293,7 @@ Status FastSlam::status(const Step& step, bool weights_are_left) const {
   if (!told_.grid_status.isOk()) return told_.grid_status;
   if (mapIsFixed() && index_.size() == 0 && particles_->best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
-  if (step.is_lost)
+  if (fit_.isLost() || (scans_ && scans_->fit().isLost()))
     return Status::warning(
         "the latest observations are far less likely than they should be: the pose may be lost; "
         "set an initial pose");

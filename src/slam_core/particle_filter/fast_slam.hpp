@@ -96,10 +96,11 @@ class FastSlam final : public Backend {
   double drawParticle(const Step& step, std::size_t i, unsigned lane);
   void record(const Step& step);
   void beginAnew(const Step& step);
-  Status status(const Step& step, bool weights_are_left) const;
+  Status status(bool weights_are_left) const;
   /// As the particles have it.
   Landmark landmark(std::size_t slot) const;
   grid_map::GridMap gridOf(const MapState& map);
+  void judgeScan(const Step& step);
   void insertScan(Step& step);
   bool tellsBest() const {
     return config_.pose == "best" || (config_.pose == "auto" && usesScans());

@@ -29,7 +29,14 @@ Status FastSlam::carry(const Step& step) {
   if (step.stamp != Stamp())
     particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), false);
   told_.statistics.landmarks = static_cast<int>(index_.size());
-  return status(step, true);
+  return status(true);
+}
+
+void FastSlam::judgeScan(const Step& step) {
+  if (!step.scan) return;
+  const auto& best = particles_->best();
+  scans_->judge(*step.scan, best.pose, best.grid);
+  told_.figures["contradicting_ends"] = scans_->fit().contradictingShare();
 }
 
 void FastSlam::insertScan(Step& step) {

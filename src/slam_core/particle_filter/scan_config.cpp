@@ -73,6 +73,12 @@ void ScanConfig::describeLikelihood(Fields& fields) {
           "particle one after the other is not independent either, as they fit the same map")
       .unit("1")
       .in(Range::atLeast(1));
+  fields
+      .add("lost_share", &lost_share,
+           "the robot is told lost when a larger share of a scan's ends than this, of those where "
+           "the map knows something, lies where the map is free")
+      .unit("1")
+      .in(Range::open(0, 1));
 }
 
 void ScanConfig::describeSearch(Fields& fields) {

@@ -23,6 +23,7 @@ struct ScanConfig {
   double outlier = 0.01;
   double beam_information = 0.3;
   double weight_smoothing = 10.0;
+  double lost_share = 0.5;
   double step_position = 0.05;
   double step_heading = 0.03;
   int step_halvings = 5;

@@ -38,10 +38,12 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
       likelihood_(scan.outlier, scan.beam_information),
       proposal_(proposalOf(scan)),
       weighting_(makeScanWeighting(scan.weighting)),
-      trigger_(triggerOf(scan)) {}
+      trigger_(triggerOf(scan)),
+      fit_(scan.lost_share) {}
 
 void ScanUpdate::restart(const PoseEstimate& around) {
   trigger_ = triggerOf(config_);
+  fit_.forget();
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
   to_robot.topLeftCorner<2, 2>() = around.pose.rotation().transpose();
   motion_.emplace();

@@ -12,6 +12,7 @@
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/particle_filter/scan_config.hpp"
+#include "slam_core/particle_filter/scan_fit_monitor.hpp"
 #include "slam_core/particle_filter/scan_proposal.hpp"
 #include "slam_core/particle_filter/scan_weighting.hpp"
 #include "slam_core/particle_filter/update_trigger.hpp"
@@ -30,6 +31,11 @@ class ScanUpdate {
   void move(const Motion& motion);
   /// The scan for an update; nothing where none is due or it tells nothing.
   std::optional<grid_map::ScanPoints> take(const LaserScan& scan) const;
+  /// How a scan fits the map that it goes into next.
+  void judge(const grid_map::ScanPoints& scan, const Pose2& pose, const grid_map::GridMap& map) {
+    fit_.judge(map, scan, pose);
+  }
+  const ScanFitMonitor& fit() const { return fit_; }
   /// The update with the scan that was taken is done.
   void markTaken(Stamp stamp);
 
@@ -61,6 +67,7 @@ class ScanUpdate {
   std::unique_ptr<ScanProposal> proposal_;
   std::unique_ptr<ScanWeighting> weighting_;
   UpdateTrigger trigger_;
+  ScanFitMonitor fit_;
   std::optional<Motion> motion_;  ///< since the last update
 };
 

@@ -241,6 +241,44 @@ TEST(GridSlam, GoesOnWithAMapThatWasSavedInTheMiddle) {
   EXPECT_GT(test::shareOnWalls(*next->grid(), drive.room()), 0.75);
 }
 
+/// @return how many steps were told as lost
+int countLost(Backend& backend, RoomDrive& drive, int steps) {
+  int lost = 0;
+  for (int i = 0; i < steps; ++i)
+    lost += test::oneSays({take(backend, drive.next()).message}, {"may be lost", "initial pose"});
+  return lost;
+}
+
+TEST(GridSlam, ARobotCarriedAwayWhileItMapsIsToldLost) {
+  for (const int carried : {30, 50, 70}) {
+    const auto filter = made();
+    RoomDrive drive(20);
+    EXPECT_EQ(countLost(*filter, drive, 2 * kLap), 0);
+    for (int i = 0; i < carried; ++i) drive.next();
+    EXPECT_GT(countLost(*filter, drive, 10), 0) << carried << " steps";
+    EXPECT_GT(filter->figures().at("contradicting_ends"), 0.0);
+  }
+}
+
+TEST(GridSlam, ARobotCarriedAwayInAFixedMapIsToldLostUntilItGetsANewPose) {
+  const auto mapper = made();
+  RoomDrive first(21);
+  run(*mapper, first, kLap);
+  auto config = gridConfig();
+  config.mode = "localization";
+  const auto filter = made(config);
+  filter->set(mapper->state());
+  RoomDrive drive(22);
+  filter->set(PoseEstimate{Pose2(), 1e-3 * Eigen::Matrix3d::Identity()});
+  EXPECT_EQ(countLost(*filter, drive, 40), 0);
+  for (int i = 0; i < 60; ++i) drive.next();
+  EXPECT_GT(countLost(*filter, drive, 20), 10);
+  const auto step = drive.next();
+  filter->set(PoseEstimate{step.truth, 1e-3 * Eigen::Matrix3d::Identity()});
+  take(*filter, step);
+  EXPECT_EQ(countLost(*filter, drive, 40), 0);
+}
+
 TEST(GridSlam, TellsOfALoadedGridThatIsNone) {
   const auto filter = made();
   MapState state;

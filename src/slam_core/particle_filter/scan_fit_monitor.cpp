@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/scan_fit_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slam::particle_filter {
+namespace {
+
+using grid_map::Tile;
+
+/// Ends in known cells of which something can be told.
+constexpr int kEnough = 20;
+/// Scans for which doubt lasts.
+constexpr int kLasting = 5;
+/// Passed by three beams or more; some cells beside a wall are passed by one.
+constexpr grid_map::LogOdds kSurelyFree = -16;
+/// Of 255: two standard deviations from an end in the map.
+constexpr std::uint8_t kNear = 34;
+
+struct Counts {
+  int agreeing = 0, contradicting = 0;
+};
+
+void count(const grid_map::GridMap& map, const Eigen::Vector2d& end, Counts& counts) {
+  const grid_map::CellIndex cell{static_cast<std::int32_t>(std::floor(end.x())),
+                                 static_cast<std::int32_t>(std::floor(end.y()))};
+  const auto* const tile = map.tile(cell);
+  if (tile == nullptr) return;
+  const auto at = Tile::at(cell);
+  if (tile->likelihood[at] >= kNear)
+    ++counts.agreeing;
+  else if (tile->log_odds[at] != grid_map::kUnseen && tile->log_odds[at] <= kSurelyFree)
+    ++counts.contradicting;
+}
+
+}  // namespace
+
+void ScanFitMonitor::judge(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
+                           const Pose2& pose) {
+  scans_in_doubt_ = std::max(0, scans_in_doubt_ - 1);
+  share_ = 0.0;
+  if (!scan.isOnMap(pose)) return;
+  Counts counts;
+  const Pose2 in_cells = scan.inCells(pose);
+  for (const auto& end : scan.ends) count(map, in_cells.transform(end), counts);
+  const int known = counts.agreeing + counts.contradicting;
+  if (known < kEnough) return;
+  share_ = static_cast<double>(counts.contradicting) / known;
+  if (share_ > lost_share_) scans_in_doubt_ = kLasting;
+}
+
+void ScanFitMonitor::forget() {
+  share_ = 0.0;
+  scans_in_doubt_ = 0;
+}
+
+}  // namespace slam::particle_filter
