@@ -19,15 +19,13 @@ BeamModel::BeamModel(const GridMapConfig& config)
     : resolution_(config.resolution),
       usable_range_(config.usable_range),
       free_range_(std::min(config.free_range, config.usable_range)),
+      hit_(static_cast<LogOdds>(std::clamp(logOddsOf(config.hit_probability), 1, 127))),
       largest_(static_cast<LogOdds>(std::clamp(logOddsOf(config.largest_probability), 1, 127))),
       reach_(static_cast<int>(std::ceil(2.5 * config.sigma / config.resolution))) {
-  const int hit = std::max(1, logOddsOf(config.hit_probability));
   const int miss = std::min(-1, logOddsOf(config.miss_probability));
   for (int old = -128; old <= 127; ++old) {
     const int before = old == kUnseen ? 0 : old;
     const auto cell = index(static_cast<LogOdds>(old));
-    after_hit_[cell] =
-        static_cast<LogOdds>(std::clamp(before + hit, -int{largest_}, int{largest_}));
     after_miss_[cell] =
         static_cast<LogOdds>(std::clamp(before + miss, -int{largest_}, int{largest_}));
   }
@@ -37,6 +35,12 @@ BeamModel::BeamModel(const GridMapConfig& config)
           (cells - static_cast<double>(offset) / kOffsets) * resolution_ / config.sigma;
       kernel_.push_back(static_cast<float>(std::exp(-0.5 * d * d)));
     }
+}
+
+LogOdds BeamModel::gainOf(double sigma) const {
+  constexpr double kSigmas = 3.0;  // within which an end lies
+  const double share = 0.5 * resolution_ / std::max(kSigmas * sigma, 0.5 * resolution_);
+  return static_cast<LogOdds>(std::max(1l, std::lround(share * share * hit_)));
 }
 
 }  // namespace slam::grid_map

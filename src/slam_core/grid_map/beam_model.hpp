@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,13 @@ class BeamModel {
   double freeRange() const { return free_range_; }
   LogOdds largestLogOdds() const { return largest_; }
 
-  LogOdds afterHit(LogOdds cell) const { return after_hit_[index(cell)]; }
+  /// What a cell gains in which a beam ends, at least 1. A beam counts as a whole while its end
+  /// lies within half a cell of what it met, and in proportion to its information beyond.
+  /// @param sigma of its range [m]
+  LogOdds gainOf(double sigma) const;
+  LogOdds afterHit(LogOdds cell, LogOdds gain) const {
+    return static_cast<LogOdds>(std::min((cell == kUnseen ? 0 : cell) + gain, int{largest_}));
+  }
   LogOdds afterMiss(LogOdds cell) const { return after_miss_[index(cell)]; }
   static bool isOccupied(LogOdds cell) { return cell > 0; }
 
@@ -44,8 +51,8 @@ class BeamModel {
   static std::size_t index(LogOdds cell) { return static_cast<std::uint8_t>(cell); }
 
   double resolution_, usable_range_, free_range_;
-  LogOdds largest_;
-  std::array<LogOdds, 256> after_hit_, after_miss_;
+  LogOdds hit_, largest_;
+  std::array<LogOdds, 256> after_miss_;
   int reach_;
   std::vector<float> kernel_;
 };

@@ -107,12 +107,12 @@ class Insertion {
 
   std::size_t run() {
     for (const auto& beam : scan_.beams)
-      if (beam.hit) ends_.add(cellOf(pose_.transform(beam.end)));
+      if (beam.isHit()) ends_.add(cellOf(pose_.transform(beam.end)));
     const auto from = cellOf(pose_.transform(scan_.origin));
     for (const auto& beam : scan_.beams)
       traverse(from, cellOf(pose_.transform(beam.end)), [&](CellIndex cell) { miss(cell); });
     for (const auto& beam : scan_.beams)
-      if (beam.hit) hit(pose_.transform(beam.end));
+      if (beam.isHit()) hit(pose_.transform(beam.end), beam.gain);
     for (const auto cell : freed_) takeLikelihood(model_, cell, map_);
     return beyond_;
   }
@@ -133,12 +133,12 @@ class Insertion {
     }
   }
 
-  void hit(const Eigen::Vector2d& end) {
+  void hit(const Eigen::Vector2d& end, LogOdds gain) {
     const auto cell = cellOf(end);
     const auto at = Tile::at(cell);
     const auto* const tile = cursor_.read(cell);
     const LogOdds before = tile == nullptr ? kUnseen : tile->log_odds[at];
-    const LogOdds after = model_.afterHit(before);
+    const LogOdds after = model_.afterHit(before, gain);
     if (after == before && tile->ends[at] >= kMostEnds) return;
     auto* const own = cursor_.own(cell);
     if (own == nullptr) {

@@ -19,7 +19,8 @@ std::optional<ScanPoints::Beam> beamOf(const LaserBeam& beam, const LaserScan& s
   if (!(length > 0.0)) return std::nullopt;
   const Eigen::Vector2d direction(std::cos(double{beam.bearing}), std::sin(double{beam.bearing}));
   const Eigen::Vector2d end = scan.sensor_pose.transform(length * direction);
-  return ScanPoints::Beam{end / model.resolution(), is_hit};
+  const double sigma = scan.relative_sigma * range;
+  return ScanPoints::Beam{end / model.resolution(), is_hit ? model.gainOf(sigma) : LogOdds{0}};
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ ScanPoints pointsOf(const LaserScan& scan, const BeamModel& model, double spacin
     const auto beam = beamOf(read, scan, model);
     if (!beam) continue;
     points.beams.push_back(*beam);
-    if (beam->hit && (points.ends.empty() || (beam->end - points.ends.back()).norm() >= apart))
+    if (beam->isHit() && (points.ends.empty() || (beam->end - points.ends.back()).norm() >= apart))
       points.ends.push_back(beam->end);
   }
   return points;

@@ -15,7 +15,8 @@ namespace slam::grid_map {
 struct ScanPoints {
   struct Beam {
     Eigen::Vector2d end;  ///< of what it says
-    bool hit;             ///< it ends in something; else it says that there is nothing
+    LogOdds gain;         ///< of the cell in which it ends; 0: it says that there is nothing
+    bool isHit() const { return gain > 0; }
   };
   double cells_per_metre = 1.0;
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the sensor

@@ -21,6 +21,12 @@ void LaserConfig::describe(Fields& fields) {
       .unit("m")
       .in(Range::atLeast(0))
       .ofRobot();
+  fields
+      .add("relative_sigma", &relative_sigma,
+           "standard deviation of a range, relative to it: far ends count less in a grid map")
+      .unit("1")
+      .in(Range::closed(0, 0.5))
+      .ofRobot();
 }
 
 std::optional<Eigen::Isometry3d> LaserConfig::mount() const {

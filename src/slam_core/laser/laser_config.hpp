@@ -18,6 +18,7 @@ struct LaserConfig {
 
   std::vector<double> sensor_pose;
   double range_max = 0.0;
+  double relative_sigma = 0.0;
 
   void describe(Fields& fields);
   /// The pose of the laser's frame in the robot's base frame, where the robot file gives it.

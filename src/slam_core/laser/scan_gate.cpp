@@ -64,6 +64,7 @@ Status ScanGate::next() {
     scan_->sensor_frame = sweep.frame;
   } else {
     scan_ = toScan(sweep, *mount_);
+    scan_->relative_sigma = config_.relative_sigma;
   }
   scan_->sequence = sequence_++;
   return fault ? Status::warning(fault->sentence) : Status::ok();

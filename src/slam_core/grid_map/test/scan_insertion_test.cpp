@@ -101,6 +101,25 @@ TEST_F(ScanInsertion, AnEndIsNotOnTheWayOfAnotherBeamOfTheScan) {
   for (const auto& beam : beams) EXPECT_GT(at(0.02 + beam.end().x(), 0.52), 0);
 }
 
+TEST_F(ScanInsertion, AnEndCountsAsMuchAsItsRangeTells) {
+  config.largest_probability = 0.999;
+  model = BeamModel(config);
+  LaserScan far = scanWith({{0.0f, 3.02f, true}}), near = scanWith({{1.57f, 0.52f, true}});
+  far.relative_sigma = near.relative_sigma = 0.01;  // 3 cm and half a cm, of a cell of 5 cm
+  insert(far);
+  insert(near);
+  const auto end_of_near = near.beams[0].end();
+  EXPECT_EQ(at(end_of_near.x(), end_of_near.y()), model.gainOf(0.0)) << "as much as without noise";
+  const int once = at(3.02, 0.0);
+  EXPECT_NEAR(once, model.gainOf(0.0) * std::pow(0.025 / 0.0906, 2), 0.5);
+  EXPECT_LT(1.0 / (1.0 + std::exp(-once / kLogOddsUnit)), 0.65) << "one alone makes no wall";
+  for (int i = 0; i < 15; ++i) insert(far);
+  EXPECT_EQ(at(3.02, 0.0), 16 * once) << "many do";
+  far.relative_sigma = 10.0;
+  insert(far);
+  EXPECT_EQ(at(3.02, 0.0), 16 * once + 1) << "none counts for nothing";
+}
+
 TEST_F(ScanInsertion, FollowsWhatChanges) {
   for (int i = 0; i < 50; ++i) insert(scanWith({{0.0f, 1.02f, true}}));
   EXPECT_GT(at(1.02, 0.0), 0);

@@ -108,6 +108,19 @@ TEST_F(ScanGateTest, TheRobotFilesRangeShortensTheLasers) {
   EXPECT_EQ(gate.scan()->beams[0].range, 1.5f);
 }
 
+TEST_F(ScanGateTest, ScansCarryTheNoiseThatTheRobotFileNames) {
+  LaserConfig config;
+  config.relative_sigma = 0.02;
+  gate.configure(config);
+  gate.set(mount());
+  gate.set(sweepAt(1));
+  next();
+  ASSERT_TRUE(gate.scan());
+  EXPECT_EQ(gate.scan()->relative_sigma, 0.02);
+  config.relative_sigma = -0.1;
+  EXPECT_THROW(gate.configure(config), ConfigError);
+}
+
 TEST_F(ScanGateTest, TheRobotFilesRangeStandsInForOneThatIsInfinite) {
   auto sweep = sweepAt(1);
   sweep.range_max = std::numeric_limits<float>::infinity();
