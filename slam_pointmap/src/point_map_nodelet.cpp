@@ -36,6 +36,14 @@ namespace {
 
 using slam_ros::kQueue;
 
+slam::point_map::FilterPose fromMsg(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const auto& pose = message.pose.pose;
+  return {slam_ros::fromRos(message.header.stamp), pose.position.x, pose.position.y,
+          pose.orientation.z, pose.orientation.w};
+}
+
+}  // namespace
+
 struct NodeletConfig {
   static constexpr const char* kSection = "";
 
@@ -49,14 +57,6 @@ struct NodeletConfig {
         .in(slam::Range::above(0));
   }
 };
-
-slam::point_map::FilterPose fromMsg(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  const auto& pose = message.pose.pose;
-  return {slam_ros::fromRos(message.header.stamp), pose.position.x, pose.position.y,
-          pose.orientation.z, pose.orientation.w};
-}
-
-}  // namespace
 
 /// `scan`, `motion` and `pose` in, `points` out.
 class PointMapNodelet : public nodelet::Nodelet {

@@ -32,6 +32,10 @@
 namespace slam_visual_odometry {
 namespace {
 
+constexpr const char* kOwnFrame = "visual_odom";  // where another node publishes odom -> base
+
+}  // namespace
+
 struct NodeletConfig {
   static constexpr const char* kSection = "";
 
@@ -46,10 +50,6 @@ struct NodeletConfig {
                "for the back-end; not where it is moved by another source, to compare with");
   }
 };
-
-constexpr const char* kOwnFrame = "visual_odom";  // where another node publishes odom -> base
-
-}  // namespace
 
 /// Images of the ceiling in, and the wheels' `odom` where the product wants them; `motion` out.
 class VisualOdometryNodelet : public nodelet::Nodelet {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "slam_core/ekf/index.hpp"
+
 namespace slam::ekf {
 namespace {
 
@@ -16,8 +18,6 @@ Neighbourhood neighbourhoodOf(const MapState& map, double inflation) {
     marginals.push_back(inflation * inflation * landmark.covariance);
   return {map.robot.covariance, marginals};
 }
-
-std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

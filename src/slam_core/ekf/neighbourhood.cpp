@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/ekf/index.hpp"
 #include "slam_core/ekf/symmetric_update.hpp"
 
 namespace slam::ekf {
@@ -16,8 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index kHeading = DenseCovariance::kHeadingRow;
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 /// The pivot of a variable that the ones before determine wholly must not be 0.
 double pivotRoot(double pivot, double variance) {

@@ -20,13 +20,14 @@
 namespace slam::fiducial {
 namespace {
 
-const Registrar<LandmarkDetector, FiducialDetectorWith<AprilTagDetector>> kRegistrar("apriltag");
-const SectionRegistrar<AprilTagConfig> kSection;
+const Registrar<LandmarkDetector, FiducialDetectorWith<AprilTagDetector>> kAprilTagRegistrar(
+    "apriltag");
+const SectionRegistrar<AprilTagConfig> kAprilTagSectionRegistrar;
 
 /// Smaller than any tag; the library's tiles of 4 px need a few of them.
 constexpr int kSmallestImage = 16;
 /// How far off the library's corners may be, in the image in which it looks for squares [px].
-constexpr double kCornerError = 1.0;
+constexpr double kAprilTagCornerError = 1.0;
 
 struct FamilyFunctions {
   apriltag_family_t* (*create)();
@@ -158,7 +159,7 @@ void AprilTagDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>&
     marker.margin = static_cast<double>(detection->decision_margin);
     if (config_.corner_refinement == "edges") {
       const bool is_reversed = detection->family->reversed_border;
-      refineByEdges(gray, marker.corners, kCornerError * config_.quad_decimate,
+      refineByEdges(gray, marker.corners, kAprilTagCornerError * config_.quad_decimate,
                     is_reversed ? Contrast::kWhiteOnBlack : Contrast::kBlackOnWhite);
     }
     if (marker.hamming > config_.max_hamming) marker.rejection = "hamming";

@@ -16,11 +16,11 @@
 namespace slam::fiducial {
 namespace {
 
-const Registrar<LandmarkDetector, FiducialDetectorWith<ArucoDetector>> kRegistrar("aruco");
-const SectionRegistrar<ArucoConfig> kSection;
+const Registrar<LandmarkDetector, FiducialDetectorWith<ArucoDetector>> kArucoRegistrar("aruco");
+const SectionRegistrar<ArucoConfig> kArucoSectionRegistrar;
 
 /// How far off corners of the library's polygons may be [px].
-constexpr double kCornerError = 3.0;
+constexpr double kArucoCornerError = 3.0;
 
 const std::map<std::string, cv::aruco::PREDEFINED_DICTIONARY_NAME> kDictionaries = {
     {"DICT_4X4_50", cv::aruco::DICT_4X4_50},
@@ -167,7 +167,7 @@ void ArucoDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>& fo
         const auto& corner = corners[i][dictionary.is_upside_down ? (k + 2) % 4 : k];
         marker.corners[k] = {corner.x, corner.y};
       }
-      if (refine_by_edges) refineByEdges(gray, marker.corners, kCornerError);
+      if (refine_by_edges) refineByEdges(gray, marker.corners, kArucoCornerError);
       found.push_back(marker);
     }
   }

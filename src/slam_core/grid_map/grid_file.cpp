@@ -66,7 +66,7 @@ YAML::Node required(const YAML::Node& root, const std::string& key) {
   return root[key];
 }
 
-double number(const YAML::Node& node, const std::string& name) {
+double finite(const YAML::Node& node, const std::string& name) {
   double value = NAN;
   if (!YAML::convert<double>::decode(node, value) || !std::isfinite(value))
     throw std::runtime_error(name + " is not a finite number");
@@ -89,23 +89,23 @@ Legend readLegend(const YAML::Node& root) {
   if (legend.mode != "trinary" && legend.mode != "scale" && legend.mode != "raw")
     throw std::runtime_error("mode '" + legend.mode + "' is none of trinary, scale and raw");
   legend.negate = readNegate(required(root, "negate"));
-  legend.occupied_thresh = number(required(root, "occupied_thresh"), "occupied_thresh");
-  legend.free_thresh = number(required(root, "free_thresh"), "free_thresh");
+  legend.occupied_thresh = finite(required(root, "occupied_thresh"), "occupied_thresh");
+  legend.free_thresh = finite(required(root, "free_thresh"), "free_thresh");
   if (!(legend.free_thresh < legend.occupied_thresh))
     throw std::runtime_error("free_thresh is not less than occupied_thresh");
   return legend;
 }
 
 void readGeometry(const YAML::Node& root, OccupancyGrid& grid) {
-  grid.resolution = number(required(root, "resolution"), "resolution");
+  grid.resolution = finite(required(root, "resolution"), "resolution");
   if (!(grid.resolution > 0.0))
     throw std::runtime_error(
         fmt::format("resolution is {} and must be more than 0 m/cell", grid.resolution));
   const auto origin = required(root, "origin");
   if (!origin.IsSequence() || origin.size() != 3)
     throw std::runtime_error("origin is not [x, y, yaw]");
-  grid.origin = {number(origin[0], "origin's x"), number(origin[1], "origin's y")};
-  if (const double yaw = number(origin[2], "origin's yaw"); yaw != 0.0)
+  grid.origin = {finite(origin[0], "origin's x"), finite(origin[1], "origin's y")};
+  if (const double yaw = finite(origin[2], "origin's yaw"); yaw != 0.0)
     throw std::runtime_error(
         fmt::format("its origin is rotated by {} rad; only maps along the axes can be used", yaw));
 }

@@ -10,7 +10,7 @@
 namespace slam::point_map {
 namespace {
 
-constexpr double kLineRadius = 0.2;     ///< of the points that a surface is known by [m]
+constexpr double kSurfaceRadius = 0.2;  ///< of the points that a surface is known by [m]
 constexpr std::uint32_t kSettled = 20;  ///< so many end points make a point of a surface
 constexpr std::uint32_t kStray = 4;     ///< a point of so much less counts as noise beside it
 
@@ -44,7 +44,7 @@ class AlignedFusion final : public FusionPolicy {
  private:
   /// Of the points beside an end point along a surface that is known well, the best known.
   std::optional<std::uint32_t> settledOnSurface(const Eigen::Vector2d& end, const PointSet& map) {
-    line_ = surfaceLine(end, kLineRadius, kHeavy, map);
+    line_ = surfaceLine(end, kSurfaceRadius, kHeavy, map);
     if (!line_.is_line) return std::nullopt;
     const double reach = std::hypot(config_.surface_distance, config_.fusion_distance);
     std::optional<std::uint32_t> best;

@@ -8,7 +8,7 @@
 namespace slam::visual_odometry {
 namespace {
 
-const Registrar<OdometrySource, VisualWheelOdometry> kRegistrar("visual_wheel");
+const Registrar<OdometrySource, VisualWheelOdometry> kWheelRegistrar("visual_wheel");
 
 constexpr Duration kPatience = std::chrono::seconds(1);  // of images, for wheels that are silent
 constexpr std::size_t kCapacity = 100;

@@ -9,12 +9,11 @@
 #include "carmen_log.hpp"
 #include "carmen_maker.hpp"
 #include "import_error.hpp"
+#include "second.hpp"
 #include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {
-
-constexpr std::int64_t kSecond = 1'000'000'000;
 
 class Carmen : public testing::Test {
  protected:

@@ -12,12 +12,11 @@
 #include "import_error.hpp"
 #include "rawlog_log.hpp"
 #include "rawlog_maker.hpp"
+#include "second.hpp"
 #include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {
-
-constexpr std::int64_t kSecond = 1'000'000'000;
 
 class Rawlog : public testing::Test {
  protected:

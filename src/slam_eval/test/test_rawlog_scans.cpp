@@ -8,12 +8,11 @@
 #include "rawlog_lasers.hpp"
 #include "rawlog_log.hpp"
 #include "rawlog_maker.hpp"
+#include "second.hpp"
 #include "temp_folder.hpp"
 
 namespace slam::eval {
 namespace {
-
-constexpr std::int64_t kSecond = 1'000'000'000;
 
 template <class Fill>
 RawlogLog readMade(Fill fill) {

@@ -41,6 +41,8 @@ constexpr const char* kPointMapScans = "scans for the point map";
 constexpr const char* kPointMapMotion = "motion for the point map";
 constexpr const char* kPointMapPose = "poses for the point map";
 
+}  // namespace
+
 struct BagSourceConfig {
   static constexpr const char* kSection = "";
 
@@ -65,8 +67,6 @@ struct BagSourceConfig {
     fields.add("remaps", &remaps, "input:=topic of the bag");
   }
 };
-
-}  // namespace
 
 /// Plays a bag to the product's inputs and sends no more than the back-end has acknowledged, so
 /// that nothing is dropped however fast it goes.

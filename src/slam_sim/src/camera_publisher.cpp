@@ -8,7 +8,7 @@
 namespace slam::sim {
 namespace {
 
-constexpr std::uint32_t kQueue = 5;
+constexpr std::uint32_t kImageQueue = 5;
 
 }  // namespace
 
@@ -16,9 +16,9 @@ CameraPublisher::CameraPublisher(ros::NodeHandle handle, const CameraModel& mode
                                  std::size_t index)
     : model_(model), index_(index) {
   const auto image = model.name + "/image_raw";
-  info_ = handle.advertise<sensor_msgs::CameraInfo>(model.name + "/camera_info", kQueue);
-  raw_ = handle.advertise<sensor_msgs::Image>(image, kQueue);
-  compressed_ = handle.advertise<sensor_msgs::CompressedImage>(image + "/compressed", kQueue);
+  info_ = handle.advertise<sensor_msgs::CameraInfo>(model.name + "/camera_info", kImageQueue);
+  raw_ = handle.advertise<sensor_msgs::Image>(image, kImageQueue);
+  compressed_ = handle.advertise<sensor_msgs::CompressedImage>(image + "/compressed", kImageQueue);
 }
 
 bool CameraPublisher::isWanted() const {

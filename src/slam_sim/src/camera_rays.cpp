@@ -23,7 +23,7 @@ constexpr std::uint64_t kShiftSeed = 16;
 class CornerRays {
  public:
   CornerRays(const CameraCalibration& camera, int columns, int rows) : columns_(columns + 1) {
-    const CameraModel model(camera);
+    const slam::CameraModel model(camera);
     for (int v = 0; v <= rows; ++v) {
       for (int u = 0; u <= columns; ++u) {
         // Tiles may stick out of the image, where a lens need not see anything.
