@@ -3,6 +3,7 @@
 
 #include "slam_core/tuning/maximum_likelihood.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -38,48 +39,51 @@ VectorXd shifted(const VectorXd& x, Index i, double by) {
 
 double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 
-/// What two looks along each axis tell.
-struct Slopes {
+MatrixXd slopesAt(const LogLikelihoods& f, const VectorXd& x) {
   MatrixXd G;
-  VectorXd sides;  ///< the sums at both looks, together
-};
-
-Slopes slopesAt(const LogLikelihoods& f, const VectorXd& x) {
-  Slopes slopes{{}, VectorXd(x.size())};
   for (Index i = 0; i < x.size(); ++i) {
-    const VectorXd up = f(shifted(x, i, kSlopeStep)), down = f(shifted(x, i, -kSlopeStep));
-    if (slopes.G.size() == 0) slopes.G.resize(up.size(), x.size());
-    slopes.G.col(i) = ((up - down) / (2.0 * kSlopeStep)).unaryExpr(&finite);
-    slopes.sides(i) = sumOf(up) + sumOf(down);
+    const VectorXd slopes =
+        (f(shifted(x, i, kSlopeStep)) - f(shifted(x, i, -kSlopeStep))) / (2.0 * kSlopeStep);
+    if (G.size() == 0) G.resize(slopes.size(), x.size());
+    G.col(i) = slopes.unaryExpr(&finite);
   }
-  return slopes;
+  return G;
 }
 
-/// The mixed terms from two looks along each diagonal.
-MatrixXd curvatureAt(const LogLikelihoods& f, const VectorXd& x, double value,
-                     const VectorXd& sides) {
-  constexpr double kArea = kSlopeStep * kSlopeStep;
-  const auto diagonal = [&](Index i, Index j, double by) {
-    return sumOf(f(shifted(shifted(x, i, by), j, by)));
-  };
+MatrixXd curvatureAt(const LogLikelihoods& f, const VectorXd& x, double value) {
+  constexpr double kStep = 0.3;  // curvature is an order more sensitive to kinks than slopes are
+  const auto both = [&](const VectorXd& step) { return sumOf(f(x + step)) + sumOf(f(x - step)); };
+  const MatrixXd axes = kStep * MatrixXd::Identity(x.size(), x.size());
   MatrixXd H(x.size(), x.size());
+  VectorXd sides(x.size());
   for (Index i = 0; i < x.size(); ++i) {
-    H(i, i) = finite((2.0 * value - sides(i)) / kArea);
+    sides(i) = both(axes.col(i));
+    H(i, i) = finite((2.0 * value - sides(i)) / (kStep * kStep));
     for (Index j = 0; j < i; ++j) {
-      const double both = diagonal(i, j, kSlopeStep) + diagonal(i, j, -kSlopeStep);
-      H(i, j) = H(j, i) = finite((sides(i) + sides(j) - both - 2.0 * value) / (2.0 * kArea));
+      const double diagonal = both(axes.col(i) + axes.col(j));
+      H(i, j) = H(j, i) =
+          finite((sides(i) + sides(j) - diagonal - 2.0 * value) / (2.0 * kStep * kStep));
     }
   }
   return H;
 }
 
+/// Along a direction in which kinks hide the curvature the outer products stand for it.
+MatrixXd mended(const MatrixXd& H, const MatrixXd& squares) {
+  constexpr double kHidden = 0.05;  // of the outer products: no outliers make so much of them
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(H);
+  const MatrixXd& V = solver.eigenvectors();
+  const VectorXd instead = (V.transpose() * squares * V).diagonal();
+  const VectorXd values = (solver.eigenvalues().array() < kHidden * instead.array())
+                              .select(instead, solver.eigenvalues());
+  return V * values.asDiagonal() * V.transpose();
+}
+
 VectorXd direction(const MatrixXd& information, const VectorXd& g) {
-  // What can hardly be seen is not thrown about, and where the curvature is upwards the way is up.
+  // What can hardly be seen is not thrown about.
   constexpr double kDamping = 0.1;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
-  const VectorXd weights = solver.eigenvalues().cwiseAbs().array() + kDamping;
-  const VectorXd step =
-      solver.eigenvectors() * (solver.eigenvectors().transpose() * g).cwiseQuotient(weights);
+  const MatrixXd damped = information + kDamping * MatrixXd::Identity(g.size(), g.size());
+  const VectorXd step = damped.ldlt().solve(g);
   return step * std::min(1.0, kLongestStep / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
 }
 
@@ -154,15 +158,15 @@ Maximum maximize(const LogLikelihoods& f, const VectorXd& start) {
   bool is_near = false;
   for (int i = 0; i < kMostSteps && !best.has_converged; ++i) {
     const auto& x = best.log_parameters;
-    const auto slopes = slopesAt(f, x);
+    const MatrixXd G = slopesAt(f, x), squares = G.transpose() * G;
     if (!is_near) {
-      best.information = slopes.G.transpose() * slopes.G;
+      best.information = squares;
     } else if (curved_at.size() == 0 || (x - curved_at).cwiseAbs().maxCoeff() > kStale) {
-      best.information = curvatureAt(f, x, best.log_likelihood, slopes.sides);
+      best.information = mended(curvatureAt(f, x, best.log_likelihood), squares);
       curved_at = x;
     }
-    best.sigmas = sigmasOf(best.information, slopes.G);
-    const VectorXd step = direction(best.information, slopes.G.colwise().sum().transpose());
+    best.sigmas = sigmasOf(best.information, G);
+    const VectorXd step = direction(best.information, G.colwise().sum().transpose());
     const LineSearch found(f, x, best.log_likelihood, step);
     const double gain = found.value() - best.log_likelihood;
     best.has_converged = is_near && gain < kSmallestGain;
