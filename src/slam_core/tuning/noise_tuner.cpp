@@ -20,6 +20,12 @@ namespace {
 
 /// A parameter whose logarithm is less certain than this, all others known, cannot be seen.
 constexpr double kUnseen = 1.0;
+/// A loss of log-likelihood that says something: one less may be chance.
+constexpr double kTelling = 1.0;
+/// A bound is found to within this factor.
+constexpr double kBoundAccuracy = 1.5;
+/// Of a value: as good as zero.
+constexpr double kNothing = 1e-6;
 /// Where the robot file has 0, the search begins here.
 constexpr double kSmallStart = 1e-4;
 
@@ -96,6 +102,21 @@ Contents contentsOf(const RecordedLog& log) {
 
 }  // namespace
 
+/// Rather few resightings than many readings whose errors are alike; but too few tell nothing.
+NoiseTuner::NoiseTuner(MakeSettings make_settings, std::vector<RecordedLog> logs)
+    : make_settings_(std::move(make_settings)), logs_(std::move(logs)) {
+  constexpr std::size_t kEnough = 100;
+  std::size_t count = 0;
+  for (const auto& log : logs_) {
+    auto& resightings = resightings_.emplace_back();
+    for (const auto& input : log.inputs)
+      if (const auto* array = std::get_if<LandmarkObservationArray>(&input))
+        resightings.add(*array);
+    count += resightings.size();
+  }
+  if (count < kEnough) resightings_.clear();
+}
+
 std::vector<std::string> NoiseTuner::defaultParameters() const {
   std::vector<std::string> names;
   for (const auto& alpha : kAlphas) names.push_back("wheel_odometry." + alpha);
@@ -149,21 +170,22 @@ double NoiseTuner::Evidence::sum() const {
   return std::accumulate(log_likelihoods.begin(), log_likelihoods.end(), 0.0);
 }
 
-void NoiseTuner::evaluate(const RecordedLog& log, const std::vector<std::string>& overrides,
+void NoiseTuner::evaluate(std::size_t log, const std::vector<std::string>& overrides,
                           Evidence& evidence) const {
   auto settings = make_settings_(overrides);
   MetaCoordinator coordinator;
   coordinator.configure(settings);
-  for (const auto& input : log.inputs) {
+  InnovationScore score(resightings_.empty() ? nullptr : &resightings_[log]);
+  for (const auto& input : logs_[log].inputs) {
     std::visit([&](const auto& value) { coordinator.set(value); }, input);
     do {
       coordinator.execute();
       const auto& report = coordinator.estimator().report();
       if (!report) break;
-      evidence.log_likelihoods.push_back(report->statistics.log_likelihood);
-      evidence.innovations += static_cast<int>(report->statistics.innovations.size());
+      evidence.log_likelihoods.push_back(score.of(*report));
     } while (true);
   }
+  evidence.innovations += score.innovations();
 }
 
 NoiseTuner::Evidence NoiseTuner::evaluate(const std::vector<TunedParameter>& parameters) const {
@@ -172,41 +194,74 @@ NoiseTuner::Evidence NoiseTuner::evaluate(const std::vector<TunedParameter>& par
     if (parameter.why_unseen.empty())
       overrides.push_back(fmt::format("{}={:.17g}", parameter.name(), parameter.value));
   Evidence evidence;
-  for (const auto& log : logs_) evaluate(log, overrides, evidence);
+  for (std::size_t log = 0; log < logs_.size(); ++log) evaluate(log, overrides, evidence);
   return evidence;
 }
 
-/// One maximum over the parameters that can be seen; names the one that turns out to be hidden.
-bool NoiseTuner::refine(TuningResult& result, const Progress& progress) const {
-  std::vector<TunedParameter*> seen;
+std::vector<TunedParameter*> NoiseTuner::openOnes(TuningResult& result) {
+  std::vector<TunedParameter*> open;
   for (auto& parameter : result.parameters)
-    if (parameter.why_unseen.empty()) seen.push_back(&parameter);
+    if (parameter.why_unseen.empty() && !parameter.is_bound) open.push_back(&parameter);
+  return open;
+}
+
+NoiseTuner::Evidence NoiseTuner::look(TuningResult& result, const Progress& progress) const {
+  auto evidence = evaluate(result.parameters);
+  ++result.evaluations;
+  if (progress) progress(result.evaluations, evidence.sum());
+  return evidence;
+}
+
+/// One maximum over the parameters that are open; settles the one that turns out to be hidden.
+bool NoiseTuner::refine(TuningResult& result, const Progress& progress) const {
+  const auto seen = openOnes(result);
   if (seen.empty()) return true;
   Eigen::VectorXd start(static_cast<Eigen::Index>(seen.size()));
   for (Eigen::Index i = 0; i < start.size(); ++i)
     start(i) = std::log(seen[static_cast<std::size_t>(i)]->value);
+  const auto set = [&](const Eigen::VectorXd& x) {
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      seen[static_cast<std::size_t>(i)]->value = std::exp(x(i));
+  };
   const auto maximum = maximize(
       [&](const Eigen::VectorXd& x) {
-        for (Eigen::Index i = 0; i < x.size(); ++i)
-          seen[static_cast<std::size_t>(i)]->value = std::exp(x(i));
-        const auto evidence = evaluate(result.parameters);
-        ++result.evaluations;
-        if (progress) progress(result.evaluations, evidence.sum());
+        set(x);
+        const auto evidence = look(result, progress);
         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
             evidence.log_likelihoods.data(),
             static_cast<Eigen::Index>(evidence.log_likelihoods.size())));
       },
       start);
   result.has_converged = maximum.has_converged;
-  for (Eigen::Index i = 0; i < start.size(); ++i) {
-    auto& parameter = *seen[static_cast<std::size_t>(i)];
-    parameter.value = std::exp(maximum.log_parameters(i));
-    parameter.sigma = parameter.value * maximum.sigmas(i);
-  }
+  set(maximum.log_parameters);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    seen[i]->sigma = seen[i]->value * maximum.sigmas(static_cast<Eigen::Index>(i));
   Eigen::Index worst = 0;
   if (conditionalSigmas(maximum.information).maxCoeff(&worst) < kUnseen) return true;
-  seen[static_cast<std::size_t>(worst)]->why_unseen = "the likelihood hardly depends on it";
+  settle(*seen[static_cast<std::size_t>(worst)], maximum.log_likelihood, result, progress);
   return false;
+}
+
+/// Where the likelihood hardly depends on a parameter, either the file's value is as good as any or
+/// the data only say on which side of it the truth is: then as near to it as they allow.
+void NoiseTuner::settle(TunedParameter& parameter, double log_likelihood, TuningResult& result,
+                        const Progress& progress) const {
+  const auto loses = [&](double value) {
+    parameter.value = value;
+    return look(result, progress).sum() < log_likelihood - kTelling;
+  };
+  double good = parameter.value;
+  if (!loses(parameter.before)) {
+    parameter.why_unseen = "the likelihood hardly depends on it";
+    return;
+  }
+  double bad = std::max(parameter.before, kNothing * good);
+  while (std::max(good / bad, bad / good) > kBoundAccuracy) {
+    const double middle = std::sqrt(good * bad);
+    (loses(middle) ? bad : good) = middle;
+  }
+  parameter.value = good;
+  parameter.is_bound = true;
 }
 
 std::vector<TunedParameter> NoiseTuner::start(const std::vector<std::string>& names) const {
@@ -235,6 +290,7 @@ TuningResult NoiseTuner::run(const std::vector<std::string>& names,
   const auto evidence = evaluate(result.parameters);
   result.log_likelihood = evidence.sum();
   result.innovations = evidence.innovations;
+  result.of_resightings = !resightings_.empty();
   return result;
 }
 

@@ -106,14 +106,18 @@ void print(const TuningResult& result) {
   fmt::print("{:<38} {:>10} {:>10} {:>12}\n", "", "before", "tuned", "uncertainty");
   for (const auto& parameter : result.parameters) {
     fmt::print("{:<38} {:>10.4g} ", parameter.name(), parameter.before);
-    if (parameter.why_unseen.empty())
+    if (parameter.is_bound)
+      fmt::print("{:>10.4g} {:>12}\n", parameter.value,
+                 parameter.value < parameter.before ? "at most" : "at least");
+    else if (parameter.why_unseen.empty())
       fmt::print("{:>10.4g} {:>12.2g}\n", parameter.value, parameter.sigma);
     else
       fmt::print("cannot be seen: {}; it is kept\n", parameter.why_unseen);
   }
-  fmt::print("log-likelihood of {} innovations: {:.1f} before, {:.1f} tuned ({} filter runs)\n",
-             result.innovations, result.log_likelihood_before, result.log_likelihood,
-             result.evaluations);
+  fmt::print("log-likelihood of {} innovations{}: {:.1f} before, {:.1f} tuned ({} filter runs)\n",
+             result.innovations,
+             result.of_resightings ? " of landmarks seen again after a while" : "",
+             result.log_likelihood_before, result.log_likelihood, result.evaluations);
   if (!result.has_converged)
     fmt::print("the search ended before it was sure of the maximum; tune the result again\n");
 }

@@ -21,18 +21,26 @@ namespace {
 constexpr double kAlpha1 = 0.004, kAlpha3 = 0.003, kAlpha4 = 0.02;
 constexpr double kSigmaRange = 0.08, kSigmaBearing = 0.03;
 
+/// What a robot's sensor sees, and how it errs.
+struct Sensor {
+  std::int64_t interval = 100000000;  ///< [ns]
+  double half_view = M_PI;            ///< [rad] to both sides
+  bool errs_alike = false;            ///< all the time that a landmark stays in view
+};
+
 /// A robot in a hall of landmarks: what its wheels and its sensor said.
-RecordedLog drive(std::uint64_t seed, int steps, double way, double turn) {
+RecordedLog drive(std::uint64_t seed, int steps, double way, double turn, Sensor sensor = {}) {
   RandomStream random(seed, 0);
   const LinearMotionModel model({kAlpha1, 0.0005, kAlpha3, kAlpha4, false});
   std::vector<Eigen::Vector2d> landmarks;
   for (int i = 0; i < 25; ++i)
     landmarks.emplace_back(12 * random.uniform() - 6, 12 * random.uniform() - 2);
   RecordedLog log{"the simulated log", {}};
+  std::map<std::size_t, Eigen::Vector2d> errors;  // of what is in view
   Pose2 truth, odometry;
   for (int i = 0; i <= steps; ++i) {
     OdometrySample sample;
-    sample.stamp = stampFromNanoseconds(1000000000LL + i * 100000000LL);
+    sample.stamp = stampFromNanoseconds(1000000000LL + i * sensor.interval);
     sample.pose = odometry;
     log.inputs.push_back(sample);
     LandmarkObservationArray array;
@@ -40,11 +48,19 @@ RecordedLog drive(std::uint64_t seed, int steps, double way, double turn) {
     array.sequence = std::uint64_t(i);
     for (std::size_t k = 0; k < landmarks.size(); ++k) {
       const auto seen = truth.inverse().transform(landmarks[k]);
-      if (seen.norm() > 4 || seen.norm() < 0.5) continue;
+      const double bearing = std::atan2(seen.y(), seen.x());
+      if (seen.norm() > 4 || seen.norm() < 0.5 || std::abs(bearing) > sensor.half_view) {
+        errors.erase(k);
+        continue;
+      }
+      if (!sensor.errs_alike || errors.count(k) == 0) {
+        const double of_range = kSigmaRange * random.gaussian();
+        errors[k] = {of_range, kSigmaBearing * random.gaussian()};
+      }
       LandmarkObservation z;
       z.id = LandmarkId(k);
-      z.range = seen.norm() + kSigmaRange * random.gaussian();
-      z.bearing = std::atan2(seen.y(), seen.x()) + kSigmaBearing * random.gaussian();
+      z.range = seen.norm() + errors[k].x();
+      z.bearing = bearing + errors[k].y();
       z.covariance(0, 0) = -1;
       array.observations.push_back(z);
     }
@@ -196,6 +212,26 @@ TEST(NoiseTunerTest, SaysWhatCannotBeSeenOfARobotThatStands) {
   EXPECT_NEAR(find(result, "sigma_range").value, kSigmaRange, 0.1 * kSigmaRange);
 }
 
+TEST(NoiseTunerTest, OfAValueThatIsFarTooLargeSaysHowLargeItIsAtMost) {
+  const NoiseTuner tuner(
+      [](const auto& overrides) {
+        auto all = rightMotion({"wheel_odometry.floor_position=0.5"});
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        for (const auto* right :
+             {"landmark_sensor.sigma_range=0.08", "landmark_sensor.sigma_bearing=0.03",
+              "wheel_odometry.alpha2=0.005", "wheel_odometry.alpha1=0.01"})
+          all.emplace_back(right);
+        return wrongSettings(all);
+      },
+      {drive(7, 100, 0.1, M_PI / 40)});
+  const auto result = tuner.run({"wheel_odometry.floor_position"});
+  const auto& found = find(result, "floor_position");
+  EXPECT_TRUE(found.is_bound) << found.value << " +- " << found.sigma;
+  EXPECT_TRUE(found.why_unseen.empty()) << found.why_unseen;
+  EXPECT_LT(found.value, 0.1);  // [m/sqrt(s)]
+  EXPECT_GT(result.log_likelihood, result.log_likelihood_before + 20);
+}
+
 TEST(NoiseTunerTest, LeavesSensorSigmasAloneWhereObservationsBringTheirs) {
   auto log = drive(3, 100, 0.1, 0.05);
   for (auto& input : log.inputs)
@@ -239,6 +275,52 @@ TEST(NoiseTunerTest, BeginsWhereTheRobotFileStandsHoweverSmallThatIs) {
   EXPECT_EQ(tiny.start({"wheel_odometry.alpha1"})[0].value, 2e-6);
   const NoiseTuner zero([](auto) { return Settings({}, {}, {"wheel_odometry.alpha1=0"}); }, {});
   EXPECT_GT(zero.start({"wheel_odometry.alpha1"})[0].value, 0.0);
+}
+
+/// Both sigmas of the sensor, and how far off they are in the uncertainties told.
+struct SigmasFound {
+  double range = 0.0, bearing = 0.0;  ///< over the true ones
+  double range_off = 0.0, bearing_off = 0.0;
+  bool of_resightings = false;
+};
+
+SigmasFound tunedSigmas(const RecordedLog& log) {
+  const NoiseTuner tuner([](const auto& more) { return wrongSettings(rightMotion(more)); }, {log});
+  const auto result = tuner.run({"landmark_sensor.sigma_range", "landmark_sensor.sigma_bearing"});
+  const auto &range = find(result, "sigma_range"), &bearing = find(result, "sigma_bearing");
+  return {range.value / kSigmaRange, bearing.value / kSigmaBearing,
+          (range.value - kSigmaRange) / range.sigma,
+          (bearing.value - kSigmaBearing) / bearing.sigma, result.of_resightings};
+}
+
+TEST(NoiseTunerTest, TellsUncertaintiesThatHoldTheTruth) {
+  constexpr int kLogs = 25;
+  int inside = 0;
+  double sum = 0.0;
+  for (int i = 0; i < kLogs; ++i) {
+    const auto found = tunedSigmas(drive(100 + std::uint64_t(i), 80, 0.1, M_PI / 40));
+    for (const double off : {found.range_off, found.bearing_off}) {
+      inside += std::abs(off) < 2.0 ? 1 : 0;
+      sum += off * off;
+    }
+  }
+  EXPECT_GE(inside, 0.86 * 2 * kLogs);  // 95 % but for three sigmas of chance
+  EXPECT_NEAR(std::sqrt(sum / (2 * kLogs)), 1.0, 0.35);
+}
+
+/// To such a sensor each reading foretells the next nearly exactly; that is not how well it sees.
+TEST(NoiseTunerTest, IsNotMisledByErrorsThatAreAlikeWhileALandmarkIsInView) {
+  const Sensor white{500000000, 0.6, false}, alike{500000000, 0.6, true};
+  const auto of_white = tunedSigmas(drive(6, 500, 0.1, 0.4, white));
+  EXPECT_TRUE(of_white.of_resightings);
+  EXPECT_LT(std::abs(of_white.range_off), 3.0);
+  EXPECT_LT(std::abs(of_white.bearing_off), 3.0);
+  const auto found = tunedSigmas(drive(6, 500, 0.1, 0.4, alike));
+  EXPECT_TRUE(found.of_resightings);
+  for (const double share : {found.range, found.bearing}) {
+    EXPECT_GT(share, 0.8);
+    EXPECT_LT(share, 2.0);
+  }
 }
 
 /// Where the rest of the model is right, it does not matter how much the filter leaves out.
