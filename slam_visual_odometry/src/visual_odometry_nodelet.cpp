@@ -21,6 +21,7 @@
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/latency_window.hpp"
 #include "slam_ros/motion_publisher.hpp"
+#include "slam_ros/odometry_subscriber.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
@@ -58,7 +59,7 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
     // no callback may find what it needs gone
     start_.reset();
     if (camera_) camera_->stop();
-    odom_.shutdown();
+    if (odom_) odom_->shutdown();
     diagnostics_.reset();
   }
 
@@ -83,29 +84,29 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
     publisher_.emplace(handle);
     const auto base = slam_ros::frameId(frames_.base);
     if (config_.publish_tf) watch_.emplace(handle, slam_ros::frameId(frames_.odom), base);
-    diagnostics_.emplace(handle, getPrivateNodeHandle(), getName(),
-                         slam_ros::Diagnostics::Sources{[this] { return source_->counters(); },
-                                                        [this] { return camera_->waiting(); },
-                                                        [this] { return figures(); }});
+    diagnostics_.emplace(
+        handle, getPrivateNodeHandle(), getName(),
+        slam_ros::Diagnostics::Sources{[this] { return source_->counters(); },
+                                       [this] { return waiting(); }, [this] { return figures(); }});
     const auto take = [this](const auto& input) { this->take(input, camera_->topic()); };
     camera_.emplace(
         handle,
         slam_ros::CameraSubscriber::Options{topics_.ceiling_camera, config_.camera.transport, base},
         slam_ros::CameraInput::Sinks{take, take, take});
     if (!source_->usesWheels()) return;
-    handle.resolveName(topics_.odom);  // throws now what subscribing would throw later
-    start_.emplace([this, handle]() mutable {
-      odom_ =
-          handle.subscribe(topics_.odom, slam_ros::kQueue, &VisualOdometryNodelet::onOdom, this);
-    });
+    odom_.emplace(
+        handle,
+        slam_ros::OdometrySubscriber::Options{topics_.odom, frames_.odom, frames_.base, true, true},
+        [this](const nav_msgs::Odometry& message) { onOdom(message); });
+    start_.emplace([this] { odom_->subscribe(); });
   }
 
   void onOdom(const nav_msgs::Odometry& message) {
     const auto fault = slam_ros::saysNoPose(message) ? "" : slam_ros::poseFault(message);
-    if (!fault.empty()) diagnostics_->warn(topics_.odom + ": " + fault + "; its twist is used");
+    if (!fault.empty()) diagnostics_->warn(odom_->source() + ": " + fault + "; its twist is used");
     auto sample = slam_ros::fromMsg(message);
     frames_.complete(sample.odometry_frame, sample.base_frame);
-    take(sample, topics_.odom);
+    take(sample, odom_->source());
   }
 
   template <class Input>
@@ -144,6 +145,11 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
                        " as well; visual odometry leaves it out and calls its frame " + kOwnFrame);
   }
 
+  std::string waiting() const {
+    const auto wait = camera_->waiting();
+    return wait.empty() && odom_ ? odom_->waiting() : wait;
+  }
+
   std::vector<std::pair<std::string, std::string>> figures() const {
     std::vector<std::pair<std::string, std::string>> texts;
     for (const auto& [name, value] : source_->figures())
@@ -166,7 +172,7 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
   std::optional<EdgeWatch> watch_;
   bool warned_of_edge_ = false;
   ros::Publisher motion_;
-  ros::Subscriber odom_;
+  std::optional<slam_ros::OdometrySubscriber> odom_;
   std::optional<slam_ros::AfterLoad> start_;
   std::optional<slam_ros::CameraSubscriber> camera_;
   std::optional<slam_ros::Diagnostics> diagnostics_;

@@ -58,6 +58,14 @@ class CeilingLaunchTest(SameAsOffline, unittest.TestCase):
         self.assert_same_runs(run, offline, output)
         self.assertNotIn("has died", output)
 
+    def test_the_wheels_behind_may_be_told_as_a_transform_only(self):
+        run, offline = self.root / "transforms", self.root / "ekf_visual_wheel"
+        output = play_into_launch(self.bag, ("/tf", "/tf_static", *CAMERAS), 1, offline,
+                                  "robot:=sim_segway", "odometry:=visual_wheel",
+                                  f"output_dir:={run}")
+        self.assertIn("odometry is taken from the transform odom -> base_link", output)
+        self.assert_same_runs(run, offline, output)
+
     def test_the_wheels_are_kept_to_compare_with(self):
         wheels = (self.root / "pf_visual" / "wheel_odometry.tum").read_text(encoding="ascii")
         self.assertGreater(len(wheels.splitlines()), 40 * SECONDS)

@@ -79,9 +79,10 @@ class InprocessNodelet : public nodelet::Nodelet {
 
   void connectWheels(const InprocessConfig& config) {
     const auto& frames = product_.coordinator().frames();
+    const bool looks_up = product_.coordinator().odometry().usesImages();
     odom_.emplace(getNodeHandle(),
                   OdometrySubscriber::Options{node_->topics().odom, frames.odom, frames.base,
-                                              !config.publish_tf},
+                                              !config.publish_tf || looks_up, config.publish_tf},
                   [this](const nav_msgs::Odometry& message) { onOdom(message); });
     start_.emplace([this] { odom_->subscribe(); });
   }

@@ -50,7 +50,9 @@ void OdometrySubscriber::onOdom(const nav_msgs::Odometry& message) {
   take_(message);
 }
 
-void OdometrySubscriber::onTransforms(const tf2_msgs::TFMessage& message) {
+void OdometrySubscriber::onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+  if (options_.but_own && event.getPublisherName() == ros::this_node::getName()) return;
+  const auto& message = *event.getMessage();
   if (odom_.getNumPublishers() > 0 || !edge_.isIn(message)) return;
   if (!got_message_)
     ROS_INFO_STREAM("nobody publishes " << odom_.getTopic()

@@ -14,15 +14,17 @@
 
 namespace slam_ros {
 
-/// A robot's odometry: the topic  or, as long as nobody publishes that, the transform
+/// A robot's odometry: the topic or, as long as nobody publishes that, the transform
 /// odom -> base of /tf, which is all that some robots tell. Once the topic has a message, /tf is
-/// left alone. Not for odometry whose transform we publish ourselves: then only the topic counts.
+/// left alone. Not for odometry whose transform we publish ourselves: then only the topic counts,
+/// or what others publish.
 class OdometrySubscriber {
  public:
   struct Options {
     std::string topic;
     std::string odom_frame, base_frame;
     bool also_tf = true;
+    bool but_own = false;  ///< not the transforms that this node publishes
   };
   using Take = std::function<void(const nav_msgs::Odometry&)>;
 
@@ -40,7 +42,7 @@ class OdometrySubscriber {
 
  private:
   void onOdom(const nav_msgs::Odometry& message);
-  void onTransforms(const tf2_msgs::TFMessage& message);
+  void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
 
   ros::NodeHandle handle_;
   Options options_;
