@@ -117,6 +117,8 @@ build() { # TARGET
     rm -rf "$home"/{build,devel,install,core_sanitized}
   fi
   mapfile -t flags < <(build_flags)
+  # A first build takes a third less where several files are compiled as one; it stays so.
+  [[ $workspace != "$home" || -e $home/build/CMakeCache.txt ]] || flags+=(-DCMAKE_UNITY_BUILD=ON)
   # catkin writes down the tests' environment before the first build, and leaves out what is not there
   mkdir -p "$workspace/devel/lib/python3/dist-packages"
   logged "building" "$home/build.log" catkin_make -C "$workspace" "${flags[@]}" -j"$(nproc)" "$1"
