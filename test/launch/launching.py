@@ -113,7 +113,9 @@ class SameAsOffline:
                         for folder in (run, offline))
         self.assertEqual(ours["dropped_messages"], 0)
         self.assertEqual(ours["updates"], theirs["updates"])
-        self.assertEqual(ours.keys(), theirs.keys())
+        # what images and scans cost in other nodelets a back-end's recorder does not know
+        self.assertEqual(*({key for key in metrics if not key.startswith("latency_")}
+                           for metrics in (ours, theirs)))
 
 
 class Refusals:
