@@ -16,7 +16,7 @@ struct GridMapConfig {
   double hit_probability = 0.7;
   double miss_probability = 0.4;
   double largest_probability = 0.97;
-  double sigma = 0.03;
+  double sigma = 0.05;
   double largest_area = 40000.0;
   double largest_memory = 2000.0;
 
