@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The arguments of slam.launch before anything is started."""
 
+import os
 import pathlib
 import tempfile
 import unittest
@@ -11,7 +12,7 @@ from slam_launch.errors import ProductError
 
 DEFAULTS = dict.fromkeys(
     ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "bag", "seed",
-     "publish_tf", "set", "frontend_machine", "backend_machine", "env_loader", "only"), "")
+     "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine", "backend_machine", "env_loader", "only"), "")
 DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
 
 
@@ -39,6 +40,14 @@ class LaunchChecks(unittest.TestCase):
         self.expect_refusal("composition:=inproces is not one of: pubsub, inprocess (did you mean "
                             "'inprocess'?)", composition="inproces")
         self.expect_refusal("rate:=nan is not a number >= 0", rate="nan")
+
+    def test_a_path_is_seen_from_where_roslaunch_is_called(self):
+        self.check(output_dir="runs/first", save_on_exit="/maps")
+        parts = self.parts.read_text(encoding="utf-8")
+        self.assertIn(f'"output_dir" value="{os.getcwd()}/runs/first"', parts)
+        self.assertIn('"save_on_exit" value="/maps"', parts)
+        self.check(output_dir="runs/first", backend_machine="192.0.2.2")
+        self.assertNotIn("runs/first", self.parts.read_text(encoding="utf-8"))
 
     def test_refuses_what_sets_no_parameter(self):
         for word in ("ekf.gate_probability", ".mode=slam", "ekf.gate_probability=", "x"):

@@ -14,6 +14,8 @@ from .feature_model import FeatureModel, text
 CHOICES = {"composition": ("pubsub", "inprocess"), "mode": ("slam", "localization"),
            "camera_transport": ("auto", "raw", "compressed"), "publish_tf": ("", "true", "false")}
 DEFAULTS = {"backend": "ekf", "odometry": "wheel"}  # of a launch without a product
+PATHS = {"bag": "frontend", "load_map": "backend", "output_dir": "backend",
+         "save_on_exit": "backend"}  # and the half that reads or writes there
 DRIVER = "wheel"  # the odometry whose transform a driver publishes
 OLD = 60  # [s], after which nobody reads a list of parts any more
 
@@ -83,14 +85,29 @@ def parts(product, arguments, model):
     return files
 
 
+def absolute_paths(arguments):
+    """Returns the paths for this machine, where nodes start in another folder than roslaunch."""
+    return {key: os.path.abspath(arguments[key]) for key, half in PATHS.items()
+            if arguments[key] and machines.runs_here(half, arguments)}
+
+
 def common_arguments(product, arguments):
     """Returns the arguments of the parts beyond those of slam.launch itself."""
     by_default = arguments["bag"] or product.features["odometry"] != DRIVER
     with_pointmap = product.features.get("pointmap") == "true"
-    return {"transport": arguments["camera_transport"],
+    return {**absolute_paths(arguments), "transport": arguments["camera_transport"],
             "waits_for_pointmap":
                 "true" if with_pointmap and arguments["composition"] == "pubsub" else "false",
             "publish_tf": arguments["publish_tf"] or ("true" if by_default else "false")}
+
+
+def remove_if_old(path):
+    """Removes a list that nobody reads any more; another launch may do so at the same time."""
+    try:
+        if path.stat().st_mtime < time.time() - OLD:
+            path.unlink()
+    except FileNotFoundError:
+        pass
 
 
 def write_parts(path, content):
@@ -98,8 +115,7 @@ def write_parts(path, content):
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         for other in path.parent.glob("*.launch"):
-            if other.stat().st_mtime < time.time() - OLD:
-                other.unlink(missing_ok=True)
+            remove_if_old(other)
         path.write_text(content, encoding="utf-8")
     except OSError as error:
         raise ProductError(f"cannot write {path}, the list of the product's parts: "
