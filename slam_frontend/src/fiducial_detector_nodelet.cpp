@@ -88,9 +88,9 @@ class FiducialDetectorNodelet : public nodelet::Nodelet {
 
   std::vector<std::pair<std::string, std::string>> speed() const {
     if (latency_.empty()) return {};
-    return {{"rate [1/s]", fmt::format("{:.1f}", latency_.rate())},
-            {"latency p50 [ms]", fmt::format("{:.1f}", latency_.milliseconds(0.5))},
-            {"latency p99 [ms]", fmt::format("{:.1f}", latency_.milliseconds(0.99))}};
+    return {{"rate [1/s]", fmt::format("{:.2f}", latency_.rate())},
+            {"latency p50 [ms]", fmt::format("{:.2f}", latency_.milliseconds(0.5))},
+            {"latency p99 [ms]", fmt::format("{:.2f}", latency_.milliseconds(0.99))}};
   }
 
   std::unique_ptr<slam::LandmarkDetector> detector_;

@@ -155,9 +155,9 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
     for (const auto& [name, value] : source_->figures())
       texts.emplace_back(name, fmt::format("{:.4g}", value));
     if (latency_.empty()) return texts;
-    texts.emplace_back("rate [1/s]", fmt::format("{:.1f}", latency_.rate()));
-    texts.emplace_back("latency p50 [ms]", fmt::format("{:.1f}", latency_.milliseconds(0.5)));
-    texts.emplace_back("latency p99 [ms]", fmt::format("{:.1f}", latency_.milliseconds(0.99)));
+    texts.emplace_back("rate [1/s]", fmt::format("{:.2f}", latency_.rate()));
+    texts.emplace_back("latency p50 [ms]", fmt::format("{:.2f}", latency_.milliseconds(0.5)));
+    texts.emplace_back("latency p99 [ms]", fmt::format("{:.2f}", latency_.milliseconds(0.99)));
     return texts;
   }
 

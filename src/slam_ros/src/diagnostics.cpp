@@ -73,6 +73,10 @@ void Diagnostics::warn(const std::string& sentence) {
   ROS_WARN_STREAM_NAMED("slam", name_ << ": " << sentence);
 }
 
+void Diagnostics::tell(ros::console::Level level, const std::string& sentence) {
+  ROS_LOG_STREAM(level, ROSCONSOLE_DEFAULT_NAME ".slam", name_ << ": " << sentence);
+}
+
 void Diagnostics::fail(const std::string& sentence) {
   failure_ = sentence;
   ROS_ERROR_STREAM_NAMED("slam", name_ << ": " << sentence);

@@ -76,9 +76,8 @@ void EstimatorNode::subscribe(ros::NodeHandle handle) {
       handle.subscribe(topics_.motion, kQueue, &EstimatorNode::onMotion, this),
       handle.subscribe(topics_.observations, kQueue, &EstimatorNode::onObservations, this),
       handle.subscribe("initialpose", 1, &EstimatorNode::onInitialPose, this)};
-  silence_timer_ = handle.createWallTimer(
-      ros::WallDuration(1.0),
-      [this](const ros::WallTimerEvent&) { tellNews(silence_.news(SilenceWatch::Clock::now())); });
+  silence_timer_ = handle.createWallTimer(ros::WallDuration(1.0),
+                                          [this](const ros::WallTimerEvent&) { tellOfSilence(); });
   // last: who sees it may send
   progress_ = handle.advertise<slam_msgs::Progress>("progress", kQueue);
   tells_progress_ = true;
@@ -130,12 +129,14 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
     source_.estimator().set(estimate);
 }
 
-void EstimatorNode::tellNews(const std::string& sentence) {
-  if (!sentence.empty()) diagnostics_->warn(sentence);
+void EstimatorNode::tellOfSilence() {
+  const auto news = silence_.news(SilenceWatch::Clock::now());
+  if (!news.empty()) diagnostics_->tell(ros::console::levels::Warn, news);
 }
 
 void EstimatorNode::takeSteps(const std::string& topic) {
-  tellNews(silence_.heard(topic, SilenceWatch::Clock::now()));
+  const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
+  if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
   const auto& report = source_.estimator().report();
   do {
     const auto start = RunMetrics::Clock::now();

@@ -44,6 +44,8 @@ class Diagnostics {
   /// The answer of a component to the message that came last on `topic`.
   void report(const std::string& topic, const slam::Status& status);
   void warn(const std::string& sentence);
+  /// On the console only: what `waiting` tells as long as it holds.
+  void tell(ros::console::Level level, const std::string& sentence);
   /// What does not pass by itself, such as a full disk; stays until the node ends.
   void fail(const std::string& sentence);
 

@@ -69,7 +69,7 @@ class EstimatorNode {
   void subscribe(ros::NodeHandle handle);
   void connectLaser(ros::NodeHandle handle, slam::Settings& settings);
   BackendActions actions();
-  void tellNews(const std::string& sentence);
+  void tellOfSilence();
   std::string waiting() const;
   Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);

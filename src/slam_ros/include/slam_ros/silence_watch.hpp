@@ -10,20 +10,20 @@
 namespace slam_ros {
 
 /// Notices that inputs which had come come no more, as when a link to another machine is cut: by
-/// the wall, since the stamps' time stands still with them. An input that has never come is not
-/// missed here.
+/// the wall, since the stamps' time stands still with them. One input alone may well pause, as
+/// observations do where there is nothing to see: silence is that of all which have ever come.
 class SilenceWatch {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds kPatience{3};
 
-  /// @return empty, or that the input comes again and how long it was silent
+  /// @return empty, or that the input comes again after a silence that news() has told
   std::string heard(const std::string& input, Clock::time_point now);
 
-  /// Which inputs are silent and for how long, or empty.
+  /// What is silent and for how long, or empty.
   std::string sentence(Clock::time_point now) const;
 
-  /// As sentence(), when one of them has become silent since the last call.
+  /// As sentence(), once for each silence.
   std::string news(Clock::time_point now);
 
  private:
@@ -33,6 +33,8 @@ class SilenceWatch {
 
     bool isSilent(Clock::time_point now) const { return now - last > kPatience; }
   };
+
+  bool isSilent(Clock::time_point now) const;
 
   std::map<std::string, Input> inputs_;
 };
