@@ -6,6 +6,7 @@
 #include <nodelet/nodelet.h>
 #include <slam_msgs/Progress.h>
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -89,6 +90,7 @@ class PointMapNodelet : public nodelet::Nodelet {
                                   [this] { feed_.reset(); }});
     // last: who sees it may send
     progress_ = handle.advertise<slam_msgs::Progress>("pointmap/progress", slam_ros::kQueue);
+    tells_progress_ = true;
   }
 
   template <class Input>
@@ -99,7 +101,7 @@ class PointMapNodelet : public nodelet::Nodelet {
 
   void publish() {
     publisher_->update();
-    if (progress_ && progress_.getNumSubscribers() > 0) progress_.publish(feed_.progress());
+    if (tells_progress_ && progress_.getNumSubscribers() > 0) progress_.publish(feed_.progress());
   }
 
   void save() {
@@ -128,6 +130,7 @@ class PointMapNodelet : public nodelet::Nodelet {
   std::optional<slam_ros::PointsPublisher> publisher_;
   std::optional<slam_ros::LaserSubscriber> laser_;
   ros::Publisher progress_;
+  std::atomic<bool> tells_progress_ = false;  ///< scans come from another thread before it is there
   std::optional<EstimateSubscriber> estimates_;
   std::optional<slam_ros::AfterLoad> start_;
 };
