@@ -141,7 +141,7 @@ class CarmenReader {
     CarmenLog::Scan scan;
     scan.reading.start_angle = row.number(2);
     scan.reading.increment = row.number(4);
-    scan.reading.max_range = max_range_.value_or(row.number(5));
+    scan.reading.max_range = max_range_.value_or(std::min(row.number(5), kLargestRange));
     scan.odometry = poseAt(row, tail + 3);
     scan.stamp = row.stamp(tail + 11);
     if (beams == 0 || scan.reading.increment <= 0.0 || scan.reading.max_range <= 0.0)
