@@ -248,7 +248,7 @@ void NoiseTuner::settle(TunedParameter& parameter, double log_likelihood, Tuning
                         const Progress& progress) const {
   const auto loses = [&](double value) {
     parameter.value = value;
-    return look(result, progress).sum() < log_likelihood - kTelling;
+    return !(look(result, progress).sum() >= log_likelihood - kTelling);  // none is a loss, too
   };
   double good = parameter.value;
   if (!loses(parameter.before)) {
