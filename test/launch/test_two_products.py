@@ -11,11 +11,14 @@ import tempfile
 import time
 import unittest
 
+import rosgraph
+
 from launching import (cut_bag, free_port, make_demo_bag, run_offline, SameAsOffline, start_launch,
                        wait_for_last_step)
 
 SECONDS = 5  # of the log
 PRODUCTS = {"left": "ekf_wheel", "right": "pf_wheel"}
+TOPICS = "/odom", "/observations"
 
 
 @contextmanager
@@ -33,6 +36,17 @@ def master():
     finally:
         core.send_signal(signal.SIGINT)
         core.wait(timeout=40)
+
+
+def wait_for_both(port, timeout=40):
+    """Waits until both products listen: rosbag itself waits for one of them."""
+    state = rosgraph.Master("/two_products", f"http://localhost:{port}").getSystemState
+    end = time.monotonic() + timeout
+    while time.monotonic() < end:
+        listeners = dict(state()[1])
+        if all(len(listeners.get(topic, ())) == len(PRODUCTS) for topic in TOPICS):
+            return
+        time.sleep(0.2)
 
 
 class TwoProductsTest(SameAsOffline, unittest.TestCase):
@@ -77,8 +91,9 @@ class TwoProductsTest(SameAsOffline, unittest.TestCase):
 
     def play(self, port, launches):
         environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+        wait_for_both(port)
         subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r", "2",
-                        self.bag, "--topics", "/odom", "/observations"], env=environment,
+                        self.bag, "--topics", *TOPICS], env=environment,
                        check=True, timeout=60, stdout=subprocess.DEVNULL)
         for name, (launch, own) in launches.items():
             wait_for_last_step(own, self.root / name)
