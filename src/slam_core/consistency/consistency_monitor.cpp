@@ -19,10 +19,10 @@ constexpr int kFewest = 10;
 /// A window of right sigmas goes beyond this about once in a hundred thousand.
 constexpr double kSignificant = 4.5;
 /// A sensor that has just gone wrong spoils the prediction at once. So the odometry is named only
-/// after so many updates that agree, and where there is no more than this to say of the sensor. It
-/// shows less, so that less must do.
-constexpr int kAgreeing = 5;
-constexpr double kSuspicious = 3.0, kSignificantMotion = 3.5;
+/// after so many updates that agree, and where no sensor is half way to being wrong with so much
+/// evidence. It shows less, so that less must do.
+constexpr int kAgreeing = 8;
+constexpr double kSuspicious = 3.0, kSignificantMotion = 3.0;
 
 /// The cube root of chi-square over its degrees of freedom is nearly normal, with the mean 1 - a
 /// and the variance a (Wilson and Hilferty 1931). z: the quantile of the normal distribution.
@@ -39,7 +39,35 @@ double normalQuantile(double chi_square_over_dof, double dof) {
 }
 
 JointInnovation alone(const ObservationInnovation& observation) {
-  return {observation.nu, observation.S, observation.R};
+  return {observation.nu, observation.S, observation.R, {}};
+}
+
+/// What a source has to do with S: C = dS/dtheta, theta the share that its variance is larger than
+/// believed; u = S^-1 nu.
+struct Share {
+  Eigen::MatrixXd of_S;  ///< S^-1 C
+  double square = 0.0;   ///< u^T C u
+};
+
+Share sensorShare(const JointInnovation& group, const Eigen::MatrixXd& S_inverse,
+                  const Eigen::VectorXd& u, std::size_t component) {
+  Eigen::VectorXd variances = Eigen::VectorXd::Zero(u.size());
+  for (auto i = static_cast<Eigen::Index>(component); i < u.size(); i += 2)
+    variances(i) = group.R(i, i);
+  return {S_inverse * variances.asDiagonal(), u.cwiseAbs2().dot(variances)};
+}
+
+Share odometryShare(const JointInnovation& group, const Eigen::MatrixXd& S_inverse,
+                    const Eigen::VectorXd& u, const OdometrySensitivity& odometry) {
+  const Eigen::MatrixXd C = group.H * odometry.covariance() * group.H.transpose();
+  return {S_inverse * C, u.dot(C * u)};
+}
+
+/// All of S that is not a sensor's.
+Share remainder(double nis, const Share& range, const Share& bearing) {
+  const auto size = range.of_S.rows();
+  return {Eigen::MatrixXd::Identity(size, size) - range.of_S - bearing.of_S,
+          nis - range.square - bearing.square};
 }
 
 }  // namespace
@@ -64,8 +92,10 @@ const char* ConsistencyMonitor::name(Source source) {
 
 void ConsistencyMonitor::add(const UpdateStatistics& statistics) {
   Score score;
+  odometry_.predict(statistics.prediction);
   const bool is_joint = statistics.joint.nu.size() > 0;
   if (is_joint) addGroup(statistics.joint, score);
+  if (statistics.joint.H.rows() > 0) odometry_.update(statistics.joint);
   for (const auto& observation : statistics.innovations) {
     const auto group = alone(observation);
     const double nis = group.nu.dot(group.S.llt().solve(group.nu));
@@ -78,32 +108,32 @@ void ConsistencyMonitor::add(const UpdateStatistics& statistics) {
   judge();
 }
 
-/// S is the sum of C_range, C_bearing, both diagonal, and C_motion, all the rest. The slope by the
-/// variance of a source is (u^T C u - tr S^-1 C) / 2, u = S^-1 nu, and the information of two
-/// sources tr(S^-1 C S^-1 D) / 2.
-void ConsistencyMonitor::addGroup(const JointInnovation& group, Score& score) {
+/// The slope by the variance of a source is (u^T C u - tr S^-1 C) / 2, and the information of two
+/// sources tr(S^-1 C_1 S^-1 C_2) / 2. The odometry moves the prediction as well, by H e: its slope
+/// gains u^T H e, its information e^T H^T S^-1 H e.
+void ConsistencyMonitor::addGroup(const JointInnovation& group, Score& score) const {
   const Eigen::Index size = group.nu.size();
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
-  const Eigen::MatrixXd S_inverse = group.S.llt().solve(identity);
+  const Eigen::MatrixXd S_inverse = group.S.llt().solve(Eigen::MatrixXd::Identity(size, size));
   const Eigen::VectorXd u = S_inverse * group.nu;
-  const double nis = u.dot(group.nu);
-  std::array<Eigen::MatrixXd, kSources> shares;  // S^-1 C
-  std::array<double, kSources> squares;          // u^T C u
-  for (const auto c : {kRange, kBearing}) {
-    Eigen::VectorXd variances = Eigen::VectorXd::Zero(size);
-    for (auto i = static_cast<Eigen::Index>(c); i < size; i += 2) variances(i) = group.R(i, i);
-    shares[c] = S_inverse * variances.asDiagonal();
-    squares[c] = u.cwiseAbs2().dot(variances);
+  std::array<Share, kSources> shares;
+  for (const auto sensor : {kRange, kBearing})
+    shares[sensor] = sensorShare(group, S_inverse, u, sensor);
+  if (group.H.rows() > 0) {
+    shares[kMotion] = odometryShare(group, S_inverse, u, odometry_);
+    const Eigen::VectorXd lag = group.H * odometry_.mean();
+    score.slope(kMotion) += u.dot(lag);
+    score.information(kMotion, kMotion) += lag.dot(S_inverse * lag);
+  } else {
+    shares[kMotion] = remainder(u.dot(group.nu), shares[kRange], shares[kBearing]);
   }
-  shares[kMotion] = identity - shares[kRange] - shares[kBearing];
-  squares[kMotion] = nis - squares[kRange] - squares[kBearing];
   for (std::size_t c = 0; c < kSources; ++c) {
-    score.slope(static_cast<Eigen::Index>(c)) += 0.5 * (squares[c] - shares[c].trace());
+    const auto row = static_cast<Eigen::Index>(c);
+    score.slope(row) += 0.5 * (shares[c].square - shares[c].of_S.trace());
     for (std::size_t d = 0; d < kSources; ++d)
-      score.information(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(d)) +=
-          0.5 * shares[c].cwiseProduct(shares[d].transpose()).sum();
+      score.information(row, static_cast<Eigen::Index>(d)) +=
+          0.5 * shares[c].of_S.cwiseProduct(shares[d].of_S.transpose()).sum();
   }
-  score.nis += nis;
+  score.nis += u.dot(group.nu);
   score.dof += static_cast<int>(size);
 }
 
@@ -151,15 +181,17 @@ void ConsistencyMonitor::judge() {
 void ConsistencyMonitor::blame() {
   blamed_.reset();
   const auto evidence = [this](Source source) { return std::abs(factors_[source].evidence); };
-  const auto isWrong = [&](Source source, double significant) {
+  const auto isOff = [&](Source source, double by, double significant) {
     const double sigma = factors_[source].sigma;
-    return evidence(source) > significant && std::max(sigma, 1.0 / sigma) > config_.warning_factor;
+    return evidence(source) > significant && std::max(sigma, 1.0 / sigma) > by;
   };
+  const double wrong = config_.warning_factor, half_way = std::sqrt(wrong);
   const Source sensor = evidence(kRange) > evidence(kBearing) ? kRange : kBearing;
-  const bool is_motion = isWrong(kMotion, kSignificantMotion) && evidence(sensor) < kSuspicious;
+  const bool is_motion =
+      isOff(kMotion, wrong, kSignificantMotion) && !isOff(sensor, half_way, kSuspicious);
   motion_agreeing_ = is_motion ? motion_agreeing_ + 1 : 0;
   if (updates() < std::min(kFewest, config_.window)) return;
-  if (isWrong(sensor, kSignificant))
+  if (isOff(sensor, wrong, kSignificant))
     blamed_ = sensor;
   else if (motion_agreeing_ >= kAgreeing)
     blamed_ = kMotion;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
+#include "slam_core/consistency/odometry_sensitivity.hpp"
 #include "slam_core/contract/backend.hpp"
 
 namespace slam {
@@ -24,12 +25,13 @@ struct ConsistencyConfig {
 };
 
 /// Watches whether the innovations are as large as the back-end believes, and where they are not,
-/// which of the three sources is to blame: the noise of ranges, that of bearings, or what was
-/// foretold by motion and map (the odometry's share). The covariance of the innovations of a stamp
-/// is S = S_motion + R_range + R_bearing; the factors on the three that explain a window of them
-/// best are one step of Fisher scoring on their likelihood (Rao 1971; Mehra 1970 for the Kalman
-/// filter). A sensor's noise differs from one landmark to the next, a wrong prediction is common to
-/// all of a stamp: so they can be told apart where several landmarks are seen.
+/// which of three sources is to blame: the noise of ranges, that of bearings, or the odometry's.
+/// The factors on the three that explain a window of innovations best are one step of Fisher
+/// scoring on their likelihood (Rao 1971; Mehra 1970 for the Kalman filter). A sensor's noise
+/// differs from one landmark to the next, a wrong prediction is common to all of a stamp: so they
+/// can be told apart where several landmarks are seen. What the odometry has to do with an
+/// innovation says OdometrySensitivity; where the back-end does not tell enough for that, all of a
+/// prediction counts as the odometry's.
 class ConsistencyMonitor {
  public:
   enum Source : std::size_t { kRange, kBearing, kMotion, kSources };
@@ -54,7 +56,7 @@ class ConsistencyMonitor {
   std::array<double, 2> nisBounds() const;
   const std::array<Factor, kSources>& factors() const { return factors_; }
   /// "range sigma looks 3.0 times too small (...)", or nothing. A sensor that is wrong makes the
-  /// prediction wrong as well: motion is named only where there is little to say of the sensor.
+  /// prediction wrong as well: motion is named only where no sensor is suspicious.
   std::string finding() const;
   /// The source of the finding, where its sigma is too small: the back-end is surer than it may be.
   /// One that is too large is no fault: it covers errors that are alike from step to step, which
@@ -71,11 +73,12 @@ class ConsistencyMonitor {
     double nis = 0.0;
     int dof = 0;
   };
-  static void addGroup(const JointInnovation& group, Score& score);
+  void addGroup(const JointInnovation& group, Score& score) const;
   void judge();
   void blame();
 
   ConsistencyConfig config_;
+  OdometrySensitivity odometry_;
   std::deque<Score> window_;
   double last_nis_ = 0.0;
   std::array<Factor, kSources> factors_;

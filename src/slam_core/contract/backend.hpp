@@ -34,6 +34,8 @@ struct ObservationInnovation {
 struct JointInnovation {
   Eigen::VectorXd nu;
   Eigen::MatrixXd S, R;
+  /// Jacobian of what is foretold by the pose (x, y, theta), map frame; empty where not told.
+  Eigen::MatrixX3d H;
 };
 
 /// What the last execute() made of its observations.
@@ -50,7 +52,8 @@ struct UpdateStatistics {
   double log_likelihood = 0.0;
   /// One by one, those that were gated included; in the order of the observations.
   std::vector<ObservationInnovation> innovations;
-  JointInnovation joint;  ///< of the first of those that were used, kJoint at most
+  JointInnovation joint;      ///< of the first of those that were used, kJoint at most
+  PosePrediction prediction;  ///< before the observations; counts only where joint.H is told
 
   static constexpr std::size_t kJoint = 8;
 };

@@ -114,18 +114,21 @@ void EkfSlam::replaceMap() {
   if (!map_) return;
   state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation);
   sightings_ = Sightings(map_->landmarks);
+  statistics_.prediction.F.setZero();
   map_.reset();
 }
 
 void EkfSlam::relocate() {
   if (!initial_pose_) return;
   state_.relocate(bounded(*initial_pose_));
+  statistics_.prediction.F.setZero();
   initial_pose_.reset();
 }
 
 void EkfSlam::predict() {
   if (!motion_) return;
-  state_.predict(motion_->increment, motion_->covariance);
+  const auto [F, Q] = state_.predict(motion_->increment, motion_->covariance);
+  statistics_.prediction = {F * statistics_.prediction.F, Q};
   motion_.reset();
 }
 

@@ -133,10 +133,12 @@ void EkfState::renewReference() {
   seen_ = seen;
 }
 
-void EkfState::predict(const Pose2& increment, const Eigen::Matrix3d& Q) {
+PosePrediction EkfState::predict(const Pose2& increment, const Eigen::Matrix3d& Q) {
   Eigen::Matrix3d F, G;
   robot_ = robot_.compose(increment, &F, &G);
-  neighbourhood_.predict(F, G * Q * G.transpose());
+  const PosePrediction prediction{F, G * Q * G.transpose()};
+  neighbourhood_.predict(prediction.F, prediction.Q);
+  return prediction;
 }
 
 void EkfState::correctRobot(const Eigen::Vector3d& dx) {

@@ -12,6 +12,7 @@
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/ekf/neighbourhood.hpp"
 #include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/motion.hpp"
 
 namespace slam::ekf {
 
@@ -51,7 +52,7 @@ class EkfState {
   /// Takes the known ones of these into the neighbourhood; where it would grow too large the
   /// stretch ends first.
   void take(const std::vector<LandmarkObservation>& seen);
-  void predict(const Pose2& increment, const Eigen::Matrix3d& Q);
+  PosePrediction predict(const Pose2& increment, const Eigen::Matrix3d& Q);
   /// x <- x + dx and P <- P - W W^T, rows as in covariance().
   void update(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
   /// The same for the robot only, the map being known (Schmidt-Kalman update).

@@ -143,9 +143,12 @@ JointInnovation ObservationUpdate::joint() const {
   const auto count = std::min(matches_.size(), UpdateStatistics::kJoint);
   const Index size = column(count);
   const Eigen::MatrixXd L = L_.matrixLLT().topLeftCorner(size, size).triangularView<Eigen::Lower>();
-  JointInnovation joint{nu_.head(size), L * L.transpose(), Eigen::MatrixXd::Zero(size, size)};
-  for (std::size_t i = 0; i < count; ++i)
+  JointInnovation joint{nu_.head(size), L * L.transpose(), Eigen::MatrixXd::Zero(size, size),
+                        Eigen::MatrixX3d(size, 3)};
+  for (std::size_t i = 0; i < count; ++i) {
     joint.R.block<2, 2>(column(i), column(i)) = matches_[i].z.covariance;
+    joint.H.middleRows<2>(column(i)) = innovations_[i].H_robot;
+  }
   return joint;
 }
 

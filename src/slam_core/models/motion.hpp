@@ -39,4 +39,11 @@ std::string faultOf(const Motion& motion);
 /// Whether the matrix is finite, symmetric and positive definite.
 bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
+/// What a motion makes of an error of the pose (x, y, theta), map frame: it goes through F (0 where
+/// the pose was set anew), and odometry adds an error of covariance Q.
+struct PosePrediction {
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();
+};
+
 }  // namespace slam
