@@ -52,6 +52,14 @@ std::vector<std::string> faultsOfExample(const std::string& product, const std::
   });
 }
 
+TEST(Settings, TellTheUnitOfARange) {
+  EXPECT_TRUE(oneSays(faultsOfExample("", "{version: 1, example: {wheel_radius: -1}}"),
+                      {"example.wheel_radius", "-1 is not allowed; the range is > 0, in m"}));
+  const auto faults = faultsOfExample("{version: 1, example: {gain: -1}}");
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].substr(faults[0].size() - 16), "the range is > 0");
+}
+
 TEST(Settings, ReadEveryTypeOfField) {
   auto settings = settingsOf(
       "{version: 1, example: {gain: 1e-3, count: 12, active: true, seed: 18446744073709551615, "
