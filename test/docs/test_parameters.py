@@ -44,6 +44,15 @@ class Parameters(unittest.TestCase):
         self.assertEqual(printed.stdout.count("\n## ") + printed.stdout.startswith("## "), 1)
         self.assertIn("| `backend` | product |", parameters("top").stdout)
 
+    def test_a_file_is_checked_without_a_word_when_all_is_well(self):
+        product = REPO / "slam_launch" / "products" / "pf_wheel.yaml"
+        checked = parameters("--check", product, "--set", "pf.particles=20", "seed=3")
+        self.assertEqual((checked.returncode, checked.stdout, checked.stderr), (0, "", ""))
+        refused = parameters("--check", product, "--set", "pf.particels=20")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("did you mean 'particles'?", refused.stderr)
+        self.assertEqual(parameters("--product-parameter", "pf").returncode, 1)
+
     def test_an_unknown_section_or_library_is_named(self):
         refused = parameters("efk")
         self.assertEqual(refused.returncode, 2)

@@ -28,6 +28,7 @@ class KnownSections {
   template <class Config>
   void add() {
     sections_[Config::kSection] = {[](Settings& settings) { settings.checkUnused<Config>(); },
+                                   [](Settings& settings) { settings.read<Config>(); },
                                    [](const Visitor& visit) { visitSection<Config>(visit); }};
   }
 
@@ -44,6 +45,14 @@ class KnownSections {
     visit(Config::kSection, fields);
   }
 
+  /// Reads the sections of all components, used or not, overrides as well: where files are checked
+  /// and nothing is to run. @throw ConfigError listing the faults of all of them
+  void readAll(Settings& settings) const {
+    FaultCollector faults;
+    for (const auto& entry : sections_) faults.attempt([&] { entry.second.read(settings); });
+    faults.raise();
+  }
+
   /// To be called when all components of a product have read theirs.
   /// @throw ConfigError listing the faults of the sections that nobody has read
   void checkUnused(Settings& settings) const {
@@ -55,6 +64,7 @@ class KnownSections {
  private:
   struct Section {
     std::function<void(Settings&)> check;
+    std::function<void(Settings&)> read;
     std::function<void(const Visitor&)> show;
   };
 

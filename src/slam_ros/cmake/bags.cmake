@@ -38,7 +38,7 @@ target_link_libraries(slam_ros_bag_source PRIVATE slam_ros_bags)
 
 add_executable(slam_ros_offline src/slam_offline.cpp)
 add_executable(slam_ros_ground_truth src/slam_ground_truth.cpp)
-add_executable(slam_ros_parameters src/slam_parameters.cpp)
+add_executable(slam_ros_parameters src/slam_parameters.cpp src/parameter_check.cpp)
 add_executable(slam_ros_tune src/slam_tune.cpp)
 set_target_properties(slam_ros_offline PROPERTIES OUTPUT_NAME slam_offline)
 set_target_properties(slam_ros_ground_truth PROPERTIES OUTPUT_NAME slam_ground_truth)

@@ -9,12 +9,8 @@
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/common/parameter_table.hpp"
-#include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/contract/known_sections.hpp"
-#include "slam_core/laser/laser_config.hpp"
-#include "slam_core/models/landmark_sensor.hpp"
-#include "slam_core/product/product_config.hpp"
-#include "slam_ros/topics_config.hpp"
+#include "slam_ros/parameter_check.hpp"
 
 namespace {
 
@@ -36,12 +32,7 @@ std::map<std::string, std::string> sections() {
                                slam::parameterTable(fields));
   };
   const auto& known = slam::KnownSections::instance();
-  known.visitSection<slam::ProductConfig>(add);
-  known.visitSection<slam::FramesConfig>(add);
-  known.visitSection<slam::LandmarkSensorConfig>(add);
-  known.visitSection<slam::ConsistencyConfig>(add);
-  known.visitSection<slam::LaserConfig>(add);
-  known.visitSection<slam_ros::TopicsConfig>(add);
+  slam_ros::visitSharedSections([&](auto config) { known.visitSection<decltype(config)>(add); });
   known.visit(add);
   return tables;
 }
@@ -70,6 +61,27 @@ int print(const std::string& section) {
   return 0;
 }
 
+/// What is to be checked instead of printed.
+struct Check {
+  std::string file;
+  std::vector<std::string> overrides, parameters;
+
+  bool isAsked() const { return !(file.empty() && overrides.empty() && parameters.empty()); }
+  void run() const {
+    if (!file.empty() || !overrides.empty()) slam_ros::checkProductFile(file, overrides);
+    if (!parameters.empty()) slam_ros::checkProductParameters(parameters);
+  }
+};
+
+void addOptions(CLI::App& app, Check& check) {
+  app.add_option("--check", check.file,
+                 "prints nothing and checks the parameters of this product file");
+  app.add_option("--set", check.overrides,
+                 "also checks section.key=value, as slam_offline takes it");
+  app.add_option("--product-parameter", check.parameters,
+                 "checks section.key=value that a product file is to hold");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -77,13 +89,17 @@ int main(int argc, char** argv) {
                "slam_parameters");
   std::string section;
   std::vector<std::string> libraries;
+  Check check;
   app.add_option("SECTION", section,
                  std::string("only this one; ") + kTopLevel + ": the top level");
   app.add_option("--library", libraries, "also of the components in this shared library");
+  addOptions(app, check);
   try {
     app.parse(argc, argv);
     slam::loadLibraries(libraries);
-    return print(section);
+    if (!check.isAsked()) return print(section);
+    check.run();
+    return 0;
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "slam_core/common/settings.hpp"
+#include "slam_core/consistency/consistency_monitor.hpp"
+#include "slam_core/laser/laser_config.hpp"
+#include "slam_core/models/landmark_sensor.hpp"
+#include "slam_core/product/product_config.hpp"
+#include "slam_ros/topics_config.hpp"
+
+namespace slam_ros {
+
+/// Calls visit(Config()) for each section of product and robot files that belongs to no single
+/// component; slam::KnownSections has the others.
+template <class Visit>
+void visitSharedSections(const Visit& visit) {
+  visit(slam::ProductConfig());
+  visit(slam::FramesConfig());
+  visit(slam::LandmarkSensorConfig());
+  visit(slam::ConsistencyConfig());
+  visit(slam::LaserConfig());
+  visit(TopicsConfig());
+}
+
+/// Checks a product file's parameters, names, types and values, against the descriptions of all
+/// components, those of its libraries as well; overrides, "section.key=value", may also be a robot
+/// file's. @throw ConfigError listing all faults
+void checkProductFile(const std::string& file, const std::vector<std::string>& overrides);
+
+/// The same of "section.key=value" that a product file is to hold, with the components in force.
+void checkProductParameters(const std::vector<std::string>& parameters);
+
+}  // namespace slam_ros
