@@ -12,7 +12,8 @@ from slam_launch.errors import ProductError
 
 DEFAULTS = dict.fromkeys(
     ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "bag", "seed",
-     "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine", "backend_machine", "env_loader", "only"), "")
+     "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine", "backend_machine",
+     "env_loader", "only"), "")
 DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
 
 
@@ -54,6 +55,17 @@ class LaunchChecks(unittest.TestCase):
             self.expect_refusal(f"set:= holds '{word}', which is not [SECTION.]KEY=VALUE",
                                 set=f"ekf.mode=slam {word}")
         self.check(set="ekf.gate_probability=0.9 frames.map=world source_timeout=20")
+
+    def test_refuses_parameters_that_no_component_reads(self):
+        self.expect_refusal("override ekf.gate_probabilty: unknown (did you mean "
+                            "'gate_probability'?)", set="ekf.gate_probabilty=0.9")
+        self.expect_refusal("override pf.particles: 0 is not allowed; the range is [1, 100000]",
+                            backend="pf", pointmap="true", set="pf.particles=0")
+        path = self.parts.parent / "mine.yaml"
+        path.write_text("version: 1\nbackend: ekf\nodometry: wheel\nekf: {mod: slam}\n",
+                        encoding="utf-8")
+        self.expect_refusal(f"ekf.mod in {path}:4: unknown (did you mean 'mode'?)",
+                            product=str(path))
 
 
 if __name__ == "__main__":

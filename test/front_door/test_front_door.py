@@ -160,8 +160,10 @@ class WithBuild(FrontDoorTest):
                        XDG_CONFIG_HOME=str(home))
         self.expect(written, 0, f"{home}/slam/products/mine.yaml")
         self.expect(call(self.slam, "products", XDG_CONFIG_HOME=str(home)), 0, "\nmine  ")
-        self.expect(call(self.slam, "check", "mine", XDG_CONFIG_HOME=str(home)), 0,
-                    "valid: backend=pf odometry=wheel")
+
+    def test_tells_that_the_program_is_missing_which_knows_parameters(self):
+        self.expect(call(self.slam, "check", "backend=pf", "odometry=wheel", "pf.particles=50"), 1,
+                    "the program 'slam_parameters' of slam_ros is not built")
 
     def test_is_found_through_a_link_from_another_folder(self):
         link = self.folder / "link"

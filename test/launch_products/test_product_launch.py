@@ -131,6 +131,13 @@ class BadInputTest(Refusals, ProductLaunch):
                                  "pf: {particles: 20}\n")
         self.assert_refused(sentence, "backend:=ekf", "set:=pf.particles=20", ROBOT)
 
+    def test_a_parameter_that_no_component_reads_is_named(self):
+        product = "version: 1\nbackend: ekf\nodometry: wheel\n"
+        self.assert_file_refused("unknown (did you mean 'gate_probability'?)",
+                                 product + "ekf: {gate_probabilty: 0.9}\n")
+        self.assert_file_refused("2 is not allowed; the range is (0, 1)",
+                                 product + "ekf: {gate_probability: 2}\n")
+
     def test_slam_run_says_the_same_with_exit_code_2(self):
         path = self.file("version: 7\nbackend: ekf\nodometry: wheel\n")
         done = subprocess.run([program("slam_ros", "slam_run"), path, "--bag", "x.bag", "--out",

@@ -5,8 +5,10 @@
 import pathlib
 import subprocess
 
-from catkin.find_in_workspaces import find_in_workspaces
 import rospkg
+
+from . import packages
+from .errors import ProductError
 
 WORLD, SEED = "office", 1
 SENA_LOG = pathlib.Path("/usr/share/mrpt/datasets/"
@@ -18,11 +20,11 @@ class DemoError(Exception):
 
 
 def command(package, program, *arguments):
-    """Returns the call of a program of a package; rosrun would stumble over a space in its path."""
-    found = find_in_workspaces(["libexec"], package, program, first_match_only=True)
-    if not found:
-        raise DemoError(f"the program '{program}' of {package} is not built")
-    return [found[0], *map(str, arguments)]
+    """Returns the call of a program of a package."""
+    try:
+        return [packages.program(package, program), *map(str, arguments)]
+    except ProductError as error:
+        raise DemoError(str(error)) from error
 
 
 def call(package, program, *arguments):

@@ -60,6 +60,7 @@ def choose_product(arguments, model):
 def configured(product, arguments, model):
     """Returns the content for the parameter server; the mode is the launch's."""
     products.require_sections(sections_of(arguments["set"]), product.features, model)
+    products.require_parameters(product, arguments["set"].split())
     backend = product.features["backend"]
     section = {**(product.content.get(backend) or {}), "mode": arguments["mode"]}
     return {**product.content, backend: section}

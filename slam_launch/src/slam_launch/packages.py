@@ -10,6 +10,7 @@ import os
 import pathlib
 import subprocess
 
+from catkin.find_in_workspaces import find_in_workspaces
 import rospkg
 
 from .errors import ProductError
@@ -22,6 +23,14 @@ def share():
     except rospkg.ResourceNotFound as error:
         raise ProductError("the package slam_launch is not in ROS_PACKAGE_PATH; source the "
                            "workspace's setup.bash") from error
+
+
+def program(package, name):
+    """Returns the path of a package's program; rosrun would stumble over a space in it."""
+    found = find_in_workspaces(["libexec"], package, name, first_match_only=True)
+    if not found:
+        raise ProductError(f"the program '{name}' of {package} is not built")
+    return found[0]
 
 
 def exported(attribute):

@@ -3,11 +3,12 @@
 """Products: their files against the feature model, finding and writing them."""
 
 import dataclasses
+import pathlib
 import re
 
 import yaml
 
-from . import config_files
+from . import config_files, parameters
 from .errors import ProductError
 from .feature_model import text
 
@@ -25,6 +26,7 @@ class Product:
     name: str       # empty where there is no file
     content: dict
     features: dict  # complete
+    path: pathlib.Path = None
 
 
 def read(path, model):
@@ -40,7 +42,7 @@ def read(path, model):
         require_sections(content, features, model)
     except ProductError as error:
         raise ProductError(f"{path}: {error}") from error
-    return Product(path.stem, content, features)
+    return Product(path.stem, content, features, path)
 
 
 def value_text(value):
@@ -56,6 +58,15 @@ def require_sections(content, features, model):
             name = ".".join([section, *list(values)[:1]])
             raise ProductError(f"{name} is a parameter of {needed}, which is not chosen: the "
                                f"product is {text(features)}")
+
+
+def require_parameters(product, overrides=()):
+    """Refuses parameters that components could not read, of the product's file and of
+    SECTION.KEY=VALUE that count instead of its values."""
+    if product.path:
+        parameters.require_valid_file(product.path, overrides)
+    else:
+        parameters.require_valid_overrides(overrides, product.content["libraries"])
 
 
 def find(name_or_file, model):
@@ -108,37 +119,42 @@ def swappable(features):
 def swapped(product, features):
     """Returns a product with the detector and the modules of other features."""
     changed = swappable(features)
-    return Product(product.name, {**product.content, **yaml_features(changed)},
-                   {**product.features, **changed})
+    return dataclasses.replace(product, content={**product.content, **yaml_features(changed)},
+                               features={**product.features, **changed})
 
 
 def split_arguments(words):
     """Returns the features and the parameters ({section: {key: text}}) of KEY=VALUE arguments."""
-    features, parameters = {}, {}
+    features, sections = {}, {}
     for word in words:
         key, equals, value = word.partition("=")
         key = key.rstrip(":")
         section, dot, field = key.rpartition(".")
         if not equals or not key or not value or dot and not (section and field):
             raise ProductError(f"'{word}' is not KEY=VALUE")
-        target = parameters.setdefault(section, {}) if dot else features
+        target = sections.setdefault(section, {}) if dot else features
         name = field if dot else key
         if name in target:
             raise ProductError(f"{key} is given twice, as {target[name]} and as {value}; a product "
                                f"has exactly one")
         target[name] = value
-    return features, parameters
+    return features, sections
 
 
 def make(name, words, model):
     """Returns the product that KEY=VALUE arguments describe."""
-    given, parameters = split_arguments(words)
-    features = model.require_valid(given)
-    product = without_file(features, model, name)
-    for section, values in parameters.items():
+    given, sections = split_arguments(words)
+    product = without_file(model.require_valid(given), model, name)
+    for section, values in sections.items():
+        if section in product.content:
+            raise ProductError(f"{section}.{next(iter(values))} is no parameter: {section} stands "
+                               "for itself in a product file, it is no section")
         product.content[section] = {key: parsed(f"{section}.{key}", value)
                                     for key, value in values.items()}
-    require_sections(product.content, features, model)
+    require_sections(product.content, product.features, model)
+    parameters.require_valid_parameters(
+        [f"{section}.{key}={value}" for section, values in sections.items()
+         for key, value in values.items()], product.content["libraries"])
     return product
 
 

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Parameters of products: their names, types and values, as the components describe them.
+
+The descriptions stand in the components and nowhere else; the program slam_parameters has them.
+"""
+
+import subprocess
+
+from . import packages
+from .errors import ProductError
+
+
+def require_valid_file(path, overrides=()):
+    """Refuses what components could not read of a product file, and of SECTION.KEY=VALUE that
+    count instead of its values and a robot file's."""
+    check(["--check", str(path), *options("--set", overrides)])
+
+
+def require_valid_overrides(overrides, libraries):
+    """The same where there is no file."""
+    if overrides:
+        check([*options("--library", libraries), *options("--set", overrides)])
+
+
+def require_valid_parameters(words, libraries):
+    """Refuses SECTION.KEY=VALUE that a product file cannot hold."""
+    if words:
+        check([*options("--library", libraries), *options("--product-parameter", words)])
+
+
+def options(name, values):
+    return [word for value in values for word in (name, value)]
+
+
+def check(arguments):
+    name = "slam_parameters"
+    done = subprocess.run([packages.program("slam_ros", name), *arguments], text=True,
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False)
+    if done.returncode != 0:
+        faults = done.stderr.strip().replace(f"{name}: ", "", 1).splitlines()
+        raise ProductError("; ".join(faults) or f"{name} ended with exit code {done.returncode}")
