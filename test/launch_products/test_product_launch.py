@@ -138,6 +138,10 @@ class BadInputTest(Refusals, ProductLaunch):
         self.assert_file_refused("2 is not allowed; the range is (0, 1)",
                                  product + "ekf: {gate_probability: 2}\n")
 
+    def test_an_argument_that_does_not_exist_is_named(self):
+        self.assert_refused("slam.launch: there is no argument 'backned' (did you mean "
+                            "'backend'?)", "backned:=pf", ROBOT)
+
     def test_slam_run_says_the_same_with_exit_code_2(self):
         path = self.file("version: 7\nbackend: ekf\nodometry: wheel\n")
         done = subprocess.run([program("slam_ros", "slam_run"), path, "--bag", "x.bag", "--out",
