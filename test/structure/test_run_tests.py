@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""test/run_tests leaves nothing behind of a test, neither of one that hangs nor after Ctrl-C."""
+
+from importlib.machinery import SourceFileLoader
+import importlib.util
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[1] / "run_tests"
+WITHIN = 60  # [s]
+# As a launch does: one process in a session of its own, which the script writes down, and it does
+# not listen.
+HANGS = ('setsid bash -c "trap : INT TERM; echo \\$\\$ > {0}.part; mv {0}.part {0}; '
+         'while :; do sleep 1; done"')
+CALLS = """
+import pathlib, signal, sys
+from importlib.machinery import SourceFileLoader
+run_tests = SourceFileLoader("run_tests", sys.argv[1]).load_module()
+run_tests.GRACE = 1
+signal.signal(signal.SIGINT, run_tests.interrupt)
+run_tests.call(["bash", "-c", sys.argv[2]], pathlib.Path(sys.argv[3]))
+"""
+
+
+def load():
+    loader = SourceFileLoader("run_tests", str(SCRIPT))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("run_tests", loader))
+    loader.exec_module(module)
+    module.GRACE = 1
+    return module
+
+
+def is_alive(process):
+    """Whether a process runs; one that has ended may wait for its parent to take note."""
+    try:
+        state = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="ascii")
+    except FileNotFoundError:
+        return False
+    return state.rpartition(")")[2].split()[0] != "Z"
+
+
+class Leftovers(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.log = pathlib.Path(folder.name) / "log"
+        self.note = pathlib.Path(folder.name) / "process"
+
+    def noted(self):
+        """Returns the id of the process that does not listen, once it runs."""
+        limit = time.monotonic() + WITHIN
+        while not self.note.exists() and time.monotonic() < limit:
+            time.sleep(0.05)
+        return int(self.note.read_text(encoding="ascii"))
+
+    def test_a_test_that_hangs_is_ended_with_all_that_it_has_started(self):
+        command = ["bash", "-c", HANGS.format(self.note) + " & wait"]
+        self.assertEqual(load().call(command, self.log, timeout=3), 124)
+        self.assertFalse(is_alive(self.noted()))
+        self.assertIn("it took longer than 3 s", self.log.read_text(encoding="utf-8"))
+
+    def test_a_node_that_outlives_its_test_is_ended(self):
+        wait = f" & while [ ! -e {self.note} ]; do sleep 0.1; done; exit 3"
+        command = ["bash", "-c", HANGS.format(self.note) + wait]
+        self.assertEqual(load().call(command, self.log), 3)
+        self.assertFalse(is_alive(self.noted()))
+
+    def test_a_test_beside_it_is_left_alone(self):
+        run_tests = load()
+        with subprocess.Popen(["sleep", "100"],
+                              env={**os.environ, run_tests.MARK: f"{os.getpid()}.10"}) as other:
+            run_tests.call(["true"], self.log)  # number 0
+            run_tests.end(f"{os.getpid()}.1", signal.SIGTERM)
+            self.assertIsNone(other.poll())
+            run_tests.end(str(os.getpid()), signal.SIGTERM)
+            self.assertEqual(other.wait(WITHIN), -signal.SIGTERM)
+
+    def test_ctrl_c_ends_all(self):
+        command = HANGS.format(self.note) + " & wait"
+        with subprocess.Popen([sys.executable, "-c", CALLS, str(SCRIPT), command,
+                               str(self.log)]) as tests:
+            hanging = self.noted()
+            tests.send_signal(signal.SIGINT)
+            self.assertEqual(tests.wait(WITHIN), 130)
+        self.assertFalse(is_alive(hanging))
+
+
+if __name__ == "__main__":
+    unittest.main()
