@@ -25,7 +25,8 @@ class EndCells {
   bool contains(CellIndex cell) const { return cells_[slotOf(cell)] != kNone; }
 
  private:
-  static constexpr std::uint64_t kNone = ~std::uint64_t{0};
+  /// Of a cell far beyond those that a map has.
+  static constexpr std::uint64_t kNone = std::uint64_t{0x80000000} << 32 | 0x80000000;
   static std::uint64_t keyOf(CellIndex cell) {
     return std::uint64_t{static_cast<std::uint32_t>(cell.x)} << 32 |
            static_cast<std::uint32_t>(cell.y);

@@ -101,6 +101,17 @@ TEST_F(ScanInsertion, AnEndIsNotOnTheWayOfAnotherBeamOfTheScan) {
   for (const auto& beam : beams) EXPECT_GT(at(0.02 + beam.end().x(), 0.52), 0);
 }
 
+TEST_F(ScanInsertion, AnEndIsNotOnTheWayOfAnotherBeamWhicheverItsCell) {
+  for (const double x : {-1.0, 0.0, 1.0})
+    for (const double y : {-1.0, 0.0, 1.0}) {
+      map = GridMap(memory);
+      const double cell = config.resolution;
+      insert(scanWith({{0.0f, 1.0f, true}, {0.0f, 2.0f, true}}),
+             Pose2((x + 0.5) * cell - 1.0, (y + 0.5) * cell, 0.0));
+      EXPECT_EQ(at((x + 0.5) * cell, (y + 0.5) * cell), model.gainOf(0.0)) << x << " " << y;
+    }
+}
+
 TEST_F(ScanInsertion, AnEndCountsAsMuchAsItsRangeTells) {
   config.largest_probability = 0.999;
   model = BeamModel(config);
