@@ -101,8 +101,11 @@ class Lattice {
 
   void search(const Square& square, ScanMatch& best) const {
     const auto& turned = turned_[square.turned];
-    for (std::int32_t y = square.shift.y; y < square.shift.y + CoarseTable::kSize; ++y)
-      for (std::int32_t x = square.shift.x; x < square.shift.x + CoarseTable::kSize; ++x) {
+    // the last square of a row or column reaches beyond the window
+    const auto most_x = std::min(square.shift.x + CoarseTable::kSize - 1, reach_);
+    const auto most_y = std::min(square.shift.y + CoarseTable::kSize - 1, reach_);
+    for (std::int32_t y = square.shift.y; y <= most_y; ++y)
+      for (std::int32_t x = square.shift.x; x <= most_x; ++x) {
         const ScanMatch match = at(turned, {x, y});
         if (match.log_value > best.log_value) best = match;
       }

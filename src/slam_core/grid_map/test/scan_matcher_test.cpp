@@ -90,6 +90,16 @@ TEST_F(ScanMatching, CorrelativeMatchingIsNeverWorseThanClimbing) {
   }
 }
 
+TEST_F(ScanMatching, CorrelativeMatchingSearchesAsFarToEverySide) {
+  const CorrelativeMatching correlative({0.0, 0.0}, {});
+  for (const double x : {-0.3, 0.3})
+    for (const double y : {-0.3, 0.3}) {
+      const auto posed = objective(Pose2(x, y, 0.0), 1.0);
+      const auto climbed = HillClimbing({}).match(posed);
+      EXPECT_EQ(correlative.match(posed).pose.vector(), climbed.pose.vector()) << x << " " << y;
+    }
+}
+
 TEST_F(ScanMatching, TheMotionDecidesWhereTheScanDoesNot) {
   ScanPoints one = scan;
   one.ends.resize(1);
