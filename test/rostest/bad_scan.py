@@ -188,9 +188,10 @@ class BadScanTest(unittest.TestCase):
         self.assert_warned("angle_increment is 0")
         self.assertTrue(wait_for(lambda: self.count("bad_scan") > 0))
 
-    def test_07_angle_increment_that_is_negative(self):
+    def test_07_angle_increment_against_the_angles(self):
         self.play(5, changed(angle_increment=-0.1))
-        self.assert_warned("angle_increment is -0.1")
+        self.assert_warned("its angles run from -0.5 to 0.5 and its angle_increment of -0.1 the "
+                           "other way")
 
     def test_08_angles_that_do_not_fit_the_ranges(self):
         self.play(5, changed(ranges=[2.0] * 20))
@@ -214,7 +215,13 @@ class BadScanTest(unittest.TestCase):
         self.assertTrue(wait_for(lambda: self.count("bad_mount") > 0))
         self.assertEqual(self.points(), [])
 
-    def test_11_scans_without_odometry_between_them(self):
+    def test_11_a_clockwise_scan(self):
+        self.begin_anew()
+        ranges = [math.nan] * 10 + [2.0]  # the last beam, at -0.5 rad
+        self.play(5, changed(angle_min=0.5, angle_max=-0.5, angle_increment=-0.1, ranges=ranges))
+        self.assert_point(0.5 + 2.0 * math.cos(0.5), -2.0 * math.sin(0.5))
+
+    def test_12_scans_without_odometry_between_them(self):
         self.begin_anew()
         for number in range(5):
             self.scan.publish(scan(self.stamp + rospy.Duration(0.005 * (number + 1))))

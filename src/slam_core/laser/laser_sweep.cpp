@@ -30,14 +30,18 @@ std::string faultOf(const LaserSweep& sweep) {
   if (s.ranges.empty()) return "it has no ranges";
   if (!std::isfinite(s.angle_min) || !std::isfinite(s.angle_max))
     return "its angle_min or angle_max is not a number";
-  if (!std::isfinite(s.angle_increment) || s.angle_increment <= 0.0f)
-    return fmt::format("its angle_increment is {}; it must be above 0", s.angle_increment);
+  if (!std::isfinite(s.angle_increment) || s.angle_increment == 0.0f)
+    return fmt::format("its angle_increment is {}; it must be a number other than 0",
+                       s.angle_increment);
   if (!std::isfinite(s.range_min) || s.range_min < 0.0f)
     return fmt::format("its range_min is {}; it must be 0 or above", s.range_min);
   if (!std::isfinite(s.range_max) || s.range_max <= s.range_min)
     return fmt::format("its range_max is {}; it must be a number above range_min", s.range_max);
   const double steps = (static_cast<double>(s.angle_max) - s.angle_min) / s.angle_increment;
   const auto beams = static_cast<double>(s.ranges.size());
+  if (steps < 0.0)
+    return fmt::format("its angles run from {} to {} and its angle_increment of {} the other way",
+                       s.angle_min, s.angle_max, s.angle_increment);
   if (std::abs(steps + 1.0 - beams) > kBeamsOff)
     return fmt::format("it has {} ranges, while its angles tell {:.0f}", s.ranges.size(),
                        steps + 1.0);

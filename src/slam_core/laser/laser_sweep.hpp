@@ -13,7 +13,7 @@
 namespace slam {
 
 /// One sweep as a laser's driver tells it, not checked (sensor_msgs/LaserScan; ranges as of
-/// REP-117).
+/// REP-117). Clockwise where angle_increment is below 0.
 struct LaserSweep {
   Stamp stamp;
   std::string frame;
@@ -33,8 +33,8 @@ struct LaserMount {
   }
 };
 
-/// Empty, or what makes the sweep unusable: angles or limits that are none, another number of
-/// ranges than the angles tell.
+/// Empty, or what makes the sweep unusable: angles or limits that are none, an increment that leads
+/// away from angle_max, another number of ranges than the angles tell.
 std::string faultOf(const LaserSweep& sweep);
 
 /// Empty, or what makes the mount unusable: no rotation, or a scan plane that is not horizontal

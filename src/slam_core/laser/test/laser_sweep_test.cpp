@@ -86,6 +86,20 @@ TEST(LaserSweep, AnUpsideDownLaserSeesTheOtherWayRound) {
   }
 }
 
+TEST(LaserSweep, MayRunClockwise) {
+  auto sweep = sweepOf({1, 2, 3});
+  std::swap(sweep.angle_min, sweep.angle_max);
+  sweep.angle_increment = -0.1f;
+  EXPECT_EQ(faultOf(sweep), "");
+  for (const double roll : {0.0, M_PI}) {
+    const auto mount = mountOf(0.2, 0.1, roll, 0, 0.3);
+    const auto forth = toScan(sweepOf({3, 2, 1}), mount), back = toScan(sweep, mount);
+    ASSERT_EQ(back.beams.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_LT((endOf(back, i) - endOf(forth, 2 - i)).norm(), 1e-6) << "beam " << i;
+  }
+}
+
 TEST(LaserSweep, ASidewaysMountIsRefused) {
   EXPECT_EQ(faultOf(mountOf(0, 0, 0.05, 0, 1)), "");
   EXPECT_EQ(faultOf(mountOf(0, 0, M_PI - 0.05, 0, 1)), "");
@@ -110,7 +124,8 @@ TEST(LaserSweep, SaysWhyItCannotBeUsed) {
   expect([](auto& s) { s.ranges.clear(); }, "no ranges");
   expect([](auto& s) { s.ranges.resize(9); }, "it has 9 ranges, while its angles tell 5");
   expect([](auto& s) { s.angle_increment = 0.0f; }, "angle_increment is 0");
-  expect([](auto& s) { s.angle_increment = -0.1f; }, "angle_increment is -0.1");
+  expect([](auto& s) { s.angle_increment = -0.1f; },
+         "its angles run from -0.2 to 0.2 and its angle_increment of -0.1 the other way");
   expect([](auto& s) { s.angle_increment = kNan; }, "angle_increment is nan");
   expect([](auto& s) { s.angle_min = kNan; }, "angle_min");
   expect([](auto& s) { s.range_min = kNan; }, "range_min");
