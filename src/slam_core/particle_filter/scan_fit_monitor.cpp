@@ -15,8 +15,8 @@ using grid_map::Tile;
 constexpr int kEnough = 20;
 /// Scans for which doubt lasts.
 constexpr int kLasting = 5;
-/// Passed by three beams or more; some cells beside a wall are passed by one.
-constexpr grid_map::LogOdds kSurelyFree = -16;
+/// Some cells beside a wall are passed by a beam or two.
+constexpr int kBeamsOfSurelyFree = 3;
 /// Of 255: two standard deviations from an end in the map.
 constexpr std::uint8_t kNear = 34;
 
@@ -24,7 +24,15 @@ struct Counts {
   int agreeing = 0, contradicting = 0;
 };
 
-void count(const grid_map::GridMap& map, const Eigen::Vector2d& end, Counts& counts) {
+/// Where as many beams have passed, or as few as leave a cell as free as it can be told to be.
+grid_map::LogOdds surelyFree(const grid_map::BeamModel& model) {
+  auto cell = grid_map::kUnseen;
+  for (int i = 0; i < kBeamsOfSurelyFree; ++i) cell = model.afterMiss(cell);
+  return cell;
+}
+
+void count(const grid_map::GridMap& map, const Eigen::Vector2d& end, grid_map::LogOdds surely_free,
+           Counts& counts) {
   const grid_map::CellIndex cell{static_cast<std::int32_t>(std::floor(end.x())),
                                  static_cast<std::int32_t>(std::floor(end.y()))};
   const auto* const tile = map.tile(cell);
@@ -32,11 +40,14 @@ void count(const grid_map::GridMap& map, const Eigen::Vector2d& end, Counts& cou
   const auto at = Tile::at(cell);
   if (tile->likelihood[at] >= kNear)
     ++counts.agreeing;
-  else if (tile->log_odds[at] != grid_map::kUnseen && tile->log_odds[at] <= kSurelyFree)
+  else if (tile->log_odds[at] != grid_map::kUnseen && tile->log_odds[at] <= surely_free)
     ++counts.contradicting;
 }
 
 }  // namespace
+
+ScanFitMonitor::ScanFitMonitor(const grid_map::BeamModel& model, double lost_share)
+    : surely_free_(surelyFree(model)), lost_share_(lost_share) {}
 
 void ScanFitMonitor::judge(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
                            const Pose2& pose) {
@@ -45,7 +56,7 @@ void ScanFitMonitor::judge(const grid_map::GridMap& map, const grid_map::ScanPoi
   if (!scan.isOnMap(pose)) return;
   Counts counts;
   const Pose2 in_cells = scan.inCells(pose);
-  for (const auto& end : scan.ends) count(map, in_cells.transform(end), counts);
+  for (const auto& end : scan.ends) count(map, in_cells.transform(end), surely_free_, counts);
   const int known = counts.agreeing + counts.contradicting;
   if (known < kEnough) return;
   share_ = static_cast<double>(counts.contradicting) / known;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "slam_core/geometry/pose2.hpp"
+#include "slam_core/grid_map/beam_model.hpp"
 #include "slam_core/grid_map/grid_map.hpp"
 #include "slam_core/grid_map/scan_points.hpp"
 
@@ -14,8 +15,9 @@ namespace slam::particle_filter {
 /// moved chairs make some ends do so; when most do, it is the robot that is not where it should be.
 class ScanFitMonitor {
  public:
+  /// @param model of the beams that the map is made of
   /// @param lost_share of the ends in known cells that contradict the map
-  explicit ScanFitMonitor(double lost_share = 0.5) : lost_share_(lost_share) {}
+  explicit ScanFitMonitor(const grid_map::BeamModel& model, double lost_share = 0.5);
 
   /// To be called for each scan, before it goes into the map.
   /// @param pose T_map_base
@@ -30,6 +32,7 @@ class ScanFitMonitor {
   void forget();
 
  private:
+  grid_map::LogOdds surely_free_;
   double lost_share_;
   double share_ = 0.0;
   int scans_in_doubt_ = 0;  ///< to come

@@ -39,7 +39,7 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
       proposal_(proposalOf(scan)),
       weighting_(makeScanWeighting(scan.weighting)),
       trigger_(triggerOf(scan)),
-      fit_(scan.lost_share) {}
+      fit_(model_, scan.lost_share) {}
 
 void ScanUpdate::restart(const PoseEstimate& around) {
   trigger_ = triggerOf(config_);
