@@ -113,7 +113,7 @@ class Backend {
   virtual std::vector<StampedPose> path() const { return {}; }
   /// The grid map of back-ends that make one: all that is known of it, cut to what has been seen.
   virtual std::optional<OccupancyGrid> grid() const { return std::nullopt; }
-  /// Grows whenever grid() would tell something else.
+  /// Grows whenever grid() would tell something else, also where all begins anew.
   virtual std::uint64_t gridRevision() const { return 0; }
   /// Figures of its own that are worth a diagnostic, by name.
   virtual std::map<std::string, double> figures() const { return {}; }

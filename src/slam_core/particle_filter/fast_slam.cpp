@@ -69,7 +69,9 @@ void FastSlam::reset() {
   fit_ = FitMonitor(config_.lost_nis);
   told_place_.reset();
   inputs_ = {};
+  const auto revision = told_.grid_revision + 1;
   told_ = {};
+  told_.grid_revision = revision;
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
   told_.estimate = {Pose2(), sigma.cwiseAbs2().asDiagonal()};
