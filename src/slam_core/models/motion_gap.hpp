@@ -10,8 +10,9 @@
 namespace slam {
 
 /// Bridges the gap that lost messages leave between an odometry's motions. Where the robot went in
-/// it the odometry's poses tell, which each motion carries; how surely they do not, so that it is
-/// taken to have erred all the while as in its worst increment so far.
+/// it the odometry's poses tell, which each motion carries: they are as the wheels measured them,
+/// so that they are scaled as increments were so far. How surely they do not tell: it is taken to
+/// have erred all the while as in its worst tenth of a second so far.
 class MotionGap {
  public:
   /// @return whether some are missing before this motion, which now begins where the last one
@@ -21,10 +22,32 @@ class MotionGap {
   void reset() { *this = {}; }
 
  private:
+  /// True over measured by least squares, beginning with 1.
+  class Scale {
+   public:
+    void add(double told_by_measured, double measured_squared) {
+      above_ += told_by_measured;
+      below_ += measured_squared;
+    }
+    double value() const { return above_ / below_; }
+
+   private:
+    static constexpr double kFirst =
+        1e-8;  ///< a tenth of a millimetre or of a milliradian, squared
+    double above_ = kFirst, below_ = kFirst;
+  };
+
+  void learnRate(const Motion& motion);
+  void learnScales(const Motion& motion);
+  Pose2 scaled(const Pose2& measured) const;
   Motion across(const Motion& before, const Motion& after) const;
 
   std::optional<Motion> last_;
+  Duration span_{};  ///< of increments since the last rate
+  Eigen::Matrix3d span_covariance_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d worst_rate_ = Eigen::Matrix3d::Zero();  ///< covariance in a second
+  bool knows_rate_ = false;
+  Scale way_scale_, turn_scale_;
 };
 
 }  // namespace slam

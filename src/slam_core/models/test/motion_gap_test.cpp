@@ -54,6 +54,71 @@ TEST(MotionGap, IsAsUncertainAsTheWorstIncrementThatWasSeen) {
   EXPECT_EQ(faultOf(next), "");
 }
 
+TEST(MotionGap, IsAsUncertainAsTheWorstWayAndTheWorstTurn) {
+  auto all = drive(20);
+  all[1].covariance.topLeftCorner<2, 2>() *= 9.0;
+  all[2].covariance(2, 2) *= 9.0;  // [rad^2], not to be weighed up with [m^2]
+  MotionGap gap;
+  for (int i : {0, 1, 2, 3}) gap.bridge(all[i]);
+  Motion next = all[14];
+  ASSERT_TRUE(gap.bridge(next));
+  EXPECT_GT(next.covariance(0, 0), 9.0 * 10 * all[0].covariance(0, 0));
+  EXPECT_GT(next.covariance(2, 2), 9.0 * 10 * all[0].covariance(2, 2));
+  EXPECT_EQ(faultOf(next), "");
+}
+
+/// The increments of a drive, one of them in two parts of which the first is of a millisecond and
+/// has more than its part of the covariance: what an odometry adds to each increment.
+std::vector<Motion> driveWithAShortIncrement() {
+  auto all = drive(20);
+  auto [first, second] = split(all[2], all[2].start + std::chrono::milliseconds(1));
+  first.covariance = 0.1 * all[2].covariance;
+  all[2] = first;
+  all.insert(all.begin() + 3, second);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].sequence = i;
+  return all;
+}
+
+TEST(MotionGap, IsNotAsUncertainAsAShortIncrementSeemsToTell) {
+  const auto covarianceAfter = [](const std::vector<Motion>& all) {
+    MotionGap gap;
+    for (std::size_t i = 0; i < 5; ++i) {
+      auto motion = all[i];
+      EXPECT_FALSE(gap.bridge(motion));
+    }
+    auto next = all.back();
+    EXPECT_TRUE(gap.bridge(next));
+    return next.covariance;
+  };
+  const auto covariance = covarianceAfter(driveWithAShortIncrement());
+  EXPECT_LT(covariance.trace(), 1.5 * covarianceAfter(drive(20)).trace());
+}
+
+TEST(MotionGap, IsBridgedAtOnceByWhatAShortIncrementTells) {
+  const auto all = driveWithAShortIncrement();
+  MotionGap gap;
+  auto first = all[2], next = all[12];
+  gap.bridge(first);
+  ASSERT_TRUE(gap.bridge(next));
+  EXPECT_EQ(faultOf(next), "");
+}
+
+TEST(MotionGap, OfWheelsThatAreCalibratedIsBridgedWithTheirScales) {
+  auto all = drive(60);
+  for (auto& motion : all) {
+    Eigen::Vector3d twist = motion.increment.log();
+    twist.head<2>() *= 1.05;
+    twist.z() *= 0.9;
+    motion.increment = Pose2::exp(twist);  // odometry's poses stay as they were measured
+  }
+  MotionGap gap;
+  for (std::size_t i = 0; i < 5; ++i) gap.bridge(all[i]);
+  Motion next = all[40], expected = all[5];
+  ASSERT_TRUE(gap.bridge(next));
+  for (int i = 6; i <= 40; ++i) expected = joined(expected, all[i]);
+  EXPECT_LT((next.increment.vector() - expected.increment.vector()).norm(), 1e-5);
+}
+
 TEST(MotionGap, IsNotSeenWhereAMotionComesLate) {
   const auto all = drive(10);
   MotionGap gap;
