@@ -22,6 +22,7 @@ void PointMap::configure(Settings& settings) {
 }
 
 void PointMap::reset() {
+  gap_.reset();
   collator_ = PoseCollator();
   counters_.clear();
   fault_.clear();
@@ -39,6 +40,7 @@ void PointMap::begin() {
 void PointMap::set(Motion motion) {
   const auto fault = faultOf(motion);
   if (fault.empty()) {
+    if (gap_.bridge(motion)) counters_.add("bridged");
     collator_.push(std::move(motion));
     return;
   }

@@ -11,6 +11,7 @@
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/settings.hpp"
 #include "slam_core/common/status.hpp"
+#include "slam_core/models/motion_gap.hpp"
 #include "slam_core/point_map/fusion_policy.hpp"
 #include "slam_core/point_map/point_map_config.hpp"
 #include "slam_core/point_map/point_set.hpp"
@@ -22,7 +23,8 @@ namespace slam::point_map {
 /// points out. It has no effect on the filter.
 ///
 /// Call order: configure(), set(...) of what has come, execute() while isBusy(). Counted beyond the
-/// collator's reasons: "invalid_motion", "invalid_pose", "full" (end points left out).
+/// collator's reasons: "invalid_motion", "invalid_pose", "bridged" (a gap of lost motion, crossed
+/// by the odometry's poses), "full" (end points left out).
 class PointMap {
  public:
   /// A fresh start. @throw ConfigError listing all faults of its section
@@ -57,6 +59,7 @@ class PointMap {
 
   PointMapConfig config_;
   std::unique_ptr<FusionPolicy> fusion_;
+  MotionGap gap_;
   PoseCollator collator_;
   PointSet points_;
   Counters counters_;

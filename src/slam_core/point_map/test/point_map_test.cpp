@@ -149,6 +149,37 @@ TEST_F(PointMapTest, LeavesOutInputsThatAreNone) {
   EXPECT_EQ(map.counters()["invalid_pose"], 1u);
 }
 
+TEST_F(PointMapTest, CrossesAGapOfLostMotionByTheOdometrysPoses) {
+  const auto mapped = [this](bool is_cut) {
+    configure();
+    const auto at = [](int i) { return Stamp(i * std::chrono::milliseconds(100)); };
+    Pose2 odometry(3, 4, 1);
+    map.set(FilterPose::of(at(0), Pose2()));
+    for (int i = 0; i < 30; ++i) {
+      Motion motion;
+      motion.sequence = static_cast<std::uint64_t>(i);
+      motion.start = at(i);
+      motion.end = at(i + 1);
+      motion.increment = Pose2::exp({0.1, 0.0, 0.03});
+      motion.covariance = Eigen::Matrix3d::Identity() * 1e-4;
+      motion.odometry_start = odometry;
+      motion.odometry_end = odometry = odometry * motion.increment;
+      if (!is_cut || i < 5 || i > 20) map.set(motion);
+    }
+    auto scan = beam(2.0f);
+    scan.stamp = at(25);
+    map.set(scan);
+    map.set(FilterPose::of(at(30), Pose2()));
+    EXPECT_TRUE(map.execute().isOk());
+    return map.points();
+  };
+  const auto complete = mapped(false), bridged = mapped(true);
+  EXPECT_EQ(map.counters()["bridged"], 1u);
+  ASSERT_EQ(complete.size(), 1u);
+  ASSERT_EQ(bridged.size(), 1u);
+  EXPECT_LT((bridged[0].position - complete[0].position).norm(), 1e-9);
+}
+
 TEST_F(PointMapTest, BeginsAnewWhenTimeGoesBack) {
   configure();
   for (int i = 0; i < 3; ++i) take(beam(2.0f), {}, 100.0);
