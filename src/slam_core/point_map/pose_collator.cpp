@@ -7,12 +7,6 @@
 #include <utility>
 
 namespace slam::point_map {
-namespace {
-
-/// Of poses and motion, for scans that come later than those.
-constexpr Duration kKept = std::chrono::seconds(5);
-
-}  // namespace
 
 FilterPose FilterPose::of(Stamp stamp, const Pose2& T_map_base) {
   return {stamp, T_map_base.x(), T_map_base.y(), std::sin(T_map_base.theta() / 2),
@@ -42,8 +36,7 @@ void PoseCollator::push(LaserScan scan) {
 }
 
 std::optional<PoseCollator::Placed> PoseCollator::next() {
-  // nobody need keep what all scans are past
-  if (scans_.empty() && poses_.last()) takePoses(*poses_.last() - kKept);
+  if (scans_.empty()) forgetOldest();
   while (!scans_.empty()) {
     const auto stamp = scans_.front().stamp;
     const bool is_due =
@@ -58,6 +51,11 @@ std::optional<PoseCollator::Placed> PoseCollator::next() {
     scans_.pop();
   }
   return std::nullopt;
+}
+
+void PoseCollator::forgetOldest() {
+  while (!poses_.empty() && (poses_.size() >= kKept || motions_.size() >= kKept))
+    takePoses(poses_.front().stamp);
 }
 
 void PoseCollator::takePoses(Stamp up_to) {

@@ -27,8 +27,11 @@ struct FilterPose {
 /// after the scan, carried on by motion. A scan waits until the filter has told a pose at or after
 /// its stamp, and motion covers it. Of several poses of one stamp the first counts.
 ///
-/// Counted: those of a StampedQueue, "before_pose" (a scan before the first pose), "restart";
-/// a scan that comes after poses 5 s younger may be "late".
+/// Poses and motion are kept for scans that come later than those, as of a link that was cut: by
+/// their number, as the stamps of what is late are in order.
+///
+/// Counted: those of a StampedQueue, "before_pose" (a scan before the first pose), "restart"; a scan
+/// that comes after kKept poses or motions younger than it may be "late".
 class PoseCollator {
  public:
   struct Placed {
@@ -49,13 +52,17 @@ class PoseCollator {
   std::optional<Stamp> lastPose() const { return poses_.last(); }
 
  private:
+  static constexpr std::size_t kKept = 20000;  ///< minutes
+  static constexpr std::size_t kScans = 2000;
+
+  void forgetOldest();
   void takePoses(Stamp up_to);
   Pose2 carriedTo(Stamp stamp);
   void restartWhenAllWentBack();
 
-  StampedQueue<Motion> motions_{20000};
-  StampedQueue<FilterPose> poses_{20000};
-  StampedQueue<LaserScan> scans_{500};
+  StampedQueue<Motion> motions_{kKept};
+  StampedQueue<FilterPose> poses_{kKept};
+  StampedQueue<LaserScan> scans_{kScans};
   std::optional<FilterPose> pose_;  ///< the last one not after the scan in hand
   std::uint64_t pose_sequence_ = 0;
   bool restart_ = false;

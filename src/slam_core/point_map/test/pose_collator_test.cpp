@@ -120,6 +120,34 @@ TEST(PoseCollator, GivesTheSameWhateverTheOrderOfArrival) {
   }
 }
 
+/// Of two minutes, one source of motion (0), poses (1) and scans (2) after the others have told
+/// all.
+std::vector<Pose2> placedWithLast(std::size_t late) {
+  PoseCollator collator;
+  std::vector<Pose2> poses;
+  for (const auto source : {(late + 1) % 3, (late + 2) % 3, late})
+    for (std::uint64_t i = 0; i < 1200; ++i) {
+      const auto s = static_cast<double>(i);
+      if (source == 0) collator.push(motion(0.1 * s, 0.1 * (s + 1), i));
+      if (source == 1) collator.push(poseAt(0.01 + 0.1 * s, s));
+      if (source == 2) collator.push(scanAt(0.04 + 0.1 * s, i));
+      while (auto placed = collator.next()) poses.push_back(placed->T_map_base);
+    }
+  EXPECT_TRUE(collator.counters().all().empty()) << late;
+  return poses;
+}
+
+TEST(PoseCollator, WhatComesMinutesLateIsNotLate) {
+  const auto expected = placedWithLast(0);
+  EXPECT_EQ(expected.size(), 1199u);
+  for (const std::size_t late : {1, 2}) {
+    const auto poses = placedWithLast(late);
+    ASSERT_EQ(poses.size(), expected.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      ASSERT_EQ(poses[i].vector(), expected[i].vector()) << late;
+  }
+}
+
 TEST(PoseCollator, BeginsAnewWhenAllSourcesGoBack) {
   PoseCollator collator;
   collator.push(motion(100, 101, 0));
