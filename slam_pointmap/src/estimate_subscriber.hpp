@@ -25,7 +25,8 @@ class EstimateSubscriber {
   struct Sinks {
     std::function<void(const slam::Motion&)> motion;
     std::function<void(const slam::point_map::FilterPose&)> pose;
-    std::function<void()> reset;  ///< the back-end was reset: its poses are those of another map
+    /// The back-end was reset or has loaded a map: its poses are those of another map.
+    std::function<void()> reset;
   };
 
   EstimateSubscriber(ros::NodeHandle handle, const std::string& motion_topic, Sinks sinks);

@@ -18,7 +18,9 @@ Pose2 FilterPose::pose() const { return {x, y, std::atan2(2.0 * qw * qz, qw * qw
 void PoseCollator::push(Motion motion) {
   const auto stamp = motion.end;
   const auto sequence = motion.sequence;
+  const auto start = motion.start;
   motions_.push(stamp, sequence, std::move(motion), counters_);
+  if (!begin_) begin_ = start;
   restartWhenAllWentBack();
 }
 
@@ -43,14 +45,21 @@ std::optional<PoseCollator::Placed> PoseCollator::next() {
         poses_.last() && *poses_.last() >= stamp && motions_.last() && *motions_.last() >= stamp;
     if (!is_due) return std::nullopt;
     takePoses(stamp);
-    if (pose_ && pose_->stamp <= stamp) {
+    const std::string hindrance = hindranceAt(stamp);
+    if (hindrance.empty()) {
       const auto pose = carriedTo(stamp);
       return Placed{scans_.pop().value, pose, std::exchange(restart_, false)};
     }
-    counters_.add(pose_ ? "late" : "before_pose");
+    counters_.add(hindrance);
     scans_.pop();
   }
   return std::nullopt;
+}
+
+std::string PoseCollator::hindranceAt(Stamp stamp) const {
+  if (!pose_) return "before_pose";
+  if (pose_->stamp > stamp) return "late";
+  return pose_->stamp < *begin_ && pose_->stamp < stamp ? "before_motion" : "";
 }
 
 void PoseCollator::forgetOldest() {
@@ -80,6 +89,7 @@ void PoseCollator::restartWhenAllWentBack() {
   const auto has_gone_back = [](const auto& source) { return source.wentBack() || !source.last(); };
   if (!motions_.wentBack() || !has_gone_back(poses_) || !has_gone_back(scans_)) return;
   motions_.restart();
+  begin_ = motions_.front().value.start;
   poses_.restart();
   scans_.restart();
   pose_.reset();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/stamped_queue.hpp"
@@ -30,8 +31,9 @@ struct FilterPose {
 /// Poses and motion are kept for scans that come later than those, as of a link that was cut: by
 /// their number, as the stamps of what is late are in order.
 ///
-/// Counted: those of a StampedQueue, "before_pose" (a scan before the first pose), "restart"; a scan
-/// that comes after kKept poses or motions younger than it may be "late".
+/// Counted: those of a StampedQueue, "before_pose" (a scan before the first pose), "before_motion"
+/// (a scan after a pose from which no motion leads to it, as the first one came later), "restart";
+/// a scan that comes after kKept poses or motions younger than it may be "late".
 class PoseCollator {
  public:
   struct Placed {
@@ -57,12 +59,15 @@ class PoseCollator {
 
   void forgetOldest();
   void takePoses(Stamp up_to);
+  /// Why the pose of a scan cannot be told; empty: it can.
+  std::string hindranceAt(Stamp stamp) const;
   Pose2 carriedTo(Stamp stamp);
   void restartWhenAllWentBack();
 
   StampedQueue<Motion> motions_{kKept};
   StampedQueue<FilterPose> poses_{kKept};
   StampedQueue<LaserScan> scans_{kScans};
+  std::optional<Stamp> begin_;      ///< of the first motion
   std::optional<FilterPose> pose_;  ///< the last one not after the scan in hand
   std::uint64_t pose_sequence_ = 0;
   bool restart_ = false;

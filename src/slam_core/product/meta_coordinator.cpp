@@ -46,6 +46,11 @@ void MetaCoordinator::set(const Motion& motion) {
   if (parts_.point_map) parts_.point_map->set(motion);
 }
 
+void MetaCoordinator::set(const MapState& map) {
+  parts_.estimator.set(map);
+  if (parts_.point_map) parts_.point_map->reset();
+}
+
 template <class Input>
 void MetaCoordinator::setForDetector(const Input& input) {
   if (!parts_.detector) return;

@@ -92,8 +92,9 @@ BackendActions EstimatorNode::actions() {
                               source_.estimator().backend().state()};
   };
   actions.load = [this](const slam::LandmarkFile& file) {
-    source_.estimator().set(file.map);
+    source_.set(file.map);
     outputs_->refresh();
+    tellOfReset();
   };
   return actions;
 }
@@ -184,6 +185,10 @@ void EstimatorNode::checkClock() {
 
 void EstimatorNode::reset() {
   beginAnew();
+  tellOfReset();
+}
+
+void EstimatorNode::tellOfReset() {
   ++resets_;
   publishProgress();
 }

@@ -94,6 +94,20 @@ TEST(PoseCollator, AScanBeforeTheFirstPoseIsLeftOutAndCounted) {
   EXPECT_EQ(collator.counters()["before_pose"], 1u);
 }
 
+TEST(PoseCollator, APoseBeforeTheFirstMotionLeadsToNoLaterScan) {
+  PoseCollator collator;
+  collator.push(poseAt(0.5, 1));
+  collator.push(motion(0.8, 1.8, 7));  // what was before has come to nobody
+  collator.push(scanAt(0.5, 0));
+  collator.push(scanAt(1.0, 1));
+  collator.push(scanAt(1.6, 2));
+  collator.push(poseAt(1.5, 2));
+  collator.push(poseAt(1.6, 3));
+  EXPECT_EQ(collator.next()->T_map_base.x(), 1.0) << "one of the pose's own stamp needs no motion";
+  EXPECT_EQ(collator.next()->T_map_base.x(), 3.0);
+  EXPECT_EQ(collator.counters()["before_motion"], 1u);
+}
+
 TEST(PoseCollator, GivesTheSameWhateverTheOrderOfArrival) {
   std::vector<Pose2> expected;
   for (std::uint64_t shuffle = 0; shuffle < 50; ++shuffle) {

@@ -76,6 +76,7 @@ class EstimatorNode {
   void publishProgress();
   void beginAnew();
   void reset();
+  void tellOfReset();
 
   StepSource& source_;
   TopicsConfig topics_;
@@ -93,7 +94,7 @@ class EstimatorNode {
   std::vector<ros::Subscriber> subscribers_;
   std::optional<LaserSubscriber> laser_;
   slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
-  std::uint32_t resets_ = 0;  ///< that were asked for
+  std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
   std::optional<AfterLoad> start_;
 };
