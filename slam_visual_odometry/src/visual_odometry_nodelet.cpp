@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
-#include <slam_msgs/Motion.h>
 // ros.h comes first: nodelet.h only declares what it uses
 #include <nodelet/nodelet.h>
 
@@ -12,7 +11,8 @@
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "edge_watch.hpp"
+#include "motion_outputs.hpp"
+#include "nodelet_config.hpp"
 #include "slam_core/product/product_components.hpp"
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/camera_subscriber.hpp"
@@ -20,37 +20,13 @@
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/latency_window.hpp"
-#include "slam_ros/motion_publisher.hpp"
 #include "slam_ros/odometry_subscriber.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
-#include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 #include "slam_ros/topics_config.hpp"
-#include "slam_ros/transform_publisher.hpp"
-#include "slam_ros/transport_config.hpp"
 
 namespace slam_visual_odometry {
-namespace {
-
-constexpr const char* kOwnFrame = "visual_odom";  // where another node publishes odom -> base
-
-}  // namespace
-
-struct NodeletConfig {
-  static constexpr const char* kSection = "";
-
-  slam_ros::TransportConfig camera;
-  bool publish_tf = true;
-  bool publish_motion = true;
-
-  void describe(slam::Fields& fields) {
-    camera.describe(fields);
-    fields.add("publish_tf", &publish_tf, "the transform odom -> base, unless another node does");
-    fields.add("publish_motion", &publish_motion,
-               "for the back-end; not where it is moved by another source, to compare with");
-  }
-};
 
 /// Images of the ceiling in, and the wheels' `odom` where the product wants them; `motion` out.
 class VisualOdometryNodelet : public nodelet::Nodelet {
@@ -79,21 +55,26 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
     source_ = slam::makeOdometry(product);
     source_->configure(settings);
     source_->seed(product.seed);
-    if (config_.publish_motion)
-      motion_ = handle.advertise<slam_msgs::Motion>(topics_.motion, slam_ros::kQueue);
-    publisher_.emplace(handle);
-    const auto base = slam_ros::frameId(frames_.base);
-    if (config_.publish_tf) watch_.emplace(handle, slam_ros::frameId(frames_.odom), base);
+    outputs_.emplace(handle, config_, frames_, topics_.motion,
+                     [this](const std::string& sentence) { diagnostics_->warn(sentence); });
     diagnostics_.emplace(
         handle, getPrivateNodeHandle(), getName(),
         slam_ros::Diagnostics::Sources{[this] { return source_->counters(); },
                                        [this] { return waiting(); }, [this] { return figures(); }});
+    connectCamera(handle);
+    if (source_->usesWheels()) connectWheels(handle);
+  }
+
+  void connectCamera(ros::NodeHandle handle) {
     const auto take = [this](const auto& input) { this->take(input, camera_->topic()); };
     camera_.emplace(
         handle,
-        slam_ros::CameraSubscriber::Options{topics_.ceiling_camera, config_.camera.transport, base},
+        slam_ros::CameraSubscriber::Options{topics_.ceiling_camera, config_.camera.transport,
+                                            slam_ros::frameId(frames_.base)},
         slam_ros::CameraInput::Sinks{take, take, take});
-    if (!source_->usesWheels()) return;
+  }
+
+  void connectWheels(ros::NodeHandle handle) {
     odom_.emplace(
         handle,
         slam_ros::OdometrySubscriber::Options{topics_.odom, frames_.odom, frames_.base, true, true},
@@ -113,36 +94,18 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
   void take(const Input& input, const std::string& topic) {
     if (clock_.hasJumpedBack()) {
       source_->reset();
-      transform_.reset();
+      outputs_->reset();
     }
     source_->set(input);
     do {
       diagnostics_->report(topic, source_->execute());
-      if (source_->motion()) publish(*source_->motion());
+      if (source_->motion()) publish();
     } while (source_->isBusy());
   }
 
-  void publish(slam::Motion motion) {
-    const bool is_taken = watch_ && watch_->isTaken();
-    if (is_taken) warnOfEdge();
-    motion.odometry_frame = is_taken || !config_.publish_motion ? kOwnFrame : "";
-    frames_.complete(motion.odometry_frame, motion.base_frame);
-    if (config_.publish_motion)
-      motion_.publish(boost::make_shared<slam_msgs::Motion>(slam_ros::toMsg(motion)));
-    if (watch_ && !is_taken && config_.publish_motion)
-      transform_.publish(slam_ros::toRos(motion.end), motion.odometry_frame, motion.base_frame,
-                         motion.odometry_end);
-    publisher_->publish(motion);
-    publisher_->show(*source_, motion.end);
+  void publish() {
+    outputs_->publish(*source_->motion(), *source_);
     latency_.add(camera_->arrival(), slam_ros::LatencyWindow::Clock::now());
-  }
-
-  void warnOfEdge() {
-    if (warned_of_edge_) return;
-    warned_of_edge_ = true;
-    diagnostics_->warn("the transform " + frames_.odom + " -> " + frames_.base +
-                       " is published by " + watch_->publisher() +
-                       " as well; visual odometry leaves it out and calls its frame " + kOwnFrame);
   }
 
   std::string waiting() const {
@@ -167,11 +130,7 @@ class VisualOdometryNodelet : public nodelet::Nodelet {
   std::unique_ptr<slam::OdometrySource> source_;
   slam_ros::ClockWatch clock_;
   slam_ros::LatencyWindow latency_;
-  slam_ros::TransformPublisher transform_;
-  std::optional<slam_ros::VisualMotionPublisher> publisher_;
-  std::optional<EdgeWatch> watch_;
-  bool warned_of_edge_ = false;
-  ros::Publisher motion_;
+  std::optional<MotionOutputs> outputs_;
   std::optional<slam_ros::OdometrySubscriber> odom_;
   std::optional<slam_ros::AfterLoad> start_;
   std::optional<slam_ros::CameraSubscriber> camera_;
