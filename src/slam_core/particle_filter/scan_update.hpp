@@ -55,7 +55,7 @@ class ScanUpdate {
   /// Whether as many maps may take a scan in without needing more memory than there is.
   bool hasRoomFor(const grid_map::ScanPoints& scan, std::size_t maps,
                   const grid_map::GridMap::Memory& memory) const;
-  /// Cells in the rectangle of the largest map.
+  /// Tiles in the rectangle of the largest map.
   std::size_t mostTiles() const;
   const grid_map::BeamModel& model() const { return model_; }
 

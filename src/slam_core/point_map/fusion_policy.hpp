@@ -22,7 +22,7 @@ class FusionPolicy {
   /// @param T_map_base by the filter
   virtual Pose2 place(const LaserScan& scan, const Pose2& T_map_base, const PointSet& map) = 0;
   /// The point that an end point of the scan placed last is to be fused with; none: it is a new
-  /// one. May join points of the map.
+  /// one. May join points of the map, which changes the indices of others (PointSet::join).
   virtual std::optional<std::uint32_t> match(const Eigen::Vector2d& end, PointSet& map) = 0;
   /// The map begins anew.
   virtual void reset() {}
