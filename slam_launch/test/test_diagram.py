@@ -92,6 +92,32 @@ class Drawings(Diagrams):
         drawn = diagram.dot(diagram.components(swapped.features, self.model), former)
         self.assertRegex(drawn, f'"slam_backend" .*{diagram.NEW}')
 
+    def test_show_one_nodelet_around_the_components_of_the_composition_in_one_process(self):
+        parts = self.parts("pf_visual")
+        drawn = diagram.dot(parts, (), diagram.coordinator_title())
+        around = drawn.index('"cluster slam (slam_ros/Inprocess): the meta-coordinator')
+        for group in ("Front-end", "Back-end"):
+            self.assertLess(around, drawn.index(f'"cluster {group}"'))
+        for part in parts:
+            self.assertNotIn(part.plugin, drawn)
+        dashed = [line for line in drawn.splitlines() if "style=dashed" in line]
+        inside = {part.name for part in parts}
+        self.assertEqual({tuple(line.split('"')[1:4:2]) for line in dashed},
+                         {(start, end) for start, _, end in diagram.edges(parts)
+                          if {start, end} <= inside})
+        self.assertGreaterEqual(len(dashed), 2)
+        self.assertNotIn("style=dashed", diagram.dot(parts))
+
+    def test_of_both_compositions_have_the_same_components_and_data(self):
+        for composition in ("pubsub", "inprocess"):
+            path = self.folder / f"{composition}.svg"
+            diagram.draw(products.find("ekf_wheel_pointmap", self.model), path, self.model, None,
+                         composition)
+            drawn = path.read_text(encoding="utf-8")
+            for name in ("wheel_odometry", "slam_backend", "pointmap", "motion", "points", "laser"):
+                self.assertIn(f">{name}<", drawn)
+            self.assertEqual("slam_ros/Inprocess" in drawn, composition == "inprocess")
+
     def test_are_written_in_the_kind_that_the_name_tells(self):
         product = products.find("ekf_wheel_pointmap", self.model)
         for kind, begin in (("svg", b"<?xml"), ("png", b"\x89PNG"), ("dot", b"digraph")):

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A product's component diagram (thesis, Figs. 6.1 to 6.9): its nodelets, the topics between them,
-the sensors before and the results behind."""
+the sensors before and the results behind. Composed in one process (Fig. 4.4) there is one nodelet,
+whose meta-coordinator hands the same data from component to component."""
 
 import dataclasses
 import functools
@@ -21,6 +22,7 @@ SENSORS = {"odom": "wheel encoders", "camera/image_raw": "front camera",
            "ceiling_camera/image_raw": "camera that looks up", "scan": "laser",
            "observations": "landmark observations of others"}
 RESULTS = "robot, rviz"
+INPROCESS = "slam_launch/launch/inprocess.launch"
 END = 'style="rounded,filled", fillcolor="#f4f5f7"'
 INK, MUTED, NEW = "#22262b", "#7a7f87", "#c2561a"
 FILLS = {"Front-end": "#e8f1ee", "Back-end": "#e6eef8", "Additional modules": "#f1ebf7"}
@@ -94,18 +96,23 @@ def edges(parts):
     return taken + results
 
 
-def dot(parts, former=()):
-    """Returns the diagram in graphviz's language; what the former product has not is coloured."""
+def dot(parts, former=(), coordinator=""):
+    """Returns the diagram in graphviz's language; what the former product has not is coloured. A
+    coordinator's title makes it that of the composition in one process."""
     old_parts, old_edges = set(former), set(edges(former))
-    lines = [GRAPH]
+    lines = []
     for group in FILLS:
-        members = [part for part in parts if part.group == group]
-        if members:
-            lines.append(cluster(group, [box(part, new(part, old_parts)) for part in members]))
+        boxes = [box(part, new(part, old_parts), bool(coordinator)) for part in parts
+                 if part.group == group]
+        if boxes:
+            lines.append(cluster(group, boxes, FILLS[group]))
+    if coordinator:
+        lines = [cluster(coordinator, lines, "#f4f5f7")]
     lines += ends(parts, former)
-    lines += [arrow(start, topics, end, new_edge) for (start, end, new_edge), topics
-              in bundled(edges(parts), old_edges).items()]
-    return "".join(lines) + "}\n"
+    called = {part.name for part in parts} if coordinator else set()
+    lines += [arrow(start, topics, end, new_edge, {start, end} <= called)
+              for (start, end, new_edge), topics in bundled(edges(parts), old_edges).items()]
+    return "".join([GRAPH, *lines]) + "}\n"
 
 
 def new(entry, old):
@@ -120,15 +127,16 @@ def bundled(links, old):
     return bundles
 
 
-def cluster(title, boxes):
+def cluster(title, boxes, fill):
     return (f'  subgraph "cluster {title}" {{ label="{title}"; labeljust=l; margin=14; '
-            f'style="rounded,filled"; color="{FILLS[title]}";\n{"".join(boxes)}  }}\n')
+            f'style="rounded,filled"; color="{fill}";\n{"".join(boxes)}  }}\n')
 
 
-def box(part, is_new):
+def box(part, is_new, is_inside):
+    """A component; one inside the meta-coordinator is no nodelet of its own."""
+    plugin = f'<font point-size="10" color="{MUTED}">{html.escape(part.plugin)}</font>'
     label = (f'<<font point-size="10" color="{MUTED}">«component»</font><br/>'
-             f'<b>{html.escape(part.name)}</b><br/>'
-             f'<font point-size="10" color="{MUTED}">{html.escape(part.plugin)}</font>>')
+             f'<b>{html.escape(part.name)}</b>{"" if is_inside else "<br/>" + plugin}>')
     return node(part.name, label, 'shape=component, style=filled, fillcolor="white", '
                 'margin="0.25,0.12"', is_new)
 
@@ -149,20 +157,28 @@ def node(name, label, style, is_new):
     return f'    "{name}" [label={text}, {style}{colour}];\n'
 
 
-def arrow(start, topics, end, is_new):
+def arrow(start, topics, end, is_new, is_call):
+    """Topics; dashed where the meta-coordinator hands the same data on, by set() and get."""
     label = r"\n".join(topics)
     colour = f', color="{NEW}", fontcolor="{NEW}", penwidth=1.6' if is_new else ""
-    return f'  "{start}" -> "{end}" [label="{label}"{colour}];\n'
+    dashes = ", style=dashed" if is_call else ""
+    return f'  "{start}" -> "{end}" [label="{label}"{dashes}{colour}];\n'
 
 
-def draw(product, path, model, former=None):
+def coordinator_title():
+    name, plugin = nodelet(INPROCESS)
+    return f"{name} ({plugin}): the meta-coordinator; dashed: a call, no topic"
+
+
+def draw(product, path, model, former=None, composition="pubsub"):
     """Writes the diagram of a product as SVG, PNG, PDF or in graphviz's language, by the file's
     name; what the product `former` has not is coloured."""
     kind = path.suffix[1:]
     if kind not in FORMATS:
         raise ProductError(f"{path} ends with none of: {', '.join('.' + name for name in FORMATS)}")
     text = dot(components(product.features, model),
-               components(former.features, model) if former else ())
+               components(former.features, model) if former else (),
+               coordinator_title() if composition == "inprocess" else "")
     try:
         if kind != "dot":
             text = subprocess.run(["dot", f"-T{kind}"], input=text.encode(), check=True,
