@@ -17,7 +17,7 @@ from slam_launch.feature_model import FeatureModel, text
 import yaml
 
 SECONDS = 2  # of the drive, replayed at the robot's own speed
-MASTERS = 2  # at a time: a launch mostly waits
+MASTERS = 3  # at a time: a launch mostly waits
 BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
 ALWAYS = {"/pose", "/path", "/landmarks", "/landmark_markers", "/tf"}
 PROMISED = {"backend=pf": {"/particlecloud"},
