@@ -32,7 +32,12 @@ roslaunch() {
 }
 end_lives() {
   for life in "${lives[@]}"; do kill -0 "$life"; done
-  for life in "${lives[@]}"; do kill -INT "$life"; wait "$life" || [[ $? == 130 ]]; done
+  for life in "${lives[@]}"; do
+    # once more where it was too busy to listen
+    (while kill -INT "$life"; do sleep 20; done) >/dev/null 2>&1 &
+    wait "$life" || [[ $? == 130 ]]
+    kill -- -$! || true
+  done
 }
 """
 
