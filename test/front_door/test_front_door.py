@@ -161,10 +161,6 @@ class WithBuild(FrontDoorTest):
         self.expect(written, 0, f"{home}/slam/products/mine.yaml")
         self.expect(call(self.slam, "products", XDG_CONFIG_HOME=str(home)), 0, "\nmine  ")
 
-    def test_tells_that_the_program_is_missing_which_knows_parameters(self):
-        self.expect(call(self.slam, "check", "backend=pf", "odometry=wheel", "pf.particles=50"), 1,
-                    "the program 'slam_parameters' of slam_ros is not built")
-
     def test_is_found_through_a_link_from_another_folder(self):
         link = self.folder / "link"
         link.symlink_to(self.slam)
