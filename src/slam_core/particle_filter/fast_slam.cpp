@@ -129,10 +129,12 @@ void FastSlam::relocate() {
   if (!inputs_.initial_pose) return;
   particles_->move(carriedIncrement());  // where they were is the end of their paths
   carried_.reset();
-  if (scans_) scans_->restart(*inputs_.initial_pose);
   told_.estimate = *std::exchange(inputs_.initial_pose, std::nullopt);
+  auto drawn = told_.estimate;
+  if (scans_) drawn.covariance *= 0.5;  // the other half is what a scan looks around each of them
+  if (scans_) scans_->restart(drawn);
   auto stream = streams_.of(Purpose::kPlace);
-  particles_->redraw(told_.estimate, stream);
+  particles_->redraw(drawn, stream);
   bound_.setPose(told_.estimate.covariance);
   told_place_ = {told_.estimate.pose, told_.estimate.covariance};
   fit_.forget();

@@ -26,7 +26,8 @@ class ScanUpdate {
   /// @param configs are valid
   ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan);
 
-  /// As when no scan has come yet, and particles have been drawn around a pose.
+  /// As when no scan has come yet.
+  /// @param around a pose: by its covariance a particle may be off, beyond what it was drawn by
   void restart(const PoseEstimate& around);
   void move(const Motion& motion);
   /// The scan for an update; nothing where none is due or it tells nothing.

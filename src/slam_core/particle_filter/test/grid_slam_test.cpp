@@ -250,6 +250,25 @@ TEST(GridSlam, LocalisesInALoadedGridOfAnotherResolution) {
   EXPECT_EQ(filter->gridRevision(), revision);
 }
 
+/// Nothing is mapped yet, so that the first scan tells nothing of the pose.
+TEST(GridSlam, WhatIsToldOfThePoseCountsOnce) {
+  auto config = gridConfig();
+  config.particles = 2000;
+  ScanConfig scan;
+  scan.proposal = "motion";
+  const auto filter = made(config, scan);
+  const Eigen::Matrix3d told = Eigen::Vector3d(0.04, 0.01, 0.01).asDiagonal();
+  filter->set(PoseEstimate{Pose2(1, 2, 0.5), told});
+  RoomDrive drive(16);
+  take(*filter, drive.next());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const auto& particle : filter->particles()) {
+    const Eigen::Vector3d deviation = particle.vector() - Eigen::Vector3d(1, 2, 0.5);
+    spread += deviation * deviation.transpose() / config.particles;
+  }
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(spread(i, i), told(i, i), 0.15 * told(i, i)) << i;
+}
+
 TEST(GridSlam, GoesOnWithAMapThatWasSavedInTheMiddle) {
   const auto filter = made();
   RoomDrive drive(14);
