@@ -15,7 +15,9 @@ constexpr std::uint32_t kSettled = 20;  ///< so many end points make a point of 
 constexpr std::uint32_t kStray = 4;     ///< a point of so much less counts as noise beside it
 
 /// The last scan's correction is the next one's first guess: the map's own errors, which the filter
-/// does not know, last longer than a scan.
+/// does not know, last longer than a scan. Where one cannot be aligned the filter's pose counts and
+/// the correction is over: it turns about the map's origin, so that far from where it was found it
+/// would be another.
 class AlignedFusion final : public FusionPolicy {
  public:
   explicit AlignedFusion(const PointMapConfig& config) : config_(config), alignment_(config) {}
@@ -23,9 +25,8 @@ class AlignedFusion final : public FusionPolicy {
   Pose2 place(const LaserScan& scan, const Pose2& T_map_base, const PointSet& map) override {
     const Pose2 guess = correction_ * T_map_base;
     const auto aligned = alignment_.align(scan, guess, T_map_base, map);
-    if (!aligned) return guess;
-    correction_ = *aligned * T_map_base.inverse();
-    return *aligned;
+    correction_ = aligned ? *aligned * T_map_base.inverse() : Pose2();
+    return aligned.value_or(T_map_base);
   }
 
   std::optional<std::uint32_t> match(const Eigen::Vector2d& end, PointSet& map) override {

@@ -115,6 +115,18 @@ TEST_F(PointMapTest, AlignedScansMakeThinnerWalls) {
   EXPECT_LT(aligned, 0.4 * euclidean);
 }
 
+TEST_F(PointMapTest, AScanThatCannotBeAlignedIsPutWhereTheFilterTells) {
+  const test::Room room(6, 4);
+  configure({"point_map.fusion=aligned"});
+  const Pose2 error(0.05, -0.05, 0.03), truth(2.0, 2.0, 0.0), far(30.0, 1.0, 0.5);
+  take(room.scan(truth), truth);
+  for (int i = 0; i < 3; ++i) take(room.scan(truth), error * truth);
+  EXPECT_LT(thickness(room), 0.01) << "these are";
+  take(beam(2.0f), far);
+  const Eigen::Vector2d expected = far.transform(Eigen::Vector2d(2.0, 0.0));
+  EXPECT_LT((map.points().back().position - expected).norm(), 1e-6);
+}
+
 TEST_F(PointMapTest, TheSameInputTwiceGivesTheSameFile) {
   std::string first;
   for (const auto* fusion : {"point_map.fusion=euclidean", "point_map.fusion=aligned"}) {
