@@ -38,7 +38,6 @@ BeamModel::BeamModel(const GridMapConfig& config)
 }
 
 LogOdds BeamModel::gainOf(double sigma) const {
-  constexpr double kSigmas = 3.0;  // within which an end lies
   const double share = 0.5 * resolution_ / std::max(kSigmas * sigma, 0.5 * resolution_);
   return static_cast<LogOdds>(std::max(1l, std::lround(share * share * hit_)));
 }

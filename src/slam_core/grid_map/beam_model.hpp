@@ -19,6 +19,8 @@ namespace slam::grid_map {
 /// 6.4).
 class BeamModel {
  public:
+  static constexpr double kSigmas = 3.0;  ///< within which an end lies of what it met
+
   BeamModel() : BeamModel(GridMapConfig()) {}
   /// @param config is valid
   explicit BeamModel(const GridMapConfig& config);

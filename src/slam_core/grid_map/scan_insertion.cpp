@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "slam_core/grid_map/beam_reading.hpp"
 #include "slam_core/grid_map/likelihood.hpp"
 
 namespace slam::grid_map {
@@ -71,11 +72,6 @@ class TileCursor {
   Tile* own_ = nullptr;
 };
 
-CellIndex cellOf(const Eigen::Vector2d& point) {
-  return {static_cast<std::int32_t>(std::floor(point.x())),
-          static_cast<std::int32_t>(std::floor(point.y()))};
-}
-
 /// Calls visit(cell) for those from one to another, without the last (Bresenham 1965).
 template <class Visit>
 void traverse(CellIndex from, CellIndex to, const Visit& visit) {
@@ -107,13 +103,18 @@ class Insertion {
         ends_(scan.beams.size()) {}
 
   std::size_t run() {
-    for (const auto& beam : scan_.beams)
-      if (beam.isHit()) ends_.add(cellOf(pose_.transform(beam.end)));
-    const auto from = cellOf(pose_.transform(scan_.origin));
-    for (const auto& beam : scan_.beams)
-      traverse(from, cellOf(pose_.transform(beam.end)), [&](CellIndex cell) { miss(cell); });
-    for (const auto& beam : scan_.beams)
-      if (beam.isHit()) hit(pose_.transform(beam.end), beam.gain);
+    const Eigen::Vector2d origin = pose_.transform(scan_.origin);
+    std::vector<BeamReading> readings;
+    readings.reserve(scan_.beams.size());
+    for (const auto& beam : scan_.beams) {
+      readings.push_back(readingOf(origin, pose_.transform(beam.end), beam.sigma, map_));
+      if (beam.isHit()) ends_.add(readings.back().hit);
+    }
+    const auto from = cellOf(origin);
+    for (const auto& reading : readings)
+      traverse(from, reading.free_to, [&](CellIndex cell) { miss(cell); });
+    for (std::size_t k = 0; k < readings.size(); ++k)
+      if (scan_.beams[k].isHit()) hit(readings[k], scan_.beams[k].gain);
     for (const auto cell : freed_) takeLikelihood(model_, cell, map_);
     return beyond_;
   }
@@ -134,8 +135,8 @@ class Insertion {
     }
   }
 
-  void hit(const Eigen::Vector2d& end, LogOdds gain) {
-    const auto cell = cellOf(end);
+  void hit(const BeamReading& reading, LogOdds gain) {
+    const auto& [end, cell, free_to] = reading;
     const auto at = Tile::at(cell);
     const auto* const tile = cursor_.read(cell);
     const LogOdds before = tile == nullptr ? kUnseen : tile->log_odds[at];

@@ -20,7 +20,9 @@ std::optional<ScanPoints::Beam> beamOf(const LaserBeam& beam, const LaserScan& s
   const Eigen::Vector2d direction(std::cos(double{beam.bearing}), std::sin(double{beam.bearing}));
   const Eigen::Vector2d end = scan.sensor_pose.transform(length * direction);
   const double sigma = scan.relative_sigma * range;
-  return ScanPoints::Beam{end / model.resolution(), is_hit ? model.gainOf(sigma) : LogOdds{0}};
+  if (!is_hit) return ScanPoints::Beam{end / model.resolution(), LogOdds{0}, 0.0};
+  return ScanPoints::Beam{end / model.resolution(), model.gainOf(sigma),
+                          sigma / model.resolution()};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct ScanPoints {
   struct Beam {
     Eigen::Vector2d end;  ///< of what it says
     LogOdds gain;         ///< of the cell in which it ends; 0: it says that there is nothing
+    double sigma;         ///< of its length; 0 where it says that there is nothing
     bool isHit() const { return gain > 0; }
   };
   double cells_per_metre = 1.0;

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "slam_core/common/random.hpp"
 #include "slam_core/grid_map/likelihood.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 
@@ -129,6 +130,55 @@ TEST_F(ScanInsertion, AnEndCountsAsMuchAsItsRangeTells) {
   far.relative_sigma = 10.0;
   insert(far);
   EXPECT_EQ(at(3.02, 0.0), 16 * once + 1) << "none counts for nothing";
+}
+
+/// A wall across the way, seen again and again with 3 cm of noise, in cells of 5 cm.
+TEST_F(ScanInsertion, ANoisyBeamMetTheSurfaceThatIsKnownThere) {
+  constexpr double kWall = 3.02;
+  RandomStream random(1, 0);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<LaserBeam> beams;
+    for (double bearing = -0.3; bearing < 0.3; bearing += 0.01) {
+      const double noise = 1.0 + 0.01 * random.gaussian();
+      beams.push_back({static_cast<float>(bearing),
+                       static_cast<float>(noise * kWall / std::cos(bearing)), true});
+    }
+    auto scan = scanWith(std::move(beams));
+    scan.relative_sigma = 0.01;
+    insert(scan);
+  }
+  int on_wall = 0, in_front = 0, behind = 0;
+  for (double y = -0.8; y < 0.8; y += 0.05)
+    for (double x = 2.525; x < 3.5; x += 0.05) {
+      if (at(x, y) < model.gainOf(0.0)) continue;  // what a precise beam would have told
+      on_wall += std::abs(x - kWall) <= 0.05;
+      in_front += x < kWall - 0.05;
+      behind += x > kWall + 0.05;
+    }
+  EXPECT_GE(on_wall, 30) << "of 32 rows";
+  EXPECT_EQ(in_front, 0);
+  EXPECT_LE(behind, 1);
+}
+
+TEST_F(ScanInsertion, ANoisyBeamFreesNothingThatItMayHaveMet) {
+  auto scan = scanWith({{0.0f, 3.02f, true}});
+  scan.relative_sigma = 0.02;
+  insert(scan);
+  EXPECT_LT(at(2.77, 0.01), 0);
+  for (double x = 2.86; x < 3.0; x += 0.05) EXPECT_EQ(at(x, 0.01), kUnseen) << x;
+  EXPECT_GT(at(3.02, 0.01), 0);
+}
+
+TEST_F(ScanInsertion, ANoisyBeamPassesASurfaceThatIsNotWithinItsNoise) {
+  for (int i = 0; i < 50; ++i) insert(scanWith({{0.0f, 2.02f, true}}));
+  auto scan = scanWith({{0.0f, 3.02f, true}});
+  scan.relative_sigma = 0.1;
+  insert(scan);
+  EXPECT_GT(at(2.02, 0.01), 0) << "0.9 m of noise, three sigma";
+  scan.relative_sigma = 0.05;
+  for (int i = 0; i < 10; ++i) insert(scan);
+  EXPECT_LT(at(2.02, 0.01), 0);
+  EXPECT_GT(at(3.02, 0.01), 0);
 }
 
 TEST_F(ScanInsertion, FollowsWhatChanges) {
