@@ -19,8 +19,6 @@ class VisualMotionPublisher {
 
   void publish(const slam::Motion& motion);
   void show(const slam::OdometrySource& source, slam::Stamp stamp) const;
-  /// The pose is certain again.
-  void reset() { covariance_.setZero(); }
 
  private:
   ros::Publisher odometry_, image_;
