@@ -178,6 +178,26 @@ class GridMapTest(unittest.TestCase):
         self.assertIn("map.pgm cannot be read; does it exist?", answer.message)
         self.assertGreater(len(self.wait_for_map().data), 0)
 
+    def write_map(self, name, edge, origin=0.0):
+        """Returns the path of a free square of edge [m], with its left corner at origin [m]."""
+        cells = int(edge / 0.5)
+        (self.folder / "square.pgm").write_bytes(b"P5\n%d %d\n255\n" % (cells, cells)
+                                                 + b"\xfe" * cells * cells)
+        (self.folder / name).write_text(
+            f"image: square.pgm\nresolution: 0.5\norigin: [{origin}, 0.0, 0.0]\nnegate: 0\n"
+            "occupied_thresh: 0.65\nfree_thresh: 0.196\n", encoding="ascii")
+        return str(self.folder / name)
+
+    def test_8_a_map_that_is_none_is_refused_and_one_that_is_cut_is_told(self):
+        before = self.wait_for_map()
+        answer = self.call("load_map", LoadMap, path=self.write_map("far.yaml", 2.0, 1e9))
+        self.assertFalse(answer.success)
+        self.assertIn("the grid map cannot be used", answer.message)
+        self.assertEqual(self.wait_for_map().data, before.data)
+        answer = self.call("load_map", LoadMap, path=self.write_map("large.yaml", 220.0))
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn("not all of it is used", answer.message)
+
 
 if __name__ == "__main__":
     rospy.init_node("grid_map_test")

@@ -96,8 +96,8 @@ class Backend {
   /// Whether it wants laser scans; after configure().
   virtual bool usesScans() const { return false; }
 
-  /// One step: a map or pose that was set, then the motions, then the observations
-  /// or the scan.
+  /// One step: a map or pose that was set, then the motions, then the observations or the scan.
+  /// A map that cannot be used is an error and leaves map and pose as they are.
   virtual Status execute() = 0;
 
   virtual PoseEstimate pose() const = 0;      ///< in the map frame

@@ -133,12 +133,14 @@ OccupancyGrid occupancyGridOf(const GridMap& map, double resolution) {
   return grid;
 }
 
-std::string fillFrom(const OccupancyGrid& grid, const BeamModel& model, GridMap& map) {
+Status fillFrom(const OccupancyGrid& grid, const BeamModel& model, GridMap& map) {
   if (!canBeRead(grid, model))
-    return "the grid map cannot be used: its size, resolution or origin is not that of a map";
+    return Status::error(
+        "the grid map cannot be used: its size, resolution or origin is not that of a map");
   Filling filling(grid, model, map);
-  if (filling.run()) return "";
-  return "the grid map is larger than grid_map.largest_area, not all of it is used: raise that";
+  if (filling.run()) return Status::ok();
+  return Status::warning(
+      "the grid map is larger than grid_map.largest_area, not all of it is used: raise that");
 }
 
 double entropyOf(const GridMap& map) {

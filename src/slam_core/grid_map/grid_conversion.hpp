@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <string>
-
+#include "slam_core/common/status.hpp"
 #include "slam_core/grid_map/beam_model.hpp"
 #include "slam_core/grid_map/grid_map.hpp"
 #include "slam_core/models/occupancy_grid.hpp"
@@ -18,8 +17,9 @@ OccupancyGrid occupancyGridOf(const GridMap& map, double resolution);
 /// of ours is as likely occupied as the most likely one that it touches. Beams are taken to have
 /// ended in the middle of what is occupied.
 /// @param model of the map's cells
-/// @return empty, or one sentence on why the map does not hold the grid or not all of it
-std::string fillFrom(const OccupancyGrid& grid, const BeamModel& model, GridMap& map);
+/// @return a warning where the map has no room for all of it, an error where the grid is none; the
+/// map then stays empty
+Status fillFrom(const OccupancyGrid& grid, const BeamModel& model, GridMap& map);
 
 /// Sum over all cells that have been seen of the entropy of being occupied or not [bit].
 double entropyOf(const GridMap& map);

@@ -116,11 +116,13 @@ Status FastSlam::execute() {
 void FastSlam::replaceMap() {
   if (!inputs_.map) return;
   const auto map = *std::exchange(inputs_.map, std::nullopt);
+  auto grid = gridOf(map);
+  if (told_.grid_status.level == Status::Level::kError) return;  // all stays as it is
   index_.clear();
   for (const auto& landmark : map.landmarks) index_.append(landmark.id);
   const bool has_joint = map.joint_covariance.size() > 0;
   const double inflation = has_joint ? 1.0 : config_.load_inflation;
-  particles_->replaceMaps(map.landmarks, inflation, gridOf(map));
+  particles_->replaceMaps(map.landmarks, inflation, std::move(grid));
   bound_.load(map.landmarks, inflation);
   if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
 }

@@ -66,8 +66,7 @@ grid_map::GridMap FastSlam::gridOf(const MapState& map) {
   if (!scans_) return grid;
   ++told_.grid_revision;
   if (!map.grid) return grid;
-  const auto fault = fillFrom(*map.grid, scans_->model(), grid);
-  if (!fault.empty()) told_.grid_status = Status::warning(fault);
+  told_.grid_status = fillFrom(*map.grid, scans_->model(), grid);
   return grid;
 }
 

@@ -37,14 +37,14 @@ void Estimator::configure(Settings& settings, std::unique_ptr<Backend> backend) 
   reset();
 }
 
-void Estimator::resetBackend() {
+Status Estimator::resetBackend() {
   backend_->reset();
   consistency_ = ConsistencyMonitor(consistency_config_);
-  if (start_map_) set(*start_map_);
+  return start_map_ ? set(*start_map_) : Status::ok();
 }
 
 void Estimator::reset() {
-  resetBackend();
+  fault_ = resetBackend().message;
   TriggerCollator::Limits limits;
   limits.source_timeout = source_timeout_;
   collator_ = TriggerCollator(usesScans() ? 2 : 1, limits);
@@ -52,25 +52,24 @@ void Estimator::reset() {
   gap_.reset();
   last_motion_.reset();
   report_.reset();
-  fault_.clear();
   moved_frame_.clear();
   paused_ = false;
   counters_.clear();
 }
 
-void Estimator::set(const PoseEstimate& initial_pose) {
+Status Estimator::set(const PoseEstimate& initial_pose) {
   backend_->set(initial_pose);
-  backend_->execute();
+  return backend_->execute();
 }
 
-void Estimator::set(const MapState& map) {
+Status Estimator::set(const MapState& map) {
   backend_->set(map);
-  backend_->execute();
+  return backend_->execute();
 }
 
-void Estimator::startWith(MapState map) {
+Status Estimator::startWith(MapState map) {
   start_map_ = std::move(map);
-  resetBackend();
+  return resetBackend();
 }
 
 void Estimator::expectNoObservations() {
@@ -141,7 +140,7 @@ Status Estimator::execute() {
   Status status = fault_.empty() ? Status::ok() : Status::warning(std::exchange(fault_, ""));
   if (!step) return status;
   if (step->restart) {
-    resetBackend();
+    if (const auto start = resetBackend(); !start.isOk()) status = start;
     last_motion_.reset();
   }
   for (const auto& motion : step->motions) backend_->set(motion);

@@ -48,10 +48,11 @@ class Estimator {
   /// Nothing comes of it unless usesScans().
   void set(LaserScan scan);
   /// In force at once: backend() tells them without a step.
-  void set(const PoseEstimate& initial_pose);
-  void set(const MapState& map);
-  /// This map instead of an empty one, now and whenever everything begins anew.
-  void startWith(MapState map);
+  Status set(const PoseEstimate& initial_pose);
+  /// @return a warning where not all of the map is used, an error where none of it is
+  Status set(const MapState& map);
+  /// This map instead of an empty one, now and whenever everything begins anew. @return as set()
+  Status startWith(MapState map);
   /// Nothing is expected of the landmarks' source now and after a reset: scans do not wait for it.
   void expectNoObservations();
   /// Paused, observations and scans are ignored and motion is still applied.
@@ -80,7 +81,7 @@ class Estimator {
   /// The collator's sources: equal stamps come in this order.
   enum Source : std::size_t { kObservations, kScans };
 
-  void resetBackend();
+  Status resetBackend();
   void warnOfBaseFrame(const std::string& moved);
   void reportStep(const TriggerCollator::Step& step);
   void takeTrigger(const Trigger& trigger);

@@ -46,9 +46,10 @@ void MetaCoordinator::set(const Motion& motion) {
   if (parts_.point_map) parts_.point_map->set(motion);
 }
 
-void MetaCoordinator::set(const MapState& map) {
-  parts_.estimator.set(map);
-  if (parts_.point_map) parts_.point_map->reset();
+Status MetaCoordinator::set(const MapState& map) {
+  const auto status = parts_.estimator.set(map);
+  if (parts_.point_map && status.level != Status::Level::kError) parts_.point_map->reset();
+  return status;
 }
 
 template <class Input>

@@ -35,7 +35,7 @@ class MetaCoordinator {
   void set(const Motion& motion);
   void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
   /// In force at once, as Estimator::set(). The point map begins anew: this one has another frame.
-  void set(const MapState& map);
+  Status set(const MapState& map);
 
   /// Called with every motion that the odometry source makes, its frames completed.
   std::function<void(const Motion&)> on_motion;

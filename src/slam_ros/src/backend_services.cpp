@@ -76,8 +76,11 @@ bool BackendServices::load(slam_msgs::LoadMap::Request& request,
   return answer(response, [&] {
     const auto path = absolute(request.path);
     const auto file = slam::loadMap(path, map_frame_, has_grid_);
-    actions_.load(file);
-    return contents(file) + " and the pose loaded from " + path + inflated(file);
+    const auto status = actions_.load(file);
+    if (status.level == slam::Status::Level::kError)
+      throw std::runtime_error("cannot use the map " + path + ": " + status.message);
+    const auto said = contents(file) + " and the pose loaded from " + path + inflated(file);
+    return status.isOk() ? said : said + "; " + status.message;
   });
 }
 

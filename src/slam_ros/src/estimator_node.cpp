@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <slam_msgs/Progress.h>
 
+#include <stdexcept>
+
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/settings_from_ros.hpp"
@@ -21,9 +23,13 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
   auto& estimator = source_.estimator();
   slam::MapState start;
+  slam::Status start_status;
   if (!outputs.load_map.empty()) {
     start = slam::loadMap(outputs.load_map, map_frame_, estimator.backend().usesScans()).map;
-    estimator.startWith(start);
+    start_status = estimator.startWith(start);
+    if (start_status.level == slam::Status::Level::kError)
+      throw std::runtime_error("cannot use the map " + outputs.load_map + ": " +
+                               start_status.message);
   }
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
@@ -31,6 +37,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
                            [this] { return figures(); }});
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
+  diagnostics_->report(outputs.load_map, start_status);
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
   outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
   outputs_->refresh();
@@ -92,9 +99,11 @@ BackendActions EstimatorNode::actions() {
                               source_.estimator().backend().state()};
   };
   actions.load = [this](const slam::LandmarkFile& file) {
-    source_.set(file.map);
+    const auto status = source_.set(file.map);
+    if (status.level == slam::Status::Level::kError) return status;
     outputs_->refresh();
     tellOfReset();
+    return status;
   };
   return actions;
 }
@@ -127,7 +136,7 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
         "initialpose: its pose is not a number or its covariance of (x, y, yaw) is "
         "not positive definite; it is left out");
   else
-    source_.estimator().set(estimate);
+    diagnostics_->report("initialpose", source_.estimator().set(estimate));
 }
 
 void EstimatorNode::tellOfSilence() {

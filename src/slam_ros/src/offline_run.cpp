@@ -83,7 +83,10 @@ void OfflineRun::loadMap() {
                        .map;
   if (!map.landmarks.empty() && map.joint_covariance.size() == 0)
     warn(options_.load_map + " has no joint covariance; its marginals are inflated");
-  coordinator_.estimator().startWith(map);
+  const auto status = coordinator_.estimator().startWith(map);
+  if (status.level == slam::Status::Level::kError)
+    throw std::runtime_error("cannot use the map " + options_.load_map + ": " + status.message);
+  if (!status.isOk()) warn(options_.load_map + ": " + status.message);
 }
 
 void OfflineRun::run() {

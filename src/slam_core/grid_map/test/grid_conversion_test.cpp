@@ -37,7 +37,7 @@ TEST_F(GridConversion, ShowsNothingOfAnEmptyMap) {
 }
 
 TEST_F(GridConversion, ShowsWhatItWasFilledFrom) {
-  EXPECT_EQ(fillFrom(smallGrid(), model, map), "");
+  EXPECT_TRUE(fillFrom(smallGrid(), model, map).isOk());
   const auto grid = occupancyGridOf(map, 0.05);
   EXPECT_EQ(grid.resolution, 0.05);
   EXPECT_LT((grid.origin - smallGrid().origin).norm(), 1e-12);
@@ -50,7 +50,7 @@ TEST_F(GridConversion, ShowsWhatItWasFilledFrom) {
 TEST_F(GridConversion, TakesACoarserAndAFinerGrid) {
   auto coarse = smallGrid();
   coarse.resolution = 0.1;
-  EXPECT_EQ(fillFrom(coarse, model, map), "");
+  EXPECT_TRUE(fillFrom(coarse, model, map).isOk());
   const auto shown = occupancyGridOf(map, 0.05);
   EXPECT_EQ(shown.width, 6u);
   EXPECT_EQ(shown.cells[2], 97);
@@ -60,14 +60,14 @@ TEST_F(GridConversion, TakesACoarserAndAFinerGrid) {
   GridMap other(memory);
   auto fine = smallGrid();
   fine.resolution = 0.02;
-  EXPECT_EQ(fillFrom(fine, model, other), "");
+  EXPECT_TRUE(fillFrom(fine, model, other).isOk());
   const auto coarser = occupancyGridOf(other, 0.05);
   EXPECT_EQ(coarser.width, 2u) << "6 cm from a cell's border on";
   EXPECT_EQ(coarser.cells[0], 97) << "the most likely of those that it touches";
 }
 
 TEST_F(GridConversion, MatchesBeamsWithTheMiddleOfWhatIsOccupied) {
-  ASSERT_EQ(fillFrom(smallGrid(), model, map), "");
+  ASSERT_TRUE(fillFrom(smallGrid(), model, map).isOk());
   const CellIndex occupied{-1, 20};
   EXPECT_EQ(map.tile(occupied)->likelihood[Tile::at(occupied)], 255);
 }
@@ -76,17 +76,17 @@ TEST_F(GridConversion, RefusesWhatIsNoMap) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   auto grid = smallGrid();
   grid.resolution = 0.0;
-  EXPECT_NE(fillFrom(grid, model, map), "");
+  EXPECT_EQ(fillFrom(grid, model, map).level, Status::Level::kError);
   grid.resolution = nan;
-  EXPECT_NE(fillFrom(grid, model, map), "");
+  EXPECT_EQ(fillFrom(grid, model, map).level, Status::Level::kError);
   grid = smallGrid();
   grid.origin.x() = nan;
-  EXPECT_NE(fillFrom(grid, model, map), "");
+  EXPECT_EQ(fillFrom(grid, model, map).level, Status::Level::kError);
   grid.origin.x() = 1e30;
-  EXPECT_NE(fillFrom(grid, model, map), "");
+  EXPECT_EQ(fillFrom(grid, model, map).level, Status::Level::kError);
   grid = smallGrid();
   grid.cells.pop_back();
-  EXPECT_NE(fillFrom(grid, model, map), "");
+  EXPECT_EQ(fillFrom(grid, model, map).level, Status::Level::kError);
   EXPECT_TRUE(map.isEmpty());
 }
 
@@ -96,12 +96,14 @@ TEST_F(GridConversion, TellsWhatHasNoRoom) {
   auto grid = smallGrid();
   grid.origin = {0.0, 0.0};
   grid.resolution = 1.0;
-  EXPECT_NE(fillFrom(grid, model, map).find("largest_area"), std::string::npos);
+  const auto status = fillFrom(grid, model, map);
+  EXPECT_EQ(status.level, Status::Level::kWarning) << "what has room is used";
+  EXPECT_NE(status.message.find("largest_area"), std::string::npos) << status.message;
   map = GridMap(memory);
 }
 
 TEST_F(GridConversion, HasTheEntropyOfItsCells) {
-  ASSERT_EQ(fillFrom(smallGrid(), model, map), "");
+  ASSERT_TRUE(fillFrom(smallGrid(), model, map).isOk());
   const double p = 1.0 / (1.0 + std::exp(model.largestLogOdds() / kLogOddsUnit));
   const double of_one = -p * std::log2(p) - (1 - p) * std::log2(1 - p);
   EXPECT_NEAR(entropyOf(map), 5.0 * of_one, 1e-9);

@@ -13,6 +13,7 @@
 #include <functional>
 #include <string>
 
+#include "slam_core/common/status.hpp"
 #include "slam_core/product/map_files.hpp"
 
 namespace slam_ros {
@@ -22,7 +23,7 @@ struct BackendActions {
   std::function<void()> reset;
   std::function<void(bool)> pause;
   std::function<slam::LandmarkFile()> map;
-  std::function<void(const slam::LandmarkFile&)> load;
+  std::function<slam::Status(const slam::LandmarkFile&)> load;
 };
 
 /// The services `reset`, `pause`, `save_map` and `load_map`.

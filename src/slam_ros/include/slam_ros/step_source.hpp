@@ -19,7 +19,7 @@ class StepSource {
   virtual slam::Estimator& estimator() = 0;
   virtual void set(const slam::Motion& motion) = 0;
   /// In force at once, as slam::Estimator::set().
-  virtual void set(const slam::MapState& map) = 0;
+  virtual slam::Status set(const slam::MapState& map) = 0;
   /// Of the laser; nothing comes of these two unless usesScans().
   virtual void set(const slam::LaserSweep& sweep) = 0;
   virtual void set(const slam::LaserMount& mount) = 0;
@@ -42,7 +42,7 @@ class BackendAlone final : public StepSource {
   }
   slam::Estimator& estimator() override { return estimator_; }
   void set(const slam::Motion& motion) override { estimator_.set(motion); }
-  void set(const slam::MapState& map) override { estimator_.set(map); }
+  slam::Status set(const slam::MapState& map) override { return estimator_.set(map); }
   void set(const slam::LaserSweep& sweep) override { takeScans(sweep); }
   void set(const slam::LaserMount& mount) override { takeScans(mount); }
   bool usesScans() const override { return estimator_.usesScans(); }
@@ -67,7 +67,7 @@ class WholeProduct final : public StepSource {
   void configure(slam::Settings& settings) override { coordinator_.configure(settings); }
   slam::Estimator& estimator() override { return coordinator_.estimator(); }
   void set(const slam::Motion& motion) override { coordinator_.set(motion); }
-  void set(const slam::MapState& map) override { coordinator_.set(map); }
+  slam::Status set(const slam::MapState& map) override { return coordinator_.set(map); }
   void set(const slam::LaserSweep& sweep) override { coordinator_.set(sweep); }
   void set(const slam::LaserMount& mount) override { coordinator_.set(mount); }
   bool usesScans() const override { return coordinator_.usesScans(); }
