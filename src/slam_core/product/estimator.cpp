@@ -59,12 +59,17 @@ void Estimator::reset() {
 
 Status Estimator::set(const PoseEstimate& initial_pose) {
   backend_->set(initial_pose);
-  return backend_->execute();
+  const auto status = backend_->execute();
+  consistency_.add(backend_->statistics());
+  return status;
 }
 
+/// What was judged until then was of another map.
 Status Estimator::set(const MapState& map) {
   backend_->set(map);
-  return backend_->execute();
+  const auto status = backend_->execute();
+  if (status.level != Status::Level::kError) consistency_ = ConsistencyMonitor(consistency_config_);
+  return status;
 }
 
 Status Estimator::startWith(MapState map) {

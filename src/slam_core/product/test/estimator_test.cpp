@@ -226,6 +226,49 @@ TEST_F(EstimatorTest, GivesTheSensorsNoiseToObservationsWithoutOne) {
   EXPECT_TRUE(map[0].covariance.isApprox(expected[0].covariance, 1e-12));
 }
 
+/// What steps of odometry that is three times worse than it says have led to.
+class JudgedEstimatorTest : public EstimatorTest {
+ protected:
+  void SetUp() override {
+    EstimatorTest::SetUp();
+    for (auto& step : steps) step.motion.covariance /= 9.0;
+    for (std::size_t i = 0; i < 60; ++i) judge(steps[i]);
+  }
+  void judge(const SimulatedStep& step) {
+    reports.clear();
+    take(step);
+    for (const auto& report : reports) judged.add(report.statistics);
+  }
+  std::vector<SimulatedStep> steps = simulate(9, 80);
+  ConsistencyMonitor judged;  ///< by what the steps tell alone
+};
+
+TEST_F(JudgedEstimatorTest, APoseThatIsSetEndsWhatTheOdometryErredBefore) {
+  const PoseEstimate there{steps[59].truth, 0.01 * Eigen::Matrix3d::Identity()};
+  EXPECT_TRUE(estimator.set(there).isOk());
+  UpdateStatistics anew;
+  anew.prediction.F.setZero();
+  auto forgetful = judged;
+  forgetful.add(anew);
+  for (std::size_t i = 60; i < 70; ++i) {
+    judge(steps[i]);
+    for (const auto& report : reports) forgetful.add(report.statistics);
+  }
+  const auto sigma = [](const ConsistencyMonitor& monitor) {
+    return monitor.factors()[ConsistencyMonitor::kMotion].sigma;
+  };
+  EXPECT_EQ(sigma(estimator.consistency()), sigma(forgetful));
+  EXPECT_NE(sigma(estimator.consistency()), sigma(judged)) << "else this test shows nothing";
+}
+
+TEST_F(JudgedEstimatorTest, AMapThatIsLoadedIsJudgedAnew) {
+  EXPECT_GT(estimator.consistency().updates(), 10);
+  EXPECT_TRUE(estimator.set(estimator.backend().state()).isOk());
+  EXPECT_EQ(estimator.consistency().updates(), 0) << "they were of another map";
+  judge(steps[60]);
+  EXPECT_EQ(estimator.consistency().updates(), 1);
+}
+
 TEST_F(EstimatorTest, WarnsOnceOfASigmaThatIsThreeTimesTooSmall) {
   std::vector<std::string> warnings;
   for (auto& step : simulate(9, 120)) {
