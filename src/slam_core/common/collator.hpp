@@ -85,6 +85,16 @@ class Collator {
   const Motion* pending() const { return motions_.empty() ? nullptr : &motions_.front().value; }
   std::optional<Stamp> lastMotion() const { return motions_.last(); }
   std::optional<Stamp> lastTrigger(std::size_t source) const { return triggers_[source].last(); }
+  /// Triggers that have come and have not been handed out.
+  std::size_t held(std::size_t source) const { return triggers_[source].size(); }
+  /// Since when the source's triggers wait for motion, where they have gone on without it for
+  /// longer than `patience`.
+  std::optional<Stamp> starvedSince(std::size_t source, Duration patience) const {
+    const auto& queue = triggers_[source];
+    if (queue.empty() || !motions_.last() || *queue.last() - *motions_.last() <= patience)
+      return std::nullopt;
+    return std::max(queue.front().stamp, *motions_.last());
+  }
   const Counters& counters() const { return counters_; }
 
  private:

@@ -3,11 +3,14 @@
 
 #include "slam_core/product/estimator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/nearest_name.hpp"
 #include "slam_core/product/map_choice.hpp"
 
 namespace slam {
@@ -189,6 +192,21 @@ void Estimator::reportStep(const TriggerCollator::Step& step) {
   report.statistics = backend_->statistics();
   report.restarted = step.restart;
   report_ = std::move(report);
+}
+
+std::string Estimator::starving() const {
+  std::vector<std::string> names;
+  std::optional<Stamp> since;
+  for (const auto source : {kObservations, kScans}) {
+    if (source == kScans && !usesScans()) continue;
+    const auto stamp = collator_.starvedSince(source, kPatience);
+    if (!stamp) continue;
+    names.emplace_back(source == kScans ? "scans" : "observations");
+    since = since ? std::min(*since, *stamp) : *stamp;
+  }
+  if (!since) return "";
+  return fmt::format("{} since {:.1f} wait for motion", join(names, " and "),
+                     seconds(*since - Stamp()));
 }
 
 Counters Estimator::counters() const {

@@ -68,6 +68,13 @@ class Estimator {
   const ConsistencyMonitor& consistency() const { return consistency_; }
   std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
   std::optional<Stamp> lastObservations() const { return collator_.lastTrigger(kObservations); }
+  /// Observation arrays and scans that have come and no step has been taken for.
+  std::size_t heldObservations() const { return collator_.held(kObservations); }
+  std::size_t heldScans() const { return usesScans() ? collator_.held(kScans) : 0; }
+  /// Nothing steps: "observations and scans since 12.3 wait for motion", where they have gone on
+  /// without it for more than kPatience; else empty.
+  std::string starving() const;
+  static constexpr Duration kPatience = std::chrono::seconds(3);
   /// Of the collator, the back-end and the estimator itself.
   Counters counters() const;
   /// Messages that had no effect because they came late, were lost or did not fit.

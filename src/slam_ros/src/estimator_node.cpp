@@ -7,6 +7,7 @@
 #include <slam_msgs/Progress.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/queue_sizes.hpp"
@@ -20,6 +21,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   auto settings = settingsFromRos(handles.product);
   topics_ = settings.read<TopicsConfig>();
   source_.configure(settings);
+  silence_.mayPause(topics_.observations);
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
   auto& estimator = source_.estimator();
   slam::MapState start;
@@ -142,12 +144,23 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
 void EstimatorNode::tellOfSilence() {
   const auto news = silence_.news(SilenceWatch::Clock::now());
   if (!news.empty()) diagnostics_->tell(ros::console::levels::Warn, news);
+  const auto starving = this->starving();
+  if (!starving.empty() && !is_starving_) diagnostics_->tell(ros::console::levels::Warn, starving);
+  is_starving_ = !starving.empty();
+}
+
+std::string EstimatorNode::starving() const {
+  const auto what = source_.estimator().starving();
+  return what.empty() ? "" : "nothing steps: " + what + " on " + motion_topic_;
 }
 
 void EstimatorNode::takeSteps(const std::string& topic) {
   const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
   if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
-  const auto& report = source_.estimator().report();
+  const auto& estimator = source_.estimator();
+  if (std::exchange(last_motion_, estimator.lastMotion()) != estimator.lastMotion())
+    motion_topic_ = topic;
+  const auto& report = estimator.report();
   do {
     const auto start = RunMetrics::Clock::now();
     const auto status = source_.execute();
@@ -214,6 +227,7 @@ std::string EstimatorNode::waiting() const {
   const auto& estimator = source_.estimator();
   if (!estimator.lastMotion()) return "waiting for motion on " + topics_.motion;
   if (const auto wait = laser_ ? laser_->waiting() : ""; !wait.empty()) return wait;
+  if (const auto starving = this->starving(); !starving.empty()) return starving;
   if (const auto stale = silence_.sentence(SilenceWatch::Clock::now()); !stale.empty())
     return stale;
   if (estimator.lastObservations() || estimator.usesScans()) return "";

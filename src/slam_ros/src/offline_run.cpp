@@ -129,6 +129,16 @@ void OfflineRun::read(slam::RunWriter& writer) {
     return true;
   });
   progress_.end();
+  tellOfHeld();
+}
+
+/// The last ones may well come after the last odometry; more are worth a word.
+void OfflineRun::tellOfHeld() {
+  const auto& estimator = coordinator_.estimator();
+  const auto starving = estimator.starving();
+  if (starving.empty()) return;
+  warn(fmt::format("{} observation arrays and {} scans were never used: {} that does not come",
+                   estimator.heldObservations(), estimator.heldScans(), starving));
 }
 
 template <class Message, class Work>
@@ -206,6 +216,8 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
              wall);
   auto counters = coordinator_.counters();
   counters.add("odometry_without_pose", odometry_faults_);
+  const auto& estimator = coordinator_.estimator();
+  counters.add("never_stepped", estimator.heldObservations() + estimator.heldScans());
   std::vector<std::string> counts;
   for (const auto& [reason, count] : counters.all())
     counts.push_back(fmt::format("{} {}", reason, count));

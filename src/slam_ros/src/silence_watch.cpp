@@ -20,10 +20,15 @@ double seconds(SilenceWatch::Clock::duration time) {
 
 }  // namespace
 
-bool SilenceWatch::isSilent(Clock::time_point now) const {
-  return !inputs_.empty() && std::all_of(inputs_.begin(), inputs_.end(), [&](const auto& entry) {
-    return entry.second.isSilent(now);
-  });
+std::vector<std::string> SilenceWatch::missing(Clock::time_point now) const {
+  const bool are_all = std::all_of(inputs_.begin(), inputs_.end(),
+                                   [&](const auto& entry) { return entry.second.isSilent(now); });
+  std::vector<std::string> names;
+  for (const auto& [name, input] : inputs_)
+    if (are_all ||
+        input.isSilent(now, with_pauses_.count(name) > 0 ? kPatienceWithPauses : kPatience))
+      names.push_back(name);
+  return names;
 }
 
 std::string SilenceWatch::heard(const std::string& input, Clock::time_point now) {
@@ -36,22 +41,19 @@ std::string SilenceWatch::heard(const std::string& input, Clock::time_point now)
 }
 
 std::string SilenceWatch::sentence(Clock::time_point now) const {
-  if (!isSilent(now)) return "";
-  std::vector<std::string> names;
+  const auto names = missing(now);
+  if (names.empty()) return "";
   Clock::time_point since = now;
-  for (const auto& [name, input] : inputs_) {
-    names.push_back(name);
-    since = std::min(since, input.last);
-  }
+  for (const auto& name : names) since = std::min(since, inputs_.at(name).last);
+  const auto* const others = names.size() < inputs_.size() ? ", while other inputs go on" : "";
   return fmt::format(
-      "stale: nothing has come on {} for {:.0f} s; is the link, or what sends it, down?",
-      slam::join(names, " and "), seconds(now - since));
+      "stale: nothing has come on {} for {:.0f} s{}; is the link, or what sends it, down?",
+      slam::join(names, " and "), seconds(now - since), others);
 }
 
 std::string SilenceWatch::news(Clock::time_point now) {
-  if (!isSilent(now)) return "";
   bool is_new = false;
-  for (auto& [name, input] : inputs_) is_new |= !std::exchange(input.is_told, true);
+  for (const auto& name : missing(now)) is_new |= !std::exchange(inputs_.at(name).is_told, true);
   return is_new ? sentence(now) : "";
 }
 

@@ -26,6 +26,26 @@ TEST(Collator, WaitsUntilMotionCoversTheStamp) {
   EXPECT_FALSE(run.steps[0].restart);
 }
 
+TEST(Collator, TellsSinceWhenTriggersWaitForMotionThatDoesNotGoOn) {
+  const auto patience = std::chrono::seconds(3);
+  LineRun run;
+  run.see("a", 9, 0);
+  EXPECT_FALSE(run.collator.starvedSince(0, patience)) << "motion has never come";
+  run.move(0, 1, 0);
+  EXPECT_EQ(run.collator.starvedSince(0, patience), at(9));
+  run.move(1, 10, 1);
+  EXPECT_EQ(run.steps.size(), 1u);
+  EXPECT_EQ(run.collator.held(0), 0u);
+  run.see("b", 11, 1);
+  run.see("c", 13, 2);
+  EXPECT_FALSE(run.collator.starvedSince(0, patience)) << "it may still come";
+  run.see("d", 13.5, 3);
+  EXPECT_EQ(run.collator.starvedSince(0, patience), at(11));
+  EXPECT_EQ(run.collator.held(0), 3u);
+  run.move(10, 12, 2);
+  EXPECT_FALSE(run.collator.starvedSince(0, patience)) << "it goes on";
+}
+
 TEST(Collator, SplitsTheMotionThatSpansTheStamp) {
   LineRun run;
   run.move(0, 2, 0);

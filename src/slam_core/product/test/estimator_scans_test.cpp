@@ -176,6 +176,31 @@ TEST_F(EstimatorScansTest, TakesAScanWithValuesThatAreNoneAsEmpty) {
   EXPECT_NE(warning.find("taken as empty"), std::string::npos) << warning;
 }
 
+TEST_F(EstimatorScansTest, SaysWhatWaitsForMotionThatHasStopped) {
+  estimator.expectNoObservations();
+  SimulatedWorld world(1);
+  const auto first = world.next();
+  estimator.set(first.motion);
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    EXPECT_EQ(estimator.starving(), "") << i;
+    estimator.set(
+        scanAt(first.motion.end + std::chrono::milliseconds(100) * static_cast<int>(i), i));
+    drain();
+    if (i == 31) break;
+  }
+  EXPECT_EQ(text, "s");
+  EXPECT_EQ(estimator.starving().find("scans since "), 0u) << estimator.starving();
+  EXPECT_NE(estimator.starving().find(" wait for motion"), std::string::npos);
+  EXPECT_EQ(estimator.heldScans(), 31u);
+  auto array = first.observations;
+  array.stamp = first.motion.end + std::chrono::seconds(4);
+  estimator.set(array);
+  EXPECT_EQ(estimator.starving().find("observations and scans since "), 0u);
+  EXPECT_EQ(estimator.heldObservations(), 1u);
+  estimator.reset();
+  EXPECT_EQ(estimator.starving(), "");
+}
+
 TEST_F(EstimatorScansTest, ABackEndThatUsesNoScansIsNotHeldBackByThem) {
   configure(Registry<Backend>::instance().create("ekf"));
   const auto step = SimulatedWorld(1).next();

@@ -71,6 +71,7 @@ class EstimatorNode {
   BackendActions actions();
   void tellOfSilence();
   std::string waiting() const;
+  std::string starving() const;
   Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
   void publishProgress();
@@ -96,6 +97,9 @@ class EstimatorNode {
   slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
+  std::optional<slam::Stamp> last_motion_;
+  std::string motion_topic_;  ///< that the last motion came of
+  bool is_starving_ = false;  ///< and that has been told
   std::optional<AfterLoad> start_;
 };
 

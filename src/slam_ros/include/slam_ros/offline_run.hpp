@@ -47,6 +47,7 @@ class OfflineRun {
   void timed(const Message& message, const Work& work);
   void take(const nav_msgs::Odometry& message);
   void drain(slam::RunWriter& writer);
+  void tellOfHeld();
   void warn(const std::string& sentence);
   void requireSteps(const slam::RunWriter& writer) const;
   static void requireCamera(const BagCamera& topics, const CameraInput& camera);

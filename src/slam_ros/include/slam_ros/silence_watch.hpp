@@ -5,17 +5,24 @@
 
 #include <chrono>
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace slam_ros {
 
-/// Notices that inputs which had come come no more, as when a link to another machine is cut: by
-/// the wall, since the stamps' time stands still with them. One input alone may well pause, as
-/// observations do where there is nothing to see: silence is that of all which have ever come.
+/// Notices that inputs which had come come no more, as when a link to another machine is cut or a
+/// sensor has died: by the wall, since the stamps' time stands still with them. An input that
+/// pauses alone is given more time where it may well do so, as observations where there is nothing
+/// to see.
 class SilenceWatch {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds kPatience{3};
+  static constexpr std::chrono::seconds kPatienceWithPauses{10};
+
+  /// The input may pause while others go on: then kPatienceWithPauses holds.
+  void mayPause(const std::string& input) { with_pauses_.insert(input); }
 
   /// @return empty, or that the input comes again after a silence that news() has told
   std::string heard(const std::string& input, Clock::time_point now);
@@ -31,12 +38,16 @@ class SilenceWatch {
     Clock::time_point last;
     bool is_told = false;  ///< of its silence, by news()
 
-    bool isSilent(Clock::time_point now) const { return now - last > kPatience; }
+    bool isSilent(Clock::time_point now, std::chrono::seconds patience = kPatience) const {
+      return now - last > patience;
+    }
   };
 
-  bool isSilent(Clock::time_point now) const;
+  /// The inputs that are missed: all, or those that others go on without.
+  std::vector<std::string> missing(Clock::time_point now) const;
 
   std::map<std::string, Input> inputs_;
+  std::set<std::string> with_pauses_;
 };
 
 }  // namespace slam_ros

@@ -30,8 +30,8 @@ struct Offline : ::testing::Test {
     return messageOf([&] { OfflineRun(options).run(); });
   }
   int exitCode(const std::string& arguments) const {
-    const auto command =
-        std::string(SLAM_OFFLINE) + " " + arguments + " 2> " + (folder / "stderr") + " > /dev/null";
+    const auto command = std::string(SLAM_OFFLINE) + " " + arguments + " 2> " +
+                         (folder / "stderr") + " > " + (folder / "stdout");
     return WEXITSTATUS(std::system(command.c_str()));
   }
   test::Folder folder;
@@ -46,6 +46,22 @@ TEST_F(Offline, WritesATrajectoryLineForEachObservationArrayThatOdometryCovers) 
   for (const auto* name : {"odometry.tum", "updates.csv", "landmarks.yaml", "config.yaml",
                            "trajectory_final.tum", "ground_truth.tum"})
     EXPECT_TRUE(folder.has(std::string("run/") + name)) << name;
+}
+
+TEST_F(Offline, TellsWhatWasNeverSteppedBecauseTheOdometryEnds) {
+  BagMaker(folder / "dead.bag").addOdometry().addObservations("/observations", 12.0);
+  const auto run = [&](const std::string& bag) {
+    return exitCode(product + " --robot " + robot + " --bag " + (folder / bag) + " --out " +
+                    (folder / "run"));
+  };
+  ASSERT_EQ(run("dead.bag"), 0);
+  EXPECT_TRUE(contains(folder.read("stderr"), "40 observation arrays and 0 scans were never used"))
+      << folder.read("stderr");
+  EXPECT_TRUE(contains(folder.read("stderr"), "observations since 104.2 wait for motion"));
+  EXPECT_TRUE(contains(folder.read("stdout"), "never_stepped 40")) << folder.read("stdout");
+  ASSERT_EQ(run("x.bag"), 0);
+  EXPECT_EQ(folder.read("stderr"), "");
+  EXPECT_FALSE(contains(folder.read("stdout"), "never_stepped"));
 }
 
 TEST_F(Offline, TwiceGivesTheSameBytes) {

@@ -27,7 +27,8 @@ TEST_F(SilenceWatchTest, WhatHasNeverComeIsNotMissed) {
   EXPECT_EQ(watch.sentence(now).find("observations"), std::string::npos);
 }
 
-TEST_F(SilenceWatchTest, OneInputThatPausesIsNoSilence) {
+TEST_F(SilenceWatchTest, OneInputThatMayPauseIsGivenMoreTime) {
+  watch.mayPause("observations");
   for (int i = 0; i < 50; ++i, pass(milliseconds(100))) {
     hear("motion");
     if (i == 0) hear("observations");
@@ -38,6 +39,26 @@ TEST_F(SilenceWatchTest, OneInputThatPausesIsNoSilence) {
   pass(seconds(15));
   EXPECT_EQ(watch.sentence(now).find("stale: nothing has come on motion and observations for 15 s"),
             0u);
+}
+
+TEST_F(SilenceWatchTest, TellsWhichInputDiedWhileOthersGoOn) {
+  watch.mayPause("observations");
+  hear("scan");
+  hear("observations");
+  std::string early;
+  for (int i = 0; i < 120; ++i, pass(milliseconds(100))) {
+    hear("motion");
+    if (i == 35) early = watch.news(now);
+  }
+  EXPECT_EQ(early.find("stale: nothing has come on scan for 4 s, while other inputs go on"), 0u)
+      << early;
+  EXPECT_EQ(watch.sentence(now).find("stale: nothing has come on observations and scan for 12 s"),
+            0u)
+      << watch.sentence(now);
+  EXPECT_NE(watch.news(now), "") << "of the observations";
+  EXPECT_EQ(watch.news(now), "");
+  EXPECT_EQ(watch.heard("scan", now), "scan comes again after 12.0 s without any");
+  EXPECT_EQ(watch.sentence(now).find("stale: nothing has come on observations for 12 s"), 0u);
 }
 
 TEST_F(SilenceWatchTest, AGapThatIsUsualIsNone) {
