@@ -3,6 +3,8 @@
 
 #include "slam_core/laser/scan_gate.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace slam {
@@ -34,6 +36,7 @@ void ScanGate::reset() {
   held_.clear();
   scan_.reset();
   sequence_ = 0;
+  blind_since_.reset();
   counters_.clear();
 }
 
@@ -67,7 +70,21 @@ Status ScanGate::next() {
     scan_->relative_sigma = config_.relative_sigma;
   }
   scan_->sequence = sequence_++;
-  return fault ? Status::warning(fault->sentence) : Status::ok();
+  return fault ? Status::warning(fault->sentence) : watchBlindness();
+}
+
+Status ScanGate::watchBlindness() {
+  if (!scan_->beams.empty()) {
+    blind_since_.reset();
+    return Status::ok();
+  }
+  counters_.add("no_range");
+  if (!blind_since_ || scan_->stamp < *blind_since_) blind_since_ = scan_->stamp;
+  if (scan_->stamp - *blind_since_ < kPatience) return Status::ok();
+  return Status::warning(
+      fmt::format("the laser of frame '{}' has told no range since {:.1f}: all are NaN, -Inf, 0 or "
+                  "below range_min; is it covered, or does its driver fail?",
+                  scan_->sensor_frame, seconds(*blind_since_ - Stamp())));
 }
 
 /// A mount of another frame is another laser's.

@@ -20,7 +20,8 @@ namespace slam {
 /// oldest when too many are held.
 ///
 /// Call order: configure(), set(...) of what has come, next() until scan() is empty.
-/// Counted, of scans without beams: "bad_scan", "bad_mount", "no_mount".
+/// Counted, of scans without beams: "bad_scan", "bad_mount", "no_mount", "no_range" (a laser that
+/// is blind: worth a word after a second).
 class ScanGate {
  public:
   static constexpr std::size_t kCapacity = 200;
@@ -49,6 +50,7 @@ class ScanGate {
 
   bool hasMount(const LaserSweep& sweep) const;
   std::optional<Fault> faultOfSweep(const LaserSweep& sweep) const;
+  Status watchBlindness();
 
   LaserConfig config_;
   bool is_mount_configured_ = false;
@@ -56,6 +58,7 @@ class ScanGate {
   std::string mount_fault_;
   std::deque<LaserSweep> held_;
   std::uint64_t sequence_ = 0;
+  std::optional<Stamp> blind_since_;  ///< all sweeps from there on told no range
   std::optional<LaserScan> scan_;
   Counters counters_;
 };

@@ -165,6 +165,23 @@ TEST_F(ScanGateTest, ASidewaysMountIsToldWithEveryScan) {
   EXPECT_TRUE(next().isOk()) << "once it is corrected all is well";
 }
 
+TEST_F(ScanGateTest, ALaserThatTellsNoRangeForASecondIsWorthAWord) {
+  gate.set(mount());
+  auto blind = sweepAt(1);
+  blind.ranges.assign(3, std::numeric_limits<float>::quiet_NaN());
+  std::string said;
+  for (int i = 0; i <= 10; ++i) {
+    blind.stamp += std::chrono::milliseconds(100);
+    EXPECT_EQ(said, "") << "said after " << i << " of them";
+    said = refusalOf(blind, "no_range");
+  }
+  EXPECT_TRUE(says(said, "laser of frame 'laser' has told no range since 1.1")) << said;
+  gate.set(sweepAt(3));
+  EXPECT_TRUE(next().isOk());
+  blind.stamp = Stamp(durationFromSeconds(3.1));
+  EXPECT_EQ(refusalOf(blind, "no_range"), "") << "it has seen meanwhile";
+}
+
 TEST_F(ScanGateTest, AMountOfTheRobotFileNeedsSixValues) {
   LaserConfig config;
   config.sensor_pose = {1, 2, 3};
