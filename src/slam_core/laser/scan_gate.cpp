@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace slam {
@@ -51,7 +52,7 @@ void ScanGate::set(LaserSweep sweep) { held_.push_back(std::move(sweep)); }
 Status ScanGate::next() {
   scan_.reset();
   if (held_.empty()) return Status::ok();
-  if (!hasMount(held_.front()) && held_.size() <= kCapacity) {
+  if (frontMayWait()) {
     const bool worth_a_word = held_.back().stamp - held_.front().stamp > kPatience;
     return worth_a_word ? Status::warning(unknownMount(held_.front().frame)) : Status::ok();
   }
@@ -85,6 +86,12 @@ Status ScanGate::watchBlindness() {
       fmt::format("the laser of frame '{}' has told no range since {:.1f}: all are NaN, -Inf, 0 or "
                   "below range_min; is it covered, or does its driver fail?",
                   scan_->sensor_frame, seconds(*blind_since_ - Stamp())));
+}
+
+/// For its mount, as long as it holds up none that could be used.
+bool ScanGate::frontMayWait() const {
+  return held_.size() <= kCapacity &&
+         std::none_of(held_.begin(), held_.end(), [&](const auto& s) { return hasMount(s); });
 }
 
 /// A mount of another frame is another laser's.

@@ -16,8 +16,9 @@ namespace slam {
 
 /// The entrance of whoever takes in laser scans: makes them of a driver's sweeps, in their order,
 /// once the laser's mount is known. Until then it holds them; an identity mount is never assumed.
-/// A sweep that cannot be used comes out as a scan without beams, which moves time on; so does the
-/// oldest when too many are held.
+/// A sweep that cannot be used comes out as a scan without beams, which moves time on; so does one
+/// of a frame without a mount when one behind it can be used, and the oldest when too many are
+/// held.
 ///
 /// Call order: configure(), set(...) of what has come, next() until scan() is empty.
 /// Counted, of scans without beams: "bad_scan", "bad_mount", "no_mount", "no_range" (a laser that
@@ -39,6 +40,8 @@ class ScanGate {
 
   const std::optional<LaserScan>& scan() const { return scan_; }
   const Counters& counters() const { return counters_; }
+  /// Sweeps that wait for their mount.
+  std::size_t held() const { return held_.size(); }
 
   /// As after configure(), the mount kept.
   void reset();
@@ -49,6 +52,7 @@ class ScanGate {
   };
 
   bool hasMount(const LaserSweep& sweep) const;
+  bool frontMayWait() const;
   std::optional<Fault> faultOfSweep(const LaserSweep& sweep) const;
   Status watchBlindness();
 

@@ -61,6 +61,8 @@ class MetaCoordinator {
   /// and the estimator.
   Counters counters() const;
   std::uint64_t dropped() const;
+  /// Of the laser, waiting for its mount.
+  std::size_t heldScans() const { return parts_.laser.held(); }
 
   void reset();
 

@@ -216,6 +216,7 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
              wall);
   auto counters = coordinator_.counters();
   counters.add("odometry_without_pose", odometry_faults_);
+  counters.add("laser_no_mount", coordinator_.heldScans());
   const auto& estimator = coordinator_.estimator();
   counters.add("never_stepped", estimator.heldObservations() + estimator.heldScans());
   std::vector<std::string> counts;

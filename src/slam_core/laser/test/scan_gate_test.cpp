@@ -182,6 +182,28 @@ TEST_F(ScanGateTest, ALaserThatTellsNoRangeForASecondIsWorthAWord) {
   EXPECT_EQ(refusalOf(blind, "no_range"), "") << "it has seen meanwhile";
 }
 
+TEST_F(ScanGateTest, AScanOfAnotherFrameHoldsUpNoneBehindIt) {
+  gate.set(mount());
+  for (const auto* frame : {"", "another"}) {
+    const auto before = gate.counters()["no_mount"];
+    auto foreign = sweepAt(1.0);
+    foreign.frame = frame;
+    gate.set(foreign);
+    EXPECT_TRUE(drain().empty()) << "its mount may still come";
+    EXPECT_EQ(gate.held(), 1u);
+    gate.set(sweepAt(1.1));
+    const auto status = next();
+    ASSERT_TRUE(gate.scan());
+    EXPECT_TRUE(gate.scan()->beams.empty());
+    EXPECT_TRUE(says(status.message, "laser of frame '" + foreign.frame + "' is mounted"));
+    EXPECT_EQ(gate.counters()["no_mount"], before + 1);
+    next();
+    ASSERT_TRUE(gate.scan());
+    EXPECT_EQ(gate.scan()->beams.size(), 3u);
+    EXPECT_EQ(gate.held(), 0u);
+  }
+}
+
 TEST_F(ScanGateTest, AMountOfTheRobotFileNeedsSixValues) {
   LaserConfig config;
   config.sensor_pose = {1, 2, 3};

@@ -75,6 +75,29 @@ TEST_F(ScanBags, OneOfSeveralLasersMustBeChosen) {
   EXPECT_EQ(findInputs(reader, gridNeeds(), {{"scan", "/front"}}).scan, "/front");
 }
 
+TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
+  const auto path = bag([](auto& maker) {
+    maker.add("/tf_static", 0, test::transform("base_link", "laser", 0));
+    for (int i = 0; i < 10; ++i) {
+      auto scan = scanAt(0.1 * i);
+      scan.header.frame_id = i < 7 && i != 3 ? "laser" : "nowhere";
+      scan.angle_min = -0.1f;
+      scan.angle_max = scan.angle_increment = 0.1f;
+      scan.range_max = 8.0f;
+      maker.add("/scan", 0.1 * i, scan);
+    }
+  });
+  const auto product = folder.write("product.yaml",
+                                    "{version: 1, product: test, backend: pf, map: grid, "
+                                    "pf: {particles: 3}}");
+  const auto command = std::string(SLAM_OFFLINE) + " " + product + " --robot " +
+                       folder.write("robot.yaml", "{version: 1, robot: test}") + " --bag " + path +
+                       " --out " + (folder / "run") + " > " + (folder / "stdout");
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(contains(folder.read("stdout"), "run: 7 poses")) << folder.read("stdout");
+  EXPECT_TRUE(contains(folder.read("stdout"), "laser_no_mount 4")) << folder.read("stdout");
+}
+
 TEST_F(ScanBags, AProductOfLandmarksDoesNotTouchTheScans) {
   const BagReader reader(
       bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
