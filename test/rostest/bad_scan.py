@@ -5,6 +5,7 @@
 
 import math
 import sys
+import time
 
 from player import wait_for
 from rosgraph_msgs.msg import Log
@@ -131,6 +132,29 @@ class BadScanTest(StillRobot):
             self.scan.publish(scan(self.stamp + rospy.Duration(0.005 * (number + 1))))
         self.play(3)
         self.assert_point(2.5, 0.0)
+
+    def test_13_a_laser_that_tells_no_range(self):
+        self.play(30, changed(ranges=[math.nan] * 11))
+        self.assert_warned("has told no range since")
+        self.assertTrue(wait_for(lambda: self.count("no_range") == 30), self.count("no_range"))
+
+    def test_14_a_scan_of_another_frame_holds_up_none_behind_it(self):
+        self.begin_anew()
+        self.play(1, lambda stamp: scan(stamp, "nowhere"))
+        self.play(5)
+        self.assert_point(2.5, 0.0)
+        self.assertTrue(wait_for(lambda: self.count("no_mount") == 1), self.count("no_mount"))
+
+    def test_15_the_odometry_stops_and_observations_go_on(self):
+        for number in range(80):
+            self.see(self.stamp + rospy.Duration(0.05 * (number + 1)))
+            time.sleep(0.005)
+
+        def told():
+            return any("nothing steps: observations since" in status.message
+                       and "wait for motion on" in status.message and status.level > 0
+                       for array in self.get("/diagnostics") for status in array.status)
+        self.assertTrue(wait_for(told, 6))
 
 
 if __name__ == "__main__":

@@ -80,8 +80,11 @@ class StillRobot(unittest.TestCase):
         odometry.header.stamp = self.stamp
         odometry.pose.pose.orientation.w = 1.0
         self.odom.publish(odometry)
+        self.see(self.stamp)
+
+    def see(self, stamp):
         array = LandmarkObservationArray(sequence=self.sequence)
-        array.header.stamp = self.stamp
+        array.header.stamp = stamp
         array.header.frame_id = "base_link"
         type(self).sequence += 1
         self.seen.publish(array)
