@@ -20,11 +20,11 @@ WITHIN = 60  # [s]
 HANGS = ('setsid bash -c "trap : INT TERM; echo \\$\\$ > {0}.part; mv {0}.part {0}; '
          'while :; do sleep 1; done"')
 CALLS = """
-import pathlib, signal, sys
+import pathlib, sys
 from importlib.machinery import SourceFileLoader
 run_tests = SourceFileLoader("run_tests", sys.argv[1]).load_module()
 run_tests.GRACE = 1
-signal.signal(signal.SIGINT, run_tests.interrupt)
+run_tests.heed_interrupts()
 run_tests.call(["bash", "-c", sys.argv[2]], pathlib.Path(sys.argv[3]))
 """
 
@@ -83,12 +83,20 @@ class Leftovers(unittest.TestCase):
             self.assertEqual(other.wait(WITHIN), -signal.SIGTERM)
 
     def test_ctrl_c_ends_all(self):
+        self.assert_ends_all(signal.SIGINT)
+
+    def test_a_kill_and_a_closed_terminal_end_all(self):
+        self.assert_ends_all(signal.SIGTERM)
+        self.note.unlink()
+        self.assert_ends_all(signal.SIGHUP)
+
+    def assert_ends_all(self, request):
         command = HANGS.format(self.note) + " & wait"
         with subprocess.Popen([sys.executable, "-c", CALLS, str(SCRIPT), command,
                                str(self.log)]) as tests:
             hanging = self.noted()
-            tests.send_signal(signal.SIGINT)
-            self.assertEqual(tests.wait(WITHIN), 130)
+            tests.send_signal(request)
+            self.assertEqual(tests.wait(WITHIN), 128 + request)
         self.assertFalse(is_alive(hanging))
 
 
