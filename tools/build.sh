@@ -39,7 +39,7 @@ progress() { # LABEL: condenses the per cent lines of make and apt to a bar, or 
 logged() { # LABEL LOG COMMAND...
   local label=$1 log=$2
   shift 2
-  "$@" 9>&- </dev/null 2>&1 | tee "$log" | progress "$label" && return
+  "$@" 9>&- </dev/null 2>&1 | tee "$log" | progress "$label" >&2 && return
   tail -n 40 "$log" >&2
   fail 1 "$label failed; the whole log is $log"
 }
@@ -93,10 +93,18 @@ build_flags() { # an enclosing workspace keeps its own
     "-DCMAKE_C_COMPILER_LAUNCHER=$(type -p ccache)" "-DCMAKE_CXX_COMPILER_LAUNCHER=$(type -p ccache)"
 }
 
-fingerprint() { # of every file that a build reads, and of where and how it is built
-  { printf '%s\n' "$workspace" && build_flags && cd "$repo" && find . -mindepth 1 \
-    \( -path './.*' -o -path './build*' -o -path './devel*' -o -path './install*' -o -path ./docs \
-    -o -name __pycache__ \) -prune -o -type f ! -name '*.md' -printf '%p %s %T@\n' | sort; } | sha256sum
+sources() { # FOLDERS...: find's answer to `tests` there, without builds
+  find "$@" \( -path './.*' -o -path './build*' -o -path './devel*' -o -path './install*' \
+    -o -name __pycache__ \) -prune -o "${tests[@]}"
+}
+
+fingerprint() { # of every file of the packages, and of where and how they are built
+  local packages tests=(-type f -name package.xml -printf '%h\0')
+  cd "$repo" || return
+  # Beside the packages lie bags, runs and pictures, which the commands leave there.
+  mapfile -d '' packages < <(sources .)
+  tests=(-type f ! -name '*.md' -printf '%p %s %T@\n')
+  { printf '%s\n' "$workspace" && build_flags && sources "${packages[@]}" | sort -u; } | sha256sum
 }
 
 fresh() { # STAMP FINGERPRINT
@@ -113,7 +121,7 @@ build() { # TARGET
     "there is no catkin_make; where it is not Debian's, 'rosdep install --ignore-src --from-paths .' installs it"
   if [[ $workspace == "$home" && -e $home/build ]] &&
     ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repo" "$home/build/CMakeCache.txt"; then
-    echo "the build is another folder's, or broken: building from scratch"
+    echo "the build is another folder's, or broken: building from scratch" >&2
     rm -rf "$home"/{build,devel,install,core_sanitized}
   fi
   mapfile -t flags < <(build_flags)

@@ -137,6 +137,26 @@ class WithBuild(FrontDoorTest):
         self.assertRegex(call(self.slam, "products").stdout, "(?m)^other +Another one[.]$")
         self.assertNotEqual(log.stat().st_mtime_ns, built)
 
+    def test_does_not_build_again_for_what_commands_leave_in_the_clone(self):
+        call(self.slam, "products")
+        built = (self.clone / ".slam/build.log").stat().st_mtime_ns
+        for name in ("office.bag", "mine.svg", "tuned.yaml", "runs/office/trajectory.tum"):
+            left = self.clone / name
+            left.parent.mkdir(parents=True, exist_ok=True)
+            left.touch()
+        self.expect(call(self.slam, "products"), 0, "ekf_wheel  ")
+        self.assertEqual((self.clone / ".slam/build.log").stat().st_mtime_ns, built)
+
+    def test_what_it_prints_holds_no_word_of_the_build(self):
+        cmake = self.clone / "slam_launch/CMakeLists.txt"
+        self.addCleanup(cmake.write_text, cmake.read_text(encoding="utf-8"), encoding="utf-8")
+        with cmake.open("a", encoding="utf-8") as file:
+            file.write("add_custom_target(wheels ALL COMMAND true COMMENT wheels)\n")
+        done = subprocess.run([str(self.slam), "products"], stdin=subprocess.DEVNULL, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True)
+        self.assertIn("building: 100%", done.stderr)
+        self.assertTrue(done.stdout.startswith("ekf_"), done.stdout)
+
     def test_refuses_what_makes_no_product(self):
         self.expect(call(self.slam, "check", "backend=ekf", "odometry=weel"), 1,
                     "did you mean 'wheel'?")
