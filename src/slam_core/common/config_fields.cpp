@@ -29,9 +29,10 @@ std::string scalarText(const std::string& value) { return value; }
 /// One value of a field, which may be one of many, against the field's range or choices.
 std::string faultOfValue(const Field& field, double value, const std::string& text) {
   if (std::isfinite(value) && field.range.contains(value)) return "";
-  const bool has_unit = !field.unit_text.empty() && field.unit_text != "1";
+  const auto unit = field.unit_text.substr(0, field.unit_text.find(';'));  // a remark may follow
+  const bool has_unit = !unit.empty() && unit != "1";
   return text + " is not allowed; the range is " + field.range.text() +
-         (has_unit ? ", in " + field.unit_text : "");
+         (has_unit ? ", in " + unit : "");
 }
 std::string faultOfValue(const Field& field, const std::string& value, const std::string&) {
   const auto& choices = field.choices;

@@ -55,6 +55,10 @@ std::vector<std::string> faultsOfExample(const std::string& product, const std::
 TEST(Settings, TellTheUnitOfARange) {
   EXPECT_TRUE(oneSays(faultsOfExample("", "{version: 1, example: {wheel_radius: -1}}"),
                       {"example.wheel_radius", "-1 is not allowed; the range is > 0, in m"}));
+  double drift = -4;
+  Fields fields;
+  fields.add("drift", &drift, "a drift").unit("m^2/m; squared: 1").in(Range::atLeast(0));
+  EXPECT_EQ(fields.find("drift")->fault(), "-4 is not allowed; the range is >= 0, in m^2/m");
   const auto faults = faultsOfExample("{version: 1, example: {gain: -1}}");
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0].substr(faults[0].size() - 16), "the range is > 0");
