@@ -52,9 +52,24 @@ class LaunchChecks(unittest.TestCase):
 
     def test_refuses_what_sets_no_parameter(self):
         for word in ("ekf.gate_probability", ".mode=slam", "ekf.gate_probability=", "x"):
-            self.expect_refusal(f"set:= holds '{word}', which is not [SECTION.]KEY=VALUE",
+            self.expect_refusal(f"'{word}' is set, which is not [SECTION.]KEY=VALUE",
                                 set=f"ekf.mode=slam {word}")
         self.check(set="ekf.gate_probability=0.9 frames.map=world source_timeout=20")
+
+    def test_a_feature_is_an_argument_of_its_own(self):
+        for word in ("backend=pf", "odometry=visual", "map=grid", "pointmap=true", "detector=none"):
+            self.expect_refusal(f"set:={word} is a feature, not a parameter: give "
+                                f"{word.replace('=', ':=')}", set=f"ekf.mode=slam {word}")
+
+    def test_refuses_what_is_set_twice(self):
+        self.expect_refusal("ekf.gate_probability is set twice, to 0.9 and to 0.8; set it once",
+                            set="ekf.gate_probability=0.9 seed=2 ekf.gate_probability=0.8")
+
+    def test_localization_needs_a_map_however_it_is_asked_for(self):
+        sentence = "localization keeps a map fixed and needs one: load_map:=FILE"
+        self.expect_refusal(f"mode:={sentence}", mode="localization")
+        self.expect_refusal(f"set:=ekf.mode={sentence}", set="ekf.mode=localization")
+        self.check(set="ekf.mode=localization", load_map=os.getcwd())
 
     def test_refuses_parameters_that_no_component_reads(self):
         self.expect_refusal("override ekf.gate_probabilty: unknown (did you mean "

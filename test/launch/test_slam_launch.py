@@ -76,6 +76,12 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
         self.assertIn("fiducial.marker_sizes", output)
         self.assertIn("7: 0 is not allowed; the range is > 0", output)
 
+    def test_a_feature_is_not_set_but_given(self):
+        self.assert_refused("is a feature, not a parameter: give backend:=pf", "robot:=mrclam",
+                            "set:=backend=pf")
+        self.assert_refused("seed is set twice, to 3 and to 4", "robot:=mrclam", "seed:=3",
+                            "set:=seed=4")
+
     def test_misspelt_robot_names_the_nearest(self):
         self.assert_refused("did you mean 'mrclam'?", "robot:=mrcalm")
 

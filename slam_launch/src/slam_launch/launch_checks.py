@@ -4,10 +4,9 @@
 
 import os
 import pathlib
-import re
 import time
 
-from . import config_files, machines, products
+from . import config_files, machines, overrides, products
 from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
 
@@ -27,8 +26,7 @@ def check_values(arguments):
             known = list(filter(None, choices))
             raise ProductError(f"{key}:={arguments[key]} is not one of: {', '.join(known)}"
                                f"{did_you_mean(arguments[key], known)}")
-    if arguments["mode"] == "localization" and not arguments["load_map"]:
-        raise ProductError("mode:=localization keeps a map fixed and needs one: load_map:=FILE")
+    require_map("mode:=", arguments["mode"], arguments)
     machines.check_machines(arguments)
     for key, exists, half in (("load_map", os.path.exists, "backend"),
                               ("bag", os.path.isfile, "frontend")):
@@ -40,6 +38,11 @@ def check_values(arguments):
                 raise ValueError
         except ValueError:
             raise ProductError(f"{key}:={arguments[key]} is not a number >= 0") from None
+
+
+def require_map(key, mode, arguments):
+    if mode == "localization" and not arguments["load_map"]:
+        raise ProductError(f"{key}{mode} keeps a map fixed and needs one: load_map:=FILE")
 
 
 def choose_product(arguments, model):
@@ -59,20 +62,15 @@ def choose_product(arguments, model):
 
 def configured(product, arguments, model):
     """Returns the content for the parameter server; the mode is the launch's."""
-    products.require_sections(sections_of(arguments["set"]), product.features, model)
-    products.require_parameters(product, arguments["set"].split())
+    words = arguments["set"].split()
+    given = overrides.split(words)
+    overrides.require_no_feature(given, model)
+    products.require_sections(overrides.sections(given), product.features, model)
+    products.require_parameters(product, words)
     backend = product.features["backend"]
+    require_map(f"set:={backend}.mode=", given.get(f"{backend}.mode"), arguments)
     section = {**(product.content.get(backend) or {}), "mode": arguments["mode"]}
     return {**product.content, backend: section}
-
-
-def sections_of(overrides):
-    """Returns the sections of SECTION.KEY=VALUE ..., each with the first key that is set."""
-    for word in overrides.split():
-        if not re.fullmatch(r"[^.=]+(\.[^=]+)?=.+", word):
-            raise ProductError(f"set:= holds '{word}', which is not [SECTION.]KEY=VALUE")
-    names = [word.partition("=")[0].rpartition(".") for word in overrides.split()]
-    return {section: {key: None} for section, _, key in reversed(names) if section}
 
 
 def parts(product, arguments, model):

@@ -75,6 +75,12 @@ class Launch(unittest.TestCase):
             self.assertIn(word, command)
 
 
+    def test_a_feature_that_is_set_is_an_argument_of_the_launch(self):
+        command = self.command("--set", "a.b=1", "detector=aruco", "pointmap=true")
+        for word in ("set:=a.b=1", "detector:=aruco", "pointmap:=true"):
+            self.assertIn(word, command)
+
+
 class Output(unittest.TestCase):
     def of(self, text):
         shown = io.StringIO()
@@ -100,6 +106,31 @@ class InvalidProduct(unittest.TestCase):
                 slam_run.require_product(str(product))
             product.write_text(PRODUCT, encoding="ascii")
             slam_run.require_product(str(product))
+
+    def settle(self, *arguments):
+        slam_run.require_arguments(slam_run.parse_arguments(["ekf_wheel", *REQUIRED[1:],
+                                                             *arguments]))
+
+    def assert_refused(self, sentence, *arguments):
+        with self.assertRaisesRegex(slam_run.UsageError, sentence):
+            self.settle(*arguments)
+
+    def test_a_run_sets_parameters_and_what_may_be_swapped(self):
+        self.settle("--set", "detector=aruco", "pointmap=true", "ekf.gate_probability=0.9",
+                    "frames.map=world", "--seed", "3")
+        self.assert_refused("backend=pf cannot be set, since the product ekf_wheel is backend=ekf",
+                            "--set", "backend=pf")
+        self.assert_refused("did you mean 'aruco'", "--set", "detector=aruko")
+        self.assert_refused("pf.particles is a parameter of backend=pf", "--set", "pf.particles=3")
+
+    def test_a_run_sets_a_key_once(self):
+        self.assert_refused("frames.map is set twice, to a and to b", "--set", "frames.map=a",
+                            "--set", "frames.map=b")
+        self.assert_refused("seed is set twice, to 3 and to 4", "--set", "seed=3", "--seed", "4")
+
+    def test_a_map_that_is_kept_fixed_has_to_be_given(self):
+        self.assert_refused("--load-map FILE", "--set", "ekf.mode=localization")
+        self.settle("--set", "ekf.mode=localization", "--load-map", "map.yaml")
 
 
 class Online(unittest.TestCase):
