@@ -71,6 +71,29 @@ class LaunchChecks(unittest.TestCase):
         self.expect_refusal(f"set:=ekf.mode={sentence}", set="ekf.mode=localization")
         self.check(set="ekf.mode=localization", load_map=os.getcwd())
 
+    def robot(self, content, **given):
+        path = self.parts.parent / "robot.yaml"
+        path.write_text(f"version: 1\nrobot: mine\n{content}\n", encoding="utf-8")
+        return launch_checks.robot_for({**DEFAULTS, "robot": str(path), **given}), path
+
+    def test_a_robot_may_have_what_the_product_does_not_use(self):
+        content, _ = self.robot("fiducial: {marker_sizes: {5: 0.2}}")
+        self.assertEqual(content["fiducial"], {"marker_sizes": {"5": 0.2}})
+
+    def test_refuses_a_robot_that_no_component_could_read_and_names_the_line(self):
+        path = self.parts.parent / "robot.yaml"
+        for content, sentence in (
+                ("wheel_odometry: {alpha1: lots}",
+                 f"wheel_odometry.alpha1 in {path}:3: 'lots' is not of type number"),
+                ("wheel_odometry:\n  alpah1: 1",
+                 f"wheel_odometry.alpah1 in {path}:4: unknown (did you mean 'alpha1'?)"),
+                ("wheel_odometry: {alpha1: -1}", "-1 is not allowed; the range is >= 0"),
+                ("weel_odometry: {alpha1: 1}", f"section weel_odometry in {path}:3 belongs to no"),
+                ("ekf: {mode: slam}", f"ekf.mode in {path}:3: belongs in the product file")):
+            with self.subTest(content), self.assertRaises(ProductError) as caught:
+                self.robot(content)
+            self.assertIn(sentence, str(caught.exception))
+
     def test_refuses_parameters_that_no_component_reads(self):
         self.expect_refusal("override ekf.gate_probabilty: unknown (did you mean "
                             "'gate_probability'?)", set="ekf.gate_probabilty=0.9")

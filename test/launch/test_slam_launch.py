@@ -70,11 +70,24 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
 
     def test_maps_by_id_reach_the_nodelets(self):
         robot = self.root / "sizes.yaml"
-        robot.write_text("version: 1\nrobot: sizes\nfiducial:\n  marker_sizes: {5: 0.2, 7: 0}\n",
+        robot.write_text("version: 1\nrobot: sizes\nfiducial:\n  marker_sizes: {5: 0.2, 7: 0.5}\n",
                          encoding="utf-8")
-        output, _ = run_launch(f"robot:={robot}")
-        self.assertIn("fiducial.marker_sizes", output)
-        self.assertIn("7: 0 is not allowed; the range is > 0", output)
+        run = self.root / "sizes"
+        output, _ = run_launch(f"robot:={robot}", f"bag:={self.bag}", "rate:=0",
+                               "composition:=inprocess", f"output_dir:={run}")
+        self.assertTrue((run / "config.yaml").exists(), output)
+        self.assertIn("marker_sizes: {5: 0.2, 7: 0.5}",
+                      (run / "config.yaml").read_text(encoding="ascii"))
+
+    def test_a_robot_file_is_checked_before_the_start(self):
+        robot = self.root / "wrong.yaml"
+        for entry, sentence in (("alpha1: lots", f"{robot}:4: 'lots' is not of type number"),
+                                ("alpah1: 1", "did you mean 'alpha1'?"),
+                                ("alpha1: -1", "-1 is not allowed; the range is >= 0, in m^2/m")):
+            with self.subTest(entry):
+                robot.write_text(f"version: 1\nrobot: wrong\nwheel_odometry:\n  {entry}\n",
+                                 encoding="utf-8")
+                self.assert_refused(sentence, f"robot:={robot}")
 
     def test_a_feature_is_not_set_but_given(self):
         self.assert_refused("is a feature, not a parameter: give backend:=pf", "robot:=mrclam",

@@ -6,7 +6,7 @@ import os
 import pathlib
 import time
 
-from . import config_files, machines, overrides, products
+from . import config_files, machines, overrides, parameters, products
 from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
 
@@ -145,11 +145,16 @@ def robot_of_bag(path):
 
 
 def robot_for(arguments):
-    """Returns the content of the robot file that is given, or that the bag names."""
+    """Returns the content of the robot file that is given, or that the bag names. It may hold
+    parameters of all components that the product brings."""
     name = arguments["robot"]
     if not name and os.path.isfile(arguments["bag"]):  # it may lie on another machine
         name = robot_of_bag(arguments["bag"])
     if not name:
         raise ProductError("no robot is given and no bag names one; give robot:=NAME or "
                            f"robot:=FILE, there are: {', '.join(config_files.files('robots'))}")
-    return config_files.load(config_files.find("robots", name))
+    path = config_files.find("robots", name)
+    content = config_files.load(path)
+    product = choose_product(arguments, FeatureModel())
+    parameters.require_valid_robot(path, product.content.get("libraries") or [])
+    return content

@@ -23,6 +23,11 @@ def require_valid_overrides(overrides, libraries):
         check([*options("--library", libraries), *options("--set", overrides)])
 
 
+def require_valid_robot(path, libraries):
+    """Refuses what components, those of libraries as well, could not read of a robot file."""
+    check([*options("--library", libraries), "--check-robot", str(path)])
+
+
 def require_valid_parameters(words, libraries):
     """Refuses SECTION.KEY=VALUE that a product file cannot hold."""
     if words:

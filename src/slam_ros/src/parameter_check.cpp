@@ -54,6 +54,11 @@ void checkProductFile(const std::string& file, const std::vector<std::string>& o
   faults.raise();
 }
 
+void checkRobotFile(const std::string& file) {
+  slam::Settings settings({}, slam::loadConfigFile(file), {});
+  requireFaultless(settings);
+}
+
 void checkProductParameters(const std::vector<std::string>& parameters) {
   slam::Settings settings(documentOf(parameters), {}, {});
   requireFaultless(settings);

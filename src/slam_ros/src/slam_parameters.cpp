@@ -63,12 +63,15 @@ int print(const std::string& section) {
 
 /// What is to be checked instead of printed.
 struct Check {
-  std::string file;
+  std::string file, robot;
   std::vector<std::string> overrides, parameters;
 
-  bool isAsked() const { return !(file.empty() && overrides.empty() && parameters.empty()); }
+  bool isAsked() const {
+    return !(file.empty() && robot.empty() && overrides.empty() && parameters.empty());
+  }
   void run() const {
     if (!file.empty() || !overrides.empty()) slam_ros::checkProductFile(file, overrides);
+    if (!robot.empty()) slam_ros::checkRobotFile(robot);
     if (!parameters.empty()) slam_ros::checkProductParameters(parameters);
   }
 };
@@ -76,6 +79,7 @@ struct Check {
 void addOptions(CLI::App& app, Check& check) {
   app.add_option("--check", check.file,
                  "prints nothing and checks the parameters of this product file");
+  app.add_option("--check-robot", check.robot, "the same of this robot file");
   app.add_option("--set", check.overrides,
                  "also checks section.key=value, as slam_offline takes it");
   app.add_option("--product-parameter", check.parameters,

@@ -32,6 +32,9 @@ void visitSharedSections(const Visit& visit) {
 /// file's. @throw ConfigError listing all faults
 void checkProductFile(const std::string& file, const std::vector<std::string>& overrides);
 
+/// The same of a robot file, with the components in force.
+void checkRobotFile(const std::string& file);
+
 /// The same of "section.key=value" that a product file is to hold, with the components in force.
 void checkProductParameters(const std::vector<std::string>& parameters);
 
