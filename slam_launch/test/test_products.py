@@ -4,10 +4,12 @@
 
 import os
 import pathlib
+import subprocess
 import tempfile
 import unittest
 from unittest import mock
 
+from catkin.find_in_workspaces import find_in_workspaces
 from slam_launch import config_files, products
 from slam_launch.errors import ProductError
 from slam_launch.feature_model import FeatureModel
@@ -137,6 +139,18 @@ class Writing(ProductFiles):
         self.expect_refusal_of("there is no feature 'BACKEND' (did you mean 'backend'?)",
                                "BACKEND=pf")
 
+    def test_names_the_parameter_that_was_meant_without_its_section(self):
+        self.expect_refusal_of("there is no feature 'particles'; pf.particles is a parameter of "
+                               "that name, given with the section", "backend=pf",
+                               "odometry=wheel", "particles=50")
+        self.expect_refusal_of("ekf.mode and pf.mode are parameters of that name", "mode=slam")
+
+    def test_refuses_an_octal_number(self):
+        self.expect_refusal_of("pf.particles=010 is no value: a number does not begin with 0",
+                               "backend=pf", "odometry=wheel", "pf.particles=010")
+        self.assertEqual(self.make("backend=pf", "odometry=wheel", "pf.resampling_threshold=0.5")
+                         .content["pf"], {"resampling_threshold": 0.5})
+
     def test_says_where_it_cannot_write(self):
         (self.folder / "slam").write_text("a file", encoding="ascii")
         with self.assertRaisesRegex(ProductError, "cannot write .*/slam/products/mine.yaml"):
@@ -154,6 +168,36 @@ class ByFeatures(ProductFiles):
         product = products.with_features(features, self.model)
         self.assertEqual((product.name, product.content["detector"]), ("pf_wheel", "aruco"))
         self.assertIn("particles", product.content["pf"])
+
+    def test_a_product_of_the_user_is_found_by_its_name_only(self):
+        words = ("backend=pf", "odometry=visual", "detector=aruco")
+        features = self.model.require_valid(dict(word.split("=") for word in words))
+        before = products.with_features(features, self.model)
+        products.write(self.make(*words, "pf.particles=7"))
+        self.assertEqual(products.find("mine", self.model).features, features)
+        self.assertEqual(products.with_features(features, self.model), before)
+        self.assertEqual(before.name, "pf_visual")
+
+
+class Listing(ProductFiles):
+    def listed(self):
+        program = find_in_workspaces(["libexec"], "slam_launch", "products", first_match_only=True)
+        return subprocess.run(program, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              check=False)
+
+    def test_a_product_whose_parameters_cannot_be_read_is_told_instead(self):
+        products.write(self.make("backend=pf", "odometry=wheel", "pf.particles=7"))
+        listed = self.listed()
+        self.assertEqual((listed.returncode, listed.stderr), (0, ""))
+        self.assertIn("\nmine ", listed.stdout)
+        path = products.write(self.make("backend=pf", "odometry=wheel", name="other"))
+        path.write_text(HEAD + FEATURES + "pf: {particles: many}\n", encoding="utf-8")
+        listed = self.listed()
+        self.assertEqual(listed.returncode, 1)
+        self.assertIn(f"products: pf.particles in {path}:7: 'many' is not of type integer",
+                      listed.stderr)
+        self.assertNotIn("\nother ", listed.stdout)
+        self.assertIn("\nmine ", listed.stdout)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 The descriptions stand in the components and nowhere else; the program slam_parameters has them.
 """
 
+import re
 import subprocess
 
 from . import packages
@@ -32,6 +33,15 @@ def require_valid_parameters(words, libraries):
     """Refuses SECTION.KEY=VALUE that a product file cannot hold."""
     if words:
         check([*options("--library", libraries), *options("--product-parameter", words)])
+
+
+def of_name(key):
+    """Returns SECTION.KEY of all parameters that have this name."""
+    done = subprocess.run([packages.program("slam_ros", "slam_parameters")], text=True,
+                          stdout=subprocess.PIPE, check=False)
+    tables = re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)", done.stdout, re.M | re.S)
+    return [f"{section}.{key}" for section, table in tables
+            if re.search(rf"^\| `{re.escape(key)}` \| ", table, re.M)]
 
 
 def options(name, values):

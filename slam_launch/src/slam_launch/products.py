@@ -84,6 +84,18 @@ def named(model, report=lambda fault: None):
     return found
 
 
+def is_own(product):
+    """Whether the user has written a product, by `./slam new` or in an editor."""
+    return product.path is not None and product.path.parent == config_files.user_products()
+
+
+def has_parameters(product, model):
+    """Whether a product's file holds more than features, a name and a sentence."""
+    plain = without_file(product.features, model).content
+    return any(plain.get(key) != value for key, value in product.content.items()
+               if key not in ("product", "sentence", *product.features))
+
+
 def without_file(features, model, name=""):
     """Returns the product with these features, as it would stand in a file."""
     content = {"version": config_files.VERSION, "product": name or "_".join(
@@ -100,8 +112,9 @@ def yaml_features(features):
 
 def with_features(features, model):
     """Returns the first named product with these features, or one that differs in what can be
-    swapped, given these; else a product without a name."""
-    known = named(model)
+    swapped, given these; else a product without a name. Features mean the same to everybody: the
+    user's own products are only found by their names."""
+    known = [product for product in named(model) if not is_own(product)]
     for same in (lambda product: product.features,
                  lambda product: {**product.features, **swappable(features)}):
         for product in known:
@@ -144,6 +157,7 @@ def split_arguments(words):
 def make(name, words, model):
     """Returns the product that KEY=VALUE arguments describe."""
     given, sections = split_arguments(words)
+    require_features(given, model)
     product = without_file(model.require_valid(given), model, name)
     for section, values in sections.items():
         if section in product.content:
@@ -158,8 +172,20 @@ def make(name, words, model):
     return product
 
 
+def require_features(given, model):
+    """Refuses features that the model does not have; names the parameters that were meant."""
+    for key in given:
+        meant = [] if key in model.groups else parameters.of_name(key)
+        if meant:
+            raise ProductError(f"there is no feature '{key}'; {' and '.join(meant)} "
+                               f"{'is a parameter' if len(meant) == 1 else 'are parameters'} of "
+                               "that name, given with the section")
+
+
 def parsed(key, value):
     """Returns the value of an argument as a product file would have it."""
+    if re.fullmatch(r"[-+]?0\d+", value):  # an octal number in YAML
+        raise ProductError(f"{key}={value} is no value: a number does not begin with 0")
     try:
         return yaml.safe_load(value)
     except yaml.YAMLError as error:
