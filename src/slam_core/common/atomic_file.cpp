@@ -17,8 +17,10 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, const std::string& temporary, int error) {
   ::unlink(temporary.c_str());
+  struct stat target {};
+  const bool is_file = ::stat(path.c_str(), &target) == 0 && S_ISREG(target.st_mode);
   throw std::runtime_error("cannot write " + path + ": " + std::strerror(error) +
-                           "; the file is as it was before");
+                           (is_file ? "; the file is as it was before" : ""));
 }
 
 bool writeAll(int descriptor, const std::string& content) {
