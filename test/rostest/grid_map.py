@@ -107,6 +107,9 @@ class GridMapTest(unittest.TestCase):
     def test_1_a_map_that_knows_nothing_is_no_error(self):
         self.assertTrue(self.connected)
         self.assertEqual(len(self.grid().data), 0)
+        answer = self.call("save_map", SaveMap, path=str(self.folder / "early.yaml"))
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn("early.landmarks.yaml; there is no grid yet", answer.message)
 
     def test_2_the_service_gives_the_map_as_it_is(self):
         self.play()
@@ -149,6 +152,7 @@ class GridMapTest(unittest.TestCase):
         before = self.grid()
         self.assertTrue(self.call("reset", Trigger).success)
         self.assertTrue(wait_for(lambda: not self.grid().data))
+        (self.folder / "landmarks.yaml").unlink()  # its pose is not where the log begins
         answer = self.call("load_map", LoadMap, path=str(self.folder / "map.yaml"))
         self.assertTrue(answer.success, answer.message)
         self.play()  # what is loaded is taken up by the next step
@@ -197,6 +201,11 @@ class GridMapTest(unittest.TestCase):
         answer = self.call("load_map", LoadMap, path=self.write_map("large.yaml", 220.0))
         self.assertTrue(answer.success, answer.message)
         self.assertIn("not all of it is used", answer.message)
+
+    def test_9_a_grid_that_was_not_saved_is_told_to_be_missing(self):
+        answer = self.call("load_map", LoadMap, path=str(self.folder / "early.yaml"))
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn("no grid found; 0 landmarks", answer.message)
 
 
 if __name__ == "__main__":

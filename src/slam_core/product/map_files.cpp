@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLandmarks = "landmarks.yaml";
 constexpr const char* kGrid = "map.yaml";
+const std::string kLandmarksEnding = ".landmarks.yaml";
 
 /// Of a map that was made elsewhere.
 PoseEstimate unknownStart() {
@@ -34,16 +35,43 @@ bool isGrid(const std::string& path) {
   }
 }
 
-MapFiles filesToLoad(const std::string& path, bool has_grid) {
-  if (!fs::is_directory(path)) return isGrid(path) ? MapFiles{"", path} : MapFiles{path, ""};
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() > ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// A grid's file and that of the landmarks beside it.
+MapFiles pairOf(const fs::path& given) {
+  const auto name = given.filename().string();
+  const auto beside = [&](const std::string& other) {
+    return (given.parent_path() / other).string();
+  };
+  if (name == kLandmarks) return {given, beside(kGrid)};
+  if (name == kGrid) return {beside(kLandmarks), given};
+  if (endsWith(name, kLandmarksEnding))
+    return {given, beside(name.substr(0, name.size() - kLandmarksEnding.size()) + ".yaml")};
+  return {fs::path(given).replace_extension(kLandmarksEnding), given};
+}
+
+MapFiles filesInFolder(const std::string& path, bool has_grid) {
   auto files = mapFilesAt(path, has_grid);
   if (!fs::exists(files.grid)) files.grid.clear();
   if (!fs::exists(files.landmarks) && !files.grid.empty()) files.landmarks.clear();
   if (!fs::exists(files.landmarks) && files.grid.empty())
     throw std::runtime_error("the folder " + path + " holds no " + kLandmarks +
                              (has_grid ? std::string(" and no ") + kGrid : "") +
-                             "; name the folder that a map was saved to");
+                             "; name the file or folder that a map was saved to");
   return files;
+}
+
+MapFiles filesToLoad(const std::string& path, bool has_grid) {
+  if (fs::is_directory(path)) return filesInFolder(path, has_grid);
+  if (isGrid(path)) {
+    const auto landmarks = pairOf(path).landmarks;
+    return {fs::exists(landmarks) ? landmarks : "", path};
+  }
+  const bool is_half = has_grid && !fs::exists(path) && fs::exists(pairOf(path).landmarks);
+  return {is_half ? pairOf(path).landmarks : path, ""};  // of a map that had no grid yet
 }
 
 }  // namespace
@@ -51,25 +79,26 @@ MapFiles filesToLoad(const std::string& path, bool has_grid) {
 MapFiles mapFilesAt(const std::string& path, bool has_grid) {
   const fs::path given(path);
   if (fs::is_directory(given) || given.filename().empty())
-    return {(given / kLandmarks).string(), has_grid ? (given / kGrid).string() : ""};
-  if (!has_grid) return {path, ""};
-  const auto beside = [&](const char* name) { return (given.parent_path() / name).string(); };
-  if (given.filename() == kLandmarks) return {path, beside(kGrid)};
-  return {beside(kLandmarks), path};
+    return {given / kLandmarks, has_grid ? (given / kGrid).string() : ""};
+  return has_grid ? pairOf(given) : MapFiles{path, ""};
 }
 
 std::string saveMap(const std::string& path, const LandmarkFile& file) {
   const auto& grid = file.map.grid;
-  const bool has_grid = grid && !grid->cells.empty();
-  const auto files = mapFilesAt(path, has_grid);
-  if (has_grid) grid_map::saveGrid(files.grid, *grid);
+  const auto files = mapFilesAt(path, grid.has_value());
+  const bool is_known = grid && !grid->cells.empty();
+  if (is_known)
+    grid_map::saveGrid(files.grid, *grid);
+  else if (grid && fs::exists(files.grid))
+    throw std::runtime_error("cannot save the map to " + path + ": it has no grid yet, and " +
+                             files.grid + " is of an earlier map; name another file or folder");
   saveLandmarks(files.landmarks, file);
-  auto text =
+  const auto text =
       std::to_string(file.map.landmarks.size()) + " landmarks written to " + files.landmarks;
-  if (has_grid)
-    text += ", " + std::to_string(grid->width) + " x " + std::to_string(grid->height) +
-            " cells to " + files.grid;
-  return text;
+  if (!grid) return text;
+  if (!is_known) return text + "; there is no grid yet";
+  return text + ", " + std::to_string(grid->width) + " x " + std::to_string(grid->height) +
+         " cells to " + files.grid;
 }
 
 LandmarkFile loadMap(const std::string& path, const std::string& frame, bool has_grid) {

@@ -11,22 +11,25 @@ namespace slam {
 
 /// Where a map is kept.
 struct MapFiles {
-  std::string landmarks;  ///< landmarks.yaml
-  std::string grid;       ///< map.yaml with map.pgm beside it; empty without a grid
+  std::string landmarks;
+  std::string grid;  ///< its yaml, with the image beside it; empty without a grid
 };
 
-/// The files that a path stands for: in a folder `landmarks.yaml` and `map.yaml`; a file is that of
-/// the grid, where there is one, with `landmarks.yaml` beside it, unless it is called so itself.
+/// The files that a path stands for: in a folder `landmarks.yaml` and `map.yaml`. Without a grid a
+/// file is that of the landmarks. With one it is the grid's: `NAME.yaml` has `NAME.landmarks.yaml`
+/// beside it, so that maps in one folder stay apart, and `map.yaml` the folder's `landmarks.yaml`.
+/// Who names the landmarks' file means the same two.
 MapFiles mapFilesAt(const std::string& path, bool has_grid);
 
 /// Writes the landmarks and, of a map that has one, the grid, as soon as something is known of it.
-/// @return what was written and where, for people
-/// @throw std::runtime_error naming the file and the cause
+/// @return what was written and where, for people; of a grid that is missing, that it is
+/// @throw std::runtime_error naming the file and the cause; also before landmarks would be written
+/// beside the grid of an earlier map
 std::string saveMap(const std::string& path, const LandmarkFile& file);
 
-/// Reads a landmarks.yaml, a grid's yaml, or of a folder what there is of them. A grid that comes
-/// without landmarks.yaml tells no pose: the robot is taken to be at the origin, give or take 0.5 m
-/// and 15 degrees.
+/// Reads a landmarks' file alone, a grid with the landmarks beside it, or of a folder what there is
+/// of them. A grid that comes without landmarks' file tells no pose: the robot is taken to be at
+/// the origin, give or take 0.5 m and 15 degrees.
 /// @param has_grid whether the back-end makes grids; one that does not takes landmarks only
 /// @throw std::runtime_error in one sentence, as loadLandmarks() and grid_map::loadGrid()
 LandmarkFile loadMap(const std::string& path, const std::string& frame, bool has_grid);

@@ -33,9 +33,10 @@ std::string inflated(const slam::LandmarkFile& file) {
   return complete ? "" : "; it holds no joint covariance, so the landmarks' own were inflated";
 }
 
-std::string contents(const slam::LandmarkFile& file) {
+std::string contents(const slam::LandmarkFile& file, bool has_grid) {
   const auto landmarks = std::to_string(file.map.landmarks.size()) + " landmarks";
-  return file.map.grid ? "a grid, " + landmarks : landmarks;
+  if (file.map.grid) return "a grid, " + landmarks;
+  return has_grid ? "no grid found; " + landmarks : landmarks;
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ bool BackendServices::load(slam_msgs::LoadMap::Request& request,
     const auto status = actions_.load(file);
     if (status.level == slam::Status::Level::kError)
       throw std::runtime_error("cannot use the map " + path + ": " + status.message);
-    const auto said = contents(file) + " and the pose loaded from " + path + inflated(file);
+    const auto said = contents(file, has_grid_) + " and the pose loaded from " + path + inflated(file);
     return status.isOk() ? said : said + "; " + status.message;
   });
 }

@@ -40,6 +40,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   diagnostics_->report(outputs.load_map, start_status);
+  if (!outputs.load_map.empty() && estimator.backend().usesScans() && !start.grid)
+    diagnostics_->warn("no grid found at " + outputs.load_map + "; the grid begins empty");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
   outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
   outputs_->refresh();

@@ -78,9 +78,11 @@ void OfflineRun::connectLaser(const std::string& base_frame) {
 }
 
 void OfflineRun::loadMap() {
-  const auto map = slam::loadMap(options_.load_map, frameId(coordinator_.frames().map),
-                                 coordinator_.estimator().backend().usesScans())
-                       .map;
+  const bool has_grid = coordinator_.estimator().backend().usesScans();
+  const auto map =
+      slam::loadMap(options_.load_map, frameId(coordinator_.frames().map), has_grid).map;
+  if (has_grid && !map.grid)
+    warn("no grid found at " + options_.load_map + "; the grid begins empty");
   if (!map.landmarks.empty() && map.joint_covariance.size() == 0)
     warn(options_.load_map + " has no joint covariance; its marginals are inflated");
   const auto status = coordinator_.estimator().startWith(map);

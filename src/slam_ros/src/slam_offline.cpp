@@ -25,7 +25,7 @@ void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& s
   app.add_option("--robot", options.robot, "a robot's name or file; default: the bag's");
   app.add_option("--seed", seed, "of every random stream; default: the product's");
   app.add_option("--load-map", options.load_map,
-                 "a landmarks.yaml, a grid's yaml, or a folder with both, to start with");
+                 "a landmarks' file, a grid's yaml with its landmarks, or a folder, to start with");
   app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");
   app.add_option("--remap", options.remaps, "input:=topic of the bag");
 }

@@ -45,8 +45,36 @@ TEST_F(MapFilesTest, LandmarksAloneGoToTheVeryFile) {
 TEST_F(MapFilesTest, AGridTakesTheNameAndTheLandmarksStandBeside) {
   const auto said = saveMap(folder / "room.yaml", mapOf(true));
   EXPECT_NE(said.find("3 x 2 cells"), std::string::npos) << said;
-  for (const auto* name : {"room.yaml", "room.pgm", "landmarks.yaml"})
+  EXPECT_NE(said.find("1 landmarks written to " + (folder / "room.landmarks.yaml")),
+            std::string::npos)
+      << said;
+  for (const auto* name : {"room.yaml", "room.pgm", "room.landmarks.yaml"})
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_EQ(folder.files(), 3u);
+}
+
+TEST_F(MapFilesTest, MapsInOneFolderStayApart) {
+  auto larger = mapOf(true);
+  larger.map.landmarks.push_back({8, {5, 6}, Eigen::Matrix2d::Identity() * 0.01});
+  larger.map.robot.pose = {-1, 0, 0};
+  saveMap(folder / "a.yaml", mapOf(true));
+  saveMap(folder / "b.yaml", larger);
+  saveMap(folder / "", larger);
+  const auto a = loadMap(folder / "a.yaml", "map", true).map;
+  EXPECT_TRUE(a.grid);
+  EXPECT_EQ(a.landmarks.size(), 1u);
+  EXPECT_EQ(a.robot.pose.x(), 1.0);
+  const auto b = loadMap(folder / "b.yaml", "map", true).map;
+  EXPECT_TRUE(b.grid);
+  EXPECT_EQ(b.landmarks.size(), 2u);
+  EXPECT_FALSE(loadMap(folder / "b.landmarks.yaml", "map", true).map.grid) << "landmarks alone";
+}
+
+TEST_F(MapFilesTest, TheLandmarksNameStandsForTheSameTwoFiles) {
+  saveMap(folder / "room.landmarks.yaml", mapOf(true));
+  const auto room = loadMap(folder / "room.yaml", "map", true).map;
+  EXPECT_TRUE(room.grid);
+  EXPECT_EQ(room.landmarks.size(), 1u);
 }
 
 TEST_F(MapFilesTest, AFolderHoldsBothUnderTheirUsualNames) {
@@ -69,6 +97,7 @@ TEST_F(MapFilesTest, NamedLandmarksPutTheGridBeside) {
 
 TEST_F(MapFilesTest, AGridOfAnotherProgramTellsNoPose) {
   saveMap(folder / "map.yaml", mapOf(true));
+  std::filesystem::remove(folder / "landmarks.yaml");
   const auto loaded = loadMap(folder / "map.yaml", "map", true).map;
   ASSERT_TRUE(loaded.grid);
   EXPECT_EQ(loaded.robot.pose.vector(), Eigen::Vector3d::Zero());
@@ -78,8 +107,23 @@ TEST_F(MapFilesTest, AGridOfAnotherProgramTellsNoPose) {
 TEST_F(MapFilesTest, AGridOfWhichNothingIsKnownIsNotWritten) {
   auto file = mapOf(true);
   file.map.grid->cells.clear();
-  saveMap(folder / "landmarks.yaml", file);
+  const auto said = saveMap(folder / "landmarks.yaml", file);
+  EXPECT_TRUE(oneSays({said}, {"1 landmarks written", "no grid yet"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "map.yaml"));
+  saveMap(folder / "room.yaml", file);
+  const auto loaded = loadMap(folder / "room.yaml", "map", true).map;
+  EXPECT_EQ(loaded.landmarks.size(), 1u);
+  EXPECT_FALSE(loaded.grid);
+}
+
+TEST_F(MapFilesTest, AnEarlierGridIsNotGivenOtherLandmarks) {
+  auto file = mapOf(true);
+  saveMap(folder / "room.yaml", file);
+  file.map.grid->cells.clear();
+  file.map.landmarks.clear();
+  EXPECT_TRUE(oneSays({sentenceOf([&] { saveMap(folder / "room.yaml", file); })},
+                      {"no grid yet", "room.yaml is of an earlier map"}));
+  EXPECT_EQ(loadMap(folder / "room.yaml", "map", true).map.landmarks.size(), 1u);
 }
 
 TEST_F(MapFilesTest, SaysWhatCannotBeLoaded) {

@@ -26,7 +26,7 @@ struct OutputsConfig {
     fields.add("output_dir", &output_dir,
                "folder for the files of the run; none are written without");
     fields.add("load_map", &load_map,
-               "landmarks.yaml, a grid's yaml, or a folder with both, to start with");
+               "a landmarks' file, a grid's yaml with its landmarks, or a folder, to start with");
     fields.add(
         "save_on_exit", &save_on_exit,
         "folder that gets the map at the end: landmarks.yaml, of a grid map.yaml and map.pgm");
