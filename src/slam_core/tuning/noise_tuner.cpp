@@ -18,7 +18,8 @@
 namespace slam::tuning {
 namespace {
 
-/// A parameter whose logarithm is less certain than this, all others known, cannot be seen.
+/// A parameter whose logarithm is less certain than this cannot be seen: all others known, the data
+/// hardly depend on it; with the others, they do not tell it from them, or are too few.
 constexpr double kUnseen = 1.0;
 /// A loss of log-likelihood that says something: one less may be chance.
 constexpr double kTelling = 1.0;
@@ -212,7 +213,8 @@ NoiseTuner::Evidence NoiseTuner::look(TuningResult& result, const Progress& prog
   return evidence;
 }
 
-/// One maximum over the parameters that are open; settles the one that turns out to be hidden.
+/// One maximum over the parameters that are open; settles the one that turns out to be
+/// hidden.
 bool NoiseTuner::refine(TuningResult& result, const Progress& progress) const {
   const auto seen = openOnes(result);
   if (seen.empty()) return true;
@@ -237,8 +239,14 @@ bool NoiseTuner::refine(TuningResult& result, const Progress& progress) const {
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i]->sigma = seen[i]->value * maximum.sigmas(static_cast<Eigen::Index>(i));
   Eigen::Index worst = 0;
-  if (conditionalSigmas(maximum.information).maxCoeff(&worst) < kUnseen) return true;
-  settle(*seen[static_cast<std::size_t>(worst)], maximum.log_likelihood, result, progress);
+  if (conditionalSigmas(maximum.information).maxCoeff(&worst) >= kUnseen) {
+    settle(*seen[static_cast<std::size_t>(worst)], maximum.log_likelihood, result, progress);
+    return false;
+  }
+  if (maximum.sigmas.maxCoeff(&worst) < kUnseen) return true;
+  auto& vague = *seen[static_cast<std::size_t>(worst)];
+  vague.why_unseen =
+      fmt::format("the data tell no more than {:.2g} +- {:.2g}", vague.value, vague.sigma);
   return false;
 }
 

@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
@@ -102,6 +104,22 @@ std::string bagNames(const TuneOptions& options) {
   return slam::join(names);
 }
 
+/// A file with the values that were there before would pass for a tuned one.
+void requireSomethingSeen(const TuningResult& result, const std::string& bags) {
+  std::map<std::string, std::vector<std::string>> names;  // by why they cannot be seen
+  for (const auto& parameter : result.parameters) {
+    if (parameter.why_unseen.empty()) return;
+    names[parameter.why_unseen].push_back(parameter.name());
+  }
+  std::vector<std::string> reasons;
+  for (const auto& [why, whose] : names)
+    reasons.push_back(fmt::format("{} ({})", slam::join(whose), why));
+  throw std::runtime_error(
+      fmt::format("nothing can be tuned on {}, which does not show {}; "
+                  "no file was written",
+                  bags, slam::join(reasons)));
+}
+
 void print(const TuningResult& result) {
   fmt::print("{:<38} {:>10} {:>10} {:>12}\n", "", "before", "tuned", "uncertainty");
   for (const auto& parameter : result.parameters) {
@@ -155,6 +173,7 @@ void tune(const TuneOptions& options) {
   slam::tuning::withTunedValues(robot, tuner.start(names), remark);
   const auto result = tuner.run(names, progressLine());
   if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\n");
+  requireSomethingSeen(result, bagNames(options));
   print(result);
   slam::writeFileAtomically(options.out,
                             slam::tuning::withTunedValues(robot, result.parameters, remark));

@@ -232,6 +232,28 @@ TEST(NoiseTunerTest, OfAValueThatIsFarTooLargeSaysHowLargeItIsAtMost) {
   EXPECT_GT(result.log_likelihood, result.log_likelihood_before + 20);
 }
 
+TEST(NoiseTunerTest, KeepsWhatAShortLogTellsNoBetterThanToItsOwnSize) {
+  int kept = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const NoiseTuner tuner(
+        [](const auto& more) {
+          auto all = rightMotion({"landmark_sensor.sigma_range_relative=0.05"});
+          all.insert(all.end(), more.begin(), more.end());
+          return wrongSettings(all);
+        },
+        {drive(seed, 2, 0.0, 0.0)});
+    for (const auto& parameter : tuner.run(tuner.defaultParameters()).parameters) {
+      const auto& why = parameter.why_unseen;
+      kept += why.find("the data tell no more than") == 0;
+      if (why.empty())
+        EXPECT_TRUE(parameter.is_bound || parameter.sigma < parameter.value) << parameter.name();
+      else
+        EXPECT_EQ(parameter.value, parameter.before) << parameter.name();
+    }
+  }
+  EXPECT_GT(kept, 0);
+}
+
 TEST(NoiseTunerTest, LeavesSensorSigmasAloneWhereObservationsBringTheirs) {
   auto log = drive(3, 100, 0.1, 0.05);
   for (auto& input : log.inputs)

@@ -81,11 +81,24 @@ TEST_F(Tune, OfABagWithoutObservationsFailsAndLeavesTheFileAlone) {
   EXPECT_EQ(folder.read("tuned.yaml"), "what was there");
 }
 
-TEST_F(Tune, SaysSoWhereEveryObservationBringsItsCovariance) {
+TEST_F(Tune, WithNothingToLearnSaysWhyAndWritesNoFile) {
   BagMaker(folder / "x.bag").addOdometry().addObservations();
-  ASSERT_EQ(tune("x.bag", "--parameter landmark_sensor.sigma_range"), 0) << folder.read("stderr");
-  EXPECT_TRUE(contains(folder.read("stdout"), "every observation brings its own covariance"));
-  EXPECT_TRUE(contains(folder.read("tuned.yaml"), "sigma_range: 0.3  # [m]"));
+  EXPECT_EQ(tune("x.bag", "--parameter landmark_sensor.sigma_range"), 1);
+  EXPECT_EQ(folder.read("stderr"),
+            "slam_tune: nothing can be tuned on x.bag, which does not show "
+            "landmark_sensor.sigma_range (every observation brings its own covariance); no file "
+            "was written\n");
+  EXPECT_EQ(folder.read("stdout"), "");
+  EXPECT_FALSE(folder.has("tuned.yaml"));
+  makeStanding("standing.bag");
+  EXPECT_EQ(tune("standing.bag",
+                 "--parameter wheel_odometry.alpha1 --parameter wheel_odometry.alpha4 "
+                 "--parameter wheel_odometry.alpha3"),
+            1);
+  EXPECT_TRUE(contains(folder.read("stderr"),
+                       "wheel_odometry.alpha1, wheel_odometry.alpha3 (the robot drives no more "
+                       "than 0 m), wheel_odometry.alpha4 (the robot turns no more than 0 rad)"))
+      << folder.read("stderr");
 }
 
 TEST_F(Tune, AgainInPlaceReadsWhatItWroteAndLeavesOneRemark) {
