@@ -80,7 +80,8 @@ bool BackendServices::load(slam_msgs::LoadMap::Request& request,
     const auto status = actions_.load(file);
     if (status.level == slam::Status::Level::kError)
       throw std::runtime_error("cannot use the map " + path + ": " + status.message);
-    const auto said = contents(file, has_grid_) + " and the pose loaded from " + path + inflated(file);
+    const auto said =
+        contents(file, has_grid_) + " and the pose loaded from " + path + inflated(file);
     return status.isOk() ? said : said + "; " + status.message;
   });
 }
