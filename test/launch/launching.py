@@ -91,8 +91,8 @@ def play_into_launch(bag, topics, rate, offline, *arguments):
     as the offline run; returns what it printed."""
     launch, environment = start_launch("use_sim_time:=true", *arguments)
     try:
-        subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r", str(rate),
-                        bag, "--topics", *topics], env=environment, check=True, timeout=60,
+        subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r",
+                        str(rate), bag, "--topics", *topics], env=environment, check=True, timeout=60,
                        stdout=subprocess.DEVNULL)
         wait_for_last_step(environment, offline)
         launch.send_signal(signal.SIGINT)

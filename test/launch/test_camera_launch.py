@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ekf_wheel on the simulated office's first seconds: images in, the same map in every way to run."""
+"""ekf_wheel on the simulated office's first seconds: images in, the same map in every way."""
 
 import os
 import pathlib

@@ -113,7 +113,8 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
     def test_full_disk_is_told_and_leaves_no_run_that_looks_complete(self):
         disk = self.root / "small"
         disk.mkdir()
-        mount = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=24k", "tmpfs", disk], check=False)
+        mount = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=24k", "tmpfs", disk],
+                               check=False)
         if mount.returncode != 0:
             self.skipTest("this machine does not let root mount")
         try:

@@ -55,8 +55,8 @@ class BadCameraTest(unittest.TestCase):
         edge.transform.rotation.w = 1.0
         cls.transforms.publish(TFMessage([edge]))
         cls.subscribers = [rospy.Subscriber(topic, kind, cls.keep, topic, queue_size=1000)
-                           for topic, kind in (("pose", PoseWithCovarianceStamped), ("/rosout", Log),
-                                               ("/diagnostics", DiagnosticArray))]
+                           for topic, kind in (("pose", PoseWithCovarianceStamped),
+                                               ("/rosout", Log), ("/diagnostics", DiagnosticArray))]
         cls.connected = wait_for(lambda: all(p.get_num_connections() > 0 for p in
                                              (cls.odom, cls.image, cls.info, cls.transforms)), 30)
 

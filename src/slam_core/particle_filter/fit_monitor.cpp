@@ -56,8 +56,10 @@ JointInnovation stacked(const std::vector<ObservationInnovation>& innovations) {
   for (const auto& innovation : innovations)
     if (innovation.used && used.size() < UpdateStatistics::kJoint) used.push_back(&innovation);
   const auto size = 2 * static_cast<Eigen::Index>(used.size());
-  JointInnovation joint{Eigen::VectorXd(size), Eigen::MatrixXd::Zero(size, size),
-                        Eigen::MatrixXd::Zero(size, size), {}};
+  JointInnovation joint{Eigen::VectorXd(size),
+                        Eigen::MatrixXd::Zero(size, size),
+                        Eigen::MatrixXd::Zero(size, size),
+                        {}};
   for (Eigen::Index row = 0; row < size; row += 2) {
     const auto& innovation = *used[static_cast<std::size_t>(row / 2)];
     joint.nu.segment<2>(row) = innovation.nu;

@@ -12,7 +12,7 @@ _COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK)
 
 
 def plot_odometry(truth, tracks, path):
-    """truth: poses (N x 3); tracks: poses by name, each moved so that it starts where truth does."""
+    """truth: poses (N x 3); tracks: poses by name, each moved to start where truth does."""
     truth = np.asarray(truth, dtype=float)
     with look.style():
         figure, axes = look.plt.subplots(figsize=(7.2, 6.0), constrained_layout=True)

@@ -58,7 +58,8 @@ class Launch(unittest.TestCase):
         pathlib.Path("p.yaml").write_text(PRODUCT, encoding="ascii")
 
     def command(self, *arguments):
-        return slam_run.launch_command(slam_run.parse_arguments([*REQUIRED, "--online", *arguments]))
+        options = slam_run.parse_arguments([*REQUIRED, "--online", *arguments])
+        return slam_run.launch_command(options)
 
     def test_has_absolute_paths_and_runs_as_fast_as_it_goes(self):
         command = self.command()
