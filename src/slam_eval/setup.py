@@ -2,6 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Python modules of slam_eval, installed by catkin."""
 from catkin_pkg.python_setup import generate_distutils_setup
-from setuptools import setup
+from setuptools import find_packages, setup
 
-setup(**generate_distutils_setup(packages=['slam_eval'], package_dir={'': 'src'}))
+setup(**generate_distutils_setup(packages=find_packages("src"), package_dir={"": "src"}))

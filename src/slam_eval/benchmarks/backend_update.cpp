@@ -5,9 +5,7 @@
 
 #include <cmath>
 
-#include "slam_core/contract/backend.hpp"
-#include "slam_core/contract/registry.hpp"
-#include "slam_core/product/product_config.hpp"
+#include "slam_core/ekf/ekf_slam.hpp"
 
 // Time of one update against the size of the map and the number of observations, while the robot
 // stays in one neighbourhood; of the global update that leaving it costs; and of a look at the
@@ -55,30 +53,27 @@ class GridWorld {
 class Filter {
  public:
   explicit Filter(std::int64_t landmarks) : world_(landmarks) {
-    slam::loadLibraries({});
-    slam::Settings settings;
-    backend_ = slam::Registry<slam::Backend>::instance().create("ekf");
-    backend_->configure(settings);
-    backend_->set(world_.map());
-    backend_->execute();
+    ekf_.configure(slam::ekf::EkfConfig());
+    ekf_.set(world_.map());
+    ekf_.execute();
   }
   void step(std::int64_t first, std::int64_t count) {
     slam::Motion motion;
     motion.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-8).asDiagonal();
-    backend_->set(motion);
-    backend_->set(world_.observe(first, count));
-    benchmark::DoNotOptimize(backend_->execute());
+    ekf_.set(motion);
+    ekf_.set(world_.observe(first, count));
+    benchmark::DoNotOptimize(ekf_.execute());
   }
   /// A new pose for the robot goes with a global update.
   void leave() {
-    backend_->set(backend_->pose());
-    benchmark::DoNotOptimize(backend_->execute());
+    ekf_.set(ekf_.pose());
+    benchmark::DoNotOptimize(ekf_.execute());
   }
-  slam::Backend& backend() { return *backend_; }
+  const slam::ekf::EkfSlam& ekf() const { return ekf_; }
 
  private:
   GridWorld world_;
-  std::unique_ptr<slam::Backend> backend_;
+  slam::ekf::EkfSlam ekf_;
 };
 
 constexpr std::int64_t kNeighbourhood = 60;
@@ -108,7 +103,7 @@ void marginalsOfEkf(benchmark::State& state) {
   Filter filter(state.range(0));
   filter.step(0, kNeighbourhood);
   filter.step(0, kNeighbourhood);
-  for (auto _ : state) benchmark::DoNotOptimize(filter.backend().landmarks());
+  for (auto _ : state) benchmark::DoNotOptimize(filter.ekf().landmarks());
 }
 
 const std::vector<std::int64_t> kSizes = {100, 300, 1000, 3000, 10000};

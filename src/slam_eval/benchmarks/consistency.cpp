@@ -12,6 +12,7 @@
 #include "loop_world.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/product/product_config.hpp"
@@ -35,20 +36,32 @@ double nees(const slam::PoseEstimate& estimate, const slam::Pose2& truth) {
   return error.dot(estimate.covariance.inverse() * error);
 }
 
+/// @throw std::runtime_error where the back-end has no such input
+template <class T>
+const slam::InputPort& inputOf(const slam::Ports& ports) {
+  for (const auto& input : ports.inputs())
+    if (input.kind == slam::kindOf<T>()) return input;
+  throw std::runtime_error("the back-end does not take " + slam::nameOf(slam::kindOf<T>()));
+}
+
 void runSeed(slam::Backend& backend, const LoopWorldConfig& world, std::uint64_t seed, Sums& sums) {
   const auto steps = simulateLoop(world, seed);
   sums.nees.resize(steps.size());
   backend.reset();
+  const auto ports = slam::portsOf(backend);
+  const auto* mapper = slam::capabilitiesOf(backend).find<slam::LandmarkMapper>();
+  if (mapper == nullptr) throw std::runtime_error("the back-end maps no landmarks");
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    backend.set(steps[i].motion);
-    backend.set(steps[i].observations);
+    inputOf<slam::Motion>(ports).set(&steps[i].motion);
+    inputOf<slam::LandmarkObservationArray>(ports).set(&steps[i].observations);
     const auto status = backend.execute();
     if (status.level == slam::Status::Level::kError) throw std::runtime_error(status.message);
     const auto estimate = backend.pose();
     sums.nees[i] += nees(estimate, steps[i].truth);
     sums.squared_error += (estimate.pose.position() - steps[i].truth.position()).squaredNorm();
-    sums.nis += backend.statistics().nis;
-    sums.nis_dof += backend.statistics().nis_dof;
+    const auto statistics = mapper->statistics();
+    sums.nis += statistics.nis;
+    sums.nis_dof += statistics.nis_dof;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fiducial_setup.hpp"
+#include "slam_core/camera/image.hpp"
 #include "slam_sim/studio.hpp"
 
 namespace slam::eval {
@@ -53,14 +54,18 @@ struct Contest {
 
 nlohmann::json hold(const Contest& contest, const cv::Mat& gray, int repeats) {
   auto ours = makeDetector(contest.detector, contest.overrides);
-  ours->set(calibrationFor(gray));
-  ours->set(CameraMount{"camera", Eigen::Isometry3d::Identity()});
+  const auto ports = portsOf(*ours);
+  const auto give = [&ports](const auto& value) {
+    ports.input("camera", kindOf<std::decay_t<decltype(value)>>())->set(&value);
+  };
+  give(calibrationFor(gray));
+  give(CameraMount{"camera", Eigen::Isometry3d::Identity()});
   std::vector<double> ours_ms, bare_ms;
   int markers = 0;
   for (int i = 0; i <= repeats; ++i) {
     const Image image{stampFromNanoseconds(i + 1), "camera", gray, ""};
     const double ours_time = timeOf([&] {
-      ours->set(image);
+      give(image);
       ours->execute();
     });
     const double bare_time = timeOf([&] { markers = contest.bare->detect(gray); });

@@ -3,13 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <memory>
 #include <string>
 
 #include "corridor_world.hpp"
-#include "slam_core/contract/backend.hpp"
-#include "slam_core/contract/registry.hpp"
-#include "slam_core/product/product_config.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 // Time of one scan of the particle filter with grid maps, and memory, against particles, threads,
 // beams and the length of the corridor that has been mapped before. Each scan is used.
@@ -31,11 +28,9 @@ class MappedCorridor {
  public:
   explicit MappedCorridor(const benchmark::State& state)
       : drive_(static_cast<int>(state.range(2))) {
-    slam::loadLibraries({});
     auto settings = settingsFor(state);
-    backend_ = slam::Registry<slam::Backend>::instance().create("pf");
-    backend_->useMap("grid");
-    backend_->configure(settings);
+    filter_.useMap("grid");
+    filter_.configure(settings);
     const auto length = static_cast<double>(state.range(3));
     for (double way = 0.0; way < length; way += kBuild) take(drive_.step(kBuild));
   }
@@ -43,15 +38,15 @@ class MappedCorridor {
   slam::eval::CorridorDrive::Step next() { return drive_.step(kStep); }
 
   void take(const slam::eval::CorridorDrive::Step& step) {
-    backend_->set(step.motion);
-    benchmark::DoNotOptimize(backend_->execute());
-    backend_->set(step.scan);
-    benchmark::DoNotOptimize(backend_->execute());
+    filter_.set(step.motion);
+    benchmark::DoNotOptimize(filter_.execute());
+    filter_.set(step.scan);
+    benchmark::DoNotOptimize(filter_.execute());
   }
 
  private:
   slam::eval::CorridorDrive drive_;
-  std::unique_ptr<slam::Backend> backend_;
+  slam::particle_filter::FastSlam filter_;
 };
 
 void scanOfGrid(benchmark::State& state) {

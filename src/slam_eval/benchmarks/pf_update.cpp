@@ -8,9 +8,7 @@
 #include <string>
 
 #include "slam_core/common/random.hpp"
-#include "slam_core/contract/backend.hpp"
-#include "slam_core/contract/registry.hpp"
-#include "slam_core/product/product_config.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 // Time of one update of the particle filter against the number of particles and the size of the
 // map.
@@ -62,10 +60,9 @@ class GridWorld {
 };
 
 void updateOfPf(benchmark::State& state) {
-  slam::loadLibraries({});
   slam::Settings settings({}, {}, {"pf.particles=" + std::to_string(state.range(0))});
-  auto backend = slam::Registry<slam::Backend>::instance().create("pf");
-  backend->configure(settings);
+  slam::particle_filter::FastSlam filter;
+  filter.configure(settings);
   GridWorld world(state.range(1));
   slam::Motion motion;
   motion.covariance =
@@ -73,14 +70,14 @@ void updateOfPf(benchmark::State& state) {
                       kSigmaHeading * kSigmaHeading)
           .asDiagonal();
   const auto step = [&](const slam::LandmarkObservationArray& observations) {
-    backend->set(motion);
-    backend->set(observations);
-    benchmark::DoNotOptimize(backend->execute());
+    filter.set(motion);
+    filter.set(observations);
+    benchmark::DoNotOptimize(filter.execute());
   };
   step(world.all());  // every particle builds a map of its own: nothing is shared
   for (int i = 0; i < 20; ++i) step(world.some());
   for (auto _ : state) step(world.some());
-  const double resampled = static_cast<double>(backend->counters()["resampled"]);
+  const double resampled = static_cast<double>(filter.counters()["resampled"]);
   state.counters["resampled"] = resampled / static_cast<double>(state.iterations() + 20);
 }
 

@@ -40,7 +40,7 @@ class MappedCorridor {
   void take(const slam::eval::CorridorDrive::Step& step) {
     way_ = step.truth.x();
     map_.set(step.motion);
-    map_.set(slam::point_map::FilterPose::of(step.scan.stamp, step.truth));
+    map_.set(slam::FilterPose::of(step.scan.stamp, step.truth));
     map_.set(step.scan);
     do benchmark::DoNotOptimize(map_.execute());
     while (map_.isBusy());

@@ -54,8 +54,8 @@ class BagWriter {
   /// From the first to the last stamp [s].
   double duration() const;
 
-  /// Writes PATH.part and renames it to PATH when it and what belongs beside it are complete:
-  /// there is never a half bag.
+  /// Writes a part beside PATH and renames it to PATH when it and what belongs beside it are
+  /// complete: there is never a half bag.
   /// @throw UsageError PATH's folder is not there or PATH is no file; ImportError no messages, or
   /// writing failed
   void write(const std::string& path, Progress& progress);

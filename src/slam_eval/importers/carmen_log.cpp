@@ -64,7 +64,7 @@ class CarmenReader {
       : path_(path), max_range_(max_range) {}
 
   CarmenLog read() {
-    if (!std::filesystem::is_regular_file(path_)) throw UsageError("there is no file " + path_);
+    requireFile(path_);
     std::ifstream file(path_);
     std::string line;
     for (std::size_t number = 1; std::getline(file, line); ++number)

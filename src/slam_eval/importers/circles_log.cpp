@@ -107,6 +107,8 @@ void addLine(CirclesLog& log, const TextRow& row, const std::string& kind,
 }  // namespace
 
 CirclesLog readCircles(const std::string& path) {
+  if (const auto fault = inputFileFault(path); !fault.empty())
+    throw ImportError("cannot read " + path + ": " + fault);
   std::ifstream file(path);
   if (!file) throw ImportError("cannot read " + path);
   CirclesLog log;

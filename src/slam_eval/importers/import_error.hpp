@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <stdexcept>
+#include <string>
+
+#include "slam_core/common/input_file.hpp"
 
 namespace slam::eval {
 
@@ -17,5 +21,12 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// @throw UsageError where a path that the command names is no regular file
+inline void requireFile(const std::string& path) {
+  if (!std::filesystem::exists(path)) throw UsageError("there is no file " + path);
+  if (const auto fault = inputFileFault(path); !fault.empty())
+    throw UsageError("cannot read " + path + ": " + fault);
+}
 
 }  // namespace slam::eval

@@ -32,6 +32,10 @@ class Importer {
   /// Declares the input's positional argument and the format's own options.
   virtual void addOptions(CLI::App& command) = 0;
 
+  /// The file that a foreign library reads, which may crash where it is damaged; empty where none
+  /// does. After the command line is parsed.
+  virtual std::string fileOfLibrary() const { return ""; }
+
   /// Reads the input and adds all its messages to the bag.
   /// @return what was read and what was left out, sentences for the summary
   /// @throw UsageError, ImportError

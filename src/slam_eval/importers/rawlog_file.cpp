@@ -46,8 +46,7 @@ std::vector<char> readBytes(const std::string& path, Progress& progress) {
 
 std::vector<mrpt::serialization::CSerializable::Ptr> readRawlogObjects(const std::string& path,
                                                                        Progress& progress) {
-  if (!fs::exists(path)) throw UsageError("there is no file " + path);
-  if (!fs::is_regular_file(path)) throw UsageError(path + " is no file");
+  requireFile(path);
   const std::vector<char> bytes = readBytes(path, progress);
   if (bytes.empty()) throw ImportError(path + " is empty");
   mrpt::io::CMemoryStream stream;
@@ -57,7 +56,7 @@ std::vector<mrpt::serialization::CSerializable::Ptr> readRawlogObjects(const std
   while (stream.getPosition() < bytes.size()) {
     try {
       objects.push_back(archive.ReadObject());
-    } catch (const std::exception&) {
+    } catch (const std::exception&) {  // std::bad_alloc as well
       // MRPT's own message is a call stack of many lines.
       if (objects.empty()) throw ImportError(path + " is no MRPT rawlog");
       throw ImportError(path + " is damaged or truncated: object " +

@@ -129,6 +129,8 @@ class RawlogImporter : public Importer {
                        "true path [default: NAME_ground_truth_robot_path.txt beside the rawlog]");
   }
 
+  std::string fileOfLibrary() const override { return file_; }
+
   std::string import(BagWriter& bag, Progress& progress) override {
     const RawlogLog log = readRawlog(file_, progress);
     addRobotName(bag, log.scans.empty() ? "mrpt_demo" : "sena");

@@ -16,10 +16,6 @@ namespace {
 
 constexpr char kComment = '%';
 
-void requireFile(const std::string& path) {
-  if (!fs::is_regular_file(path)) throw UsageError("there is no file " + path);
-}
-
 }  // namespace
 
 std::string findTruthFile(const std::string& rawlog, const std::string& ending) {

@@ -5,11 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <vector>
 
 #include "import_error.hpp"
 #include "importer.hpp"
+#include "slam_core/common/child_process.hpp"
 #include "slam_core/common/nearest_name.hpp"
 
 namespace {
@@ -28,6 +32,44 @@ int runImport(Importer& importer, const std::string& output) {
   return 0;
 }
 
+int fail(const std::exception& error, int code) {
+  std::cerr << "slam_import: " << error.what() << std::endl;
+  return code;
+}
+
+/// @return the exit code
+int runAndTell(Importer& importer, const std::string& output) {
+  try {
+    return runImport(importer, output);
+  } catch (const slam::eval::UsageError& error) {
+    return fail(error, 2);
+  } catch (const std::bad_alloc&) {
+    return fail(slam::eval::ImportError("there is not enough memory for the log; is it damaged?"),
+                1);
+  } catch (const std::exception& error) {
+    return fail(error, 1);
+  }
+}
+
+/// Where a foreign library reads the log, all is done in a process of its own, which may crash.
+int runGuarded(Importer& importer, const std::string& output) {
+  constexpr std::uint64_t kMemory = 2ull << 30, kMemoryPerByte = 100, kBytesPerSecond = 1u << 16;
+  const auto file = importer.fileOfLibrary();
+  if (file.empty()) return runAndTell(importer, output);
+  slam::eval::requireFile(file);
+  const auto size = std::filesystem::file_size(file);
+  std::fflush(stdout);
+  slam::ChildProcess child({kMemory + kMemoryPerByte * size, 60 + size / kBytesPerSecond, false},
+                           [&](int) {
+                             const int code = runAndTell(importer, output);
+                             std::fflush(stdout);
+                             return code;
+                           });
+  const auto end = child.wait();
+  if (end.crash.empty()) return end.exit_code;
+  throw slam::eval::ImportError(file + " is damaged: reading it ends with " + end.crash);
+}
+
 /// CLI11 only says that it did not expect the word.
 /// @throw UsageError that names the formats, and the nearest one
 void requireKnownFormat(int argc, char** argv,
@@ -39,11 +81,6 @@ void requireKnownFormat(int argc, char** argv,
   throw slam::eval::UsageError("there is no format '" + std::string(argv[1]) + "'" +
                                slam::didYouMean(argv[1], names) +
                                "; the formats are: " + slam::join(names));
-}
-
-int fail(const std::exception& error, int code) {
-  std::cerr << "slam_import: " << error.what() << std::endl;
-  return code;
 }
 
 }  // namespace
@@ -70,7 +107,7 @@ int main(int argc, char** argv) {
     requireKnownFormat(argc, argv, importers);
     app.parse(argc, argv);
     for (std::size_t i = 0; i < commands.size(); ++i) {
-      if (commands[i]->parsed()) return runImport(*importers[i], output);
+      if (commands[i]->parsed()) return runGuarded(*importers[i], output);
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -84,6 +84,8 @@ void TextRow::fail(std::size_t column, std::string_view expected) const {
 }
 
 std::vector<TextRow> readTable(const std::string& path, std::size_t columns, char comment) {
+  if (const auto fault = inputFileFault(path); !fault.empty())
+    throw ImportError("cannot read " + path + ": " + fault);
   std::ifstream file(path);
   if (!file) throw ImportError("cannot read " + path);
   std::vector<TextRow> rows;

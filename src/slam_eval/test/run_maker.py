@@ -8,9 +8,9 @@ import numpy as np
 
 # The tests run from the source tree too, without a catkin environment.
 PACKAGE = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(PACKAGE / 'src'))
+sys.path.insert(0, str(PACKAGE / "src"))
 
-from slam_eval import se2  # noqa: E402
+from slam_eval.geometry import se2  # noqa: E402
 
 T_WORLD_MAP = np.array([3.0, -2.0, 0.7])
 STEP = 0.2
@@ -29,33 +29,33 @@ def ring(count=1500, laps=3.0, radius=4.0):
 def tum_lines(stamps, poses):
     """Lines of a trajectory file."""
     half = 0.5 * poses[:, 2]
-    return ''.join('%.9f %.9f %.9f 0.000000000 0.000000000 0.000000000 %.9f %.9f\n'
+    return "".join("%.9f %.9f %.9f 0.000000000 0.000000000 0.000000000 %.9f %.9f\n"
                    % (t, x, y, s, c)
                    for t, (x, y, _), s, c in zip(stamps, poses, np.sin(half), np.cos(half)))
 
 
 def landmark_lines(ids, positions, covariances=None, pose=None):
     """Text of a landmark map."""
-    text = 'version: 1\nframe: map\nunits: {position: m, angle: rad}\n'
+    text = "version: 1\nframe: map\nunits: {position: m, angle: rad}\n"
     if pose is not None:
         text += 'stamp: "1000.000000000"\npose: {x: %.9f, y: %.9f, theta: %.9f, ' % tuple(pose)
-        text += 'covariance: [0, 0, 0, 0, 0, 0, 0, 0, 0]}\n'
-    text += 'landmarks:\n'
+        text += "covariance: [0, 0, 0, 0, 0, 0, 0, 0, 0]}\n"
+    text += "landmarks:\n"
     for i, (identity, (x, y)) in enumerate(zip(ids, positions)):
-        text += '  - {id: %d, x: %.9f, y: %.9f' % (identity, x, y)
+        text += "  - {id: %d, x: %.9f, y: %.9f" % (identity, x, y)
         if covariances is not None:
-            text += ', covariance: [%.9g, %.9g, %.9g, %.9g]' % tuple(covariances[i].ravel())
-        text += '}\n'
+            text += ", covariance: [%.9g, %.9g, %.9g, %.9g]" % tuple(covariances[i].ravel())
+        text += "}\n"
     return text
 
 
 def update_lines(stamps, covariances, nis, dof, landmarks):
     """Text of updates.csv."""
-    text = ('stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,'
-            'unknown,landmarks\n')
+    text = ("stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,"
+            "unknown,landmarks\n")
     for t, P, value, count in zip(stamps, covariances, nis, dof):
-        upper = ','.join('%.12g' % P[i, j] for i in range(3) for j in range(i, 3))
-        text += '%.9f,%s,%.9g,%d,%d,0,0,0,%d\n' % (t, upper, value, count, count // 2, landmarks)
+        upper = ",".join("%.12g" % P[i, j] for i in range(3) for j in range(i, 3))
+        text += "%.9f,%s,%.9g,%d,%d,0,0,0,%d\n" % (t, upper, value, count, count // 2, landmarks)
     return text
 
 
@@ -84,27 +84,27 @@ def make_run(folder, seed=1, count=1500, truth=True, landmarks=18, optimism=1.0,
         np.linspace(0.0, 19.0, count)))[:, None] * np.minimum(1.0, 0.02 * np.arange(count))[:, None]
     estimate = true + sigma * _smooth_noise(count, random)
     estimate[:, 2] = se2.wrap_angle(estimate[:, 2])
-    P = np.einsum('ni,ij->nij', (sigma / optimism) ** 2, np.eye(3))
+    P = np.einsum("ni,ij->nij", (sigma / optimism) ** 2, np.eye(3))
     dof = 2 * random.integers(0, 5, count)
     nis = np.array([random.chisquare(k) if k else 0.0 for k in dof]) * optimism
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / 'trajectory.tum').write_text(tum_lines(stamps, estimate))
-    (folder / 'odometry.tum').write_text(tum_lines(stamps, _odometry(true, random)))
-    (folder / 'updates.csv').write_text(update_lines(stamps, P, nis, dof, landmarks))
-    (folder / 'metrics.json').write_text('{"updates": %d, "update_ms_p50": 0.031, "cpu_s": 0.8, '
+    (folder / "trajectory.tum").write_text(tum_lines(stamps, estimate))
+    (folder / "odometry.tum").write_text(tum_lines(stamps, _odometry(true, random)))
+    (folder / "updates.csv").write_text(update_lines(stamps, P, nis, dof, landmarks))
+    (folder / "metrics.json").write_text('{"updates": %d, "update_ms_p50": 0.031, "cpu_s": 0.8, '
                                          '"update_ms_p99": 0.12, "dropped_messages": 0}' % count)
-    (folder / 'config.yaml').write_text('version: 1\nproduct: ekf_wheel\nrobot: ring\nseed: 1\n'
-                                        'ekf:\n  gate_probability: 0.99\n')
+    (folder / "config.yaml").write_text("version: 1\nproduct: ekf_wheel\nrobot: ring\nseed: 1\n"
+                                        "ekf:\n  gate_probability: 0.99\n")
     spots = random.uniform([-8.0, -3.0], [8.0, 11.0], (landmarks, 2))
     roots = random.normal(0.0, 0.05, (landmarks, 2, 2))
     spread = roots @ roots.transpose(0, 2, 1) + 4e-4 * np.eye(2)
     seen = spots + np.array([random.multivariate_normal([0, 0], C) for C in spread])
     ids = list(range(6, 6 + landmarks))
-    (folder / 'landmarks.yaml').write_text(landmark_lines(ids, seen, spread, estimate[-1]))
+    (folder / "landmarks.yaml").write_text(landmark_lines(ids, seen, spread, estimate[-1]))
     if truth:
         keep = np.ones(count, dtype=bool)
         keep[count // 2:count // 2 + 40] = not gap
         world = se2.transform_poses(T_WORLD_MAP, true)
-        (folder / 'ground_truth.tum').write_text(tum_lines(stamps[keep], world[keep]))
-        (folder / 'ground_truth_landmarks.yaml').write_text(
+        (folder / "ground_truth.tum").write_text(tum_lines(stamps[keep], world[keep]))
+        (folder / "ground_truth_landmarks.yaml").write_text(
             landmark_lines(ids, se2.transform_points(T_WORLD_MAP, spots)))

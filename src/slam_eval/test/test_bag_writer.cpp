@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -125,6 +126,17 @@ TEST_F(BagWriterTest, ReportsADiskThatIsFullOnlyAtTheEnd) {
   }
   EXPECT_NE(message.find("no bag was left"), std::string::npos) << message;
   EXPECT_EQ(folder_.count(), 0);
+}
+
+TEST_F(BagWriterTest, WritesThroughNoLinkThatLiesBesideTheBag) {
+  addPoses(10);
+  const auto victim = folder_.file("victim"), part = folder_.file("a.bag.part");
+  folder_.write("victim", "of another person");
+  for (const auto& link : {part, part + std::to_string(::getpid())})
+    std::filesystem::create_symlink(victim, link);
+  writer_.write(folder_.file("a.bag"), progress_);
+  EXPECT_EQ(std::filesystem::file_size(victim), 17u);
+  EXPECT_FALSE(std::filesystem::is_symlink(folder_.file("a.bag")));
 }
 
 TEST_F(BagWriterTest, RefusesAFolderThatIsNotThere) {

@@ -8,9 +8,9 @@ import tempfile
 import unittest
 from unittest import mock
 
-from slam_eval import bench_process, bench_programs
-from slam_eval.bench_error import BenchError
-from slam_eval.bench_progress import Progress
+from slam_eval.bench.harness import process, programs
+from slam_eval.bench.harness.error import BenchError
+from slam_eval.bench.harness.progress import Progress
 
 
 class Folder(unittest.TestCase):
@@ -23,50 +23,50 @@ class Folder(unittest.TestCase):
 
     def run_shell(self, script, watch=None):
         """Run a script as a benchmark's program."""
-        return bench_process.run(['/bin/sh', '-c', script], self.folder / 'log', watch=watch)
+        return process.run(["/bin/sh", "-c", script], self.folder / "log", watch=watch)
 
 
 class Process(Folder):
 
     def test_output_goes_to_the_log(self):
-        self.run_shell('echo out; echo err >&2')
-        self.assertEqual((self.folder / 'log').read_text(encoding='ascii'), 'out\n')
-        self.assertEqual((self.folder / 'log.err').read_text(encoding='ascii'), 'err\n')
+        self.run_shell("echo out; echo err >&2")
+        self.assertEqual((self.folder / "log").read_text(encoding="ascii"), "out\n")
+        self.assertEqual((self.folder / "log.err").read_text(encoding="ascii"), "err\n")
 
     def test_cpu_time_is_what_the_program_used_not_how_long_it_took(self):
-        usage = self.run_shell('sleep 0.5')
+        usage = self.run_shell("sleep 0.5")
         self.assertGreaterEqual(usage.wall_s, 0.5)
         self.assertLess(usage.cpu_s, 0.25)
 
     def test_memory_is_the_programs_own_not_that_of_python(self):
         ballast = bytearray(100_000_000)
-        ballast[::4096] = b'x' * len(ballast[::4096])
-        usage = self.run_shell('sleep 0.3')
+        ballast[::4096] = b"x" * len(ballast[::4096])
+        usage = self.run_shell("sleep 0.3")
         self.assertGreater(usage.max_rss_mb, 0.1)
         self.assertLess(usage.max_rss_mb, 50.0)
 
     def test_a_failure_says_the_programs_last_words(self):
-        with self.assertRaisesRegex(BenchError, 'sh ended with exit code 3: no such map'):
-            self.run_shell('echo hello; echo no such map >&2; exit 3')
+        with self.assertRaisesRegex(BenchError, "sh ended with exit code 3: no such map"):
+            self.run_shell("echo hello; echo no such map >&2; exit 3")
 
     def test_a_killed_program_is_a_failure(self):
-        with self.assertRaisesRegex(BenchError, 'signal 9'):
-            self.run_shell('kill -9 $$')
+        with self.assertRaisesRegex(BenchError, "signal 9"):
+            self.run_shell("kill -9 $$")
 
     def test_a_program_that_is_not_there_is_a_failure(self):
-        with self.assertRaisesRegex(BenchError, '/nowhere/x cannot be run'):
-            bench_process.run(['/nowhere/x'], self.folder / 'log')
+        with self.assertRaisesRegex(BenchError, "/nowhere/x cannot be run"):
+            process.run(["/nowhere/x"], self.folder / "log")
 
     def test_a_benchmark_that_is_given_up_leaves_no_program_behind(self):
         pids = []
 
         def give_up(_):
-            pids.append(int((self.folder / 'log').read_text(encoding='ascii') or 0))
+            pids.append(int((self.folder / "log").read_text(encoding="ascii") or 0))
             if pids[-1]:
                 raise KeyboardInterrupt
 
         with self.assertRaises(KeyboardInterrupt):
-            self.run_shell('echo $$; exec sleep 60', give_up)
+            self.run_shell("echo $$; exec sleep 60", give_up)
         with self.assertRaises(ProcessLookupError):
             os.kill(pids[-1], 0)
 
@@ -75,27 +75,27 @@ class Programs(Folder):
 
     def make_program(self, prefix):
         """A program of the package pkg in a workspace."""
-        path = self.folder / prefix / 'lib' / 'pkg' / 'prog'
+        path = self.folder / prefix / "lib" / "pkg" / "prog"
         path.parent.mkdir(parents=True)
-        path.write_text('#!/bin/sh\n', encoding='ascii')
+        path.write_text("#!/bin/sh\n", encoding="ascii")
         path.chmod(0o755)
         return path
 
     def test_the_first_workspace_wins(self):
-        first = self.make_program('a')
-        self.make_program('b')
-        prefixes = f'{self.folder}/none:{self.folder}/a:{self.folder}/b'
+        first = self.make_program("a")
+        self.make_program("b")
+        prefixes = f"{self.folder}/none:{self.folder}/a:{self.folder}/b"
         with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=prefixes):
-            self.assertEqual(bench_programs.workspace_program('pkg', 'prog'), first)
+            self.assertEqual(programs.workspace_program("pkg", "prog"), first)
 
     def test_a_program_that_is_not_built_is_named(self):
         with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=str(self.folder)):
-            with self.assertRaisesRegex(BenchError, 'prog of pkg'):
-                bench_programs.workspace_program('pkg', 'prog')
+            with self.assertRaisesRegex(BenchError, "prog of pkg"):
+                programs.workspace_program("pkg", "prog")
 
     def test_data_are_looked_for_where_the_environment_says(self):
-        with mock.patch.dict(os.environ, SLAM_DATA_DIR='/data'):
-            self.assertEqual(bench_programs.data_folder('set'), pathlib.Path('/data/set'))
+        with mock.patch.dict(os.environ, SLAM_DATA_DIR="/data"):
+            self.assertEqual(programs.data_folder("set"), pathlib.Path("/data/set"))
 
 
 class ProgressInALog(unittest.TestCase):
@@ -103,12 +103,12 @@ class ProgressInALog(unittest.TestCase):
     def test_a_task_gives_one_line_however_often_it_reports(self):
         stream = io.StringIO()
         progress = Progress(stream)
-        progress.begin('kf-slam')
+        progress.begin("kf-slam")
         for step in range(1000):
-            progress.update(f'step {step}')
+            progress.update(f"step {step}")
         progress.end()
-        self.assertEqual(stream.getvalue(), 'kf-slam ...\n')
+        self.assertEqual(stream.getvalue(), "kf-slam ...\n")
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

@@ -7,10 +7,11 @@ import unittest
 
 import numpy as np
 
-from slam_eval import bench_vo, se2
-from slam_eval.bench_error import BenchError
-from slam_eval.drift import segment_drift
-from slam_eval.trajectory import Trajectory
+from slam_eval.bench import vo
+from slam_eval.bench.harness.error import BenchError
+from slam_eval.geometry import se2
+from slam_eval.io.trajectory import Trajectory
+from slam_eval.metrics.drift import segment_drift
 
 
 def line(scale=1.0, turn_per_m=0.0):
@@ -43,22 +44,22 @@ class SegmentDrift(unittest.TestCase):
 
 class Benchmark(unittest.TestCase):
 
-    RESULT = {'visual': [{'features': 'orb', 'translation': 0.002, 'rotation_rad_per_m': 0.001,
-                          'nees_1': 1.0, 'nees_100': 0.5}],
-              'wheels': {'translation': 0.05, 'rotation_rad_per_m': 0.02}}
+    RESULT = {"visual": [{"features": "orb", "translation": 0.002, "rotation_rad_per_m": 0.001,
+                          "nees_1": 1.0, "nees_100": 0.5}],
+              "wheels": {"translation": 0.05, "rotation_rad_per_m": 0.02}}
 
     def test_rows_are_in_percent_and_degrees(self):
-        row, = bench_vo.drive_rows({7: bench_vo.read_result(json.dumps(self.RESULT))})
-        self.assertEqual(row[0], '7')
+        row, = vo.drive_rows({7: vo.read_result(json.dumps(self.RESULT))})
+        self.assertEqual(row[0], "7")
         for value, expected in zip(row[1:], (0.2, math.degrees(0.001), 5.0, math.degrees(0.02), 1.0,
                                              0.5)):
             self.assertAlmostEqual(value, expected)
 
     def test_other_output_is_an_error(self):
-        for text in ('', '{}', '[1]', '{"visual": [{}], "wheels": {}}'):
+        for text in ("", "{}", "[1]", '{"visual": [{}], "wheels": {}}'):
             with self.subTest(text), self.assertRaises(BenchError):
-                bench_vo.read_result(text)
+                vo.read_result(text)
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

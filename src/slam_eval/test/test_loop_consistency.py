@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from slam_eval.loop_consistency import consistency, Errors, map_by_odometry
+from slam_eval.metrics.loop_consistency import consistency, Errors, map_by_odometry
 
 # 1 and 2 are seen together at once, 3 only at the end of the loop, beside 1.
 SIGHTS = [{1: (1.0, 0.0), 2: (2.0, 0.0)}, {}, {}, {1: (1.0, 0.0), 3: (1.0, 1.0)}]
@@ -39,5 +39,5 @@ class LoopConsistencyTest(unittest.TestCase):
         np.testing.assert_allclose(positions[2], (1.0, 3.0))
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

@@ -15,21 +15,23 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
 
 import run_maker  # noqa: E402
-from slam_eval import map_agreement as agreement, se2  # noqa: E402
-from slam_eval.cli import main  # noqa: E402
-from slam_eval.errors import InputError  # noqa: E402
-from slam_eval.grid_map import FREE, GridMap, OCCUPIED, read_grid, UNKNOWN  # noqa: E402
-from slam_eval.point_cloud import read_points  # noqa: E402
-from slam_eval.surfaces import Laser, read_simulated_laser, Surfaces  # noqa: E402
-from slam_eval.trajectory import Trajectory  # noqa: E402
-from slam_eval.world_plan import read_world  # noqa: E402
+from slam_eval.geometry import se2  # noqa: E402
+from slam_eval.geometry.surfaces import Surfaces  # noqa: E402
+from slam_eval.io.errors import InputError  # noqa: E402
+from slam_eval.io.grid_map import FREE, GridMap, OCCUPIED, read_grid, UNKNOWN  # noqa: E402
+from slam_eval.io.point_cloud import read_points  # noqa: E402
+from slam_eval.io.simulated_laser import Laser, read_simulated_laser  # noqa: E402
+from slam_eval.io.trajectory import Trajectory  # noqa: E402
+from slam_eval.io.world_plan import read_world  # noqa: E402
+from slam_eval.metrics import map_agreement as agreement  # noqa: E402
+from slam_eval.report.cli import main  # noqa: E402
 
 ROOM = [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]
-WORLD = ('ceiling: {height: 2.5}\n'
-         'walls:\n  - {points: [[0, 0], [4, 0], [4, 3], [0, 3]], closed: true}\n'
-         'furniture:\n  - {centre: [1, 1], size: [0.5, 0.4, 0.2]}\n')
-SIMULATED = ('robot: ring\nlaser:\n  frame: laser\n  position: [0.1, 0.0, 0.3]\n'
-             '  field_of_view: 6.2\n  max_range: 10.0\n')
+WORLD = ("ceiling: {height: 2.5}\n"
+         "walls:\n  - {points: [[0, 0], [4, 0], [4, 3], [0, 3]], closed: true}\n"
+         "furniture:\n  - {centre: [1, 1], size: [0.5, 0.4, 0.2]}\n")
+SIMULATED = ("robot: ring\nlaser:\n  frame: laser\n  position: [0.1, 0.0, 0.3]\n"
+             "  field_of_view: 6.2\n  max_range: 10.0\n")
 NO_TURN = np.zeros(3)
 
 
@@ -60,18 +62,18 @@ def write_grid(folder, grid):
     grey = np.full(grid.cells.shape, 205, np.uint8)
     grey[grid.cells == FREE], grey[grid.cells == OCCUPIED] = 254, 0
     height, width = grey.shape
-    (folder / 'map.pgm').write_bytes(b'P5\n# made by a test\n%d %d\n255\n' % (width, height)
+    (folder / "map.pgm").write_bytes(b"P5\n# made by a test\n%d %d\n255\n" % (width, height)
                                      + grey[::-1].tobytes())
-    (folder / 'map.yaml').write_text(
-        f'image: map.pgm\nresolution: {grid.resolution}\norigin: [{grid.origin[0]}, '
-        f'{grid.origin[1]}, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n')
+    (folder / "map.yaml").write_text(
+        f"image: map.pgm\nresolution: {grid.resolution}\norigin: [{grid.origin[0]}, "
+        f"{grid.origin[1]}, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
 
 
 def pcd(points):
     """Text of a point cloud."""
-    return (f'# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\n'
-            f'COUNT 1 1 1 1\nWIDTH {len(points)}\nHEIGHT 1\nPOINTS {len(points)}\nDATA ascii\n'
-            + ''.join('%.6f %.6f 0 1\n' % (x, y) for x, y in points))
+    return (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\n"
+            f"COUNT 1 1 1 1\nWIDTH {len(points)}\nHEIGHT 1\nPOINTS {len(points)}\nDATA ascii\n"
+            + "".join("%.6f %.6f 0 1\n" % (x, y) for x, y in points))
 
 
 class Files(unittest.TestCase):
@@ -86,57 +88,57 @@ class Files(unittest.TestCase):
         with self.assertRaises(InputError) as caught:
             reader(path)
         self.assertIn(part, str(caught.exception))
-        self.assertNotIn('\n', str(caught.exception))
+        self.assertNotIn("\n", str(caught.exception))
 
     def test_reads_a_grid_with_its_place(self):
         cells = np.array([[FREE, OCCUPIED, UNKNOWN], [FREE, FREE, OCCUPIED]], np.int8)
         write_grid(self.folder, GridMap(cells, 0.5, np.array([-1.0, 2.0])))
-        grid = read_grid(self.folder / 'map.yaml')
+        grid = read_grid(self.folder / "map.yaml")
         np.testing.assert_array_equal(grid.cells, cells)
         np.testing.assert_allclose(grid.centres(OCCUPIED), [[-0.25, 2.25], [0.25, 2.75]])
         self.assertAlmostEqual(grid.known_area, 5 * 0.25)
 
     def test_refuses_broken_maps(self):
         write_grid(self.folder, raster(around()))
-        path, text = self.folder / 'map.yaml', (self.folder / 'map.yaml').read_text()
-        image = (self.folder / 'map.pgm').read_bytes()
-        for broken in (text.replace('resolution: 0.05', 'resolution: 0'), 'image: map.pgm\n',
-                       text.replace('negate: 0', 'negate: maybe'), 'just words\n', '[\n'):
+        path, text = self.folder / "map.yaml", (self.folder / "map.yaml").read_text()
+        image = (self.folder / "map.pgm").read_bytes()
+        for broken in (text.replace("resolution: 0.05", "resolution: 0"), "image: map.pgm\n",
+                       text.replace("negate: 0", "negate: maybe"), "just words\n", "[\n"):
             path.write_text(broken)
-            self.refuses(read_grid, path, 'map.yaml: no map')
+            self.refuses(read_grid, path, "map.yaml: no map")
         path.write_text(text)
-        for broken in (image[:-1], b'P2' + image[2:], b'P5\n3 x\n255\n', b''):
-            (self.folder / 'map.pgm').write_bytes(broken)
-            self.refuses(read_grid, path, 'map.pgm')
-        (self.folder / 'map.pgm').unlink()
-        self.refuses(read_grid, path, 'map.pgm: the image of the map cannot be read')
+        for broken in (image[:-1], b"P2" + image[2:], b"P5\n3 x\n255\n", b""):
+            (self.folder / "map.pgm").write_bytes(broken)
+            self.refuses(read_grid, path, "map.pgm")
+        (self.folder / "map.pgm").unlink()
+        self.refuses(read_grid, path, "map.pgm: the image of the map cannot be read")
 
     def test_reads_points_and_refuses_a_file_cut_off(self):
-        path = self.folder / 'points.pcd'
+        path = self.folder / "points.pcd"
         path.write_text(pcd([[1.0, 2.0], [-3.0, 0.5]]))
         np.testing.assert_allclose(read_points(path), [[1.0, 2.0], [-3.0, 0.5]])
         path.write_text(pcd([]))
         self.assertEqual(len(read_points(path)), 0)
         text = pcd([[1.0, 2.0], [-3.0, 0.5]])
-        for broken in (text[:-10], text.replace('0.500000', 'x'), text.replace('ascii', 'binary'),
-                       text.replace('FIELDS x', 'FIELDS q'), 'words\n'):
+        for broken in (text[:-10], text.replace("0.500000", "x"), text.replace("ascii", "binary"),
+                       text.replace("FIELDS x", "FIELDS q"), "words\n"):
             path.write_text(broken)
-            self.refuses(read_points, path, 'points.pcd')
+            self.refuses(read_points, path, "points.pcd")
 
     def test_knows_the_simulated_robots_laser(self):
-        (self.folder / 'worlds').mkdir()
-        (self.folder / 'robots').mkdir()
-        (self.folder / 'robots' / 'a.yaml').write_text(SIMULATED)
-        laser = read_simulated_laser(self.folder / 'worlds' / 'w.yaml', 'ring')
+        (self.folder / "worlds").mkdir()
+        (self.folder / "robots").mkdir()
+        (self.folder / "robots" / "a.yaml").write_text(SIMULATED)
+        laser = read_simulated_laser(self.folder / "worlds" / "w.yaml", "ring")
         self.assertEqual((laser.height, laser.reach, laser.half_view), (0.3, 10.0, 3.1))
-        self.assertIsNone(read_simulated_laser(self.folder / 'worlds' / 'w.yaml', 'other'))
-        (self.folder / 'robots' / 'a.yaml').write_text('robot: ring\n')
-        self.refuses(lambda path: read_simulated_laser(path, 'ring'),
-                     self.folder / 'worlds' / 'w.yaml', 'a.yaml')
+        self.assertIsNone(read_simulated_laser(self.folder / "worlds" / "w.yaml", "other"))
+        (self.folder / "robots" / "a.yaml").write_text("robot: ring\n")
+        self.refuses(lambda path: read_simulated_laser(path, "ring"),
+                     self.folder / "worlds" / "w.yaml", "a.yaml")
 
     def test_only_what_is_as_high_as_the_laser_is_a_surface(self):
-        (self.folder / 'w.yaml').write_text(WORLD)
-        world = read_world(self.folder / 'w.yaml')
+        (self.folder / "w.yaml").write_text(WORLD)
+        world = read_world(self.folder / "w.yaml")
         self.assertEqual(len(world.surfaces(0.1).segments), 8)
         self.assertEqual(len(world.surfaces(0.3).segments), 4)
 
@@ -254,33 +256,33 @@ class SlamEval(unittest.TestCase):
     def test_reports_the_map_of_a_simulated_world(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            run, worlds = folder / 'run', folder / 'worlds'
+            run, worlds = folder / "run", folder / "worlds"
             run_maker.make_run(run, count=200, landmarks=3, gap=False)
-            (run / 'landmarks.yaml').unlink()
+            (run / "landmarks.yaml").unlink()
             start = se2.compose(run_maker.T_WORLD_MAP, run_maker.ring(200)[0])
             walls = around() + start[:2] - [2.0, 1.5]
             points = se2.transform_points(se2.inverse(run_maker.T_WORLD_MAP), walls)
             write_grid(run, raster(points))
-            (run / 'points.pcd').write_text(pcd(points))
+            (run / "points.pcd").write_text(pcd(points))
             worlds.mkdir()
-            (folder / 'robots').mkdir()
-            (folder / 'robots' / 'a.yaml').write_text(SIMULATED)
+            (folder / "robots").mkdir()
+            (folder / "robots" / "a.yaml").write_text(SIMULATED)
             corners = (np.array(ROOM) + start[:2] - [2.0, 1.5]).tolist()
-            (worlds / 'w.yaml').write_text(f'walls:\n  - {{points: {corners}}}\n')
+            (worlds / "w.yaml").write_text(f"walls:\n  - {{points: {corners}}}\n")
             err = io.StringIO()
             with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(err):
-                self.assertEqual(main([str(run), '--world', str(worlds / 'w.yaml')]), 0,
+                self.assertEqual(main([str(run), "--world", str(worlds / "w.yaml")]), 0,
                                  err.getvalue())
-            metrics = json.loads((run / 'metrics.json').read_text())
-            self.assertGreater(metrics['map_cells_on_walls_percent'], 95.0)
-            self.assertGreater(metrics['map_walls_found_percent'], 95.0)
-            self.assertLess(metrics['points_wall_thickness_m'], 0.05)
-            self.assertEqual(metrics['points'], len(points))
-            self.assertGreater(metrics['map_area_m2'], 12.0)
-            report = (run / 'report.html').read_text()
-            self.assertIn('Occupied cells on walls', report)
-            self.assertTrue((run / 'map.png').exists())
+            metrics = json.loads((run / "metrics.json").read_text())
+            self.assertGreater(metrics["map_cells_on_walls_percent"], 95.0)
+            self.assertGreater(metrics["map_walls_found_percent"], 95.0)
+            self.assertLess(metrics["points_wall_thickness_m"], 0.05)
+            self.assertEqual(metrics["points"], len(points))
+            self.assertGreater(metrics["map_area_m2"], 12.0)
+            report = (run / "report.html").read_text()
+            self.assertIn("Occupied cells on walls", report)
+            self.assertTrue((run / "map.png").exists())
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

@@ -10,11 +10,12 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
 
 import run_maker  # noqa: E402
-from slam_eval import metrics, se2  # noqa: E402
-from slam_eval.landmarks import LandmarkMap  # noqa: E402
-from slam_eval.metric_table import merge  # noqa: E402
-from slam_eval.trajectory import Trajectory  # noqa: E402
-from slam_eval.updates import Updates  # noqa: E402
+from slam_eval.geometry import se2  # noqa: E402
+from slam_eval.io.landmarks import LandmarkMap  # noqa: E402
+from slam_eval.io.trajectory import Trajectory  # noqa: E402
+from slam_eval.io.updates import Updates  # noqa: E402
+from slam_eval.metrics import evaluation  # noqa: E402
+from slam_eval.report.metric_table import merge  # noqa: E402
 
 T = np.array([4.0, -1.0, 2.2])
 
@@ -43,14 +44,24 @@ class TrajectoryError(unittest.TestCase):
         self.estimate = trajectory(self.poses)
 
     def test_a_rotated_and_translated_copy_has_no_error(self):
-        result = metrics.trajectory_error(
+        result = evaluation.trajectory_error(
             self.estimate, trajectory(se2.transform_poses(T, self.poses)))
         self.assertLess(result.max, 1e-9)
         np.testing.assert_allclose(result.T_truth_map, T, atol=1e-9)
 
+    def test_without_alignment_an_error_at_the_start_is_seen_along_the_whole_way(self):
+        line = np.column_stack([np.arange(101.0), np.zeros((101, 2))])
+        turned = line.copy()
+        turned[0, 2] = 0.1  # the estimate of the heading is wrong at the first pose alone
+        turned, truth = trajectory(turned), trajectory(se2.transform_poses(T, line))
+        self.assertLess(evaluation.trajectory_error(turned, truth).max, 1e-9)
+        result = evaluation.trajectory_error(turned, truth, align=False)
+        self.assertAlmostEqual(result.errors[0], 0.0)
+        self.assertAlmostEqual(result.max, 100.0 * 2.0 * np.sin(0.05))
+
     def test_a_scaled_copy_keeps_its_error(self):
         line = np.column_stack([np.linspace(-1.0, 1.0, 201), np.zeros((201, 2))])
-        result = metrics.trajectory_error(trajectory(line), trajectory(line * [1.1, 1.0, 1.0]))
+        result = evaluation.trajectory_error(trajectory(line), trajectory(line * [1.1, 1.0, 1.0]))
         self.assertAlmostEqual(result.max, 0.1, places=9)
         self.assertAlmostEqual(result.rmse, np.sqrt(np.mean((0.1 * line[:, 0]) ** 2)), places=9)
 
@@ -59,7 +70,7 @@ class TrajectoryError(unittest.TestCase):
         line = np.column_stack([np.linspace(0.0, 100.0, count), np.zeros((count, 2))])
         zigzag = line.copy()
         zigzag[:, 1] += 0.03 * np.tile([1.0, -1.0, -1.0, 1.0], count // 4)
-        result = metrics.trajectory_error(trajectory(zigzag), trajectory(line))
+        result = evaluation.trajectory_error(trajectory(zigzag), trajectory(line))
         self.assertAlmostEqual(result.rmse, 0.03, places=6)
 
     def test_poses_in_a_gap_of_truth_do_not_count(self):
@@ -69,14 +80,14 @@ class TrajectoryError(unittest.TestCase):
         keep[99:121] = False
         reference = trajectory(self.poses)
         gap = Trajectory(reference.stamps[keep], reference.poses[keep])
-        result = metrics.trajectory_error(trajectory(bad), gap)
+        result = evaluation.trajectory_error(trajectory(bad), gap)
         self.assertLess(result.max, 1e-9)
         self.assertEqual(np.count_nonzero(result.valid), 400 - 22)
-        self.assertGreater(metrics.trajectory_error(trajectory(bad), reference).max, 4.0)
+        self.assertGreater(evaluation.trajectory_error(trajectory(bad), reference).max, 4.0)
 
     def test_truth_of_another_time_gives_no_figure(self):
         later = Trajectory(self.estimate.stamps + 10 ** 12, self.poses)
-        self.assertIsNone(metrics.trajectory_error(self.estimate, later))
+        self.assertIsNone(evaluation.trajectory_error(self.estimate, later))
 
 
 class LandmarkError(unittest.TestCase):
@@ -87,24 +98,24 @@ class LandmarkError(unittest.TestCase):
     def test_landmarks_are_matched_by_id_and_aligned_on_their_own(self):
         order = np.random.default_rng(3).permutation(20)
         estimate = landmark_map(order, se2.transform_points(T, self.true[order]))
-        result = metrics.landmark_error(estimate, landmark_map(range(20), self.true))
+        result = evaluation.landmark_error(estimate, landmark_map(range(20), self.true))
         self.assertLess(result.rmse, 1e-9)
 
     def test_landmarks_that_only_one_side_knows_are_left_out(self):
         estimate = landmark_map([1, 2, 3, 99], [[0, 0], [1, 0], [0, 1], [50, 50]])
         truth = landmark_map([1, 2, 3, 7], [[0, 0], [1, 0], [0, 1], [9, 9]])
-        result = metrics.landmark_error(estimate, truth)
+        result = evaluation.landmark_error(estimate, truth)
         self.assertEqual(result.ids, [1, 2, 3])
         self.assertLess(result.rmse, 1e-9)
 
     def test_a_pair_that_is_too_far_apart_has_half_the_difference_as_error(self):
         estimate = landmark_map([1, 2], [[0.0, 0.0], [3.2, 0.0]])
         truth = landmark_map([1, 2], [[0.0, 0.0], [0.0, 3.0]])
-        self.assertAlmostEqual(metrics.landmark_error(estimate, truth).rmse, 0.1)
+        self.assertAlmostEqual(evaluation.landmark_error(estimate, truth).rmse, 0.1)
 
     def test_one_match_is_too_few(self):
         one = landmark_map([1], [[0.0, 0.0]])
-        self.assertIsNone(metrics.landmark_error(one, one))
+        self.assertIsNone(evaluation.landmark_error(one, one))
 
 
 class Consistency(unittest.TestCase):
@@ -120,14 +131,14 @@ class Consistency(unittest.TestCase):
         estimate = true + errors
         P = np.tile(root @ root.T / factor ** 2, (count, 1, 1))
         estimate = trajectory(estimate)
-        return metrics.pose_consistency(estimate, updates(estimate, P),
+        return evaluation.pose_consistency(estimate, updates(estimate, P),
                                         trajectory(se2.transform_poses(T, true)))
 
     def test_nees_of_a_consistent_filter_is_three(self):
         nees = self.drawn(1.0).nees
         # Mean of 4000 chi-square variables of 3 dof: 95 % bounds 3 +- 1.96 sqrt(6 / 4000).
         self.assertAlmostEqual(np.mean(nees), 3.0, delta=0.08)
-        inside = metrics.inside_bounds(nees, np.full(len(nees), 3))
+        inside = evaluation.inside_bounds(nees, np.full(len(nees), 3))
         self.assertAlmostEqual(np.mean(inside), 0.95, delta=0.02)
 
     def test_a_filter_twice_too_sure_has_four_times_the_nees(self):
@@ -140,7 +151,7 @@ class Consistency(unittest.TestCase):
         bent[0, 2] = 0.1
         estimate = trajectory(bent)
         P = np.tile(np.eye(3), (50, 1, 1))
-        result = metrics.pose_consistency(estimate, updates(estimate, P), trajectory(poses))
+        result = evaluation.pose_consistency(estimate, updates(estimate, P), trajectory(poses))
         self.assertAlmostEqual(result.errors[-1, 1], -5.0 * np.sin(0.1))
         np.testing.assert_allclose(result.errors[0], 0.0, atol=1e-12)
 
@@ -151,7 +162,7 @@ class Consistency(unittest.TestCase):
         estimate[2, 2] = -3.1
         estimate = trajectory(estimate)
         P = np.tile(np.eye(3), (3, 1, 1))
-        result = metrics.pose_consistency(estimate, updates(estimate, P), trajectory(true))
+        result = evaluation.pose_consistency(estimate, updates(estimate, P), trajectory(true))
         self.assertAlmostEqual(result.errors[2, 2], 2.0 * np.pi - 6.2)
 
     def test_lines_with_a_singular_covariance_are_skipped(self):
@@ -159,30 +170,30 @@ class Consistency(unittest.TestCase):
         P = np.tile(1e-4 * np.eye(3), (10, 1, 1))
         P[0] = 0.0
         P[5, 2, 2] = 1e-19
-        result = metrics.pose_consistency(estimate, updates(estimate, P), estimate)
+        result = evaluation.pose_consistency(estimate, updates(estimate, P), estimate)
         self.assertEqual(np.flatnonzero(~result.valid).tolist(), [0, 5])
         np.testing.assert_allclose(result.nees, 0.0, atol=1e-12)
 
     def test_nis_is_weighted_by_degrees_of_freedom(self):
         steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))
         steps.nis, steps.nis_dof = np.array([4.0, 0.0, 2.0]), np.array([2, 0, 4])
-        self.assertAlmostEqual(metrics.nis_mean(steps), 1.0)
+        self.assertAlmostEqual(evaluation.nis_mean(steps), 1.0)
 
     def test_bounds_are_those_of_each_steps_own_degrees_of_freedom(self):
-        inside = metrics.inside_bounds(np.array([0.06, 0.06, 9.0, 9.0]), np.array([2, 4, 2, 4]))
+        inside = evaluation.inside_bounds(np.array([0.06, 0.06, 9.0, 9.0]), np.array([2, 4, 2, 4]))
         self.assertEqual(inside.tolist(), [True, False, False, True])
 
     def test_without_used_observations_there_is_no_nis(self):
         steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))
-        self.assertIsNone(metrics.nis_mean(steps))
+        self.assertIsNone(evaluation.nis_mean(steps))
 
 
 class Merge(unittest.TestCase):
 
     def test_keeps_what_the_run_wrote_and_drops_old_figures(self):
-        merged = merge({'cpu_s': 1.5, 'ate_rmse_m': 9.0, 'own': 1}, {'landmarks': 3})
-        self.assertEqual(merged, {'cpu_s': 1.5, 'own': 1, 'landmarks': 3})
+        merged = merge({"cpu_s": 1.5, "ate_rmse_m": 9.0, "own": 1}, {"landmarks": 3})
+        self.assertEqual(merged, {"cpu_s": 1.5, "own": 1, "landmarks": 3})
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

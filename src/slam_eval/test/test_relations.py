@@ -14,12 +14,14 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
 
 import run_maker  # noqa: E402
-from slam_eval import se2  # noqa: E402
-from slam_eval.cli import main  # noqa: E402
-from slam_eval.errors import InputError  # noqa: E402
-from slam_eval.relations import (  # noqa: E402
-    nearest_written, poses_at, read_relations, read_source_stamps, Relations, relation_errors)
-from slam_eval.trajectory import NANOSECONDS, read_trajectory, Trajectory  # noqa: E402
+from slam_eval.geometry import se2  # noqa: E402
+from slam_eval.io.errors import InputError  # noqa: E402
+from slam_eval.io.relations import (  # noqa: E402
+    read_relations, read_source_stamps, Relations)
+from slam_eval.io.trajectory import NANOSECONDS, read_trajectory, Trajectory  # noqa: E402
+from slam_eval.metrics.relations import (  # noqa: E402
+    nearest_written, poses_at, relation_errors)
+from slam_eval.report.cli import main  # noqa: E402
 
 
 def seconds(values):
@@ -47,33 +49,33 @@ class Files(unittest.TestCase):
             self.assertIn(part, str(caught.exception))
 
     def test_reads_relations_exactly(self):
-        relations = read_relations(self.write('a', '# comment\n976052905.167303 976052911.885496 '
-                                              '1.5 -0.5 9 0.1 0.2 -1.68\n'))
+        relations = read_relations(self.write("a", "# comment\n976052905.167303 976052911.885496 "
+                                              "1.5 -0.5 9 0.1 0.2 -1.68\n"))
         self.assertEqual(relations.stamps.tolist(), [[976052905167303000, 976052911885496000]])
         self.assertEqual(relations.deltas.tolist(), [[1.5, -0.5, -1.68]])
 
     def test_refuses_bad_relations(self):
-        self.fails(read_relations, self.write('a', '1 2 3\n'), 'a:1: 3 fields')
-        self.fails(read_relations, self.write('a', '\n1 2 0 0 0 0 0 x\n'), 'a:2:', 'no number')
-        self.fails(read_relations, self.write('a', '1 2 0 0 0 0 0 nan\n'), 'not finite')
-        self.fails(read_relations, self.write('a', '# nothing\n'), 'holds no relation')
-        self.fails(read_relations, self.write('a', ''), 'empty')
-        self.fails(read_relations, self.folder / 'none', 'no such file')
+        self.fails(read_relations, self.write("a", "1 2 3\n"), "a:1: 3 fields")
+        self.fails(read_relations, self.write("a", "\n1 2 0 0 0 0 0 x\n"), "a:2:", "no number")
+        self.fails(read_relations, self.write("a", "1 2 0 0 0 0 0 nan\n"), "not finite")
+        self.fails(read_relations, self.write("a", "# nothing\n"), "holds no relation")
+        self.fails(read_relations, self.write("a", ""), "empty")
+        self.fails(read_relations, self.folder / "none", "no such file")
 
     def test_of_several_scans_of_one_stamp_the_last_counts(self):
         table = read_source_stamps(self.write(
-            'a', 'source_stamp,written_stamp\n2.0,2.0\n2.5,2.5\n2.0,2.5001\n'))
+            "a", "source_stamp,written_stamp\n2.0,2.0\n2.5,2.5\n2.0,2.5001\n"))
         self.assertEqual(table.source.tolist(), seconds([2.0, 2.5]).tolist())
         self.assertEqual(table.written.tolist(), seconds([2.5001, 2.5]).tolist())
 
     def test_refuses_bad_tables_of_stamps(self):
-        header = 'source_stamp,written_stamp\n'
-        self.fails(read_source_stamps, self.write('a', header), 'holds no stamps')
-        self.fails(read_source_stamps, self.write('a', header + '1,2,3\n'), 'a:2: 3 fields')
-        self.fails(read_source_stamps, self.write('a', header + '1,b\n'), 'a:2:', 'no number')
+        header = "source_stamp,written_stamp\n"
+        self.fails(read_source_stamps, self.write("a", header), "holds no stamps")
+        self.fails(read_source_stamps, self.write("a", header + "1,2,3\n"), "a:2: 3 fields")
+        self.fails(read_source_stamps, self.write("a", header + "1,b\n"), "a:2:", "no number")
 
     def test_takes_the_nearest_scan_within_the_rounding_of_the_log(self):
-        table = read_source_stamps(self.write('a', '1.00,1\n1.02,2\n2.00,3\n'))
+        table = read_source_stamps(self.write("a", "1.00,1\n1.02,2\n2.00,3\n"))
         written, valid = nearest_written(table, seconds([0.995, 1.012, 1.03, 1.031, 1.9, 2.009]))
         self.assertEqual(valid.tolist(), [True, True, True, False, False, True])
         self.assertEqual(written[valid].tolist(), seconds([1, 2, 2, 3]).tolist())
@@ -127,12 +129,12 @@ class SlamEval(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.run_folder = pathlib.Path(folder.name) / 'run'
+        self.run_folder = pathlib.Path(folder.name) / "run"
         run_maker.make_run(self.run_folder, count=120, truth=False)
-        text = (self.run_folder / 'trajectory.tum').read_text()
-        (self.run_folder / 'trajectory_final.tum').write_text(text)
-        self.relations = self.run_folder.parent / 'a.relations'
-        self.final = read_trajectory(self.run_folder / 'trajectory_final.tum')
+        text = (self.run_folder / "trajectory.tum").read_text()
+        (self.run_folder / "trajectory_final.tum").write_text(text)
+        self.relations = self.run_folder.parent / "a.relations"
+        self.final = read_trajectory(self.run_folder / "trajectory_final.tum")
 
     def write_relations(self, shift=0.0, others=0):
         """A relation for every tenth pose, 0.1 m off, and some of another time."""
@@ -140,10 +142,10 @@ class SlamEval(unittest.TestCase):
         for i in range(0, 100, 10):
             delta = se2.compose(se2.inverse(self.final.poses[i]), self.final.poses[i + 10])
             start, end = self.final.stamps[[i, i + 10]] / NANOSECONDS + shift
-            lines.append('%.6f %.6f %.9f %.9f 0 0 0 %.9f'
+            lines.append("%.6f %.6f %.9f %.9f 0 0 0 %.9f"
                          % (start, end, delta[0] + 0.1, delta[1], delta[2]))
-        lines += ['5.0 6.0 0 0 0 0 0 0'] * others
-        self.relations.write_text('\n'.join(lines) + '\n')
+        lines += ["5.0 6.0 0 0 0 0 0 0"] * others
+        self.relations.write_text("\n".join(lines) + "\n")
 
     def evaluate(self, *arguments):
         """Run the program; exit code, output and errors."""
@@ -157,44 +159,44 @@ class SlamEval(unittest.TestCase):
 
     def test_adds_figures_table_and_histogram(self):
         self.write_relations(others=2)
-        code, out, err = self.evaluate('--relations', self.relations)
+        code, out, err = self.evaluate("--relations", self.relations)
         self.assertEqual(code, 0, err)
-        metrics = json.loads((self.run_folder / 'metrics.json').read_text())
-        self.assertEqual(metrics['relations'], 10)
-        self.assertAlmostEqual(metrics['relations_trans_mean_m'], 0.1, places=6)
-        self.assertAlmostEqual(metrics['relations_trans_std_m'], 0.0, places=6)
-        self.assertAlmostEqual(metrics['relations_rot_mean_deg'], 0.0, places=6)
-        self.assertIn('2 of 12 relations were left out', out)
-        self.assertTrue((self.run_folder / 'relations.png').exists())
-        report = (self.run_folder / 'report.html').read_text()
-        self.assertIn('10 used, 2 left out', report)
-        self.assertIn('Errors of the relations', report)
+        metrics = json.loads((self.run_folder / "metrics.json").read_text())
+        self.assertEqual(metrics["relations"], 10)
+        self.assertAlmostEqual(metrics["relations_trans_mean_m"], 0.1, places=6)
+        self.assertAlmostEqual(metrics["relations_trans_std_m"], 0.0, places=6)
+        self.assertAlmostEqual(metrics["relations_rot_mean_deg"], 0.0, places=6)
+        self.assertIn("2 of 12 relations were left out", out)
+        self.assertTrue((self.run_folder / "relations.png").exists())
+        report = (self.run_folder / "report.html").read_text()
+        self.assertIn("10 used, 2 left out", report)
+        self.assertIn("Errors of the relations", report)
         self.evaluate()
-        self.assertNotIn('relations', (self.run_folder / 'metrics.json').read_text())
+        self.assertNotIn("relations", (self.run_folder / "metrics.json").read_text())
 
     def test_finds_the_stamps_of_the_log_beside_the_run(self):
         self.write_relations(shift=1000.0)
-        self.assertEqual(self.evaluate('--relations', self.relations)[0], 1)
-        table = ''.join('%.6f,%.6f\n' % (t / NANOSECONDS + 1000.0, t / NANOSECONDS)
+        self.assertEqual(self.evaluate("--relations", self.relations)[0], 1)
+        table = "".join("%.6f,%.6f\n" % (t / NANOSECONDS + 1000.0, t / NANOSECONDS)
                         for t in self.final.stamps)
-        (self.run_folder / 'stamps.csv').write_text(table)
-        self.assertEqual(self.evaluate('--relations', self.relations)[0], 0)
-        (self.run_folder / 'stamps.csv').rename(self.run_folder.parent / 'elsewhere.csv')
-        elsewhere = self.run_folder.parent / 'elsewhere.csv'
-        code, _, err = self.evaluate('--relations', self.relations, '--stamps', elsewhere)
+        (self.run_folder / "stamps.csv").write_text(table)
+        self.assertEqual(self.evaluate("--relations", self.relations)[0], 0)
+        (self.run_folder / "stamps.csv").rename(self.run_folder.parent / "elsewhere.csv")
+        elsewhere = self.run_folder.parent / "elsewhere.csv"
+        code, _, err = self.evaluate("--relations", self.relations, "--stamps", elsewhere)
         self.assertEqual(code, 0, err)
 
     def test_refuses_relations_of_another_log(self):
         self.write_relations(shift=500.0)
-        code, _, err = self.evaluate('--relations', self.relations)
+        code, _, err = self.evaluate("--relations", self.relations)
         self.assertEqual(code, 1)
-        self.assertIn('poses for none of its 10 relations', err)
-        self.assertIn('--stamps', err)
-        self.assertEqual(err.count('\n'), 1)
-        self.assertEqual(self.evaluate('--stamps', self.relations)[0], 2)
-        (self.run_folder / 'trajectory_final.tum').unlink()
-        self.assertIn('trajectory_final.tum', self.evaluate('--relations', self.relations)[2])
+        self.assertIn("poses for none of its 10 relations", err)
+        self.assertIn("--stamps", err)
+        self.assertEqual(err.count("\n"), 1)
+        self.assertEqual(self.evaluate("--stamps", self.relations)[0], 2)
+        (self.run_folder / "trajectory_final.tum").unlink()
+        self.assertIn("trajectory_final.tum", self.evaluate("--relations", self.relations)[2])
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

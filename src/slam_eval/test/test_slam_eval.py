@@ -14,7 +14,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
 
 import run_maker  # noqa: E402
-from slam_eval.cli import main  # noqa: E402
+from slam_eval.report.cli import main  # noqa: E402
 
 
 class SlamEval(unittest.TestCase):
@@ -22,7 +22,7 @@ class SlamEval(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.run_folder = pathlib.Path(folder.name) / 'run'
+        self.run_folder = pathlib.Path(folder.name) / "run"
 
     def evaluate(self, *arguments):
         """Run the program's main function; what it printed and its exit code."""
@@ -36,9 +36,9 @@ class SlamEval(unittest.TestCase):
 
     def evaluate_as_user(self, *arguments):
         """Run the installed script."""
-        environment = {**os.environ, 'PYTHONPATH': str(run_maker.PACKAGE / 'src')}
-        environment.pop('DISPLAY', None)
-        return subprocess.run([sys.executable, run_maker.PACKAGE / 'scripts' / 'slam_eval',
+        environment = {**os.environ, "PYTHONPATH": str(run_maker.PACKAGE / "src")}
+        environment.pop("DISPLAY", None)
+        return subprocess.run([sys.executable, run_maker.PACKAGE / "scripts" / "slam_eval",
                                *arguments], env=environment, capture_output=True, text=True,
                               check=False)
 
@@ -46,7 +46,7 @@ class SlamEval(unittest.TestCase):
         """The evaluation ends with one sentence that holds the parts, exit code 1, no traceback."""
         done = self.evaluate(self.run_folder)
         self.assertEqual(done.returncode, 1, done.stdout)
-        self.assertEqual(done.stderr.count('\n'), 1, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         for part in parts:
             self.assertIn(part, done.stderr)
 
@@ -56,141 +56,141 @@ class SlamEval(unittest.TestCase):
 
     def test_adds_figures_pictures_and_report(self):
         run_maker.make_run(self.run_folder, count=300)
-        done = self.evaluate_as_user(self.run_folder, '--reference-title', 'Vicon')
+        done = self.evaluate_as_user(self.run_folder, "--reference-title", "Vicon")
         self.assertEqual(done.returncode, 0, done.stderr)
-        metrics = json.loads((self.run_folder / 'metrics.json').read_text())
-        for key in ('ate_rmse_m', 'ate_max_m', 'odometry_ate_rmse_m', 'landmark_rmse_m',
-                    'nees_mean', 'nis_mean'):
+        metrics = json.loads((self.run_folder / "metrics.json").read_text())
+        for key in ("ate_rmse_m", "ate_max_m", "odometry_ate_rmse_m", "landmark_rmse_m",
+                    "nees_mean", "nis_mean"):
             self.assertGreater(metrics[key], 0.0, key)
-        self.assertEqual(metrics['landmarks'], 18)
-        self.assertEqual(metrics['cpu_s'], 0.8)
-        self.assertLess(metrics['ate_rmse_m'], 0.15)
-        for name in ('map.png', 'trajectory.png', 'landmark_errors.png', 'consistency.png'):
-            self.assertEqual((self.run_folder / name).read_bytes()[:4], b'\x89PNG')
-        self.assertIn('Absolute trajectory error', done.stdout)
-        self.assertFalse([n for n in self.names() if n.startswith('.')])
+        self.assertEqual(metrics["landmarks"], 18)
+        self.assertEqual(metrics["cpu_s"], 0.8)
+        self.assertLess(metrics["ate_rmse_m"], 0.15)
+        for name in ("map.png", "trajectory.png", "landmark_errors.png", "consistency.png"):
+            self.assertEqual((self.run_folder / name).read_bytes()[:4], b"\x89PNG")
+        self.assertIn("Absolute trajectory error", done.stdout)
+        self.assertFalse([n for n in self.names() if n.startswith(".")])
 
     def test_report_stands_alone(self):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)
-        report = (self.run_folder / 'report.html').read_text()
+        report = (self.run_folder / "report.html").read_text()
         self.assertEqual(report.count('src="data:image/png;base64,'), 4)
-        self.assertNotIn('http', report)
-        self.assertIn('gate_probability: 0.99', report)
-        self.assertIn('3 is expected', report)
+        self.assertNotIn("http", report)
+        self.assertIn("gate_probability: 0.99", report)
+        self.assertIn("3 is expected", report)
         self.assertIn('Steps with landmarks</td><td class="v">', report)
 
     def test_wheels_that_the_run_did_not_use_are_drawn_beside_its_odometry(self):
         run_maker.make_run(self.run_folder, count=300)
-        truth = (self.run_folder / 'ground_truth.tum').read_text()
-        (self.run_folder / 'wheel_odometry.tum').write_text(truth)
+        truth = (self.run_folder / "ground_truth.tum").read_text()
+        (self.run_folder / "wheel_odometry.tum").write_text(truth)
         self.assertEqual(self.evaluate(self.run_folder).returncode, 0)
-        metrics = json.loads((self.run_folder / 'metrics.json').read_text())
-        self.assertLess(metrics['wheel_odometry_ate_rmse_m'], 1e-6)
-        self.assertLess(metrics['wheel_odometry_drift_percent'], 1e-3)
-        self.assertEqual((self.run_folder / 'odometry.png').read_bytes()[:4], b'\x89PNG')
-        self.assertIn('figure 6.6b', (self.run_folder / 'report.html').read_text())
+        metrics = json.loads((self.run_folder / "metrics.json").read_text())
+        self.assertLess(metrics["wheel_odometry_ate_rmse_m"], 1e-6)
+        self.assertLess(metrics["wheel_odometry_drift_percent"], 1e-3)
+        self.assertEqual((self.run_folder / "odometry.png").read_bytes()[:4], b"\x89PNG")
+        self.assertIn("figure 6.6b", (self.run_folder / "report.html").read_text())
 
     def test_draws_the_walls_of_the_world(self):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)
-        bare = (self.run_folder / 'map.png').read_bytes()
-        world = self.run_folder / 'world.yaml'
-        world.write_text('walls:\n  - {points: [[0, 0], [4, 0], [4, 3]], closed: true}\n'
-                         'furniture:\n  - {centre: [1, 1], size: [0.5, 0.4, 1.0], yaw: 0.3}\n')
-        done = self.evaluate(self.run_folder, '--world', world)
+        bare = (self.run_folder / "map.png").read_bytes()
+        world = self.run_folder / "world.yaml"
+        world.write_text("walls:\n  - {points: [[0, 0], [4, 0], [4, 3]], closed: true}\n"
+                         "furniture:\n  - {centre: [1, 1], size: [0.5, 0.4, 1.0], yaw: 0.3}\n")
+        done = self.evaluate(self.run_folder, "--world", world)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertNotEqual((self.run_folder / 'map.png').read_bytes(), bare)
+        self.assertNotEqual((self.run_folder / "map.png").read_bytes(), bare)
 
     def test_a_file_that_is_no_world_is_named(self):
         run_maker.make_run(self.run_folder, count=30)
-        for text in ('just words\n', 'walls:\n  - {from: [0, 0]}\n', 'walls: [\n'):
-            (self.run_folder / 'world.yaml').write_text(text)
-            done = self.evaluate(self.run_folder, '--world', self.run_folder / 'world.yaml')
-            self.assertEqual((done.returncode, done.stderr.count('\n')), (1, 1), done.stderr)
-            self.assertIn('world.yaml', done.stderr)
+        for text in ("just words\n", "walls:\n  - {from: [0, 0]}\n", "walls: [\n"):
+            (self.run_folder / "world.yaml").write_text(text)
+            done = self.evaluate(self.run_folder, "--world", self.run_folder / "world.yaml")
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn("world.yaml", done.stderr)
 
     def test_works_without_truth_and_says_what_is_missing(self):
         run_maker.make_run(self.run_folder, count=300, truth=False)
         done = self.evaluate(self.run_folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        metrics = json.loads((self.run_folder / 'metrics.json').read_text())
-        self.assertNotIn('ate_rmse_m', metrics)
-        self.assertNotIn('nees_mean', metrics)
-        self.assertGreater(metrics['nis_mean'], 0.5)
-        self.assertIn('no ground truth', done.stdout)
-        self.assertIn('no ground truth', (self.run_folder / 'report.html').read_text())
+        metrics = json.loads((self.run_folder / "metrics.json").read_text())
+        self.assertNotIn("ate_rmse_m", metrics)
+        self.assertNotIn("nees_mean", metrics)
+        self.assertGreater(metrics["nis_mean"], 0.5)
+        self.assertIn("no ground truth", done.stdout)
+        self.assertIn("no ground truth", (self.run_folder / "report.html").read_text())
 
     def test_works_with_a_trajectory_alone(self):
         run_maker.make_run(self.run_folder, count=300)
         for path in self.run_folder.iterdir():
-            if path.name != 'trajectory.tum':
+            if path.name != "trajectory.tum":
                 path.unlink()
         self.assertEqual(self.evaluate(self.run_folder).returncode, 0)
         self.assertEqual(self.names(),
-                         {'trajectory.tum', 'trajectory.png', 'report.html', 'metrics.json'})
+                         {"trajectory.tum", "trajectory.png", "report.html", "metrics.json"})
 
     def test_works_with_a_single_pose_and_with_an_empty_map(self):
         run_maker.make_run(self.run_folder, count=300)
-        for name in ('updates.csv', 'odometry.tum', 'trajectory.tum'):
+        for name in ("updates.csv", "odometry.tum", "trajectory.tum"):
             path = self.run_folder / name
             lines = path.read_text().splitlines(keepends=True)
-            path.write_text(''.join(lines[:2 if name == 'updates.csv' else 1]))
-        (self.run_folder / 'landmarks.yaml').write_text('version: 1\nlandmarks: []\n')
+            path.write_text("".join(lines[:2 if name == "updates.csv" else 1]))
+        (self.run_folder / "landmarks.yaml").write_text("version: 1\nlandmarks: []\n")
         done = self.evaluate(self.run_folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr, '')
+        self.assertEqual(done.stderr, "")
 
     def test_a_second_evaluation_gives_the_same_figures(self):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)
-        first = (self.run_folder / 'metrics.json').read_text()
+        first = (self.run_folder / "metrics.json").read_text()
         self.evaluate(self.run_folder)
-        self.assertEqual((self.run_folder / 'metrics.json').read_text(), first)
+        self.assertEqual((self.run_folder / "metrics.json").read_text(), first)
 
     def test_a_figure_that_cannot_be_computed_any_more_does_not_survive(self):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)
-        (self.run_folder / 'ground_truth.tum').unlink()
+        (self.run_folder / "ground_truth.tum").unlink()
         self.evaluate(self.run_folder)
-        self.assertNotIn('ate_rmse_m', (self.run_folder / 'metrics.json').read_text())
+        self.assertNotIn("ate_rmse_m", (self.run_folder / "metrics.json").read_text())
 
     def test_wrong_use_ends_with_code_2(self):
         self.assertEqual(self.evaluate().returncode, 2)
         run_maker.make_run(self.run_folder, count=30)
-        self.assertEqual(self.evaluate(self.run_folder, '--nonsense', 'x').returncode, 2)
+        self.assertEqual(self.evaluate(self.run_folder, "--nonsense", "x").returncode, 2)
 
     def test_a_missing_folder_is_named(self):
-        self.fails(str(self.run_folder), 'no such folder')
+        self.fails(str(self.run_folder), "no such folder")
 
     def test_a_picture_that_cannot_be_written_is_named(self):
         run_maker.make_run(self.run_folder, count=30)
-        (self.run_folder / 'trajectory.png').mkdir()
-        self.fails('trajectory.png', 'cannot be written')
-        self.assertFalse([n for n in self.names() if n.startswith('.')])
+        (self.run_folder / "trajectory.png").mkdir()
+        self.fails("trajectory.png", "cannot be written")
+        self.assertFalse([n for n in self.names() if n.startswith(".")])
 
     def test_the_script_ends_with_one_sentence_for_a_bad_folder(self):
         done = self.evaluate_as_user(self.run_folder)
-        self.assertEqual((done.returncode, done.stderr.count('\n')), (1, 1))
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1))
 
     def test_a_folder_without_trajectory_is_named(self):
         self.run_folder.mkdir()
-        self.fails('trajectory.tum')
+        self.fails("trajectory.tum")
 
     def test_an_empty_trajectory_is_named(self):
         run_maker.make_run(self.run_folder, count=30)
-        (self.run_folder / 'trajectory.tum').write_text('')
-        self.fails('trajectory.tum', 'empty')
+        (self.run_folder / "trajectory.tum").write_text("")
+        self.fails("trajectory.tum", "empty")
 
     def test_a_bad_file_leaves_the_metrics_untouched(self):
         run_maker.make_run(self.run_folder, count=30)
-        before = (self.run_folder / 'metrics.json').read_text()
-        path = self.run_folder / 'ground_truth.tum'
+        before = (self.run_folder / "metrics.json").read_text()
+        path = self.run_folder / "ground_truth.tum"
         path.write_text(path.read_text()[:-20])
-        self.fails('ground_truth.tum:', 'run the product again')
-        self.assertEqual((self.run_folder / 'metrics.json').read_text(), before)
-        self.assertNotIn('report.html', self.names())
+        self.fails("ground_truth.tum:", "run the product again")
+        self.assertEqual((self.run_folder / "metrics.json").read_text(), before)
+        self.assertNotIn("report.html", self.names())
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

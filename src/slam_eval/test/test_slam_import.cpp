@@ -7,7 +7,9 @@
 #include <slam_msgs/LandmarkMap.h>
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <std_msgs/String.h>
+#include <sys/stat.h>
 #include <tf2_msgs/TFMessage.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +23,17 @@
 
 namespace slam::eval {
 namespace {
+
+/// The content of a file as it is without compression.
+std::string unpacked(const std::string& path) {
+  std::string content;
+  gzFile file = gzopen(path.c_str(), "rb");
+  char block[4096];
+  for (int count = 0; (count = gzread(file, block, sizeof(block))) > 0;)
+    content.append(block, static_cast<std::size_t>(count));
+  gzclose(file);
+  return content;
+}
 
 class SlamImport : public testing::Test {
  protected:
@@ -208,6 +221,34 @@ TEST_F(SlamImport, LeavesNothingWhenTheDiskIsFull) {
 TEST_F(SlamImport, NeverReplacesADevice) {
   writeMrclamSet(in_);
   expectFailure("mrclam " + in_.path() + " --robot 2 /dev/null", 2, "it is no ordinary file");
+}
+
+/// MRPT's library crashes with some of these, and asks for gigabytes with others.
+TEST_F(SlamImport, ADamagedRawlogIsToldWhateverTheLibraryMakesOfIt) {
+  {
+    RawlogMaker maker(in_.file("a.rawlog"));
+    for (int i = 1; i < 10; ++i) {
+      maker.action(0.1, 0.0, 0.0);
+      maker.frame(i);
+      maker.frame({RawlogMaker::scan(i + 0.5)});
+    }
+  }
+  const auto content = unpacked(in_.file("a.rawlog"));
+  for (std::size_t at = 0; at + 4 < content.size(); at += 1 + content.size() / 50) {
+    auto damaged = content;
+    damaged.replace(at, 4, at % 2 == 0 ? "\xff\xff\xff\x7f" : "\xff\xff\xff\xff");
+    in_.write("b.rawlog", damaged);
+    const auto run = runSlamImport("rawlog " + in_.file("b.rawlog") + " " + bag());
+    EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << at << ": " << run.output;
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << at << run.output;
+  }
+}
+
+TEST_F(SlamImport, ReadsNoPipe) {
+  ASSERT_EQ(::mkfifo(in_.file("pipe").c_str(), 0600), 0);
+  for (const std::string format : {"rawlog", "carmen"})
+    expectFailure(format + " " + in_.file("pipe") + " " + bag(), 2, "is a named pipe");
+  expectFailure("circles " + in_.file("pipe") + " " + bag(), 1, "is a named pipe");
 }
 
 }  // namespace

@@ -11,10 +11,11 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P does not
 
 import run_maker  # noqa: E402
-from slam_eval.errors import InputError  # noqa: E402
-from slam_eval.trajectory import Trajectory, interpolate, parse_stamp, read_trajectory  # noqa: E402
+from slam_eval.io.errors import InputError  # noqa: E402
+from slam_eval.io.trajectory import (  # noqa: E402
+    interpolate, parse_stamp, read_trajectory, Trajectory)
 
-GOOD = '1.000000000 0 0 0 0 0 0 1\n2.000000000 1 0 0 0 0 0 1\n'
+GOOD = "1.000000000 0 0 0 0 0 0 1\n2.000000000 1 0 0 0 0 0 1\n"
 
 
 def truth(seconds, poses):
@@ -28,7 +29,7 @@ class ReadTrajectory(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.path = pathlib.Path(self.folder.name) / 'trajectory.tum'
+        self.path = pathlib.Path(self.folder.name) / "trajectory.tum"
 
     def refused(self, text, *parts):
         """The reader refuses the text with a sentence that holds the parts."""
@@ -40,47 +41,47 @@ class ReadTrajectory(unittest.TestCase):
 
     def test_reads_back_stamps_to_the_nanosecond_and_poses(self):
         poses = np.array([[1.0, 2.0, 3.1], [-1.0, 0.5, -3.1]])
-        self.path.write_text('# comment\n' + run_maker.tum_lines([0.25, 0.5], poses).replace(
-            '0.250000000', '1288971842.161000003').replace('0.500000000 -1', '1288971842.5 -1'))
+        self.path.write_text("# comment\n" + run_maker.tum_lines([0.25, 0.5], poses).replace(
+            "0.250000000", "1288971842.161000003").replace("0.500000000 -1", "1288971842.5 -1"))
         found = read_trajectory(self.path)
         self.assertEqual(found.stamps.tolist(), [1288971842161000003, 1288971842500000000])
         np.testing.assert_allclose(found.poses, poses, atol=1e-8)
 
     def test_stamps_are_exact_integers(self):
-        self.assertEqual(parse_stamp('1288971842.161000003'), 1288971842161000003)
-        self.assertRaises(ValueError, parse_stamp, 'nan')
+        self.assertEqual(parse_stamp("1288971842.161000003"), 1288971842161000003)
+        self.assertRaises(ValueError, parse_stamp, "nan")
 
     def test_refuses_a_missing_file(self):
-        with self.assertRaisesRegex(InputError, 'no such file'):
+        with self.assertRaisesRegex(InputError, "no such file"):
             read_trajectory(self.path)
 
     def test_refuses_an_empty_file(self):
-        self.refused('', 'empty')
-        self.refused('\n\n', 'empty')
+        self.refused("", "empty")
+        self.refused("\n\n", "empty")
 
     def test_refuses_a_file_with_comments_only(self):
-        self.refused('# stamp tx ty tz qx qy qz qw\n', 'no pose')
+        self.refused("# stamp tx ty tz qx qy qz qw\n", "no pose")
 
     def test_refuses_a_line_that_is_cut_off_and_names_it(self):
-        self.refused(GOOD + '3.000000000 1 0 0 0', ':3:', '5 fields where 8 belong')
+        self.refused(GOOD + "3.000000000 1 0 0 0", ":3:", "5 fields where 8 belong")
 
     def test_refuses_a_last_number_that_is_cut_off(self):
-        self.refused('1.000000000 0 0 0 0 0 0.6 0', ':1:', 'quaternion')
+        self.refused("1.000000000 0 0 0 0 0 0.6 0", ":1:", "quaternion")
 
     def test_refuses_nan_and_infinity_and_names_the_line(self):
-        self.refused(GOOD + '3.0 nan 0 0 0 0 0 1\n', ':3:', 'not finite')
-        self.refused(GOOD + '3.0 0 inf 0 0 0 0 1\n', ':3:', 'not finite')
-        self.refused(GOOD + 'nan 0 0 0 0 0 0 1\n', ':3:')
+        self.refused(GOOD + "3.0 nan 0 0 0 0 0 1\n", ":3:", "not finite")
+        self.refused(GOOD + "3.0 0 inf 0 0 0 0 1\n", ":3:", "not finite")
+        self.refused(GOOD + "nan 0 0 0 0 0 0 1\n", ":3:")
 
     def test_refuses_words(self):
-        self.refused(GOOD + '3.0 0 zero 0 0 0 0 1\n', ':3:', 'no number')
+        self.refused(GOOD + "3.0 0 zero 0 0 0 0 1\n", ":3:", "no number")
 
     def test_refuses_stamps_that_do_not_rise(self):
-        self.refused(GOOD + '2.0 0 0 0 0 0 0 1\n', ':3:', 'stamps have to rise')
-        self.refused(GOOD + '1.5 0 0 0 0 0 0 1\n', ':3:', 'stamps have to rise')
+        self.refused(GOOD + "2.0 0 0 0 0 0 0 1\n", ":3:", "stamps have to rise")
+        self.refused(GOOD + "1.5 0 0 0 0 0 0 1\n", ":3:", "stamps have to rise")
 
     def test_refuses_a_binary_file(self):
-        self.path.write_bytes(b'\x80\xff\x00\x01' * 20)
+        self.path.write_bytes(b"\x80\xff\x00\x01" * 20)
         self.assertRaises(InputError, read_trajectory, self.path)
 
 
@@ -111,5 +112,5 @@ class Interpolate(unittest.TestCase):
         self.assertEqual(valid.tolist(), [False, True, False])
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     unittest.main()

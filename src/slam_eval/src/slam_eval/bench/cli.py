@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program behind `./slam bench`: tables on stdout, progress on stderr, a page with pictures."""
+import contextlib
+import dataclasses
+import datetime
+import os
+import pathlib
+import shutil
+import signal
+import sys
+import tempfile
+
+from slam_eval.bench import (command_line, fiducial, office, online, pointmap, threads,
+                             vo)
+from slam_eval.bench.ekf import consistency, demo, landmarks
+from slam_eval.bench.ekf import mrclam as ekf_mrclam
+from slam_eval.bench.ekf import update as ekf_update
+from slam_eval.bench.grid import intel, scan, sena
+from slam_eval.bench.grid import office as grid_office
+from slam_eval.bench.harness.error import BenchError
+from slam_eval.bench.harness.progress import Progress
+from slam_eval.bench.harness.runs import Context
+from slam_eval.bench.pf import circles
+from slam_eval.bench.pf import mrclam as pf_mrclam
+from slam_eval.bench.pf import office as pf_office
+from slam_eval.bench.pf import update as pf_update
+from slam_eval.io.atomic_file import write_atomically
+from slam_eval.io.errors import InputError
+
+
+@dataclasses.dataclass(frozen=True)
+class Benchmark:
+    """A benchmark: what it is, its parts by name, and what adds its options to a parser."""
+
+    title: str
+    summary: str
+    parts: dict
+    add_options: object
+
+
+BENCHMARKS = {
+    "ekf": Benchmark(
+        "the back-end ekf", "the EKF on logs and simulations, beside MRPT's; some ten minutes",
+        {"demo": demo.measure, "mrclam": ekf_mrclam.measure,
+         "consistency": consistency.measure, "landmarks": landmarks.measure,
+         "update": ekf_update.measure}, command_line.add_ekf),
+    "pf": Benchmark(
+        "the back-end pf", "the particle filter beside the EKF, and what its updates cost",
+        {"mrclam": pf_mrclam.measure, "office": pf_office.measure,
+         "circles": circles.measure, "update": pf_update.measure,
+         "threads": threads.measure}, command_line.add_pf),
+    "grid": Benchmark(
+        "grid maps", "the particle filter with grid maps on real logs and simulations, beside "
+        "MRPT's",
+        {"intel": intel.measure, "sena": sena.measure,
+         "office": grid_office.measure, "scan": scan.measure,
+         "threads": threads.measure_grid}, command_line.add_grid),
+    "pointmap": Benchmark(
+        "the point map", "what a scan into a point map costs, and how thick its walls are",
+        {"scan": pointmap.measure_scan, "office": pointmap.measure_office},
+        command_line.add_pointmap),
+    "office": Benchmark(
+        "a product in the simulated office", "a product in the simulated office, many seeds",
+        {"office": office.measure}, command_line.add_office),
+    "fiducial": Benchmark(
+        "the fiducial detectors", "time of the detectors, and what they see from where",
+        {"fiducial": fiducial.measure}, command_line.add_fiducial),
+    "vo": Benchmark(
+        "visual odometry", "drift and time of visual odometry in the simulated office",
+        {"time": vo.measure_time, "drive": vo.measure_drives,
+         "still": vo.measure_still}, command_line.add_vo),
+    "online": Benchmark(
+        "a product online", "latency, losses and CPU of a product as nodes, in real time",
+        {"online": online.measure}, command_line.add_online),
+}
+
+
+def _processor():
+    with contextlib.suppress(OSError):
+        for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return " ".join(line.partition(":")[2].split())
+    return os.uname().machine
+
+
+def heading(title):
+    """Title of the page and where and when it was measured."""
+    return (f"# Benchmark of {title}\n\n{datetime.date.today()}, {_processor()}, "
+            f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the start.\n")
+
+
+@contextlib.contextmanager
+def _work_folder(keep):
+    """The folder for temporary files: removed at the end unless it was asked for."""
+    if keep is not None:
+        keep.mkdir(parents=True, exist_ok=True)
+        yield keep.absolute()
+        return
+    path = pathlib.Path(tempfile.mkdtemp(prefix="slam_bench_"))
+    try:
+        yield path
+    finally:
+        shutil.rmtree(path, ignore_errors=True)
+
+
+def run_parts(parts, names, context, page, text):
+    """Measure the named parts, print each when it is done; returns the names that failed."""
+    failed = []
+    for name in names:
+        try:
+            section = parts[name](context)
+        except (BenchError, InputError) as error:
+            context.progress.end()
+            print(f"slam_bench: part {name}: {error}", file=sys.stderr)
+            failed.append(name)
+            continue
+        context.progress.end()
+        print(f"\n{section.markdown()}", end="", flush=True)
+        text += f"\n{section.markdown(context.out)}"
+        write_atomically(page, text)
+    return failed
+
+
+def bench(options):
+    """Run what was asked for; returns the exit code."""
+    out = options.out.absolute()
+    out.mkdir(parents=True, exist_ok=True)
+    benchmark = BENCHMARKS[options.benchmark]
+    page, text = out / f"bench_{options.benchmark}.md", heading(benchmark.title)
+    print(text, end="", flush=True)
+    with _work_folder(options.keep) as work:
+        context = Context(out, work, Progress(), options)
+        failed = run_parts(benchmark.parts, options.only, context, page, text)
+    if len(failed) < len(options.only):
+        print(f"\nTables and pictures: {page}")
+    return 1 if failed else 0
+
+
+def main(arguments=None):
+    """Entry point: exit code 0 done, 1 a part failed, 2 wrong use."""
+    options = command_line.parse(sys.argv[1:] if arguments is None else arguments, BENCHMARKS)
+    # A stop from outside ends the running program and removes the temporary files as well.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    try:
+        return bench(options)
+    except OSError as error:
+        print(f"slam_bench: {error.filename or options.out}: cannot be written "
+              f"({error.strerror}); check space and permissions", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130

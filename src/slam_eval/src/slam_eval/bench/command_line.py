@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `slam_bench` takes from its command line."""
+import argparse
+import pathlib
+
+
+def _positive(text):
+    value = int(text)
+    if value < 1:
+        raise ValueError(text)
+    return value
+
+
+def number_list(text):
+    """Whole numbers above 0, separated by commas, rising; each once."""
+    try:
+        return tuple(sorted({_positive(part) for part in text.split(",")}))
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f'"{text}" is no list of whole numbers above 0, like 100,300') from None
+
+
+def count(text):
+    """A whole number above 0."""
+    try:
+        return _positive(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f'"{text}" is no whole number above 0') from None
+
+
+def part_list(text, known):
+    """Names of parts, separated by commas, in the order in which they run."""
+    names = text.split(",")
+    for name in names:
+        if name not in known:
+            raise argparse.ArgumentTypeError(
+                f'there is no part "{name}"; the parts are {", ".join(known)}')
+    return [name for name in known if name in names]
+
+
+def _folder(text):
+    path = pathlib.Path(text)
+    if not path.is_dir():
+        raise argparse.ArgumentTypeError(f"there is no folder {text}")
+    return path.absolute()
+
+
+def _file(text):
+    path = pathlib.Path(text)
+    if not path.is_file():
+        raise argparse.ArgumentTypeError(f"there is no file {text}")
+    return path.absolute()
+
+
+def _default_out():
+    """Beside the front door's other files where called from the clone, else in `bench`."""
+    return pathlib.Path(".slam/bench" if pathlib.Path(".slam").is_dir() else "bench")
+
+
+def _add_mrclam(parser):
+    parser.add_argument("--data", metavar="DIR", type=_folder,
+                        help="MRCLAM data set (default: mrclam_dataset6 in $SLAM_DATA_DIR, else in "
+                        "shared/data beside the repository)")
+
+
+def add_ekf(parser):
+    """Options of `slam_bench ekf`."""
+    _add_mrclam(parser)
+    parser.add_argument("--sizes", metavar="N,...", type=number_list, default=(100, 300, 1000),
+                        help="numbers of landmarks of the part landmarks (100,300,1000)")
+    parser.add_argument("--seeds", metavar="N", type=count, default=50,
+                        help="runs of the part consistency (%(default)s)")
+
+
+def add_pf(parser):
+    """Options of `slam_bench pf`."""
+    _add_mrclam(parser)
+    parser.add_argument("--seeds", metavar="N", type=count, default=5,
+                        help="runs a robot of the part mrclam (%(default)s)")
+    parser.add_argument("--drives", metavar="N", type=count, default=20,
+                        help="simulated drives of the part office (%(default)s)")
+    parser.add_argument("--circles", metavar="FILE", type=_file,
+                        help="the DLR data set (default: circles/map.circles in $SLAM_DATA_DIR, "
+                        "else in shared/data beside the repository)")
+
+
+def add_grid(parser):
+    """Options of `slam_bench grid`."""
+    parser.add_argument("--laser", metavar="DIR", type=_folder,
+                        help="folder of intel.clf and intel.relations (default: laser in "
+                        "$SLAM_DATA_DIR, else in shared/data beside the repository)")
+    parser.add_argument("--seeds", metavar="N", type=count, default=3,
+                        help="runs of the part intel, with the seeds 1 to N (%(default)s)")
+    parser.add_argument("--drives", metavar="N", type=count, default=3,
+                        help="simulated drives of the part office (%(default)s)")
+
+
+def add_pointmap(parser):
+    """Options of `slam_bench pointmap`."""
+    parser.add_argument("--seeds", metavar="N", type=count, default=3,
+                        help="simulated drives of the part office (%(default)s)")
+
+
+def _add_product(parser):
+    parser.add_argument("--product", metavar="NAME", default="ekf_wheel",
+                        help="what is measured (%(default)s)")
+    parser.add_argument("--detector", metavar="NAME",
+                        help="instead of the product's, like aruco")
+    parser.add_argument("--world", metavar="NAME", default="office",
+                        help="world of the simulation: a name or a file (%(default)s)")
+
+
+def add_office(parser):
+    """Options of `slam_bench office`."""
+    _add_product(parser)
+    parser.add_argument("--seeds", metavar="N", type=count, default=20,
+                        help="runs, with the seeds 1 to N (%(default)s)")
+
+
+def add_fiducial(parser):
+    """Options of `slam_bench fiducial`."""
+    parser.add_argument("--image", metavar="FILE", type=_file,
+                        help="photograph to measure the time on as well")
+
+
+def add_vo(parser):
+    """Options of `slam_bench vo`."""
+    parser.add_argument("--world", metavar="FILE", type=_file,
+                        help="world file of slam_sim (default: the office's)")
+    parser.add_argument("--robot", metavar="FILE", type=_file,
+                        help="robot file of slam_sim (default: the segway's)")
+    parser.add_argument("--seeds", metavar="N", type=count, default=20,
+                        help="drives, with the seeds 1 to N (%(default)s)")
+
+
+def add_online(parser):
+    """Options of `slam_bench online`."""
+    _add_product(parser)
+    parser.add_argument("--bag", metavar="FILE", type=_file,
+                        help="log to replay instead of a simulated one")
+    parser.add_argument("--composition", choices=["pubsub", "inprocess"], default="pubsub",
+                        help="a nodelet a component or one for all (%(default)s)")
+
+
+def parse(arguments, benchmarks):
+    """The options of the call; benchmarks: Benchmark by name, the first one counts without name."""
+    parser = argparse.ArgumentParser(
+        prog="slam_bench", description="Accuracy, consistency, time and memory as tables and "
+        f"pictures. Without a name: {next(iter(benchmarks))}.")
+    names = parser.add_subparsers(dest="benchmark", metavar="NAME", title="benchmarks")
+    for name, benchmark in benchmarks.items():
+        sub = names.add_parser(name, help=benchmark.summary, description=benchmark.summary)
+        benchmark.add_options(sub)
+        sub.add_argument("--only", metavar="PART,...", default=list(benchmark.parts),
+                         type=lambda text, known=benchmark.parts: part_list(text, known),
+                         help=f"only these parts of {', '.join(benchmark.parts)}")
+        sub.add_argument("--out", metavar="DIR", type=pathlib.Path, default=_default_out(),
+                         help="folder for the page and the pictures (%(default)s)")
+        sub.add_argument("--keep", metavar="DIR", type=pathlib.Path,
+                         help="keep bags, runs and logs in this folder")
+    if not arguments or arguments[0].startswith("-") and arguments[0] not in ("-h", "--help"):
+        arguments = [next(iter(benchmarks)), *arguments]
+    return parser.parse_args(arguments)

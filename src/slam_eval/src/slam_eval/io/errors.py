@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The one error type of this package."""
+
+
+class InputError(Exception):
+    """A file that cannot be evaluated. Its text is one sentence: file, line, remedy."""
+
+
+def read_text(path):
+    """Return the text of a file, or raise InputError."""
+    if path.exists() and not path.is_file():
+        raise InputError(f"{path}: a folder, a pipe or a device, no regular file; check the path")
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file; check the path") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not a text file; check the path") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror}); check the path") from None
+    if not text.strip():
+        raise InputError(f"{path}: the file is empty; run the product again") from None
+    return text

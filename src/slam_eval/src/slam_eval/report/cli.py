@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program behind `./slam eval DIR`."""
+import argparse
+import json
+import pathlib
+import sys
+
+from slam_eval.io.atomic_file import write_atomically
+from slam_eval.io.errors import InputError
+from slam_eval.io.run_folder import read_run
+from slam_eval.io.world_plan import read_world
+from slam_eval.metrics.evaluation import evaluate
+from slam_eval.metrics.map_agreement import judge_map
+from slam_eval.metrics.relations import judge_run
+from slam_eval.plot.consistency import plot_consistency
+from slam_eval.plot.landmark_errors import plot_landmark_errors
+from slam_eval.plot.map import plot_map, plot_trajectory
+from slam_eval.plot.odometry import plot_beside_wheels
+from slam_eval.plot.relations import plot_relations
+from slam_eval.report.metric_table import merge, terminal_table
+from slam_eval.report.run_report import render
+
+
+def missing_parts(run, result):
+    """A sentence for each figure that the run has not the files for."""
+    notes = []
+    if run.truth is None:
+        notes.append("The run has no ground truth of the poses (ground_truth.tum): no trajectory "
+                     "error and no NEES.")
+    elif result.ate is None:
+        notes.append("Fewer than two poses of the run fall into the time of ground truth: no "
+                     "trajectory error and no NEES.")
+    if run.landmarks is not None and run.true_landmarks is None:
+        notes.append("The run has no ground truth of the landmarks (ground_truth_landmarks.yaml): "
+                     "no landmark error.")
+    elif run.landmarks is not None and result.landmark_error is None:
+        notes.append("Fewer than two landmarks have an id that ground truth has too: no landmark "
+                     "error.")
+    if run.updates is None:
+        notes.append("The run has no updates.csv: no NEES and no NIS.")
+    return notes
+
+
+def missing_relations(errors):
+    """A sentence where the run has not all that the relations are about."""
+    if errors is None or errors.missing == 0:
+        return []
+    total = len(errors.translation) + errors.missing
+    return [f"{errors.missing} of {total} relations were left out: the run has no pose at their "
+            "stamps."]
+
+
+def draw(run, result, reference, world):
+    """Write the pictures the run allows; returns their paths."""
+    pictures = []
+    if run.landmarks is not None or run.grid is not None or run.points is not None:
+        pictures.append(run.path / "map.png")
+        plot_map(run, result, pictures[-1], reference, world)
+    pictures.append(run.path / "trajectory.png")
+    plot_trajectory(run, result, pictures[-1], reference, world)
+    if plot_beside_wheels(run, result, run.path / "odometry.png", reference, world):
+        pictures.append(run.path / "odometry.png")
+    for plot, name in ((plot_landmark_errors, "landmark_errors.png"),
+                       (plot_consistency, "consistency.png")):
+        if plot(run, result, run.path / name):
+            pictures.append(run.path / name)
+    if result.relations is not None:
+        pictures.append(run.path / "relations.png")
+        plot_relations(run.title, result.relations, pictures[-1])
+    return pictures
+
+
+def evaluate_folder(folder, reference="ground truth", world_file=None, relations_file=None,
+                    stamps_file=None):
+    """Evaluate a run folder: metrics.json, pictures, report and a table on stdout."""
+    run = read_run(folder)
+    world = read_world(world_file) if world_file else None
+    relations = judge_run(run, relations_file, stamps_file) if relations_file else None
+    result = evaluate(run, relations, judge_map(run, world, world_file))
+    metrics = merge(run.metrics, result.metrics)
+    notes = missing_parts(run, result) + missing_relations(relations)
+    pictures = draw(run, result, reference, world)
+    write_atomically(run.path / "metrics.json", json.dumps(metrics, indent=2) + "\n")
+    write_atomically(run.path / "report.html", render(run, metrics, pictures, notes, relations))
+    print(run.title)
+    print(terminal_table(metrics))
+    for note in notes:
+        print(f"  ({note})")
+    print(f"report: {run.path / 'report.html'}")
+
+
+def main(arguments=None):
+    """Entry point: exit code 0 done, 1 the evaluation failed, 2 wrong use."""
+    parser = argparse.ArgumentParser(
+        prog="slam_eval", description="Adds error figures, pictures and a report to a run.")
+    parser.add_argument("folder", metavar="DIR", type=pathlib.Path,
+                        help="folder that a run wrote (with trajectory.tum)")
+    parser.add_argument("--reference-title", default="ground truth", metavar="TEXT",
+                        help="what the reference is called in the pictures (%(default)s)")
+    parser.add_argument("--world", metavar="FILE", type=pathlib.Path,
+                        help="world file of the simulation: its walls are drawn behind the map")
+    parser.add_argument("--relations", metavar="FILE", type=pathlib.Path,
+                        help="reference relations between poses of the log (Kuemmerle et al. 2009)")
+    parser.add_argument("--stamps", metavar="FILE", type=pathlib.Path,
+                        help="table of the stamps that the log had; default: stamps.csv of the run")
+    options = parser.parse_args(arguments)
+    if options.stamps and not options.relations:
+        parser.error("--stamps goes with --relations")
+    try:
+        evaluate_folder(options.folder, options.reference_title, options.world, options.relations,
+                        options.stamps)
+    except InputError as error:
+        print(f"slam_eval: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"slam_eval: {error.filename or options.folder}: cannot be written "
+              f"({error.strerror}); check space and permissions", file=sys.stderr)
+        return 1
+    return 0

@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What each key of metrics.json means, and the table a terminal shows."""
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Key:
+    """Name on paper, unit, number format and a one-sentence definition of a metric."""
+
+    label: str
+    unit: str
+    form: str
+    meaning: str
+    group: str
+    of_eval: bool = False
+
+
+KEYS = {
+    "ate_rmse_m": Key(
+        "Absolute trajectory error", "m", ".4f",
+        "Root mean square distance between estimated and true positions after a rigid alignment "
+        "(no scale); poses in gaps of truth over 0.5 s are left out.", "Accuracy", True),
+    "ate_max_m": Key(
+        "Largest trajectory error", "m", ".4f",
+        "The largest of these distances.", "Accuracy", True),
+    "ate_unaligned_rmse_m": Key(
+        "Trajectory error, not aligned", "m", ".4f",
+        "The same mean where truth is moved onto the estimate by its first pose, without a fit.",
+        "Accuracy", True),
+    "odometry_ate_rmse_m": Key(
+        "Dead reckoning", "m", ".4f",
+        "The same error of the odometry alone: what the map has to improve on.", "Accuracy", True),
+    "odometry_drift_percent": Key(
+        "Drift of the odometry", "%", ".3f",
+        "Mean translation error of the odometry over all pieces of 2 m of the true way, relative "
+        "to them.", "Accuracy", True),
+    "odometry_drift_deg_per_m": Key(
+        "Drift of its heading", "deg/m", ".4f",
+        "Mean rotation error of the odometry over the same pieces.", "Accuracy", True),
+    "wheel_odometry_ate_rmse_m": Key(
+        "Dead reckoning of the wheels", "m", ".4f",
+        "The error of the wheels' odometry, which this run did not use.", "Accuracy", True),
+    "wheel_odometry_drift_percent": Key(
+        "Drift of the wheels", "%", ".3f",
+        "As that of the odometry, of the wheels.", "Accuracy", True),
+    "wheel_odometry_drift_deg_per_m": Key(
+        "Drift of their heading", "deg/m", ".4f",
+        "As that of the odometry, of the wheels.", "Accuracy", True),
+    "landmark_rmse_m": Key(
+        "Landmark error", "m", ".4f",
+        "Root mean square distance between estimated and true landmarks, matched by id, after "
+        "their own rigid alignment.", "Accuracy", True),
+    "landmarks": Key(
+        "Landmarks", "", "d", "Number of landmarks in the map at the end.", "Accuracy", True),
+    "nees_mean": Key(
+        "Mean NEES", "", ".2f",
+        "Mean squared pose error in units of the covariance the filter claims; 3 is expected of a "
+        "consistent filter, more means it is too sure of itself.", "Consistency", True),
+    "nis_mean": Key(
+        "Mean NIS per degree of freedom", "", ".3f",
+        "Sum of the squared innovations in units of their covariance over the sum of their "
+        "degrees of freedom; 1 is expected.", "Consistency", True),
+    "relations": Key(
+        "Relations", "", "d",
+        "Reference relations between two poses that the run has (Kuemmerle et al. 2009).",
+        "Accuracy", True),
+    "relations_trans_mean_m": Key(
+        "Relations, translation", "m", ".4f",
+        "Mean absolute translation error over the reference relations.",
+        "Accuracy", True),
+    "relations_trans_std_m": Key(
+        "Relations, translation spread", "m", ".4f",
+        "Standard deviation of the translation errors over the reference relations.",
+        "Accuracy", True),
+    "relations_rot_mean_deg": Key(
+        "Relations, rotation", "deg", ".3f",
+        "Mean absolute rotation error over the reference relations.",
+        "Accuracy", True),
+    "map_area_m2": Key(
+        "Area of the map", "m2", ".1f",
+        "Area of the grid's cells that are free or occupied.", "Map", True),
+    "map_entropy_bits": Key(
+        "Entropy of the map", "bit", ".3f",
+        "Mean entropy of the grid's known cells: 0 where all is certain, 1 where nothing is.",
+        "Map"),
+    "map_cells_on_walls_percent": Key(
+        "Occupied cells on walls", "%", ".1f",
+        "Occupied cells whose centre lies at most one cell from a true surface, the map moved onto "
+        "the truth by a rigid fit of its path.", "Map", True),
+    "map_walls_found_percent": Key(
+        "Walls found", "%", ".1f",
+        "The part of the true surfaces seen by the laser on its true way that has an occupied cell "
+        "at most one cell away.", "Map", True),
+    "points": Key("Points", "", "d", "Number of points in the point map at the end.", "Map", True),
+    "points_wall_thickness_m": Key(
+        "Thickness of the walls", "m", ".4f",
+        "Width of the band across a true wall that holds the middle 90 % of its points, mean over "
+        "the walls by their points.", "Map", True),
+    "points_wall_error_m": Key(
+        "Points off the walls", "m", ".4f",
+        "Root mean square distance of the points from the nearest true surface; those more than "
+        "0.3 m away belong to none.", "Map", True),
+    "updates": Key("Updates", "", "d", "Steps the back-end made.", "Cost"),
+    "update_ms_p50": Key("Update time, median", "ms", ".3f",
+                         "Half of the steps took less time than this.", "Cost"),
+    "update_ms_p99": Key("Update time, 99 %", "ms", ".3f",
+                         "99 of 100 steps took less time than this.", "Cost"),
+    "latency_ms_p50": Key("Latency, median", "ms", ".2f",
+                          "Work from an image, a scan or an array of observations to its pose: "
+                          "detector and back-end. Half of the steps took less; waiting for motion "
+                          "is not in it.", "Cost"),
+    "latency_ms_p99": Key("Latency, 99 %", "ms", ".2f",
+                          "99 of 100 steps took less than this.", "Cost"),
+    "cpu_s": Key("CPU time", "s", ".2f",
+                 "User and system time of the estimating process, reading the bag included.",
+                 "Cost"),
+    "wall_s": Key("Wall time", "s", ".2f", "Time from start to end of the run.", "Cost"),
+    "realtime_factor": Key("Real-time factor", "", ".1f",
+                           "Seconds of recorded data worked off in a second.", "Cost"),
+    "max_rss_mb": Key("Memory", "MB", ".1f", "Largest resident memory of the process.", "Cost"),
+    "dropped_messages": Key("Dropped messages", "", "d",
+                            "Messages that were lost or came too late.", "Cost"),
+}
+GROUPS = ("Accuracy", "Map", "Consistency", "Cost")
+
+
+def merge(stored, computed):
+    """Stored metrics with the computed ones; a figure of an earlier evaluation does not survive."""
+    kept = {k: v for k, v in stored.items() if not (k in KEYS and KEYS[k].of_eval)}
+    return {**kept, **computed}
+
+
+def format_value(key, value):
+    """A value as text, without its unit."""
+    form = KEYS[key].form
+    if form == "d" and not float(value).is_integer():
+        form = "g"
+    return format(int(value) if form == "d" else float(value), form)
+
+
+def rows(metrics, group):
+    """(key, value) of one group, in the order of KEYS; values that are no number are left out."""
+    return [(k, metrics[k]) for k, spec in KEYS.items() if spec.group == group
+            and isinstance(metrics.get(k), (int, float)) and not isinstance(metrics[k], bool)]
+
+
+def terminal_table(metrics):
+    """The metrics as aligned lines of plain text."""
+    lines = []
+    for group in GROUPS:
+        for key, value in rows(metrics, group):
+            lines.append(f"  {KEYS[key].label:<32}{format_value(key, value):>12} {KEYS[key].unit}"
+                         .rstrip())
+    return "\n".join(lines)
