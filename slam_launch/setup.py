@@ -4,4 +4,4 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=['slam_launch'], package_dir={'': 'src'}))
+setup(**generate_distutils_setup(packages=["slam_launch"], package_dir={"": "src"}))

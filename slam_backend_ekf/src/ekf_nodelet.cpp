@@ -4,15 +4,11 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <slam_ros/backend_nodelet.hpp>
 
-#include "slam_core/ekf/ekf_slam.hpp"
-
 namespace slam_backend_ekf {
 
 class EkfNodelet final : public slam_ros::BackendNodelet {
- private:
-  std::unique_ptr<slam::Backend> makeBackend() const override {
-    return std::make_unique<slam::ekf::EkfSlam>();
-  }
+ public:
+  EkfNodelet() : BackendNodelet("ekf") {}
 };
 
 }  // namespace slam_backend_ekf

@@ -4,15 +4,11 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <slam_ros/backend_nodelet.hpp>
 
-#include "slam_core/particle_filter/fast_slam.hpp"
-
 namespace slam_backend_pf {
 
 class PfNodelet final : public slam_ros::BackendNodelet {
- private:
-  std::unique_ptr<slam::Backend> makeBackend() const override {
-    return std::make_unique<slam::particle_filter::FastSlam>();
-  }
+ public:
+  PfNodelet() : BackendNodelet("pf") {}
 };
 
 }  // namespace slam_backend_pf

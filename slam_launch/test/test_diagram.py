@@ -4,11 +4,12 @@
 
 import os
 import pathlib
+import subprocess
 import tempfile
 import unittest
 from unittest import mock
 
-from slam_launch import diagram, products
+from slam_launch import diagram, packages, products
 from slam_launch.errors import ProductError
 from slam_launch.feature_model import FeatureModel, text
 from slam_launch.thesis_products import EXPERIMENTS, product_of
@@ -25,7 +26,7 @@ class Diagrams(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def parts(self, name):
-        return diagram.components(products.find(name, self.model).features, self.model)
+        return diagram.components(products.find(name, self.model), self.model)
 
     def expect_refusal(self, sentence, call, *arguments):
         with self.assertRaises(ProductError) as caught:
@@ -43,12 +44,14 @@ class Components(Diagrams):
     def test_have_a_source_for_each_input_in_every_valid_product(self):
         for features in self.model.valid():
             with self.subTest(text(features)):
-                parts = diagram.components(features, self.model)
+                product = products.without_file(features, self.model)
+                parts = diagram.components(product, self.model)
                 made = {topic for part in parts for topic in part.outputs}
                 taken = {topic for part in parts for topic in part.inputs}
                 self.assertLessEqual(taken, made | set(diagram.SENSORS))
                 self.assertIn("pose", made)
-                self.assertIn("motion", made & taken)
+                self.assertIn("motion", taken)
+                self.assertEqual("motion" in made, features["odometry"] != "none")
 
     def test_follow_the_launch_file_that_another_one_includes(self):
         self.assertEqual(self.including("wheel.launch"),
@@ -58,7 +61,7 @@ class Components(Diagrams):
         (self.folder / "package.xml").write_text(
             '<package format="2"><name>around</name><version>0.1.0</version><description>d'
             '</description><maintainer email="a@b.c">m</maintainer><license>BSD</license>'
-            '</package>', encoding="ascii")
+            "</package>", encoding="ascii")
         (self.folder / "a.launch").write_text(
             f'<launch><arg name="manager"/><include file="$(find slam_frontend)/launch/{file}" '
             'pass_all_args="true"/></launch>', encoding="ascii")
@@ -71,8 +74,33 @@ class Components(Diagrams):
                             "slam_nowhere/a.launch")
         self.expect_refusal("slam_frontend/launch/none.launch", diagram.nodelet,
                             "slam_frontend/launch/none.launch")
-        self.expect_refusal("has no ->", diagram.component, "X",
-                            "slam_frontend/launch/wheel.launch", "odom motion")
+
+    def test_are_refused_where_no_launch_file_starts_one(self):
+        kconfig = (packages.share() / "features" / "Kconfig").read_text(encoding="utf-8")
+        file = self.folder / "Kconfig"
+        file.write_text(kconfig.replace("if ODOMETRY_WHEEL\n", "if BACKEND_NONE\n"),
+                        encoding="utf-8")
+        model = FeatureModel([file])
+        self.expect_refusal("no LAUNCH_... starts the odometry source 'wheel', which odometry names",
+                            diagram.components, products.find("ekf_wheel", model), model)
+
+    def test_take_and_make_what_their_ports_say(self):
+        parts = {part.name: part for part in self.parts("pf_wheel_grid")}
+        self.assertEqual(parts["slam_backend"].inputs, ("motion", "observations", "scan"))
+        self.assertEqual(parts["slam_backend"].outputs,
+                         ("pose", "path", "landmarks", "particlecloud", "map"))
+        parts = {part.name: part for part in self.parts("ekf_visual_wheel")}
+        self.assertEqual(parts["visual_odometry"].inputs, ("ceiling_camera/image_raw", "odom"))
+        self.assertEqual(parts["visual_odometry"].outputs, ("motion", "visual_odometry/odom"))
+        self.assertEqual(parts["slam_backend"].outputs, ("pose", "path", "landmarks"))
+
+    def test_that_no_part_stands_for_are_drawn_without_topics(self):
+        launches = {"slam_pointmap/launch/pointmap.launch": {"backend"}}
+        with mock.patch.object(self.model, "launches", lambda features: {
+                **FeatureModel.launches(self.model, features), **launches}):
+            parts = self.parts("ekf_wheel")
+        self.assertEqual(parts[-1].name, "pointmap")
+        self.assertEqual(parts[-1].inputs + parts[-1].outputs, ())
 
 
 class Drawings(Diagrams):
@@ -89,7 +117,7 @@ class Drawings(Diagrams):
         former = self.parts("pf_wheel")
         grid = products.find("pf_wheel_grid", self.model)
         swapped = products.swapped(grid, {**grid.features, "detector": "apriltag"})
-        drawn = diagram.dot(diagram.components(swapped.features, self.model), former)
+        drawn = diagram.dot(diagram.components(swapped, self.model), former)
         self.assertRegex(drawn, f'"slam_backend" .*{diagram.NEW}')
 
     def test_show_one_nodelet_around_the_components_of_the_composition_in_one_process(self):
@@ -134,7 +162,13 @@ class Drawings(Diagrams):
                             self.folder / "a.gif", self.model)
         self.expect_refusal("cannot write", diagram.draw, product, self.folder / "no" / "a.svg",
                             self.model)
-        with mock.patch("subprocess.run", side_effect=FileNotFoundError(2, "no", "dot")):
+        run = subprocess.run
+
+        def without_dot(command, **options):
+            if command[0] == "dot":
+                raise FileNotFoundError(2, "no", "dot")
+            return run(command, **options)
+        with mock.patch("subprocess.run", without_dot):
             self.expect_refusal("install graphviz", diagram.draw, product, self.folder / "a.svg",
                                 self.model)
 

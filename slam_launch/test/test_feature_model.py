@@ -159,6 +159,13 @@ class ShippedModel(unittest.TestCase):
                 self.model.require_valid({**rest, **pair})
             self.assertRegex(str(caught.exception), r"makes no product: \w+ \w+ .*nearest valid")
 
+    def test_a_product_may_have_no_odometry_of_its_own(self):
+        features = self.model.require_valid({"backend": "ekf", "odometry": "none"})
+        self.assertEqual(self.model.launch_files(features)["frontend"],
+                         ["slam_frontend/launch/detector.launch"])
+        self.assertEqual(self.model.needed_by("wheel_odometry", features),
+                         "odometry=wheel or odometry=visual_wheel")
+
     def test_back_ends_and_odometry_are_mandatory(self):
         self.assertEqual([key for key, group in self.model.groups.items()
                           if group.default is None], ["backend", "odometry"])

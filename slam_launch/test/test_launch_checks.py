@@ -6,8 +6,10 @@ import os
 import pathlib
 import tempfile
 import unittest
+from unittest import mock
+import xml.etree.ElementTree as ElementTree
 
-from slam_launch import launch_checks
+from slam_launch import launch_checks, ports
 from slam_launch.errors import ProductError
 
 DEFAULTS = dict.fromkeys(
@@ -42,6 +44,23 @@ class LaunchChecks(unittest.TestCase):
                             "'inprocess'?)", composition="inproces")
         self.expect_refusal("rate:=nan is not a number >= 0", rate="nan")
 
+    def test_the_transform_of_the_odometry_is_its_sources_but_for_that_of_a_driver(self):
+        for given, published in (({}, "false"), ({"odometry": "visual"}, "true"),
+                                 ({"odometry": "visual_wheel"}, "true"),
+                                 ({"odometry": "visual", "publish_tf": "false"}, "false"),
+                                 ({"publish_tf": "true"}, "true")):
+            with self.subTest(given):
+                self.check(**given)
+                self.assertIn(f'"publish_tf" value="{published}"',
+                              self.parts.read_text(encoding="utf-8"))
+        self.check(bag=__file__, robot="sim_segway")  # of which its own transform is left out
+        self.assertIn('"publish_tf" value="true"', self.parts.read_text(encoding="utf-8"))
+
+    def test_refuses_components_that_cannot_be_joined(self):
+        sentence = "two components make 'motion'; leave one of them out"
+        with mock.patch.object(ports, "require_joined", side_effect=ProductError(sentence)):
+            self.expect_refusal(sentence)
+
     def test_a_path_is_seen_from_where_roslaunch_is_called(self):
         self.check(output_dir="runs/first", save_on_exit="/maps")
         parts = self.parts.read_text(encoding="utf-8")
@@ -49,6 +68,50 @@ class LaunchChecks(unittest.TestCase):
         self.assertIn('"save_on_exit" value="/maps"', parts)
         self.check(output_dir="runs/first", backend_machine="192.0.2.2")
         self.assertNotIn("runs/first", self.parts.read_text(encoding="utf-8"))
+
+    def test_a_uri_carries_what_roslaunch_cannot(self):
+        folder = self.parts.parent / "it's \"a\" := <place> & 100% ö"
+        folder.mkdir()
+        bag = folder / "a b.bag"
+        bag.write_bytes(b"")
+        given = {"bag": bag.as_uri(), "output_dir": folder.as_uri()}
+        self.check(**launch_checks.with_plain_paths({**DEFAULTS, **given}))
+        tree = ElementTree.parse(self.parts)
+        values = {entry.get("name"): entry.get("value") for entry in tree.iter("arg")}
+        self.assertEqual((values["bag"], values["output_dir"]), (str(bag), str(folder)))
+        with self.assertRaisesRegex(ProductError, "roslaunch takes a '\\$\\('"):
+            launch_checks.with_plain_paths({"bag": "file:///a%24(b)"})
+        self.assertEqual(launch_checks.with_plain_paths({"bag": "a%20b", "set": "file://x"}),
+                         {"bag": "a%20b", "set": "file://x"})
+
+    def test_refuses_pipes_and_devices(self):
+        pipe = str(self.parts.parent / "pipe.yaml")
+        os.mkfifo(pipe)
+        for key in ("bag", "load_map", "product"):
+            self.expect_refusal("pipe.yaml is a folder, a pipe or a device", **{key: pipe})
+        with self.assertRaisesRegex(ProductError, "pipe.yaml is a folder, a pipe or a device"):
+            launch_checks.robot_for({**DEFAULTS, "robot": pipe})
+        self.expect_refusal("bag:=/dev/zero is a folder, a pipe or a device", bag="/dev/zero")
+        self.expect_refusal("there is no such file", bag="/nowhere/x.bag")
+
+    def test_refuses_yaml_out_of_all_bounds(self):
+        bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
+            f"a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 30))
+        for content, sentence in ((bomb, "more than 200000 values"),
+                                  ("ekf: &a {b: *a}", "stands within what it refers to"),
+                                  ("ekf: " + "[" * 5000 + "]" * 5000, "more than 32 deep")):
+            with self.assertRaises(ProductError) as caught:
+                self.robot(content)
+            self.assertIn(sentence, str(caught.exception))
+            self.assertIn("robot.yaml", str(caught.exception))
+        content, _ = self.robot("fiducial: {marker_sizes: &s {5: 0.2}}\n# an alias: *s")
+        self.assertEqual(content["fiducial"], {"marker_sizes": {"5": 0.2}})
+
+    def test_refuses_a_damaged_bag_of_which_it_wants_to_know_the_robot(self):
+        bag = self.parts.parent / "x.bag"
+        bag.write_bytes(b"#ROSBAG V2.0\n" + bytes(range(256)) * 40)
+        with self.assertRaisesRegex(ProductError, "cannot read the bag .*x.bag"):
+            launch_checks.robot_for({**DEFAULTS, "robot": "", "bag": str(bag)})
 
     def test_refuses_what_sets_no_parameter(self):
         for word in ("ekf.gate_probability", ".mode=slam", "ekf.gate_probability=", "x"):

@@ -27,7 +27,7 @@ MotionOutputs::MotionOutputs(ros::NodeHandle handle, const NodeletConfig& config
     watch_.emplace(handle, slam_ros::frameId(frames_.odom), slam_ros::frameId(frames_.base));
 }
 
-void MotionOutputs::publish(slam::Motion motion, const slam::OdometrySource& source) {
+void MotionOutputs::publish(slam::Motion motion, const slam::OdometrySource* source) {
   const bool is_taken = isEdgeTaken();
   motion.odometry_frame = is_taken || !config_.publish_motion ? kOwnFrame : "";
   frames_.complete(motion.odometry_frame, motion.base_frame);
@@ -37,7 +37,8 @@ void MotionOutputs::publish(slam::Motion motion, const slam::OdometrySource& sou
     transform_.publish(slam_ros::toRos(motion.end), motion.odometry_frame, motion.base_frame,
                        motion.odometry_end);
   shown_.publish(motion);
-  shown_.show(source, motion.end);
+  if (const auto* drawer = dynamic_cast<const slam::ViewDrawer*>(source))
+    shown_.show(*drawer, motion.end);
 }
 
 bool MotionOutputs::isEdgeTaken() {

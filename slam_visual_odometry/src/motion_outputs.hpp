@@ -28,8 +28,8 @@ class MotionOutputs {
   MotionOutputs(ros::NodeHandle handle, const NodeletConfig& config,
                 const slam::FramesConfig& frames, const std::string& motion_topic, Warn warn);
 
-  /// @param source that has made the motion
-  void publish(slam::Motion motion, const slam::OdometrySource& source);
+  /// @param source that has made the motion; it may have drawn what it saw
+  void publish(slam::Motion motion, const slam::OdometrySource* source);
   /// Time begins anew.
   void reset() { transform_.reset(); }
 

@@ -90,7 +90,7 @@ class NodeletParameters(unittest.TestCase):
 
     def test_are_found_in_the_code_with_their_parts(self):
         known = {"Part": 'double rate = 2.0;\n  fields.add("rate", &rate, "x");',
-                 "Whole": '  ns::Part part;\n  bool is_on = true;\n  part.describe(fields);\n'
+                 "Whole": "  ns::Part part;\n  bool is_on = true;\n  part.describe(fields);\n"
                           '  fields\n      .add("on", &is_on, "y");'}
         known["Part"] = "  " + known["Part"]
         self.assertEqual(parameters("Whole", known), {"rate": "2.0", "on": "true"})

@@ -25,6 +25,7 @@ PROMISED = {"backend=pf": {"/particlecloud"},
             "map=grid": {"/map", "/map_metadata"},
             "odometry=visual": {"/visual_odometry/odom"},
             "odometry=visual_wheel": {"/visual_odometry/odom"}}
+MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -60,13 +61,13 @@ def simulate(path):
                     "odom,scan,camera,ceiling_camera"], check=True, stdout=subprocess.DEVNULL)
 
 
-def with_observations(bag, record, path):
-    """Writes a bag that has the recorded observations instead of the camera's images."""
-    with rosbag.Bag(str(bag)) as images, rosbag.Bag(str(record)) as made, \
+def with_made(bag, record, path, made_of):
+    """Writes a bag that has recorded topics instead of what they were made of."""
+    with rosbag.Bag(str(bag)) as sensors, rosbag.Bag(str(record)) as made, \
             rosbag.Bag(str(path), "w") as both:
-        messages = [entry for entry in images.read_messages()
-                    if not entry.topic.startswith("/camera/")]
-        messages += made.read_messages(topics=["/observations"])
+        messages = [entry for entry in sensors.read_messages()
+                    if not entry.topic.startswith(tuple(made_of.values()))]
+        messages += made.read_messages(topics=list(made_of))
         for topic, message, stamp in sorted(messages, key=lambda entry: entry.timestamp.to_nsec()):
             both.write(topic, message, stamp)
 
@@ -79,13 +80,15 @@ class EveryProductTest(unittest.TestCase):
         cls.root = pathlib.Path(folder.name)
         simulate(cls.root / "images.bag")
         launch("ekf_wheel", cls.root / "images.bag", cls.root / "made.bag", "pubsub")
-        with_observations(cls.root / "images.bag", cls.root / "made.bag",
-                          cls.root / "observations.bag")
         cls.model = FeatureModel()
 
-    def bag_for(self, features):
-        """A product without a detector needs observations that others made."""
-        return self.root / ("observations.bag" if features["detector"] == "none" else "images.bag")
+    def bag_for(self, number, features):
+        """A product without a detector or odometry needs what others made."""
+        made_of = {topic: sensors for key, (topic, sensors) in MADE_OF.items()
+                   if features[key] == "none"}
+        path = self.root / f"{number}_sensors.bag"
+        with_made(self.root / "images.bag", self.root / "made.bag", path, made_of)
+        return path
 
     def launch(self, number, features):
         """Launches a product; returns its composition, what it published and what it printed."""
@@ -94,7 +97,7 @@ class EveryProductTest(unittest.TestCase):
         product.write_text(yaml.safe_dump(products.without_file(features, self.model).content),
                            encoding="utf-8")
         record = self.root / f"{number}.bag"
-        output = launch(product, self.bag_for(features), record, composition)
+        output = launch(product, self.bag_for(number, features), record, composition)
         return composition, published(record) if record.exists() else set(), output
 
     def test_publishes_what_its_features_promise(self):

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bad data leads to a warning that names topic and cause, never to a crash, a NaN or silence."""
 
+import copy
 import math
 import sys
 import unittest
@@ -10,6 +11,7 @@ import unittest
 from geometry_msgs.msg import PoseWithCovarianceStamped
 import rospy
 import rostest
+from std_srvs.srv import Trigger
 from player import Player, wait_for
 
 
@@ -55,6 +57,24 @@ class BadInputTest(unittest.TestCase):
             array.observations[0].covariance = [1.0, 2.0, 2.0, 1.0]
         self.spoil("/observations", change)
         self.assert_warned("observations", "not positive definite")
+
+    def test_observation_with_an_absurdly_large_covariance(self):
+        def change(array):
+            array.observations[0].covariance = [1.7e308, 0.0, 0.0, 1e-4]
+        self.spoil("/observations", change)
+        self.assert_warned("observations", "standard deviations")
+
+    def test_array_of_a_hundred_thousand_new_landmarks(self):
+        def change(array):
+            first = array.observations[0]
+            for landmark in range(100000):
+                wild = copy.copy(first)
+                wild.id = 1000 + landmark
+                array.observations.append(wild)
+        self.spoil("/observations", change)
+        self.assert_warned("observations", "more than the 500")
+        self.assertTrue(wait_for(lambda: int(self.player.counters("slam_backend").get(
+            "observations_beyond_limit", "0")) > 99000))
 
     def test_sensor_pose_with_nan(self):
         def change(array):
@@ -103,6 +123,17 @@ class BadInputTest(unittest.TestCase):
         wait_for(lambda: False, 1.5)  # a second warning would have come by then
         warned = [line for line in self.player.warnings() if "anew" in line]
         self.assertEqual(len(warned), 1, warned)
+
+    def test_clock_that_jumps_far_and_back_ends_nothing(self):
+        """ROS's times and durations hold 32 bit of seconds: their differences may not fit."""
+        self.player.play(self.rest)
+        for seconds in (4000000000, 4294967295, 3000000000, 50):
+            self.player.turn_back(rospy.Time(seconds))
+            for topic, message in self.player.part(12, 14):
+                self.player.publishers[topic].publish(message)
+            wait_for(lambda: False, 0.5)
+        self.player.begin(5)
+        self.assertTrue(rospy.ServiceProxy("reset", Trigger)().success)
 
 
 if __name__ == "__main__":

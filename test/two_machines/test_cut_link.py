@@ -32,10 +32,6 @@ def make_bag(path):
                     "odom,camera"], check=True, stdout=subprocess.DEVNULL)
 
 
-def stamps_of(trajectory):
-    return [line.split()[0] for line in trajectory.read_text(encoding="ascii").splitlines()]
-
-
 class Run:
     """The two launches, the bag's player and who watches, each on its machine."""
 

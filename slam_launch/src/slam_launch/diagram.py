@@ -12,15 +12,15 @@ import subprocess
 from roslaunch.config import load_config_default
 import rospkg
 
+from . import ports
 from .errors import ProductError
 
-ARROW = "->"
 FORMATS = ("svg", "png", "pdf", "dot")
 FRONT_END = {"motion", "observations"}  # what a component of the front-end publishes
 BACK_END = "pose"
 SENSORS = {"odom": "wheel encoders", "camera/image_raw": "front camera",
            "ceiling_camera/image_raw": "camera that looks up", "scan": "laser",
-           "observations": "landmark observations of others"}
+           "observations": "landmark observations of others", "motion": "motion of others"}
 RESULTS = "robot, rviz"
 INPROCESS = "slam_launch/launch/inprocess.launch"
 END = 'style="rounded,filled", fillcolor="#f4f5f7"'
@@ -50,20 +50,29 @@ class Component:
         return "Back-end" if BACK_END in self.outputs else "Additional modules"
 
 
-def components(features, model):
-    """Returns the Components of a product by the feature model and the launch files it names."""
-    topics = model.named_strings("TOPICS_", features)
-    return [component(name, launch, topics.get(name, ARROW))
-            for name, launch in model.named_strings("LAUNCH_", features).items()]
+def components(product, model):
+    """Returns the Components of a product: by the ports of its parts, each in the nodelet of the
+    launch file that the feature model has for its role. A launch file beyond them takes and makes
+    nothing that the parts say."""
+    launches = model.launches(product.features)
+    drawn = [component(part, taken(launches, part)) for part in ports.of_product(product).components]
+    return drawn + [Component(*nodelet(launch), (), ()) for launch in launches]
 
 
-def component(part, launch, topics):
-    inputs, arrow, outputs = topics.partition(ARROW)
-    if not arrow:
-        raise ProductError(f"the feature model: TOPICS_{part} is '{topics}', which has no {ARROW} "
-                           "between inputs and outputs")
-    name, plugin = nodelet(launch)
-    return Component(name, plugin, tuple(inputs.split()), tuple(outputs.split()))
+def taken(launches, part):
+    """Takes the launch file of a part out of {PACKAGE/FILE: keys of the features it is for}."""
+    for launch, keys in launches.items():
+        if part.key in keys:
+            del launches[launch]
+            return launch
+    raise ProductError(f"the feature model: no LAUNCH_... starts the {part.role} '{part.name}', "
+                       f"which {part.key} names")
+
+
+def component(part, launch):
+    inputs = [port.topic for port in part.inputs if port.time != ports.LATCHED]
+    outputs = [port.topic for port in part.outputs]
+    return Component(*nodelet(launch), tuple(dict.fromkeys(inputs)), tuple(dict.fromkeys(outputs)))
 
 
 @functools.lru_cache(maxsize=None)
@@ -136,7 +145,7 @@ def box(part, is_new, is_inside):
     """A component; one inside the meta-coordinator is no nodelet of its own."""
     plugin = f'<font point-size="10" color="{MUTED}">{html.escape(part.plugin)}</font>'
     label = (f'<<font point-size="10" color="{MUTED}">«component»</font><br/>'
-             f'<b>{html.escape(part.name)}</b>{"" if is_inside else "<br/>" + plugin}>')
+             f"<b>{html.escape(part.name)}</b>{'' if is_inside else '<br/>' + plugin}>")
     return node(part.name, label, 'shape=component, style=filled, fillcolor="white", '
                 'margin="0.25,0.12"', is_new)
 
@@ -173,12 +182,15 @@ def coordinator_title():
 def draw(product, path, model, former=None, composition="pubsub"):
     """Writes the diagram of a product as SVG, PNG, PDF or in graphviz's language, by the file's
     name; what the product `former` has not is coloured."""
+    write(path, dot(components(product, model), components(former, model) if former else (),
+                    coordinator_title() if composition == "inprocess" else ""))
+
+
+def write(path, text):
+    """Writes a text in graphviz's language, or what graphviz makes of it, by the file's name."""
     kind = path.suffix[1:]
     if kind not in FORMATS:
         raise ProductError(f"{path} ends with none of: {', '.join('.' + name for name in FORMATS)}")
-    text = dot(components(product.features, model),
-               components(former.features, model) if former else (),
-               coordinator_title() if composition == "inprocess" else "")
     try:
         if kind != "dot":
             text = subprocess.run(["dot", f"-T{kind}"], input=text.encode(), check=True,

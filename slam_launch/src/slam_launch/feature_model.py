@@ -136,6 +136,15 @@ class FeatureModel:
                 files[half].append(symbol.str_value)
         return files
 
+    def launches(self, features):
+        """Returns the keys of the features that each PACKAGE/FILE is launched for."""
+        keys = {name: key for key, group in self.groups.items() for name in group.symbols.values()}
+        launched = self.named_strings("LAUNCH_", features)
+        wanted = {file: wanted_by(self.kconfig.syms["LAUNCH_" + name])
+                  for name, file in launched.items()}
+        return {file: {keys[item.name] for item in items if item.name in keys}
+                for file, items in wanted.items()}
+
     def describe(self, symbol):
         """Returns KEY=VALUE for a feature's symbol, else its name."""
         for key, group in self.groups.items():
@@ -182,8 +191,12 @@ def module_group(symbol):
 
 def is_for(symbol, menu):
     """Whether a symbol's value is asked for by a feature within a menu."""
-    wanted = {item for _, condition in symbol.defaults for item in kconfiglib.expr_items(condition)}
-    return any(stands_in(getattr(item, "choice", None) or item, menu) for item in wanted)
+    return any(stands_in(getattr(item, "choice", None) or item, menu) for item in wanted_by(symbol))
+
+
+def wanted_by(symbol):
+    """Returns the symbols and choices that a symbol's values depend on."""
+    return {item for _, condition in symbol.defaults for item in kconfiglib.expr_items(condition)}
 
 
 def stands_in(item, menu):

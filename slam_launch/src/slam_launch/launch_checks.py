@@ -5,8 +5,9 @@
 import os
 import pathlib
 import time
+import urllib.parse
 
-from . import config_files, machines, overrides, parameters, products
+from . import config_files, machines, overrides, parameters, ports, products
 from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
 
@@ -15,7 +16,7 @@ CHOICES = {"composition": ("pubsub", "inprocess"), "mode": ("slam", "localizatio
 DEFAULTS = {"backend": "ekf", "odometry": "wheel"}  # of a launch without a product
 PATHS = {"bag": "frontend", "load_map": "backend", "output_dir": "backend",
          "save_on_exit": "backend"}  # and the half that reads or writes there
-DRIVER = "wheel"  # the odometry whose transform a driver publishes
+URI = "file://"  # and an absolute path, percent-encoded
 OLD = 60  # [s], after which nobody reads a list of parts any more
 
 
@@ -28,10 +29,10 @@ def check_values(arguments):
                                f"{did_you_mean(arguments[key], known)}")
     require_map("mode:=", arguments["mode"], arguments)
     machines.check_machines(arguments)
-    for key, exists, half in (("load_map", os.path.exists, "backend"),
-                              ("bag", os.path.isfile, "frontend")):
-        if arguments[key] and machines.runs_here(half, arguments) and not exists(arguments[key]):
-            raise ProductError(f"{key}:={arguments[key]}: there is no such file")
+    for key, half in (("load_map", "backend"), ("bag", "frontend")):
+        if arguments[key] and machines.runs_here(half, arguments):
+            config_files.require_regular(f"{key}:={arguments[key]}", arguments[key],
+                                         folder=key == "load_map")
     for key, number in (("rate", float), ("seed", int)):
         try:
             if arguments[key] and not 0 <= number(arguments[key]) < float("inf"):
@@ -67,6 +68,7 @@ def configured(product, arguments, model):
     overrides.require_no_feature(given, model)
     products.require_sections(overrides.sections(given), product.features, model)
     products.require_parameters(product, words)
+    ports.require_joined(product)
     backend = product.features["backend"]
     require_map(f"set:={backend}.mode=", given.get(f"{backend}.mode"), arguments)
     section = {**(product.content.get(backend) or {}), "mode": arguments["mode"]}
@@ -84,20 +86,41 @@ def parts(product, arguments, model):
     return files
 
 
+def with_plain_paths(arguments):
+    """Returns the arguments with each file: URI as the path that it stands for. roslaunch cannot
+    pass on a path with a ':=' in it, nor one with a quote to this program."""
+    plain = dict(arguments)
+    for key in {*PATHS, "product", "robot"} & arguments.keys():
+        if arguments[key].startswith(URI):
+            plain[key] = urllib.parse.unquote(arguments[key][len(URI):])
+            if "$(" in plain[key]:
+                raise ProductError(f"{key}:={plain[key]}: roslaunch takes a '$(' in a path for its "
+                                   "own; give the file or folder another name")
+    return plain
+
+
 def absolute_paths(arguments):
-    """Returns the paths for this machine, where nodes start in another folder than roslaunch."""
+    """Returns the paths for this machine, where nodes start in another folder than roslaunch, and
+    those that are absolute anyway."""
     return {key: os.path.abspath(arguments[key]) for key, half in PATHS.items()
-            if arguments[key] and machines.runs_here(half, arguments)}
+            if arguments[key] and (machines.runs_here(half, arguments) or
+                                   os.path.isabs(arguments[key]))}
 
 
 def common_arguments(product, arguments):
     """Returns the arguments of the parts beyond those of slam.launch itself."""
-    by_default = arguments["bag"] or product.features["odometry"] != DRIVER
     with_pointmap = product.features.get("pointmap") == "true"
     return {**absolute_paths(arguments), "transport": arguments["camera_transport"],
             "waits_for_pointmap":
                 "true" if with_pointmap and arguments["composition"] == "pubsub" else "false",
-            "publish_tf": arguments["publish_tf"] or ("true" if by_default else "false")}
+            "publish_tf": arguments["publish_tf"] or publishes_edge(product, arguments)}
+
+
+def publishes_edge(product, arguments):
+    """Whether the odometry publishes odom -> base_link where nobody says: for a bag, whose own is
+    left out, and where no driver does."""
+    owns = arguments["bag"] or ports.of_product(product).owns_odometry_edge
+    return "true" if owns else "false"
 
 
 def remove_if_old(path):
@@ -140,8 +163,9 @@ def robot_of_bag(path):
     try:
         with rosbag.Bag(path) as bag:
             return next((m.data for _, m, _ in bag.read_messages(topics=["/robot", "robot"])), None)
-    except (OSError, rosbag.ROSBagException) as error:
-        raise ProductError(f"cannot read the bag {path}: {error}") from error
+    except Exception as error:  # of a damaged bag the library throws whatever it stumbles over
+        cause = " ".join(str(error).split()) or type(error).__name__
+        raise ProductError(f"cannot read the bag {path}, is it damaged? ({cause})") from error
 
 
 def robot_for(arguments):

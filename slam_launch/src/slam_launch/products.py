@@ -8,7 +8,7 @@ import re
 
 import yaml
 
-from . import config_files, parameters
+from . import config_files, parameters, ports
 from .errors import ProductError
 from .feature_model import text
 
@@ -169,6 +169,7 @@ def make(name, words, model):
     parameters.require_valid_parameters(
         [f"{section}.{key}={value}" for section, values in sections.items()
          for key, value in values.items()], product.content["libraries"])
+    ports.require_joined(product)
     return product
 
 

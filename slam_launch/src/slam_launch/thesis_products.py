@@ -9,7 +9,7 @@ import shutil
 import sys
 import time
 
-from slam_eval import comparison
+from slam_eval.report import comparison
 
 from . import diagram, products
 from .demonstration import call_quietly, SEED, world_file

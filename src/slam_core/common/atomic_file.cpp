@@ -11,19 +11,19 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace slam {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& temporary, int error) {
-  ::unlink(temporary.c_str());
+[[noreturn]] void fail(const std::string& path, int error) {
   struct stat target {};
   const bool is_file = ::stat(path.c_str(), &target) == 0 && S_ISREG(target.st_mode);
   throw std::runtime_error("cannot write " + path + ": " + std::strerror(error) +
                            (is_file ? "; the file is as it was before" : ""));
 }
 
-bool writeAll(int descriptor, const std::string& content) {
+bool writeToDisk(int descriptor, const std::string& content) {
   std::size_t written = 0;
   while (written < content.size()) {
     const auto n = ::write(descriptor, content.data() + written, content.size() - written);
@@ -34,39 +34,63 @@ bool writeAll(int descriptor, const std::string& content) {
   return ::fsync(descriptor) == 0;
 }
 
-std::string temporaryOf(const std::string& path) {
-  return path + ".part" + std::to_string(::getpid());
-}
-
-/// The temporary file beside it.
-int openBeside(const std::string& path) {
+void requireReplaceable(const std::string& path) {
   // Renaming would replace a device like /dev/null, and root may do that.
   struct stat target {};
   const bool exists = ::stat(path.c_str(), &target) == 0;
-  if (exists && S_ISDIR(target.st_mode)) fail(path, temporaryOf(path), EISDIR);
+  if (exists && S_ISDIR(target.st_mode)) fail(path, EISDIR);
   if (exists && !S_ISREG(target.st_mode))
     throw std::runtime_error("cannot write " + path + ": it is no ordinary file");
-  const auto temporary = temporaryOf(path);
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) fail(path, temporary, errno);
-  return descriptor;
 }
+
+/// A file that is removed again unless it takes its place.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& path) : path_(path) {
+    requireReplaceable(path);
+    for (int i = 0; i < kNames && descriptor_ < 0; ++i) {
+      name_ = path + ".part" + std::to_string(::getpid()) + (i > 0 ? "." + std::to_string(i) : "");
+      descriptor_ =
+          ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+      if (descriptor_ < 0 && errno != EEXIST) break;
+    }
+    if (descriptor_ < 0) fail(path_, errno);
+  }
+  ~TemporaryFile() {
+    close();
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(const std::string& content) const {
+    if (!writeToDisk(descriptor_, content)) fail(path_, errno);
+  }
+  void takePlace() {
+    if (!close() || std::rename(name_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+    name_.clear();
+  }
+  std::string release() { return std::exchange(name_, ""); }
+
+ private:
+  static constexpr int kNames = 100;  // taken by what was killed here, or by somebody else's links
+
+  bool close() { return descriptor_ < 0 || ::close(std::exchange(descriptor_, -1)) == 0; }
+
+  std::string path_, name_;
+  int descriptor_ = -1;
+};
 
 }  // namespace
 
 void writeFileAtomically(const std::string& path, const std::string& content) {
-  const int descriptor = openBeside(path);
-  const auto temporary = temporaryOf(path);
-  const bool complete = writeAll(descriptor, content);
-  const int write_error = errno;
-  const bool closed = ::close(descriptor) == 0;
-  if (!complete || !closed) fail(path, temporary, complete ? errno : write_error);
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+  TemporaryFile file(path);
+  file.write(content);
+  file.takePlace();
 }
 
-void requireWritable(const std::string& path) {
-  ::close(openBeside(path));
-  ::unlink(temporaryOf(path).c_str());
-}
+std::string makeTemporaryBeside(const std::string& path) { return TemporaryFile(path).release(); }
+
+void requireWritable(const std::string& path) { TemporaryFile{path}; }
 
 }  // namespace slam

@@ -12,6 +12,11 @@ namespace slam {
 /// @throw std::runtime_error naming the file and the cause (full disk, no permission)
 void writeFileAtomically(const std::string& path, const std::string& content);
 
+/// Makes an empty file beside `path`, for who writes by name and renames it at the end. Nothing had
+/// its name before: in a folder that others may write to, no link of theirs is followed.
+/// @return the name @throw std::runtime_error as writeFileAtomically()
+std::string makeTemporaryBeside(const std::string& path);
+
 /// Tells what would keep writeFileAtomically() from it, before there is anything to write. Nothing
 /// is changed.
 /// @throw std::runtime_error as that

@@ -22,6 +22,10 @@ namespace slam {
 /// sources come in the order of the sources. A source that was silent for too long holds nobody
 /// back until it sends something again.
 ///
+/// Of a product without motion (Limits::has_motion) the triggers themselves are the clock: a step
+/// is taken when every other trigger source has passed its stamp, and how long one is silent is
+/// told by the newest stamp of the others.
+///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
 /// "source_timeout", "restart".
@@ -32,6 +36,7 @@ class Collator {
     Duration source_timeout = std::chrono::seconds(1);  ///< then a silent source holds nobody back
     std::size_t motions = 20000;                        ///< held; more are applied without trigger
     std::size_t triggers = 2000;                        ///< held for each source; more are dropped
+    bool has_motion = true;                             ///< else triggers are the clock
   };
   /// `motions` lead exactly to `stamp`. Without a trigger it is a carry: motion has piled up with
   /// nothing to see. `restart`: time began anew, forget everything first.
@@ -50,7 +55,9 @@ class Collator {
     for (auto& source : triggers_) source = StampedQueue<Trigger>(limits.triggers);
   }
 
+  /// Nothing comes of it where there is to be no motion.
   void push(Motion motion) {
+    if (!limits_.has_motion) return;
     const auto stamp = motion.end;
     const auto sequence = motion.sequence;
     motions_.push(stamp, sequence, std::move(motion), counters_);
@@ -68,9 +75,9 @@ class Collator {
 
   /// The next step that is due, or nothing. Call until it is empty after every push().
   std::optional<Step> next() {
-    if (motions_.empty() && !motions_.last()) return std::nullopt;
-    if (!position_) position_ = motions_.front().value.start;
-    dropStale();
+    if (limits_.has_motion && motions_.empty() && !motions_.last()) return std::nullopt;
+    if (limits_.has_motion && !position_) position_ = motions_.front().value.start;
+    if (position_) dropStale();
     auto* source = earliestSource();
     if (source != nullptr && isDue(*source)) {
       Step step = stepTo(source->front().stamp);
@@ -96,6 +103,12 @@ class Collator {
     return std::max(queue.front().stamp, *motions_.last());
   }
   const Counters& counters() const { return counters_; }
+  /// Messages that went back in time and wait for the other sources to do so as well.
+  std::size_t setAside() const {
+    std::size_t sum = motions_.setAside();
+    for (const auto& source : triggers_) sum += source.setAside();
+    return sum;
+  }
 
  private:
   /// Triggers from before the first motion, and those of a timed-out source that come too late.
@@ -115,9 +128,28 @@ class Collator {
     return earliest;
   }
 
+  /// The newest stamp of the triggers, but for jumps ahead that too few of them confirm.
+  std::optional<Stamp> newestTrigger() const {
+    std::optional<Stamp> newest;
+    for (const auto& source : triggers_) newest = std::max(newest, source.believed());
+    return newest;
+  }
+
+  /// How far steps may go: as motion is known, or else as triggers have come. A jump ahead of
+  /// motion's stamps counts where triggers confirm it.
+  std::optional<Stamp> covered() const {
+    if (!limits_.has_motion) return newestTrigger();
+    const auto confirms = [this](const auto& source) {
+      return source.believed() && *source.believed() + kStampJump >= *motions_.jump();
+    };
+    const bool is_confirmed =
+        motions_.jump() && std::any_of(triggers_.begin(), triggers_.end(), confirms);
+    return is_confirmed ? motions_.last() : motions_.believed();
+  }
+
   bool isDue(const StampedQueue<Trigger>& source) {
     const auto stamp = source.front().stamp;
-    if (!motions_.last() || *motions_.last() < stamp) return false;
+    if (!covered() || *covered() < stamp) return false;
     for (std::size_t other = 0; other < triggers_.size(); ++other)
       if (!hasPassed(other, stamp)) return false;
     return true;
@@ -128,7 +160,7 @@ class Collator {
     const auto& queue = triggers_[source];
     if (silent_[source] || !queue.empty() || (queue.last() && *queue.last() >= stamp)) return true;
     const auto last = std::max(stamp, queue.last().value_or(stamp));
-    if (*motions_.last() - last < limits_.source_timeout) return false;
+    if (*covered() - last < limits_.source_timeout) return false;
     counters_.add("source_timeout");
     silent_[source] = true;
     return true;
@@ -140,6 +172,10 @@ class Collator {
     step.restart = std::exchange(restart_, false);
     while (!motions_.empty() && motions_.front().value.start < stamp) {
       Motion motion = motions_.pop().value;
+      if (motion.end <= *position_) {
+        counters_.add("late");
+        continue;
+      }
       if (motion.start < *position_) motion = split(motion, *position_).second;
       if (motion.end > stamp) {
         auto [before, after] = split(motion, stamp);
@@ -149,15 +185,30 @@ class Collator {
       position_ = motion.end;
       step.motions.push_back(std::move(motion));
     }
-    position_ = stamp;
-    stepped_ = true;
+    goTo(stamp);
     return step;
   }
 
-  void restartWhenAllWentBack() {
-    if (!motions_.wentBack()) return;
+  void goTo(Stamp stamp) {
+    position_ = stamp;
+    stepped_ = true;
+    motions_.goneTo(stamp);
+    for (auto& source : triggers_) source.goneTo(stamp);
+  }
+
+  /// Where there is no motion to confirm it, one trigger alone does not begin a run.
+  bool allBeganAnew() const {
+    const bool is_likely =
+        limits_.has_motion ? motions_.beganAnew() : setAside() >= StampedQueue<Trigger>::kInARow;
+    if (!is_likely) return false;
     for (std::size_t source = 0; source < triggers_.size(); ++source)
-      if (!silent_[source] && !triggers_[source].wentBack() && triggers_[source].last()) return;
+      if (!silent_[source] && !triggers_[source].beganAnew() && triggers_[source].last())
+        return false;
+    return true;
+  }
+
+  void restartWhenAllWentBack() {
+    if (!allBeganAnew()) return;
     motions_.restart();
     for (auto& source : triggers_) source.restart();
     position_.reset();

@@ -40,6 +40,7 @@ class FaultCollector {
   void add(const std::string& fault) {
     if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) faults_.push_back(fault);
   }
+  bool isEmpty() const { return faults_.empty(); }
   /// @throw ConfigError when there was any fault
   void raise() const {
     if (!faults_.empty()) throw ConfigError(faults_);

@@ -4,9 +4,9 @@
 #include "slam_core/common/settings.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/yaml_file.hpp"
 
 namespace slam {
 namespace {
@@ -51,7 +51,7 @@ std::string assign(const Field& field, const YAML::Node& node) {
 YAML::Node nodeOf(const Field& field, const std::string& text) {
   if (!field.isListOrMap()) return YAML::Node(text);
   try {
-    return YAML::Load(text);
+    return parseYaml(text, YamlLimits::configuration());
   } catch (const YAML::Exception&) {
     return YAML::Node(text);
   }
@@ -90,15 +90,16 @@ void findDoubles(const ConfigDocument& document, const YAML::Node& node, const s
 }  // namespace
 
 ConfigDocument loadConfigFile(const std::string& file) {
-  if (std::filesystem::is_directory(file)) throw ConfigError(file + " is a folder, not a file");
   try {
-    const auto root = YAML::LoadFile(file);
+    const auto root = loadYamlFile(file, "the file", YamlLimits::configuration());
     if (root.IsNull()) throw ConfigError(file + " is empty");
     return {file, root};
-  } catch (const YAML::BadFile&) {
-    throw ConfigError("cannot read " + file + "; does it exist?");
+  } catch (const ConfigError&) {
+    throw;
   } catch (const YAML::Exception& error) {
-    throw ConfigError(file + " is not YAML: " + error.what());
+    throw ConfigError(file + " is not YAML that can be used: " + error.what());
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(error.what());
   }
 }
 

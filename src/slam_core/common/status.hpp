@@ -14,12 +14,25 @@ struct Status {
 
   static Status ok() { return {}; }
   static Status warning(std::string message) { return {Level::kWarning, std::move(message)}; }
+  /// A warning that must not go under in others: what comes out may be useless.
+  static Status alarm(std::string message) { return {Level::kWarning, std::move(message), true}; }
   static Status error(std::string message) { return {Level::kError, std::move(message)}; }
 
   bool isOk() const { return level == Level::kOk; }
+  bool isUrgent() const { return is_alarm || level == Level::kError; }
 
   Level level = Level::kOk;
-  std::string message;  ///< one sentence: what, where, what to do; empty when all is well
+  std::string message;    ///< one sentence: what, where, what to do; empty when all is well
+  bool is_alarm = false;  ///< see alarm()
 };
+
+/// The one of two that must be told, where only one can be; the second one where both must.
+inline Status moreUrgent(Status first, Status second) {
+  const auto urgency = [](const Status& status) {
+    if (status.isOk()) return 0;
+    return status.level == Status::Level::kError ? 3 : status.is_alarm ? 2 : 1;
+  };
+  return urgency(second) >= urgency(first) && !second.isOk() ? second : first;
+}
 
 }  // namespace slam

@@ -18,11 +18,16 @@ constexpr double kOutlierNis = 100.0;
 constexpr int kFewest = 10;
 /// A window of right sigmas goes beyond this about once in a hundred thousand.
 constexpr double kSignificant = 4.5;
-/// A sensor that has just gone wrong spoils the prediction at once. So the odometry is named only
-/// after so many updates that agree, and where no sensor is half way to being wrong with so much
-/// evidence. It shows less, so that less must do.
+/// What has just gone wrong looks like noise at first, and a sensor that has spoils the prediction
+/// at once. So nothing is named before so many updates agree, and the odometry only where no sensor
+/// is half way to being wrong with so much evidence. It shows less, so that less must do.
 constexpr int kAgreeing = 8;
 constexpr double kSuspicious = 3.0, kSignificantMotion = 3.0;
+/// [standard deviations of a step]: a bias that is smaller is hidden in the noise of any sensor.
+constexpr double kSmallestBias = 0.3;
+/// A landmark's innovations may be correlated with its next ones by so much for a sigma to be
+/// named.
+constexpr double kAlike = 0.4;
 
 /// The cube root of chi-square over its degrees of freedom is nearly normal, with the mean 1 - a
 /// and the variance a (Wilson and Hilferty 1931). z: the quantile of the normal distribution.
@@ -83,7 +88,8 @@ void ConsistencyConfig::describe(Fields& fields) {
       .in(Range::above(1));
 }
 
-ConsistencyMonitor::ConsistencyMonitor(const ConsistencyConfig& config) : config_(config) {}
+ConsistencyMonitor::ConsistencyMonitor(const ConsistencyConfig& config)
+    : config_(config), gating_(config.window), bias_(config.window), serial_(config.window) {}
 
 const char* ConsistencyMonitor::name(Source source) {
   static constexpr const char* kNames[] = {"range", "bearing", "odometry"};
@@ -91,6 +97,19 @@ const char* ConsistencyMonitor::name(Source source) {
 }
 
 void ConsistencyMonitor::add(const UpdateStatistics& statistics) {
+  gating_.add(statistics);
+  is_lost_ = gating_.isExcessive();
+  serial_.add(statistics.innovations);
+  const auto score = scoreOf(statistics);
+  if (score.dof == 0) return;
+  if (statistics.joint.nu.size() > 0) bias_.add(statistics.joint, statistics.prediction);
+  last_nis_ = statistics.nis;
+  window_.push_back(score);
+  if (window_.size() > static_cast<std::size_t>(config_.window)) window_.pop_front();
+  judge();
+}
+
+ConsistencyMonitor::Score ConsistencyMonitor::scoreOf(const UpdateStatistics& statistics) {
   Score score;
   odometry_.predict(statistics.prediction);
   const bool is_joint = statistics.joint.nu.size() > 0;
@@ -101,11 +120,7 @@ void ConsistencyMonitor::add(const UpdateStatistics& statistics) {
     const double nis = group.nu.dot(group.S.llt().solve(group.nu));
     if (!(is_joint && observation.used) && nis < kOutlierNis) addGroup(group, score);
   }
-  if (score.dof == 0) return;
-  last_nis_ = statistics.nis;
-  window_.push_back(score);
-  if (window_.size() > static_cast<std::size_t>(config_.window)) window_.pop_front();
-  judge();
+  return score;
 }
 
 /// The slope by the variance of a source is (u^T C u - tr S^-1 C) / 2, and the information of two
@@ -179,29 +194,66 @@ void ConsistencyMonitor::judge() {
 }
 
 void ConsistencyMonitor::blame() {
-  blamed_.reset();
-  const auto evidence = [this](Source source) { return std::abs(factors_[source].evidence); };
-  const auto isOff = [&](Source source, double by, double significant) {
-    const double sigma = factors_[source].sigma;
-    return evidence(source) > significant && std::max(sigma, 1.0 / sigma) > by;
-  };
   const double wrong = config_.warning_factor, half_way = std::sqrt(wrong);
-  const Source sensor = evidence(kRange) > evidence(kBearing) ? kRange : kBearing;
-  const bool is_motion =
-      isOff(kMotion, wrong, kSignificantMotion) && !isOff(sensor, half_way, kSuspicious);
-  motion_agreeing_ = is_motion ? motion_agreeing_ + 1 : 0;
-  if (updates() < std::min(kFewest, config_.window)) return;
-  if (isOff(sensor, wrong, kSignificant))
+  const Source sensor = sensorInQuestion();
+  const bool is_noise = !isSystematic(sensor), is_sensor = isOff(sensor, wrong, kSignificant);
+  const auto count = [](int& agreeing, bool agrees) { agreeing = agrees ? agreeing + 1 : 0; };
+  count(agreeing_.bias, std::abs(bias_.mean().evidence) > kSignificant &&
+                            std::abs(bias_.mean().size) > kSmallestBias);
+  count(agreeing_.sensor, is_sensor && is_noise);
+  count(agreeing_.motion, isOff(kMotion, wrong, kSignificantMotion) &&
+                              !isOff(sensor, half_way, kSuspicious) &&
+                              !gating_.isLatestMostlyGated());
+  is_biased_ = agreeing_.bias >= kAgreeing;
+  blamed_.reset();
+  if (updates() < std::min(kFewest, config_.window) || !is_noise) return;
+  if (agreeing_.sensor >= kAgreeing)
     blamed_ = sensor;
-  else if (motion_agreeing_ >= kAgreeing)
+  else if (!is_sensor && agreeing_.motion >= kAgreeing)
     blamed_ = kMotion;
 }
 
+/// The one with more evidence against it. While one looks too small, the other one's looking too
+/// large is what is left over of the same innovations.
+ConsistencyMonitor::Source ConsistencyMonitor::sensorInQuestion() const {
+  const double range = factors_[kRange].evidence, bearing = factors_[kBearing].evidence;
+  if (std::max(range, bearing) > kSuspicious) return range > bearing ? kRange : kBearing;
+  return std::abs(range) > std::abs(bearing) ? kRange : kBearing;
+}
+
+bool ConsistencyMonitor::isOff(Source source, double by, double significant) const {
+  const auto& factor = factors_[source];
+  return std::abs(factor.evidence) > significant && std::max(factor.sigma, 1.0 / factor.sigma) > by;
+}
+
+/// Whether there may be something else in the innovations than noise. The odometry's noise makes
+/// them alike from step to step as well: of that only the sensor that may be named is asked.
+bool ConsistencyMonitor::isSystematic(Source sensor) const {
+  if (std::abs(bias_.mean().evidence) > kSuspicious) return true;
+  const auto component = sensor == kRange ? SerialCorrelation::kRange : SerialCorrelation::kBearing;
+  return isOff(sensor, std::sqrt(config_.warning_factor), kSuspicious) &&
+         serial_.coefficient(component) > kAlike;
+}
+
 std::optional<ConsistencyMonitor::Source> ConsistencyMonitor::overconfident() const {
-  return blamed_ && factors_[*blamed_].sigma > 1.0 ? blamed_ : std::nullopt;
+  const bool is_sigma = !is_lost_ && !is_biased_ && blamed_ && factors_[*blamed_].sigma > 1.0;
+  return is_sigma ? blamed_ : std::nullopt;
+}
+
+ConsistencyMonitor::Fault ConsistencyMonitor::fault() const {
+  static constexpr Fault kOfSigmas[] = {Fault::kRangeSigma, Fault::kBearingSigma,
+                                        Fault::kMotionSigma};
+  if (is_lost_) return Fault::kLost;
+  if (is_biased_) return Fault::kBias;
+  const auto source = overconfident();
+  return source ? kOfSigmas[*source] : Fault::kNone;
 }
 
 std::string ConsistencyMonitor::finding() const {
+  if (is_lost_)
+    return fmt::format("{} of the last {} observations failed the gate: the pose may be lost",
+                       gating_.gated(), gating_.observations());
+  if (is_biased_) return bias_.finding();
   if (!blamed_) return "";
   const double sigma = factors_[*blamed_].sigma;
   return fmt::format("{} sigma looks {:.1f} times too {} (NIS {:.2f} over {} updates, 1 expected)",

@@ -10,8 +10,11 @@
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
+#include "slam_core/consistency/gating_rate.hpp"
+#include "slam_core/consistency/innovation_bias.hpp"
 #include "slam_core/consistency/odometry_sensitivity.hpp"
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/consistency/serial_correlation.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 
 namespace slam {
 
@@ -32,9 +35,15 @@ struct ConsistencyConfig {
 /// can be told apart where several landmarks are seen. What the odometry has to do with an
 /// innovation says OdometrySensitivity; where the back-end does not tell enough for that, all of a
 /// prediction counts as the odometry's.
+///
+/// All that is true of noise only. So before a sigma is named, two other explanations are tried:
+/// the pose is lost (GatingRate), and the innovations are off zero in the mean (InnovationBias).
+/// While one of them is in question, no sigma is named.
 class ConsistencyMonitor {
  public:
   enum Source : std::size_t { kRange, kBearing, kMotion, kSources };
+  /// What is wrong, the gravest first.
+  enum class Fault { kNone, kLost, kBias, kRangeSigma, kBearingSigma, kMotionSigma };
 
   /// What a window says of one source.
   struct Factor {
@@ -55,12 +64,15 @@ class ConsistencyMonitor {
   double nisMean() const;
   std::array<double, 2> nisBounds() const;
   const std::array<Factor, kSources>& factors() const { return factors_; }
-  /// "range sigma looks 3.0 times too small (...)", or nothing. A sensor that is wrong makes the
-  /// prediction wrong as well: motion is named only where no sensor is suspicious.
+  /// "40 of the last 50 observations failed the gate: the pose may be lost", "innovations are
+  /// biased
+  /// (...)", "range sigma looks 3.0 times too small (...)", or nothing. A sensor that is wrong
+  /// makes the prediction wrong as well: motion is named only where no sensor is suspicious.
   std::string finding() const;
-  /// The source of the finding, where its sigma is too small: the back-end is surer than it may be.
-  /// One that is too large is no fault: it covers errors that are alike from step to step, which
-  /// innovations do not show.
+  /// Why the back-end is surer than it may be. A sigma that is too large is no fault: it covers
+  /// errors that are alike from step to step, which innovations do not show.
+  Fault fault() const;
+  /// The source of the finding, where its sigma is too small.
   std::optional<Source> overconfident() const;
 
   static const char* name(Source source);
@@ -73,17 +85,28 @@ class ConsistencyMonitor {
     double nis = 0.0;
     int dof = 0;
   };
+  Score scoreOf(const UpdateStatistics& statistics);
   void addGroup(const JointInnovation& group, Score& score) const;
   void judge();
   void blame();
+  Source sensorInQuestion() const;
+  bool isOff(Source source, double by, double significant) const;
+  bool isSystematic(Source sensor) const;
 
   ConsistencyConfig config_;
+  GatingRate gating_;
+  InnovationBias bias_;
+  SerialCorrelation serial_;
   OdometrySensitivity odometry_;
   std::deque<Score> window_;
   double last_nis_ = 0.0;
   std::array<Factor, kSources> factors_;
-  std::optional<Source> blamed_;
-  int motion_agreeing_ = 0;  ///< updates that would have named the motion
+  bool is_lost_ = false, is_biased_ = false;
+  std::optional<Source> blamed_;  ///< its sigma is wrong
+  /// Updates in a row that would have named it.
+  struct {
+    int bias = 0, sensor = 0, motion = 0;
+  } agreeing_;
 };
 
 }  // namespace slam

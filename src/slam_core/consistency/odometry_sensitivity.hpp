@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 
 namespace slam {
 

@@ -6,42 +6,72 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <optional>
-#include <set>
+
+#include "slam_core/ekf/candidates.hpp"
 
 namespace slam::ekf {
 
-/// The quantile of the chi-square distribution with two degrees of freedom has a closed form.
-KnownIdAssociation::KnownIdAssociation(double gate_probability)
-    : gate_(-2.0 * std::log(1.0 - gate_probability)) {}
+using association::Decision;
 
-Association KnownIdAssociation::associate(const LandmarkObservationArray& array,
-                                          const EkfState& state, const ObservationModel& model,
-                                          int linearizations, Counters& counters) const {
+/// The quantile of the chi-square distribution with two degrees of freedom has a closed form.
+Associator::Associator(const EkfConfig& config)
+    : policy_(association::makePolicy(config.association)),
+      gate_(-2.0 * std::log(1.0 - config.gate_probability)),
+      linearizations_(config.iterations),
+      map_is_fixed_(config.mode == "localization") {}
+
+Association Associator::associate(const LandmarkObservationArray& array, EkfState& state,
+                                  const ObservationModel& model, Counters& counters) {
+  if (policy_->usesPlaces()) {
+    const auto near = landmarksByPlace(array, state, model, gate_);
+    state.take(near.all());
+    policy_->decide(array, PlaceCandidates(array, state, model, near), map_is_fixed_, decisions_);
+  } else {
+    state.take(landmarksById(array, state));
+    policy_->decide(array, IdCandidates(state), map_is_fixed_, decisions_);
+  }
+  decisions_.resize(array.observations.size());
   Association association;
-  std::set<LandmarkId> seen;
-  for (const auto& z : array.observations) {
-    if (z.id == kUnknownId) {
-      ++association.unknown;
-      continue;
-    }
-    if (!seen.insert(z.id).second) {
-      counters.add("duplicate");
-      continue;
-    }
-    const auto slot = state.slot(z.id);
-    if (!slot) {
+  sort(array, state, model, association, counters);
+  return association;
+}
+
+/// A policy of another package may be wrong: nothing is new in a fixed map, and only what it was
+/// offered can be updated.
+Decision::Kind Associator::checked(const Decision& decision, const EkfState& state) const {
+  using Kind = Decision::Kind;
+  if (decision.kind == Kind::kNew && map_is_fixed_) return Kind::kNotInMap;
+  if (decision.kind != Kind::kLandmark) return decision.kind;
+  const bool is_offered =
+      decision.landmark < state.landmarks() && state.slotOf(decision.landmark) >= 0;
+  return is_offered ? Kind::kLandmark : Kind::kUnknown;
+}
+
+void Associator::sort(const LandmarkObservationArray& array, const EkfState& state,
+                      const ObservationModel& model, Association& association,
+                      Counters& counters) const {
+  using Kind = Decision::Kind;
+  for (std::size_t i = 0; i < array.observations.size(); ++i) {
+    const auto& z = array.observations[i];
+    const auto landmark = decisions_[i].landmark;
+    const auto kind = checked(decisions_[i], state);
+    if (kind == Kind::kNew) {
       association.unseen.push_back(z);
-      continue;
+    } else if (kind == Kind::kLandmark) {
+      Match match{state.slotOf(landmark), z};
+      match.z.id = state.id(landmark);
+      if (passesGate(match, state, model, array.sensor_pose, association))
+        association.matches.push_back(match);
+      else
+        association.gated.push_back(match.z);
+    } else if (kind == Kind::kDuplicate) {
+      counters.add("duplicate");
+    } else {
+      counters.add(kind == Kind::kNotInMap ? "not_in_map" : "unknown_id");
+      ++association.unknown;
     }
-    const Match match{*slot, z};
-    if (passesGate(match, state, model, array.sensor_pose, linearizations, association))
-      association.matches.push_back(match);
-    else
-      association.gated.push_back(z);
   }
   counters.add("gated", association.gated.size());
-  counters.add("unknown_id", static_cast<std::uint64_t>(association.unknown));
-  return association;
 }
 
 double outlierLogLikelihood(double gate, double nis, const Eigen::Matrix2d& S) {
@@ -51,9 +81,9 @@ double outlierLogLikelihood(double gate, double nis, const Eigen::Matrix2d& S) {
 
 /// Where the prediction is far off, a right observation may fail its gate for the linearisation
 /// alone: the second look is iterated.
-bool KnownIdAssociation::passesGate(const Match& match, const EkfState& state,
-                                    const ObservationModel& model, const Pose2& sensor,
-                                    int linearizations, Association& association) const {
+bool Associator::passesGate(const Match& match, const EkfState& state,
+                            const ObservationModel& model, const Pose2& sensor,
+                            Association& association) const {
   const auto predicted = model.predict(state.robot(), sensor, state.point(match.slot).now);
   if (model.isSingular(predicted)) return false;
   const std::vector<Match> one = {match};
@@ -67,7 +97,7 @@ bool KnownIdAssociation::passesGate(const Match& match, const EkfState& state,
             nis <= gate_};
     return seen->used;
   };
-  const bool passes = look(1) || (linearizations > 1 && look(linearizations));
+  const bool passes = look(1) || (linearizations_ > 1 && look(linearizations_));
   if (!seen) return false;
   association.innovations.push_back(*seen);
   if (!passes) association.gated_log_likelihood += outlierLogLikelihood(gate_, nis, seen->S);

@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "slam_core/association/association_policy.hpp"
 #include "slam_core/common/counters.hpp"
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/ekf/ekf_config.hpp"
 #include "slam_core/ekf/observation_update.hpp"
 
 namespace slam::ekf {
@@ -18,7 +21,7 @@ struct Association {
   std::vector<LandmarkObservation> gated;          ///< of known landmarks, outside the gate
   std::vector<ObservationInnovation> innovations;  ///< of known landmarks, gated ones included
   double gated_log_likelihood = 0.0;               ///< of the gated ones
-  int unknown = 0;                                 ///< without an id
+  int unknown = 0;  ///< it is not told of which landmark, or of one that is not in a fixed map
 };
 
 /// The logarithm of the density of an innovation outside the gate, from its squared Mahalanobis
@@ -27,23 +30,31 @@ struct Association {
 /// of S that are most likely do not depend on the gate, and an outlier costs more the smaller S is.
 double outlierLogLikelihood(double gate, double nis, const Eigen::Matrix2d& S);
 
-/// Association by the observations' own ids. A known landmark's observation must pass the
-/// chi-square gate on its own; of two observations of one id the first counts ("duplicate").
-class KnownIdAssociation {
+/// Brings the landmarks that may have been observed into the neighbourhood, asks the policy once
+/// for all observations of a stamp, and gates what it takes for known landmarks: each observation
+/// must pass the chi-square test on its own. Counted: "duplicate", "gated", "unknown_id",
+/// "not_in_map".
+class Associator {
  public:
-  explicit KnownIdAssociation(double gate_probability = 0.9999);
+  Associator() = default;
+  explicit Associator(const EkfConfig& config);
 
-  /// The known landmarks must be in the neighbourhood.
-  /// @param linearizations of an observation before it is gated, see ObservationUpdate
-  Association associate(const LandmarkObservationArray& array, const EkfState& state,
-                        const ObservationModel& model, int linearizations,
-                        Counters& counters) const;
+  Association associate(const LandmarkObservationArray& array, EkfState& state,
+                        const ObservationModel& model, Counters& counters);
 
  private:
+  association::Decision::Kind checked(const association::Decision& decision,
+                                      const EkfState& state) const;
+  void sort(const LandmarkObservationArray& array, const EkfState& state,
+            const ObservationModel& model, Association& association, Counters& counters) const;
   bool passesGate(const Match& match, const EkfState& state, const ObservationModel& model,
-                  const Pose2& sensor, int linearizations, Association& association) const;
+                  const Pose2& sensor, Association& association) const;
 
-  double gate_;  ///< largest squared Mahalanobis distance
+  std::unique_ptr<association::AssociationPolicy> policy_;
+  double gate_ = 0.0;       ///< largest squared Mahalanobis distance
+  int linearizations_ = 1;  ///< of an observation before it is gated, see ObservationUpdate
+  bool map_is_fixed_ = false;
+  std::vector<association::Decision> decisions_;
 };
 
 }  // namespace slam::ekf

@@ -22,6 +22,7 @@ struct EkfConfig {
   int iterations = 5;
   std::string update = "compressed";
   int neighbourhood = 64;
+  std::string association = "known_ids";
   double gate_probability = 0.9999;
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;

@@ -41,12 +41,22 @@ constexpr std::size_t kLost = 3;
 void EkfSlam::configure(const EkfConfig& config) {
   validate(config);
   config_ = config;
-  association_ = KnownIdAssociation(config.gate_probability);
+  associator_ = Associator(config);
   linearization_ = makeLinearization(config.linearization);
   reset();
 }
 
 void EkfSlam::configure(Settings& settings) { configure(settings.read<EkfConfig>()); }
+
+void EkfSlam::describe(Ports& ports) {
+  ports.takes<Motion>("motion", "motion", this).carrier();
+  ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+}
+
+void EkfSlam::describe(Capabilities& capabilities) {
+  capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<MapKeeper>(*this);
+}
 
 void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
@@ -79,14 +89,14 @@ MapState EkfSlam::state() const {
 
 Status EkfSlam::execute() {
   statistics_ = {};
+  statistics_.gate_probability = config_.gate_probability;
   replaceMap();
   relocate();
   predict();
   statistics_.landmarks = static_cast<int>(state_.landmarks());
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
-  state_.take(z.observations);
-  auto association = association_.associate(z, state_, model_, config_.iterations, counters_);
+  auto association = associator_.associate(z, state_, model_, counters_);
   const auto updated = update(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
   const auto augmented = augment(association.unseen, z.sensor_pose);
@@ -100,7 +110,7 @@ Status EkfSlam::execute() {
 
 Status EkfSlam::summary(const Association& association, const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
-    return Status::warning("no observation fits the map, all are gated: the pose may be lost");
+    return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
   if (config_.mode == "localization" && state_.landmarks() == 0)
     return Status::warning("there is no map to localise in; load one");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
@@ -182,11 +192,6 @@ Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) 
 }
 
 Status EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {
-  if (config_.mode == "localization") {
-    statistics_.unknown += static_cast<int>(unseen.size());
-    counters_.add("not_in_map", unseen.size());
-    return Status::ok();
-  }
   auto status = Status::ok();
   for (const auto& z : unseen) {
     const auto m = initialized(z, sensor);
@@ -196,7 +201,8 @@ Status EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Po
                              " would lie at a place that is not finite; it is left out");
       continue;
     }
-    state_.append(z.id, m.position, m.J_robot, m.R);
+    const bool is_named = z.id != kUnknownId && !state_.find(z.id);
+    state_.append(is_named ? z.id : state_.freeId(), m.position, m.J_robot, m.R);
     ++statistics_.added;
   }
   return status;

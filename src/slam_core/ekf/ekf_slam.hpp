@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/ekf/association.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
 #include "slam_core/ekf/ekf_state.hpp"
@@ -19,14 +21,16 @@ namespace slam::ekf {
 /// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
 /// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
 /// robot instead of the map's is the state's doing (neighbourhood.hpp).
-class EkfSlam final : public Backend {
+class EkfSlam final : public Backend, public LandmarkMapper, public MapKeeper {
  public:
   /// @throw ConfigError
   void configure(const EkfConfig& config);
   void configure(Settings& settings) override;
+  void describe(Ports& ports) override;
+  void describe(Capabilities& capabilities) override;
 
-  void set(const Motion& motion) override;
-  void set(const LandmarkObservationArray& observations) override { observations_ = observations; }
+  void set(const Motion& motion);
+  void set(const LandmarkObservationArray& observations) { observations_ = observations; }
   void set(const PoseEstimate& initial_pose) override { initial_pose_ = initial_pose; }
   void set(const MapState& map) override { map_ = map; }
 
@@ -36,7 +40,7 @@ class EkfSlam final : public Backend {
   LandmarkMap landmarks() const override { return state_.map(); }
   MapState state() const override;
   UpdateStatistics statistics() const override { return statistics_; }
-  const Counters& counters() const override { return counters_; }
+  Counters counters() const override { return counters_; }
 
   void reset() override;
 
@@ -63,7 +67,7 @@ class EkfSlam final : public Backend {
 
   EkfConfig config_;
   RangeBearingModel model_;
-  KnownIdAssociation association_;
+  Associator associator_;
   EkfState::LinearizationPtr linearization_;
   EkfState state_;
   Sightings sightings_;

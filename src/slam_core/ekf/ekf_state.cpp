@@ -36,6 +36,7 @@ EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const M
   for (const auto& landmark : map.landmarks) {
     index_[landmark.id] = static_cast<Eigen::Index>(ids_.size());
     ids_.push_back(landmark.id);
+    largest_id_ = std::max(largest_id_, landmark.id);
     starts_.push_back(landmark.position);
   }
   firsts_ = starts_;
@@ -44,10 +45,10 @@ EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const M
   takeWholeMap();
 }
 
-std::optional<Eigen::Index> EkfState::slot(LandmarkId id) const {
+std::optional<std::size_t> EkfState::find(LandmarkId id) const {
   const auto found = index_.find(id);
   if (found == index_.end()) return std::nullopt;
-  return neighbourhood_.slot(found->second);
+  return static_cast<std::size_t>(found->second);
 }
 
 LandmarkPoint EkfState::point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,
@@ -94,27 +95,20 @@ void EkfState::takeWholeMap() {
   for (Eigen::Index i = 0; i < neighbourhood_.landmarks(); ++i) neighbourhood_.take(i);
 }
 
-void EkfState::take(const std::vector<LandmarkObservation>& seen) {
-  Eigen::Index more = 0;  // than were seen in this stretch
-  std::vector<Eigen::Index> known;
-  for (const auto& z : seen) {
-    const auto found = index_.find(z.id);
-    const bool is_known = found != index_.end();
-    if (z.id == kUnknownId || (is_known && is_seen_[at(found->second)])) continue;
-    ++more;
-    if (is_known) known.push_back(found->second);
-  }
+void EkfState::take(const LandmarksInView& view) {
+  Eigen::Index more = view.others;  // than were seen in this stretch
+  for (const auto landmark : view.landmarks) more += is_seen_[at(landmark)] ? 0 : 1;
   // Where much is in view at once, a stretch must last for more than a step.
-  const auto limit = std::max(limits_.landmarks, 2 * static_cast<Eigen::Index>(seen.size()));
+  const auto limit = std::max(limits_.landmarks, 2 * view.observations);
   const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limit;
   if (is_full ||
       linearization_->isStale(turn(), neighbourhood_.covariance().relativeHeadingVariance())) {
     renew();
-    take(seen);
+    take(view);
     return;
   }
-  for (const auto landmark : known) {
-    if (is_seen_[at(landmark)]) continue;  // twice in one array
+  for (const auto landmark : view.landmarks) {
+    if (is_seen_[at(landmark)]) continue;
     if (neighbourhood_.slot(landmark) < 0) neighbourhood_.take(landmark);
     is_seen_[at(landmark)] = true;
     ++seen_;
@@ -163,6 +157,7 @@ void EkfState::append(LandmarkId id, const Eigen::Vector2d& m_map,
   neighbourhood_.append(J_m_robot, R);
   index_[id] = static_cast<Eigen::Index>(ids_.size());
   ids_.push_back(id);
+  largest_id_ = std::max(largest_id_, id);
   starts_.push_back(m_map);
   firsts_.push_back(m_map);
   born_.push_back(turn());

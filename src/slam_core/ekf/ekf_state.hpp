@@ -23,10 +23,17 @@ struct StretchLimits {
   bool whole_map = false;  ///< every landmark is in the neighbourhood: no compression
 };
 
+/// The landmarks that the observations of a stamp may be of, by their numbers.
+struct LandmarksInView {
+  std::vector<Eigen::Index> landmarks;  ///< one may stand here more than once
+  Eigen::Index others = 0;              ///< observations of landmarks that may be new
+  Eigen::Index observations = 0;        ///< all of them
+};
+
 /// The Gaussian over robot and map: estimates, their joint covariance (Neighbourhood), and the ids
-/// of the landmarks in the order in which they were first seen. The linearisation says which error
-/// the covariance describes; what comes out is always that of (x, y, theta) and (x, y). To look at
-/// the state does not change it, not by a bit.
+/// of the landmarks in the order in which they were first seen, which is their number. The
+/// linearisation says which error the covariance describes; what comes out is always that of (x, y,
+/// theta) and (x, y). To look at the state does not change it, not by a bit.
 class EkfState {
  public:
   using LinearizationPtr = std::shared_ptr<const Linearization>;
@@ -39,8 +46,15 @@ class EkfState {
 
   const Pose2& robot() const { return robot_; }
   std::size_t landmarks() const { return ids_.size(); }
-  /// The slot of a landmark that was taken into the neighbourhood; nothing where it is not known.
-  std::optional<Eigen::Index> slot(LandmarkId id) const;
+  /// The number of the landmark with this id.
+  std::optional<std::size_t> find(LandmarkId id) const;
+  LandmarkId id(std::size_t landmark) const { return ids_[landmark]; }
+  /// An id that no landmark has, nor one that was forgotten.
+  LandmarkId freeId() const { return largest_id_ + 1; }
+  /// The slot of a landmark in the neighbourhood; -1 where it was not taken.
+  Eigen::Index slotOf(std::size_t landmark) const {
+    return neighbourhood_.slot(static_cast<Eigen::Index>(landmark));
+  }
   /// A landmark of the neighbourhood; with a candidate for the corrections of its position and of
   /// the reference's heading, before they are applied.
   LandmarkPoint point(Eigen::Index slot,
@@ -49,9 +63,8 @@ class EkfState {
   const DenseCovariance& covariance() const { return neighbourhood_.covariance(); }
   const Linearization& linearization() const { return *linearization_; }
 
-  /// Takes the known ones of these into the neighbourhood; where it would grow too large the
-  /// stretch ends first.
-  void take(const std::vector<LandmarkObservation>& seen);
+  /// Takes these into the neighbourhood; where it would grow too large the stretch ends first.
+  void take(const LandmarksInView& view);
   PosePrediction predict(const Pose2& increment, const Eigen::Matrix3d& Q);
   /// x <- x + dx and P <- P - W W^T, rows as in covariance().
   void update(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
@@ -88,6 +101,7 @@ class EkfState {
   Pose2 robot_;
   Neighbourhood neighbourhood_;
   std::vector<LandmarkId> ids_;
+  LandmarkId largest_id_ = kUnknownId;
   std::unordered_map<LandmarkId, Eigen::Index> index_;  // looked up only, never iterated
   std::vector<Eigen::Vector2d> starts_, firsts_;        ///< see LandmarkPoint
   std::vector<double> born_;   ///< turn() when the landmark was added, by landmark

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/ekf/ekf_state.hpp"
 
 namespace slam::ekf {

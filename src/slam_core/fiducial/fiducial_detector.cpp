@@ -22,6 +22,11 @@ const SectionRegistrar<CameraConfig> kCameraSection;
 FiducialDetector::FiducialDetector(std::unique_ptr<CornerDetector> corner_detector)
     : corner_detector_(std::move(corner_detector)) {}
 
+void FiducialDetector::describe(Ports& ports) {
+  describeCamera(ports, "camera", "images", this);
+  ports.makes<LandmarkObservationArray>("observations", observations_);
+}
+
 void FiducialDetector::configure(Settings& settings) {
   FaultCollector faults;
   faults.attempt([&] { config_ = settings.read<FiducialConfig>(); });

@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/camera/camera_ports.hpp"
 #include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/fiducial/corner_detector.hpp"
 #include "slam_core/fiducial/fiducial_config.hpp"
@@ -20,20 +22,24 @@ namespace slam::fiducial {
 /// Counted: the reasons of the gate and of rejections: "low_margin", "hamming", "unlisted_id",
 /// "duplicate_id", "image_border", "too_small", "too_oblique", "reprojection_error", "no_pose",
 /// "ill_conditioned".
-class FiducialDetector : public LandmarkDetector {
+class FiducialDetector : public LandmarkDetector, public ViewDrawer {
  public:
   explicit FiducialDetector(std::unique_ptr<CornerDetector> corner_detector);
 
+  void describe(Ports& ports) override;
   void configure(Settings& settings) override;
-  void set(const CameraCalibration& calibration) override { gate_.set(calibration); }
-  void set(const CameraMount& mount) override { gate_.set(mount); }
-  void set(const Image& image) override { gate_.set(image, counters_); }
+  /// Calibration and mount are in force for all images that have not been processed; images wait,
+  /// bounded, until both are known.
+  void set(const CameraCalibration& calibration) { gate_.set(calibration); }
+  void set(const CameraMount& mount) { gate_.set(mount); }
+  void set(const Image& image) { gate_.set(image, counters_); }
   Status execute() override;
   const std::optional<LandmarkObservationArray>& observations() const override {
     return observations_;
   }
   cv::Mat drawing() const override;
-  const Counters& counters() const override { return counters_; }
+  Counters counters() const override { return counters_; }
+  std::uint64_t dropped() const override { return counters_["late"]; }
   void reset() override;
 
   /// All that was found in the last image, accepted or not, sorted by id.

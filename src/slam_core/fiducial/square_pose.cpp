@@ -11,6 +11,12 @@
 //   H  homography marker plane -> plane z = 1      J  its 2x2 Jacobian at the marker's centre
 //   v  image of the centre                         R_v rotation of the axis z onto (v, 1)
 //   gamma  scale of the marker at the centre       R_22 upper left block of the rotation
+//
+// OpenCV has the same method (solvePnPGeneric, SOLVEPNP_IPPE_SQUARE). Measured on 40000 simulated
+// markers and the 47 of three photographs, its poses refine to the same positions (24 nm apart at
+// most), yet a pair takes 7.5 us there and 0.25 us here, which would double the time of a marker's
+// pose, and its last bits change the trajectories of products. square_pose_test holds ours against
+// it.
 
 namespace slam::fiducial {
 namespace {

@@ -4,16 +4,15 @@
 #include "slam_core/grid_map/grid_file.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/input_file.hpp"
+#include "slam_core/common/yaml_file.hpp"
 #include "slam_core/grid_map/pgm_image.hpp"
 
 namespace slam::grid_map {
@@ -25,6 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::uint8_t kOccupied = 0, kFree = 254, kUnknown = 205;
 constexpr int kMostFree = 25, kLeastOccupied = 65;
 constexpr std::int8_t kCertain = 100;
+constexpr std::uint64_t kMostImageBytes = 1u << 30;
 
 std::uint8_t greyOf(std::int8_t cell) {
   if (cell >= 0 && cell <= kMostFree) return kFree;
@@ -111,10 +111,7 @@ void readGeometry(const YAML::Node& root, OccupancyGrid& grid) {
 }
 
 PgmImage readImage(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || fs::is_directory(path))
-    throw std::runtime_error("its image " + path + " cannot be read; does it exist?");
-  const std::string content(std::istreambuf_iterator<char>(file), {});
+  const auto content = readInputFile(path, "its image", kMostImageBytes);
   try {
     return fromPgm(content);
   } catch (const std::runtime_error& error) {
@@ -139,13 +136,22 @@ OccupancyGrid parse(const YAML::Node& root, const fs::path& folder) {
 
 }  // namespace
 
+fs::path imagePathOf(const std::string& yaml_path) {
+  const auto image = fs::path(yaml_path).replace_extension(".pgm");
+  if (image == fs::path(yaml_path))
+    throw std::runtime_error("cannot write " + yaml_path +
+                             ": this is the name of the grid's image; name the file that describes "
+                             "it, which ends with .yaml");
+  return image;
+}
+
 void saveGrid(const std::string& yaml_path, const OccupancyGrid& grid) {
   if (grid.cells.empty())
     throw std::runtime_error("cannot write " + yaml_path + ": there is no grid map yet");
+  const auto image_path = imagePathOf(yaml_path);
   PgmImage image{grid.width, grid.height, std::vector<std::uint8_t>(grid.cells.size())};
   std::transform(grid.cells.begin(), grid.cells.end(), image.pixels.begin(), greyOf);
   turnOver(image.pixels, image.width, image.height);
-  const auto image_path = fs::path(yaml_path).replace_extension(".pgm");
   writeFileAtomically(image_path.string(), toPgm(image, fmt::format("{} m/pix", grid.resolution)));
   writeFileAtomically(yaml_path,
                       fmt::format("image: {}\nresolution: {}\norigin: [{}, {}, 0]\nnegate: 0\n"
@@ -155,10 +161,10 @@ void saveGrid(const std::string& yaml_path, const OccupancyGrid& grid) {
 }
 
 OccupancyGrid loadGrid(const std::string& yaml_path) {
+  requireInputFile(yaml_path, "the grid map");
   try {
-    return parse(YAML::LoadFile(yaml_path), fs::path(yaml_path).parent_path());
-  } catch (const YAML::BadFile&) {
-    throw std::runtime_error("cannot read the grid map " + yaml_path + "; does it exist?");
+    const auto root = loadYamlFile(yaml_path, "the grid map", YamlLimits::configuration());
+    return parse(root, fs::path(yaml_path).parent_path());
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot use the grid map " + yaml_path + ": " + error.what());
   }

@@ -3,16 +3,22 @@
 
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "slam_core/models/occupancy_grid.hpp"
 
 namespace slam::grid_map {
 
+/// The image that saveGrid() writes beside `yaml_path`.
+/// @throw std::runtime_error where both would have the same name
+std::filesystem::path imagePathOf(const std::string& yaml_path);
+
 /// Writes `yaml_path` and beside it the image of the same name with the ending .pgm, as
 /// map_server's map_saver does: cells up to 25 % are free (254), those from 65 % on occupied (0),
 /// the rest unknown (205). Each file is written whole or not at all, the image first.
-/// @throw std::runtime_error naming the file and the cause; of a grid without cells, too
+/// @throw std::runtime_error naming the file and the cause; of a grid without cells, too,
+/// and as imagePathOf()
 void saveGrid(const std::string& yaml_path, const OccupancyGrid& grid);
 
 /// Reads what map_server reads: image, resolution, origin, negate, occupied_thresh, free_thresh and

@@ -8,11 +8,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "slam_core/contract/known_sections.hpp"
+
 namespace slam {
 namespace {
 
 /// Scans that wait longer than this are worth a word: the first ones come before the transform.
 constexpr Duration kPatience = std::chrono::seconds(1);
+
+const GateRegistrar<LaserScan, ScanGate> kRegistrar;
+const SectionRegistrar<LaserConfig> kSectionRegistrar;
 
 std::string unknownMount(const std::string& frame) {
   return "it is not known where the laser of frame '" + frame +
@@ -33,6 +38,18 @@ void ScanGate::configure(const LaserConfig& config) {
   reset();
 }
 
+void ScanGate::describe(Ports& ports) {
+  ports.takes<LaserSweep>("scan", "laser scans", [this](const LaserSweep& sweep) { set(sweep); });
+  ports.takes<LaserMount>("scan", "the laser's mount", this).latched();
+  ports.makes<LaserScan>("scan", scan_);
+}
+
+Counters ScanGate::held() const {
+  Counters held;
+  held.add("no_mount", held_.size());
+  return held;
+}
+
 void ScanGate::reset() {
   held_.clear();
   scan_.reset();
@@ -49,7 +66,7 @@ void ScanGate::set(const LaserMount& mount) {
 
 void ScanGate::set(LaserSweep sweep) { held_.push_back(std::move(sweep)); }
 
-Status ScanGate::next() {
+Status ScanGate::execute() {
   scan_.reset();
   if (held_.empty()) return Status::ok();
   if (frontMayWait()) {

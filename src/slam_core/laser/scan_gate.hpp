@@ -7,8 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "slam_core/common/counters.hpp"
-#include "slam_core/common/status.hpp"
+#include "slam_core/contract/gate.hpp"
 #include "slam_core/laser/laser_config.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 
@@ -20,15 +19,18 @@ namespace slam {
 /// of a frame without a mount when one behind it can be used, and the oldest when too many are
 /// held.
 ///
-/// Call order: configure(), set(...) of what has come, next() until scan() is empty.
+/// Call order: configure(), set(...) of what has come, execute() until scan() is empty.
 /// Counted, of scans without beams: "bad_scan", "bad_mount", "no_mount", "no_range" (a laser that
 /// is blind: worth a word after a second).
-class ScanGate {
+class ScanGate final : public Gate {
  public:
   static constexpr std::size_t kCapacity = 200;
 
+  std::string name() const override { return LaserConfig::kSection; }
+  void describe(Ports& ports) override;
   /// A fresh start; the mount is the configured one or none. @throw ConfigError
   void configure(const LaserConfig& config);
+  void configure(Settings& settings) override { configure(settings.read<LaserConfig>()); }
 
   /// For scans of its frame, in force for all that have not come out. Where the configuration gives
   /// the mount it counts for nothing.
@@ -36,15 +38,15 @@ class ScanGate {
   void set(LaserSweep sweep);
 
   /// Lets the next scan out that is due. Says what is wrong with it, or what the scans wait for.
-  Status next();
+  Status execute() override;
+  bool isBusy() const override { return scan_.has_value(); }
 
   const std::optional<LaserScan>& scan() const { return scan_; }
-  const Counters& counters() const { return counters_; }
-  /// Sweeps that wait for their mount.
-  std::size_t held() const { return held_.size(); }
+  Counters counters() const override { return counters_; }
+  Counters held() const override;
 
   /// As after configure(), the mount kept.
-  void reset();
+  void reset() override;
 
  private:
   struct Fault {

@@ -3,6 +3,8 @@
 
 #include "slam_core/models/landmark_observation.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "slam_core/models/motion.hpp"
@@ -24,6 +26,13 @@ std::string faultOf(const LandmarkObservation& observation) {
   if (observation.range > kLargestRange) return name + " has a range that no sensor reaches";
   if (!isCovariance(observation.covariance))
     return name + " has a covariance that is not positive definite";
+  const Eigen::Vector2d sigma = observation.covariance.diagonal().cwiseSqrt();
+  if (sigma.x() > kLargestInputSigmaLength || sigma.y() > kLargestInputSigmaAngle)
+    return name +
+           fmt::format(
+               " has standard deviations of {:.3g} m and {:.3g} rad, more than {:g} m or {:g} "
+               "rad",
+               sigma.x(), sigma.y(), kLargestInputSigmaLength, kLargestInputSigmaAngle);
   return "";
 }
 

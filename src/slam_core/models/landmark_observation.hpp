@@ -38,7 +38,7 @@ struct LandmarkObservationArray {
 };
 
 /// Empty, or what makes the observation unusable (NaN, a range that is not positive or absurd, a
-/// covariance that is not positive definite).
+/// covariance that is not positive definite or absurdly large).
 std::string faultOf(const LandmarkObservation& observation);
 
 }  // namespace slam

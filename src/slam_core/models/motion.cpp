@@ -3,9 +3,22 @@
 
 #include "slam_core/models/motion.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
+#include <cmath>
 
 namespace slam {
+namespace {
+
+constexpr double kFastest = 100.0;     // [m/s]
+constexpr double kLyingStamps = 10.0;  // [m]
+constexpr double kFarthestPose = 1e9;  // of odometry from its origin [m]
+constexpr double kAtTheOrigin = 0.05;  // [m], [rad]; a restarted robot may have begun to move
+
+bool isNear(const Pose2& pose) { return pose.position().cwiseAbs().maxCoeff() <= kFarthestPose; }
+
+}  // namespace
 
 std::pair<Motion, Motion> split(const Motion& motion, Stamp at) {
   const double share = seconds(at - motion.start) / seconds(motion.end - motion.start);
@@ -42,8 +55,26 @@ std::string faultOf(const Motion& motion) {
                       motion.odometry_end.isFinite() && motion.covariance.allFinite();
   if (!finite) return "motion holds a value that is not a number";
   if (motion.end <= motion.start) return "motion ends before it starts";
+  if (!isNear(motion.odometry_start) || !isNear(motion.odometry_end))
+    return fmt::format("motion's odometry pose is more than {:g} m from its origin", kFarthestPose);
+  if (!isPossible(motion.increment, motion.end - motion.start))
+    return fmt::format("motion tells of {:.3g} m within {:.3g} s, which no robot drives",
+                       motion.increment.position().stableNorm(),
+                       seconds(motion.end - motion.start));
   if (!isCovariance(motion.covariance)) return "motion's covariance is not positive definite";
+  const Eigen::Vector3d sigma = motion.covariance.diagonal().cwiseSqrt();
+  if (sigma.head<2>().maxCoeff() > kLargestInputSigmaLength || sigma.z() > kLargestInputSigmaAngle)
+    return fmt::format(
+        "motion has standard deviations of {:.3g} m, {:.3g} m and {:.3g} rad, more than {:g} m or "
+        "{:g} rad",
+        sigma.x(), sigma.y(), sigma.z(), kLargestInputSigmaLength, kLargestInputSigmaAngle);
   return "";
 }
+
+bool isPossible(const Pose2& step, Duration interval) {
+  return step.position().stableNorm() <= kFastest * seconds(interval) + kLyingStamps;
+}
+
+bool isOrigin(const Pose2& pose) { return pose.vector().cwiseAbs().maxCoeff() <= kAtTheOrigin; }
 
 }  // namespace slam

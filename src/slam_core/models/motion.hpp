@@ -32,9 +32,20 @@ std::pair<Motion, Motion> split(const Motion& motion, Stamp at);
 /// Two motions, one after the other, as one: of the same odometry, the second's where they differ.
 Motion joined(const Motion& first, const Motion& second);
 
+/// Standard deviations of an input above which it tells nothing, and its covariance is a fault:
+/// what is computed from far larger ones is no number any more.
+constexpr double kLargestInputSigmaLength = 1000.0;  // [m]
+constexpr double kLargestInputSigmaAngle = 10.0;     // [rad]
+
 /// Empty, or one sentence on what makes the motion unusable (NaN, an interval that is not positive,
-/// a covariance that is not positive definite).
+/// a covariance that is not positive definite or absurdly large, values that no robot's odometry
+/// has).
 std::string faultOf(const Motion& motion);
+
+/// Whether a robot on wheels may move like that: at 100 m/s, and 10 m more for stamps that lie.
+bool isPossible(const Pose2& step, Duration interval);
+/// Whether it is about where an odometry begins that was restarted.
+bool isOrigin(const Pose2& pose);
 
 /// Whether the matrix is finite, symmetric and positive definite.
 bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix);

@@ -15,6 +15,8 @@ namespace {
 constexpr Duration kSpan = std::chrono::milliseconds(100);
 constexpr double kStep = 0.1;     // [s] of the pieces in which errors of heading carry on
 constexpr int kMostSteps = 1000;  // of longer gaps the pieces are longer
+constexpr Duration kRounding = std::chrono::microseconds(1);  // of stamps in floating point
+constexpr int kMayReturn = 1000;  // motions after which stamps that jumped are those of time
 
 /// Older than that by more, it is the first of a new run.
 bool isLate(const Motion& before, const Motion& after) {
@@ -22,8 +24,17 @@ bool isLate(const Motion& before, const Motion& after) {
 }
 
 bool isGap(const Motion& before, const Motion& after) {
-  return after.sequence > before.sequence + 1 && after.start > before.end &&
-         after.odometry_frame == before.odometry_frame && after.base_frame == before.base_frame;
+  return after.start > before.end + kRounding && after.base_frame == before.base_frame;
+}
+
+/// What is missing between the two, but for what it was.
+Motion between(const Motion& before, const Motion& after) {
+  Motion rest = before;
+  rest.start = before.end;
+  rest.end = after.start;
+  rest.odometry_start = before.odometry_end;
+  rest.odometry_end = after.odometry_start;
+  return rest;
 }
 
 double way(const Eigen::Matrix3d& covariance) { return covariance.topLeftCorner<2, 2>().trace(); }
@@ -38,14 +49,41 @@ Eigen::Matrix3d worse(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
 
 }  // namespace
 
-bool MotionGap::bridge(Motion& motion) {
-  if (last_ && isLate(*last_, motion)) return false;
-  const auto before = std::exchange(last_, motion);
+MotionGap::Bridge MotionGap::bridge(Motion& motion) {
+  if (last_ && isLate(*last_, motion)) return Bridge::kNone;
+  const auto before = predecessorOf(motion);
+  last_ = motion;
   learnRate(motion);
   learnScales(motion);
-  if (!before || !isGap(*before, motion)) return false;
-  motion = joined(across(*before, motion), motion);
-  return true;
+  const bool is_gap = before && isGap(*before, motion);
+  const bool tells = is_gap && posesTell(*before, motion);
+  if (is_gap) motion = joined(tells ? across(*before, motion) : coasted(*before, motion), motion);
+  coasting_.add(last_->increment, last_->end - last_->start);
+  if (!is_gap) return Bridge::kNone;
+  return tells ? Bridge::kByPoses : Bridge::kByVelocity;
+}
+
+/// Stamps that jumped may do so back, where the motion before the jump is what goes on.
+std::optional<Motion> MotionGap::predecessorOf(const Motion& motion) {
+  if (!last_) return std::nullopt;
+  const bool jumps = motion.end > last_->end + kStampJump || motion.end <= last_->end;
+  if (!jumps) {
+    if (++since_jump_ > kMayReturn) before_jump_.reset();
+    return last_;
+  }
+  since_jump_ = 0;
+  const auto other = std::exchange(before_jump_, last_);
+  const bool fits = other && other->end <= motion.start;
+  return fits && (last_->end > motion.start || other->end > last_->end) ? other : last_;
+}
+
+/// Not where it was restarted meanwhile.
+bool MotionGap::posesTell(const Motion& before, const Motion& after) const {
+  const auto interval = after.start - before.end;
+  const Pose2 step = before.odometry_end.between(after.odometry_start);
+  const bool was_restarted = isOrigin(after.odometry_start) && coasting_.isUnusual(step, interval);
+  return after.odometry_frame == before.odometry_frame && isPossible(step, interval) &&
+         !was_restarted;
 }
 
 /// Until there is a whole span a part of one must do.
@@ -64,7 +102,9 @@ void MotionGap::learnRate(const Motion& motion) {
 
 void MotionGap::learnScales(const Motion& motion) {
   const Eigen::Vector3d told = motion.increment.log();
-  const Eigen::Vector3d measured = motion.odometry_start.between(motion.odometry_end).log();
+  const Pose2 step = motion.odometry_start.between(motion.odometry_end);
+  if (!isPossible(step, motion.end - motion.start)) return;
+  const Eigen::Vector3d measured = step.log();
   way_scale_.add(told.head<2>().dot(measured.head<2>()), measured.head<2>().squaredNorm());
   turn_scale_.add(told.z() * measured.z(), measured.z() * measured.z());
 }
@@ -77,11 +117,7 @@ Pose2 MotionGap::scaled(const Pose2& measured) const {
 }
 
 Motion MotionGap::across(const Motion& before, const Motion& after) const {
-  Motion rest = before;
-  rest.start = before.end;
-  rest.end = after.start;
-  rest.odometry_start = before.odometry_end;
-  rest.odometry_end = after.odometry_start;
+  Motion rest = between(before, after);
   rest.increment = scaled(rest.odometry_start.between(rest.odometry_end));
   const double time = seconds(rest.end - rest.start);
   rest.covariance = time * worst_rate_;
@@ -93,6 +129,15 @@ Motion MotionGap::across(const Motion& before, const Motion& after) const {
     rest = after_piece;
   }
   return sum ? joined(*sum, rest) : rest;
+}
+
+Motion MotionGap::coasted(const Motion& before, const Motion& after) const {
+  Motion rest = between(before, after);
+  const auto interval = rest.end - rest.start;
+  rest.increment = coasting_.increment(interval);
+  rest.covariance = coasting_.covariance(interval) + seconds(interval) * worst_rate_;
+  rest.odometry_start = rest.odometry_end * rest.increment.inverse();
+  return rest;
 }
 
 }  // namespace slam

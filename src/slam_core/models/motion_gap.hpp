@@ -5,19 +5,24 @@
 
 #include <optional>
 
+#include "slam_core/models/coasting.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam {
 
-/// Bridges the gap that lost messages leave between an odometry's motions. Where the robot went in
-/// it the odometry's poses tell, which each motion carries: they are as the wheels measured them,
-/// so that they are scaled as increments were so far. How surely they do not tell: it is taken to
-/// have erred all the while as in its worst tenth of a second so far.
+/// Bridges the gaps between an odometry's motions, whatever made them: messages lost, a source that
+/// was restarted. Where the robot went in a gap the odometry's poses tell, which each motion
+/// carries: they are as the wheels measured them, so that they are scaled as increments were so
+/// far. How surely they do not tell: the odometry is taken to have erred all the while as in its
+/// worst tenth of a second so far. Where the poses do not belong together, as of an odometry that
+/// was restarted as well, the robot is taken to have gone on at its last velocity.
 class MotionGap {
  public:
-  /// @return whether some are missing before this motion, which now begins where the last one
-  /// ended; one that is older than the last one is left alone
-  bool bridge(Motion& motion);
+  enum class Bridge { kNone, kByPoses, kByVelocity };
+
+  /// @return how what is missing before this motion was made up for: it now begins where the last
+  /// one ended; one that is older than the last one is left alone
+  Bridge bridge(Motion& motion);
 
   void reset() { *this = {}; }
 
@@ -37,17 +42,24 @@ class MotionGap {
     double above_ = kFirst, below_ = kFirst;
   };
 
+  /// The motion that this one may follow, where there are two: one before its stamps jumped.
+  std::optional<Motion> predecessorOf(const Motion& motion);
   void learnRate(const Motion& motion);
   void learnScales(const Motion& motion);
   Pose2 scaled(const Pose2& measured) const;
   Motion across(const Motion& before, const Motion& after) const;
+  Motion coasted(const Motion& before, const Motion& after) const;
+  bool posesTell(const Motion& before, const Motion& after) const;
 
   std::optional<Motion> last_;
-  Duration span_{};  ///< of increments since the last rate
+  std::optional<Motion> before_jump_;  ///< of the stamps, ahead or back
+  int since_jump_ = 0;                 ///< motions
+  Duration span_{};                    ///< of increments since the last rate
   Eigen::Matrix3d span_covariance_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d worst_rate_ = Eigen::Matrix3d::Zero();  ///< covariance in a second
   bool knows_rate_ = false;
   Scale way_scale_, turn_scale_;
+  Coasting coasting_;
 };
 
 }  // namespace slam

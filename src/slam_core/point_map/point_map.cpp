@@ -7,13 +7,23 @@
 #include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/point_map/pcd_file.hpp"
 
 namespace slam::point_map {
 namespace {
 
+const Registrar<MapModule, PointMap> kRegistrar("pointmap");
 const SectionRegistrar<PointMapConfig> kSectionRegistrar;
 
 }  // namespace
+
+void PointMap::describe(Ports& ports) {
+  ports.takes<LaserScan>("scan", "laser scans", this);
+  ports.takes<Motion>("motion", "motion", this).carrier();
+  ports.takes<FilterPose>("pose", "the back-end's pose", this);
+  ports.makes<PointMap>("points", [this] { return is_busy_ ? this : nullptr; });
+}
 
 void PointMap::configure(Settings& settings) {
   config_ = settings.read<PointMapConfig>();
@@ -40,7 +50,9 @@ void PointMap::begin() {
 void PointMap::set(Motion motion) {
   const auto fault = faultOf(motion);
   if (fault.empty()) {
-    if (gap_.bridge(motion)) counters_.add("bridged");
+    const auto bridge = gap_.bridge(motion);
+    if (bridge == MotionGap::Bridge::kByPoses) counters_.add("bridged");
+    if (bridge == MotionGap::Bridge::kByVelocity) counters_.add("coasted");
     collator_.push(std::move(motion));
     return;
   }
@@ -93,14 +105,21 @@ Status PointMap::fuse(const LaserScan& scan, const Pose2& T_map_base) {
 
 Counters PointMap::counters() const {
   Counters all = counters_;
-  for (const auto& [reason, count] : collator_.counters().all()) all.add(reason, count);
+  all.add(collator_.counters());
+  all.add("set_aside", collator_.setAside());
   return all;
 }
+
+Component::Figures PointMap::figures() const {
+  return {{"points", static_cast<double>(points().size())}};
+}
+
+void PointMap::save(const std::string& folder) const { savePcd(folder + "/points.pcd", points()); }
 
 std::uint64_t PointMap::dropped() const {
   const auto& collated = collator_.counters();
   return collated["late"] + collated["lost"] + collated["overflow"] + collated["stamp_jump"] +
-         counters_["invalid_motion"];
+         collator_.setAside() + counters_["invalid_motion"];
 }
 
 }  // namespace slam::point_map

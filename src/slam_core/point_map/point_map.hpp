@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "slam_core/common/counters.hpp"
-#include "slam_core/common/settings.hpp"
-#include "slam_core/common/status.hpp"
+#include "slam_core/contract/map_module.hpp"
+#include "slam_core/models/filter_pose.hpp"
+#include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion_gap.hpp"
 #include "slam_core/point_map/fusion_policy.hpp"
 #include "slam_core/point_map/point_map_config.hpp"
@@ -23,22 +23,23 @@ namespace slam::point_map {
 /// points out. It has no effect on the filter.
 ///
 /// Call order: configure(), set(...) of what has come, execute() while isBusy(). Counted beyond the
-/// collator's reasons: "invalid_motion", "invalid_pose", "bridged" (a gap of lost motion, crossed
-/// by the odometry's poses), "full" (end points left out).
-class PointMap {
+/// collator's reasons: "invalid_motion", "invalid_pose", "bridged" (missing motion, made up for by
+/// the odometry's poses), "coasted" (by the last velocity, where those do not tell), "set_aside",
+/// "full" (end points left out).
+class PointMap final : public MapModule {
  public:
-  /// A fresh start. @throw ConfigError listing all faults of its section
-  void configure(Settings& settings);
+  void describe(Ports& ports) override;
+  void configure(Settings& settings) override;
 
   void set(Motion motion);
   void set(const FilterPose& pose);
   void set(LaserScan scan);
 
   /// Takes the next scan that is due into the map.
-  Status execute();
+  Status execute() override;
 
   /// Whether the last execute() took a scan; further ones may be due.
-  bool isBusy() const { return is_busy_; }
+  bool isBusy() const override { return is_busy_; }
   const std::vector<MapPoint>& points() const { return points_.points(); }
   /// Grows whenever points() tells something else.
   std::uint64_t revision() const { return revision_; }
@@ -46,12 +47,15 @@ class PointMap {
   Stamp stamp() const { return stamp_; }
   std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
   std::optional<Stamp> lastPose() const { return collator_.lastPose(); }
-  Counters counters() const;
-  /// Messages that had no effect because they came late or were lost.
-  std::uint64_t dropped() const;
-
-  /// As after configure().
-  void reset();
+  Counters counters() const override;
+  std::uint64_t dropped() const override;
+  Figures figures() const override;
+  std::string sentence() const override {
+    return "also a map of points where a laser's beams end, to look at";
+  }
+  /// Writes `points.pcd`.
+  void save(const std::string& folder) const override;
+  void reset() override;
 
  private:
   void begin();

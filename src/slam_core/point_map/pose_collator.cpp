@@ -3,17 +3,9 @@
 
 #include "slam_core/point_map/pose_collator.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace slam::point_map {
-
-FilterPose FilterPose::of(Stamp stamp, const Pose2& T_map_base) {
-  return {stamp, T_map_base.x(), T_map_base.y(), std::sin(T_map_base.theta() / 2),
-          std::cos(T_map_base.theta() / 2)};
-}
-
-Pose2 FilterPose::pose() const { return {x, y, std::atan2(2.0 * qw * qz, qw * qw - qz * qz)}; }
 
 void PoseCollator::push(Motion motion) {
   const auto stamp = motion.end;
@@ -48,6 +40,7 @@ std::optional<PoseCollator::Placed> PoseCollator::next() {
     const std::string hindrance = hindranceAt(stamp);
     if (hindrance.empty()) {
       const auto pose = carriedTo(stamp);
+      scans_.goneTo(stamp);
       return Placed{scans_.pop().value, pose, std::exchange(restart_, false)};
     }
     counters_.add(hindrance);
@@ -70,6 +63,8 @@ void PoseCollator::forgetOldest() {
 void PoseCollator::takePoses(Stamp up_to) {
   while (!poses_.empty() && poses_.front().stamp <= up_to) pose_ = poses_.pop().value;
   if (!pose_) return;
+  poses_.goneTo(pose_->stamp);
+  motions_.goneTo(pose_->stamp);
   while (!motions_.empty() && motions_.front().stamp <= pose_->stamp) motions_.pop();
 }
 
@@ -86,8 +81,10 @@ Pose2 PoseCollator::carriedTo(Stamp stamp) {
 }
 
 void PoseCollator::restartWhenAllWentBack() {
-  const auto has_gone_back = [](const auto& source) { return source.wentBack() || !source.last(); };
-  if (!motions_.wentBack() || !has_gone_back(poses_) || !has_gone_back(scans_)) return;
+  const auto has_gone_back = [](const auto& source) {
+    return source.beganAnew() || !source.last();
+  };
+  if (!motions_.beganAnew() || !has_gone_back(poses_) || !has_gone_back(scans_)) return;
   motions_.restart();
   begin_ = motions_.front().value.start;
   poses_.restart();

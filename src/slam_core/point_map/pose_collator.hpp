@@ -8,21 +8,11 @@
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/stamped_queue.hpp"
+#include "slam_core/models/filter_pose.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::point_map {
-
-/// A pose of the filter's as it is published: the heading as the z and w of a unit quaternion, so
-/// that one that went through a message has the same bits as one that did not.
-struct FilterPose {
-  Stamp stamp;
-  double x = 0.0, y = 0.0;    ///< of the robot in the map frame [m]
-  double qz = 0.0, qw = 1.0;  ///< sine and cosine of half the heading
-
-  static FilterPose of(Stamp stamp, const Pose2& T_map_base);
-  Pose2 pose() const;
-};
 
 /// Finds the robot's pose for each scan, whatever the order of arrival: the filter's last pose not
 /// after the scan, carried on by motion. A scan waits until the filter has told a pose at or after
@@ -50,6 +40,10 @@ class PoseCollator {
   std::optional<Placed> next();
 
   const Counters& counters() const { return counters_; }
+  /// Messages that went back in time and wait for the other sources to do so as well.
+  std::size_t setAside() const {
+    return motions_.setAside() + poses_.setAside() + scans_.setAside();
+  }
   std::optional<Stamp> lastMotion() const { return motions_.last(); }
   std::optional<Stamp> lastPose() const { return poses_.last(); }
 

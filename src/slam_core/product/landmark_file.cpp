@@ -5,14 +5,14 @@
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/input_file.hpp"
+#include "slam_core/common/yaml_file.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam {
@@ -189,12 +189,9 @@ void saveLandmarks(const std::string& path, const LandmarkFile& file) {
 }
 
 LandmarkFile loadLandmarks(const std::string& path, const std::string& frame) {
-  if (std::filesystem::is_directory(path))
-    throw std::runtime_error("cannot use the landmark map " + path + ": it is a folder");
+  requireInputFile(path, "the landmark map");
   try {
-    return parse(YAML::LoadFile(path), frame);
-  } catch (const YAML::BadFile&) {
-    throw std::runtime_error("cannot read the landmark map " + path + "; does it exist?");
+    return parse(loadYamlFile(path, "the landmark map", YamlLimits::map()), frame);
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot use the landmark map " + path + ": " + error.what());
   }

@@ -6,13 +6,20 @@
 #include <algorithm>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/registry.hpp"
 
 namespace slam {
 namespace {
 
-bool makes(const Backend& backend, const std::string& map) {
-  const auto maps = backend.maps();
+/// Of a back-end that does not choose: point landmarks.
+std::vector<std::string> mapsOf(Backend& backend) {
+  const auto* chooser = capabilitiesOf(backend).find<MapChooser>();
+  return chooser == nullptr ? std::vector<std::string>{"landmarks"} : chooser->maps();
+}
+
+bool makes(Backend& backend, const std::string& map) {
+  const auto maps = mapsOf(backend);
   return std::find(maps.begin(), maps.end(), map) != maps.end();
 }
 
@@ -27,7 +34,10 @@ std::vector<std::string> backendsThatMake(const std::string& map) {
 }  // namespace
 
 void chooseMap(const ProductConfig& product, Backend& backend) {
-  if (makes(backend, product.map)) return backend.useMap(product.map);
+  if (makes(backend, product.map)) {
+    if (auto* chooser = capabilitiesOf(backend).find<MapChooser>()) chooser->useMap(product.map);
+    return;
+  }
   const std::string reason =
       product.map == "grid"
           ? ": a grid needs a non-parametric state representation, which can not be used with an "
@@ -35,7 +45,7 @@ void chooseMap(const ProductConfig& product, Backend& backend) {
           : "";
   throw ConfigError("map: the back-end '" + product.backend + "' makes no " + product.map + reason +
                     "; choose backend: " + join(backendsThatMake(product.map), " or ") +
-                    ", or map: " + join(backend.maps(), " or "));
+                    ", or map: " + join(mapsOf(backend), " or "));
 }
 
 }  // namespace slam

@@ -3,12 +3,12 @@
 
 #include "slam_core/product/map_files.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
+#include "slam_core/common/input_file.hpp"
+#include "slam_core/common/yaml_file.hpp"
 #include "slam_core/grid_map/grid_file.hpp"
 
 namespace slam {
@@ -29,8 +29,9 @@ PoseEstimate unknownStart() {
 
 bool isGrid(const std::string& path) {
   try {
-    return YAML::LoadFile(path)["image"].IsDefined();
-  } catch (const YAML::Exception&) {
+    const auto root = loadYamlFile(path, "the map", YamlLimits::configuration());
+    return root.IsMap() && root["image"].IsDefined();
+  } catch (const std::runtime_error&) {
     return false;  // who reads it as landmarks will say why it cannot be read
   }
 }
@@ -86,6 +87,7 @@ MapFiles mapFilesAt(const std::string& path, bool has_grid) {
 std::string saveMap(const std::string& path, const LandmarkFile& file) {
   const auto& grid = file.map.grid;
   const auto files = mapFilesAt(path, grid.has_value());
+  if (grid) grid_map::imagePathOf(files.grid);  // throws also where the grid is not known yet
   const bool is_known = grid && !grid->cells.empty();
   if (is_known)
     grid_map::saveGrid(files.grid, *grid);
@@ -102,6 +104,7 @@ std::string saveMap(const std::string& path, const LandmarkFile& file) {
 }
 
 LandmarkFile loadMap(const std::string& path, const std::string& frame, bool has_grid) {
+  if (path.empty()) requireInputFile(path, "the map");
   const auto files = filesToLoad(path, has_grid);
   if (!files.grid.empty() && !has_grid)
     throw std::runtime_error("cannot use the map " + path +

@@ -4,78 +4,67 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "slam_core/product/product_components.hpp"
+#include "slam_core/product/wiring.hpp"
 
 namespace slam {
 
-/// The whole product in one process (thesis Fig. 4.4): creates the components the product names,
-/// passes raw inputs through the front-end to the estimator. Components know nothing of one
-/// another.
+/// A product, or a part of it, in one process (thesis Fig. 4.4): creates the components that the
+/// product names and wires them by their ports. Components know nothing of one another.
 class MetaCoordinator {
  public:
   /// A fresh start. @throw ConfigError listing the faults of all sections
-  void configure(Settings& settings);
+  void configure(Settings& settings, const ProductPart& part = {});
 
-  /// Nothing comes of it where the product looks at the ceiling instead.
-  void set(OdometrySample sample);
-  /// Of the camera that looks at the ceiling: an Image, its CameraCalibration or CameraMount.
-  /// Nothing comes of them where the odometry is the wheels'.
-  template <class Input>
-  void setForOdometry(const Input& input);
-  /// Of the camera that looks for landmarks. Nothing comes of these three where the product looks
-  /// at no images.
-  void set(const Image& image) { setForDetector(image); }
-  void set(const CameraCalibration& calibration) { setForDetector(calibration); }
-  void set(const CameraMount& mount) { setForDetector(mount); }
-  /// Of the laser. Nothing comes of these two where the product uses no scans.
-  void set(LaserSweep sweep);
-  void set(const LaserMount& mount);
-  /// For data that already carry what a component would make.
-  void set(const Motion& motion);
-  void set(const LandmarkObservationArray& observations) { parts_.estimator.set(observations); }
-  /// In force at once, as Estimator::set(). The point map begins anew: this one has another frame.
+  /// A value for the input of this name: of a sensor, or what a component would make.
+  template <class T>
+  void put(const std::string& port, const T& value) {
+    wiring_.put(port, kindOf<T>(), &value);
+  }
+  /// The same of data whose kind the caller need not know.
+  void put(const std::string& port, Kind kind, const void* value) {
+    wiring_.put(port, kind, value);
+  }
+  /// The same for the only input of this kind. @throw std::logic_error where there are several
+  template <class T>
+  void set(const T& value) {
+    if (const auto port = portOf(kindOf<T>()); !port.empty()) put(port, value);
+  }
+  /// In force at once, as Estimator::set(). What takes poses begins anew: they have another frame.
   Status set(const MapState& map);
+  /// Calls the listener with every value that a component makes.
+  template <class T>
+  void listen(const std::string& port, std::function<void(const T&)> listener) {
+    wiring_.listen(port, kindOf<T>(), [listener = std::move(listener)](const void* value) {
+      listener(*static_cast<const T*>(value));
+    });
+  }
 
-  /// Called with every motion that the odometry source makes, its frames completed.
-  std::function<void(const Motion&)> on_motion;
-  /// Called with every array that the detector makes.
-  std::function<void(const LandmarkObservationArray&)> on_detections;
-
-  /// Whether anything comes of scans.
-  bool usesScans() const { return parts_.estimator.usesScans() || parts_.point_map; }
-
-  /// One step, as Estimator::execute(), and when none is due the point map's turn; a warning of
-  /// these others comes first.
+  /// One step of the estimator, as Estimator::execute(), where the part has one; a warning of the
+  /// other components comes first.
   Status execute();
 
-  Estimator& estimator() { return parts_.estimator; }
-  const Estimator& estimator() const { return parts_.estimator; }
-  const OdometrySource& odometry() const { return *parts_.odometry; }
-  /// Of the product's images; null where it looks at none.
-  const LandmarkDetector* detector() const { return parts_.detector.get(); }
-  /// Null where the product has none.
-  const point_map::PointMap* pointMap() const { return parts_.point_map.get(); }
-  const FramesConfig& frames() const { return parts_.frames; }
-  /// Of the front-end ("odometry_...", "detector_...", "laser_..."), the point map ("pointmap_...")
-  /// and the estimator.
-  Counters counters() const;
-  std::uint64_t dropped() const;
-  /// Of the laser, waiting for its mount.
-  std::size_t heldScans() const { return parts_.laser.held(); }
+  const ProductComponents& components() const { return parts_; }
+  /// Of a part with a back-end.
+  Estimator& estimator() { return *parts_.estimator; }
+  const Estimator& estimator() const { return *parts_.estimator; }
+  const Wiring& wiring() const { return wiring_; }
 
-  void reset();
+  /// Of the components ("odometry_...", "detector_...", "laser_...", "pointmap_..."), and without a
+  /// prefix of the estimator, or of the only component of a part.
+  Counters counters() const { return wiring_.counters(); }
+  /// Messages that had no effect on the estimate because they came late, were lost or did not fit.
+  std::uint64_t dropped() const;
+  void reset() { wiring_.reset(); }
 
  private:
-  template <class Input>
-  void setForDetector(const Input& input);
-  void takeMotions();
-  void takeScans();
-  void updatePointMap();
-  void note(const Status& status);
+  std::string portOf(Kind kind) const;
 
   ProductComponents parts_;
-  Status front_end_status_;
+  Wiring wiring_;
 };
 
 }  // namespace slam

@@ -5,60 +5,127 @@
 
 #include <utility>
 
-#include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
 namespace slam {
+namespace {
 
-ProductComponents makeComponents(Settings& settings) {
-  ProductConfig product;
+using Extent = ProductPart::Extent;
+
+constexpr const char* kNone = "none";
+
+template <class Role>
+std::unique_ptr<Role> create(const std::string& name) {
+  if (name == kNone) return nullptr;
+  return Registry<Role>::instance().create(name);
+}
+
+std::unique_ptr<LandmarkDetector> createDetector(const std::string& name) {
+  try {
+    return create<LandmarkDetector>(name);
+  } catch (const ConfigError& error) {
+    throw ConfigError(std::string(error.what()) + "; 'none' looks at no images");
+  }
+}
+
+ProductConfig named(ProductConfig product, const ProductPart& part) {
+  if (part.name.empty()) return product;
+  if (part.extent == Extent::kOdometry) product.odometry = part.name;
+  if (part.extent == Extent::kDetector) product.detector = part.name;
+  if (part.extent == Extent::kBackend) product.backend = part.name;
+  return product;
+}
+
+ProductComponents create(const ProductConfig& product, const ProductPart& part,
+                         FaultCollector& faults) {
   ProductComponents parts;
-  FaultCollector faults;
-  faults.attempt([&] { settings.read(product); });
-  faults.attempt([&] { loadLibraries(product.libraries); });
-  faults.attempt([&] {
-    parts.frames = settings.read<FramesConfig>();
-    parts.frames.requireDistinctNames();
-  });
-  std::unique_ptr<Backend> backend;
-  faults.attempt([&] { parts.odometry = makeOdometry(product); });
-  faults.attempt([&] { parts.detector = makeDetector(product); });
-  faults.attempt([&] { backend = Registry<Backend>::instance().create(product.backend); });
-  // else nobody knows which sections are left over
-  const bool complete = parts.odometry && backend && (parts.detector || !product.usesImages());
+  parts.product = product;
+  FaultCollector unknown;
+  if (part.has(Extent::kOdometry))
+    unknown.attempt([&] { parts.odometry = create<OdometrySource>(product.odometry); });
+  if (part.has(Extent::kDetector))
+    unknown.attempt([&] { parts.detector = createDetector(product.detector); });
+  if (part.has(Extent::kBackend))
+    unknown.attempt([&] {
+      auto backend = Registry<Backend>::instance().create(product.backend);
+      parts.estimator = std::make_unique<Estimator>();
+      parts.estimator->use(std::move(backend));
+    });
+  for (const auto& [name, is_wanted] : product.modules)
+    if (part.extent == Extent::kModule ? part.name == name : part.has(Extent::kModule) && is_wanted)
+      parts.modules[name] = Registry<MapModule>::instance().create(name);
+  faults.attempt([&] { unknown.raise(); });
+  parts.is_complete = unknown.isEmpty();
+  return parts;
+}
+
+void configure(ProductComponents& parts, Settings& settings, std::uint64_t seed,
+               FaultCollector& faults) {
   if (parts.odometry)
     faults.attempt([&] {
       parts.odometry->configure(settings);
-      parts.odometry->seed(product.seed);
+      parts.odometry->seed(seed);
     });
   if (parts.detector) faults.attempt([&] { parts.detector->configure(settings); });
-  faults.attempt([&] { parts.laser.configure(settings.read<LaserConfig>()); });
-  if (product.pointmap)
-    faults.attempt([&] {
-      parts.point_map = std::make_unique<point_map::PointMap>();
-      parts.point_map->configure(settings);
-    });
-  if (backend) faults.attempt([&] { parts.estimator.configure(settings, std::move(backend)); });
-  if (complete) {
-    faults.attempt([&] { KnownSections::instance().checkUnused(settings); });
-    faults.attempt([&] { settings.requireAllRead(); });
+  for (const auto& [name, module] : parts.modules)
+    faults.attempt([&, &part = *module] { part.configure(settings); });
+  if (parts.estimator) faults.attempt([&] { parts.estimator->configure(settings); });
+}
+
+}  // namespace
+
+void connect(ProductComponents& parts, bool is_whole, Wiring& wiring) {
+  for (const auto& part : inOrder(parts)) {
+    const bool is_estimator = part.component == parts.estimator.get();
+    wiring.add(is_whole && !is_estimator ? part.key + "_" : "", *part.component,
+               is_estimator ? Wiring::Turn::kOnRequest : Wiring::Turn::kAtOnce, part.title());
   }
+}
+
+std::vector<ProductComponent> inOrder(const ProductComponents& parts) {
+  const auto& names = parts.product;
+  std::vector<ProductComponent> all;
+  if (parts.odometry)
+    all.push_back({OdometrySource::kRole, "odometry", names.odometry, parts.odometry.get()});
+  if (parts.detector)
+    all.push_back({LandmarkDetector::kRole, "detector", names.detector, parts.detector.get()});
+  if (parts.estimator)
+    all.push_back({Backend::kRole, "backend", names.backend, parts.estimator.get()});
+  for (const auto& [name, module] : parts.modules)
+    all.push_back({MapModule::kRole, name, name, module.get()});
+  return all;
+}
+
+ProductComponents makeComponents(Settings& settings, const ProductPart& part,
+                                 FaultCollector& faults) {
+  ProductConfig product;
+  FramesConfig frames;
+  faults.attempt([&] { settings.read(product); });
+  faults.attempt([&] { loadLibraries(product.libraries); });
+  faults.attempt([&] {
+    settings.read(frames);
+    frames.requireDistinctNames();
+  });
+  auto parts = create(named(product, part), part, faults);
+  parts.frames = frames;
+  configure(parts, settings, product.seed, faults);
+  return parts;
+}
+
+ProductComponents createComponents(const ProductConfig& product, const ProductPart& part) {
+  loadLibraries(product.libraries);
+  FaultCollector faults;
+  auto parts = create(named(product, part), part, faults);
+  if (parts.estimator) faults.attempt([&] { parts.estimator->chooseMap(product); });
   faults.raise();
   return parts;
 }
 
-std::unique_ptr<OdometrySource> makeOdometry(const ProductConfig& product) {
-  return Registry<OdometrySource>::instance().create(product.odometry);
-}
-
-std::unique_ptr<LandmarkDetector> makeDetector(const ProductConfig& product) {
-  if (!product.usesImages()) return nullptr;
-  const auto& registry = Registry<LandmarkDetector>::instance();
-  try {
-    return registry.create(product.detector);
-  } catch (const ConfigError& error) {
-    throw ConfigError(std::string(error.what()) + "; 'none' looks at no images");
-  }
+std::vector<InputPort> inputsOf(const ProductConfig& product, const ProductPart& part) {
+  auto parts = createComponents(product, part);
+  Wiring wiring;
+  connect(parts, true, wiring);
+  return wiring.inputs();
 }
 
 }  // namespace slam

@@ -3,41 +3,72 @@
 
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/landmark_detector.hpp"
+#include "slam_core/contract/map_module.hpp"
 #include "slam_core/contract/odometry_source.hpp"
-#include "slam_core/laser/scan_gate.hpp"
-#include "slam_core/point_map/point_map.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_core/product/product_config.hpp"
+#include "slam_core/product/wiring.hpp"
 
 namespace slam {
 
-/// The components that a product names, configured.
-struct ProductComponents {
-  FramesConfig frames;
-  std::unique_ptr<OdometrySource> odometry;
-  std::unique_ptr<LandmarkDetector> detector;      ///< none where the product looks at no images
-  ScanGate laser;                                  ///< of the scans, where the product uses them
-  Estimator estimator;                             ///< with the back-end
-  std::unique_ptr<point_map::PointMap> point_map;  ///< none where the product has none
+/// What of a product runs in one place: in composition pubsub each nodelet runs a part.
+struct ProductPart {
+  enum class Extent { kWhole, kOdometry, kDetector, kBackend, kModule };
+
+  Extent extent = Extent::kWhole;
+  std::string name;  ///< of a component other than the one that the product names; of the module
+
+  bool has(Extent role) const { return extent == Extent::kWhole || extent == role; }
 };
 
-/// Creates and configures what the product names.
-/// @throw ConfigError listing the faults of all sections, those of unused components and leftovers
-/// included
-ProductComponents makeComponents(Settings& settings);
+/// Components that a product names.
+struct ProductComponents {
+  ProductConfig product;  ///< what names them
+  FramesConfig frames;
+  std::unique_ptr<OdometrySource> odometry;    ///< null in a product without
+  std::unique_ptr<LandmarkDetector> detector;  ///< null in a product without
+  std::unique_ptr<Estimator> estimator;        ///< with the back-end
+  std::map<std::string, std::unique_ptr<MapModule>> modules;
+  bool is_complete = true;  ///< all components that the product names are known
+};
 
-/// For who runs only a part of a product: finds the faults of the sections that others read.
-/// @throw ConfigError as makeComponents()
-inline void validateProduct(Settings& settings) { makeComponents(settings); }
+/// A component of a product, and what it is called.
+struct ProductComponent {
+  std::string role;  ///< "odometry source"
+  std::string key;   ///< the product's key that names it: "odometry"; of a module the module's name
+  std::string name;  ///< in the registry
+  Component* component = nullptr;
 
-/// The product's odometry source, not configured. @throw ConfigError naming those there are
-std::unique_ptr<OdometrySource> makeOdometry(const ProductConfig& product);
+  /// "odometry source 'wheel'", for sentences
+  std::string title() const { return role + " '" + name + "'"; }
+};
 
-/// The product's detector, not configured; nothing for "none".
-/// @throw ConfigError naming those there are
-std::unique_ptr<LandmarkDetector> makeDetector(const ProductConfig& product);
+/// Loads a product's libraries and creates all components that it names, without configuring them.
+/// @throw ConfigError naming a library that cannot be loaded, or the components that there are
+ProductComponents createComponents(const ProductConfig& product, const ProductPart& part = {});
+
+/// The components that there are, in the order of the data's flow.
+std::vector<ProductComponent> inOrder(const ProductComponents& parts);
+
+/// Creates and configures a part of what the product names. What cannot be made is null.
+/// @param faults takes those of all sections that the part reads
+ProductComponents makeComponents(Settings& settings, const ProductPart& part,
+                                 FaultCollector& faults);
+
+/// Adds the components to a wiring, which refers to them.
+/// @param is_whole of a whole product's components the counters have prefixes
+void connect(ProductComponents& parts, bool is_whole, Wiring& wiring);
+
+/// The inputs of all components that the product names, or of a part of them, whoever makes the
+/// data; of the same name and kind one, mandatory where it is so for anyone. Nothing is configured
+/// for this. @throw ConfigError naming the components that there are
+std::vector<InputPort> inputsOf(const ProductConfig& product, const ProductPart& part = {});
 
 }  // namespace slam

@@ -6,6 +6,8 @@
 #include <dlfcn.h>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/map_module.hpp"
+#include "slam_core/contract/registry.hpp"
 
 namespace slam {
 
@@ -16,7 +18,8 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("backend", &backend, "name of the back-end component");
   fields.add("odometry", &odometry,
              "name of the odometry source: wheel, visual (a camera that looks at the ceiling), "
-             "visual_wheel (the wheels where the images tell nothing)");
+             "visual_wheel (the wheels where the images tell nothing); none: motion comes as "
+             "messages, or the back-end needs none");
   fields.add("detector", &detector,
              "name of the detector that finds landmarks in the camera's images; none: they come as "
              "observations");
@@ -24,7 +27,8 @@ void ProductConfig::describe(Fields& fields) {
       .add("map", &map,
            "representation of the map: landmarks, or a grid that a laser's scans are drawn into")
       .oneOf({"landmarks", "grid"});
-  fields.add("pointmap", &pointmap, "also a map of points where a laser's beams end, to look at");
+  for (const auto& name : Registry<MapModule>::instance().names())
+    fields.add(name, &modules[name], Registry<MapModule>::instance().create(name)->sentence());
   fields.add("seed", &seed, "of every random stream");
   fields
       .add("source_timeout", &source_timeout,

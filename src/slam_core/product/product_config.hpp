@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,12 @@ struct ProductConfig {
   std::string odometry = "wheel";
   std::string detector = "none";
   std::string map = "landmarks";
-  bool pointmap = false;
+  std::map<std::string, bool> modules;  ///< whether it has the additional module of a name
   std::uint64_t seed = 1;
   double source_timeout = 1.0;
   std::string robot;
 
   void describe(Fields& fields);
-  bool usesImages() const { return detector != "none"; }
-  bool usesScans() const { return hasGrid() || pointmap; }
-  bool hasGrid() const { return map == "grid"; }
 };
 
 /// The robot's frames (REP-105).

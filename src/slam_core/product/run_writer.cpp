@@ -15,29 +15,12 @@
 #include <vector>
 
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/product/map_files.hpp"
 
 namespace slam {
 namespace {
-
-/// What a run and its evaluation leave in the folder beside the files that are begun at once: none
-/// of it may be of another run.
-constexpr const char* kResults[] = {"trajectory_final.tum",
-                                    "wheel_odometry.tum",
-                                    "ground_truth.tum",
-                                    "ground_truth_landmarks.yaml",
-                                    "landmarks.yaml",
-                                    "map.pgm",
-                                    "map.yaml",
-                                    "points.pcd",
-                                    "config.yaml",
-                                    "metrics.json",
-                                    "trajectory.png",
-                                    "odometry.png",
-                                    "map.png",
-                                    "landmark_errors.png",
-                                    "consistency.png",
-                                    "report.html"};
 
 constexpr const char* kUpdatesHeader =
     "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
@@ -78,6 +61,12 @@ std::string revised(const std::string& trajectory, const std::vector<StampedPose
   return after;
 }
 
+/// Where a file's lines go that were written before time began anew for the n-th time.
+std::string keptName(const std::string& name, std::size_t restart) {
+  const auto dot = name.rfind('.');
+  return fmt::format("{}.before_restart_{}{}", name.substr(0, dot), restart, name.substr(dot));
+}
+
 std::string readFile(const std::string& path) {
   std::ostringstream content;
   content << std::ifstream(path).rdbuf();
@@ -93,23 +82,39 @@ std::string tumLine(Stamp stamp, const Pose2& pose) {
                      std::sin(pose.theta() / 2) + 0.0, std::cos(pose.theta() / 2) + 0.0);
 }
 
-RunWriter::RunWriter(const std::string& folder) : folder_(folder) {
-  if (folder.empty()) throw std::runtime_error("the output folder has no name");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error("cannot make the output folder " + folder + ": " + error.message());
-  for (const auto* name : kResults)
-    std::filesystem::remove(std::filesystem::path(folder) / name, error);
-  begin();
+RunWriter::RunWriter(const std::string& folder) : folder_(folder) { begin(); }
+
+RunWriter::~RunWriter() {
+  if (lines() == 0 && restarts_ == 0) folder_.discard();
 }
 
 void RunWriter::open(const std::string& name, std::ofstream& file) const {
-  const auto path = folder_ + "/" + name;
+  const auto path = unfinished() + "/" + name;
   file.close();  // before the file is emptied: what is still in the buffer must not follow
   file.clear();
   file.open(path, std::ios::trunc);
   if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+}
+
+void RunWriter::restart() {
+  writePending();
+  if (lines_ > 0) {
+    ++restarts_;
+    keep("trajectory.tum", trajectory_);
+    keep("odometry.tum", odometry_);
+    keep("updates.csv", updates_);
+  }
+  begin();
+}
+
+void RunWriter::keep(const std::string& name, std::ofstream& file) const {
+  file.close();
+  const auto kept = unfinished() + "/" + keptName(name, restarts_);
+  std::error_code error;
+  std::filesystem::rename(unfinished() + "/" + name, kept, error);
+  if (error) throw std::runtime_error("cannot write " + kept + ": " + error.message());
+  if (restarts_ > kMostKept)
+    std::filesystem::remove(unfinished() + "/" + keptName(name, restarts_ - kMostKept), error);
 }
 
 void RunWriter::begin() {
@@ -122,7 +127,7 @@ void RunWriter::begin() {
 }
 
 void RunWriter::write(const StepReport& report) {
-  if (report.restarted) begin();
+  if (report.restarted) restart();
   if (!report.hasTrigger()) return;
   const bool is_same_stamp = pending_ && pending_->stamp == report.stamp;
   const auto before = is_same_stamp ? pending_->statistics : UpdateStatistics();
@@ -140,19 +145,23 @@ void RunWriter::writePending() {
   pending_.reset();
   ++lines_;
   if (!trajectory_ || !odometry_ || !updates_)
-    throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
+    throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
 }
 
-void RunWriter::finish(const Backend& backend, const std::string& map_frame,
+void RunWriter::finish(const Capabilities& backend, const std::string& map_frame,
                        const std::string& config) {
   writePending();
   for (auto* file : {&trajectory_, &odometry_, &updates_})
     if (!file->flush())
-      throw std::runtime_error("cannot write into " + folder_ + ": is the disk full?");
-  writeFileAtomically(folder_ + "/trajectory_final.tum",
-                      revised(readFile(folder_ + "/trajectory.tum"), backend.path()));
-  saveMap(folder_ + "/landmarks.yaml", {map_frame, last_stamp_, backend.state()});
-  writeFileAtomically(folder_ + "/config.yaml", config);
+      throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
+  const auto* reviser = backend.find<PathReviser>();
+  writeFileAtomically(unfinished() + "/trajectory_final.tum",
+                      revised(readFile(unfinished() + "/trajectory.tum"),
+                              reviser ? reviser->path() : std::vector<StampedPose>()));
+  if (const auto* keeper = backend.find<MapKeeper>())
+    saveMap(unfinished() + "/landmarks.yaml", {map_frame, last_stamp_, keeper->state()});
+  writeFileAtomically(unfinished() + "/config.yaml", config);
+  folder_.complete();
 }
 
 }  // namespace slam

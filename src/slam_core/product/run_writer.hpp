@@ -8,8 +8,10 @@
 #include <string>
 
 #include "slam_core/common/time.hpp"
+#include "slam_core/contract/capabilities.hpp"
 #include "slam_core/geometry/pose2.hpp"
-#include "slam_core/product/estimator.hpp"
+#include "slam_core/product/run_folder.hpp"
+#include "slam_core/product/step_report.hpp"
 
 namespace slam {
 
@@ -19,37 +21,55 @@ std::string tumLine(Stamp stamp, const Pose2& pose);
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
 /// updates.csv; landmarks.yaml, of a grid map.yaml and map.pgm, and config.yaml at the end. Every
 /// driver of an Estimator uses this one, so that offline and online runs can be compared byte for
-/// byte.
+/// byte. Until finish() they stand in unfinished(), beside what an earlier run has left.
 class RunWriter {
  public:
-  /// Makes the folder; files of an earlier run in it are replaced, its evaluation is removed.
+  /// Makes and locks the folder.
   /// @throw std::runtime_error naming the folder and the cause
   explicit RunWriter(const std::string& folder);
+  /// Without finish() the folder is as before, but for an unfinished run that has written poses.
+  ~RunWriter();
+  RunWriter(const RunWriter&) = delete;
+  RunWriter& operator=(const RunWriter&) = delete;
 
   /// Takes the steps in order; writes those that came from observations or scans, steps of the same
   /// stamp as one: the pose of the last of them, their statistics added up. It is written when the
-  /// next one comes. A restart begins anew.
+  /// next one comes. A report of a restart does as restart().
   /// @throw std::runtime_error when the disk is full
   void write(const StepReport& report);
 
-  /// The final trajectory has the poses of the back-end's path() where it has one.
+  /// The files begin anew; what stands in them is kept in trajectory.before_restart_1.tum, ..._2
+  /// and so on, and likewise named ones of odometry and updates, of the last hundred restarts.
   /// @throw std::runtime_error naming the file that could not be written
-  void finish(const Backend& backend, const std::string& map_frame, const std::string& config);
+  void restart();
 
-  const std::string& folder() const { return folder_; }
+  /// What the back-end can do decides on the files: its map where it keeps one; the final
+  /// trajectory has the poses of its path where it revises it. All that stands in unfinished()
+  /// takes the place of the files of an earlier run, whose evaluation is removed. To be called
+  /// once.
+  /// @throw std::runtime_error naming the file that could not be written
+  void finish(const Capabilities& backend, const std::string& map_frame, const std::string& config);
+
+  const std::string& folder() const { return folder_.path(); }
+  /// Where others put what belongs to the run, before finish().
+  const std::string& unfinished() const { return folder_.unfinished(); }
   /// Of the trajectory, that of the last step included.
   std::size_t lines() const { return lines_ + (pending_ ? 1 : 0); }
 
  private:
   void open(const std::string& name, std::ofstream& file) const;
+  static constexpr std::size_t kMostKept = 100;
+
   void begin();
+  void keep(const std::string& name, std::ofstream& file) const;
   void writePending();
 
-  std::string folder_;
+  RunFolder folder_;
   std::ofstream trajectory_, odometry_, updates_;
   std::optional<StepReport> pending_;
   Stamp last_stamp_;
   std::size_t lines_ = 0;
+  std::size_t restarts_ = 0;  ///< that there was something to keep of
 };
 
 }  // namespace slam

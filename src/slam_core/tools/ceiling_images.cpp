@@ -12,6 +12,7 @@
 #include "log_rows.hpp"
 #include "motion_row.hpp"
 #include "slam_core/camera/calibration_file.hpp"
+#include "slam_core/common/input_file.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
 
 // Visual odometry without ROS: a row `motion` for each motion (motion_row.hpp), as the other
@@ -32,6 +33,8 @@ constexpr const char* kUsage =
 Image imageIn(LogRows& row, const std::filesystem::path& folder) {
   const auto stamp = stampFromNanoseconds(row.integer());
   const auto path = (folder / row.rest()).string();
+  if (const auto fault = inputFileFault(path); !fault.empty())
+    row.fail("cannot read the image " + path + ": " + fault);
   const auto gray = cv::imread(path, cv::IMREAD_GRAYSCALE);
   if (gray.empty()) row.fail("cannot read the image " + path);
   return {stamp, "ceiling_camera", gray, ""};

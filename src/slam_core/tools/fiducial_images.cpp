@@ -11,6 +11,7 @@
 
 #include "exit_code.hpp"
 #include "slam_core/camera/calibration_file.hpp"
+#include "slam_core/common/input_file.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/fiducial/fiducial_detector.hpp"
 
@@ -61,6 +62,7 @@ void run(const Arguments& arguments) {
   detector->set(loadCalibrationFile(arguments.calibration));
   Stamp stamp{};
   for (const auto& path : arguments.images) {
+    requireInputFile(path, "the image");
     const auto gray = cv::imread(path, cv::IMREAD_GRAYSCALE);
     if (gray.empty()) throw std::runtime_error("cannot read the image " + path);
     stamp += std::chrono::seconds(1);

@@ -12,7 +12,7 @@
 #include "motion_row.hpp"
 #include "scan_row.hpp"
 #include "slam_core/grid_map/grid_file.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 // A particle filter with occupancy grids, without ROS: a line for each scan, "pose STAMP_NS X Y
 // THETA" of the robot in the map [m, m, rad], and the map of the best particle as map_server reads

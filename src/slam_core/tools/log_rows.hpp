@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "slam_core/common/input_file.hpp"
 #include "slam_core/common/nearest_name.hpp"
 
 namespace slam {
@@ -23,8 +24,9 @@ namespace slam {
 class LogRows {
  public:
   /// @throw std::runtime_error naming the file
-  explicit LogRows(const std::string& path) : file_(path) {
-    if (!file_) throw std::runtime_error("cannot read the log " + path + "; does it exist?");
+  explicit LogRows(const std::string& path) {
+    requireInputFile(path, "the log");
+    file_.open(path);
   }
 
   /// Goes to the next row. @return false at the end

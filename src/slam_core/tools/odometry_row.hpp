@@ -5,7 +5,7 @@
 
 #include "log_rows.hpp"
 #include "motion_row.hpp"
-#include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 
 namespace slam {
 

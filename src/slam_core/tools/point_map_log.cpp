@@ -52,7 +52,7 @@ class PointMapLog {
 
   void takePose(LogRows& row) {
     const auto stamp = stampFromNanoseconds(row.integer());
-    map_.set(point_map::FilterPose::of(stamp, poseIn(row)));
+    map_.set(FilterPose::of(stamp, poseIn(row)));
   }
 
   ScanRows scans_;

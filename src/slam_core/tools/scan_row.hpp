@@ -37,7 +37,7 @@ class ScanRows {
 
   LaserScan scanIn(LogRows& row) {
     gate_.set(sweepIn(row));
-    if (const auto status = gate_.next(); !status.isOk()) row.tell(status.message);
+    if (const auto status = gate_.execute(); !status.isOk()) row.tell(status.message);
     return gate_.scan().value();
   }
 

@@ -11,7 +11,6 @@
 #include "observations_row.hpp"
 #include "odometry_row.hpp"
 #include "scan_row.hpp"
-#include "slam_core/point_map/pcd_file.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 
@@ -39,7 +38,7 @@ class TextLog {
     else if (row.kind() == "observations")
       takeObservations(observationsIn(row));
     else if (row.kind() == "scan")
-      coordinator_.set(sweepIn(row));
+      coordinator_.put("scan", sweepIn(row));
     drain(row);
   }
 
@@ -76,11 +75,13 @@ void run(const std::string& product, const std::string& robot, const std::string
   RunWriter writer(folder);
   TextLog log(coordinator, writer);
   while (row.next()) log.take(row);
-  const auto& backend = coordinator.estimator().backend();
-  if (const auto* map = coordinator.pointMap())
-    point_map::savePcd(folder + "/points.pcd", map->points());
-  writer.finish(backend, coordinator.frames().map, settings.inForce());
-  fmt::print("{}: {} poses, {} landmarks\n", folder, writer.lines(), backend.landmarks().size());
+  const auto& backend = coordinator.estimator().capabilities();
+  for (const auto& [name, module] : coordinator.components().modules)
+    module->save(writer.unfinished());
+  writer.finish(backend, coordinator.components().frames.map, settings.inForce());
+  const auto* mapper = backend.find<LandmarkMapper>();
+  fmt::print("{}: {} poses, {} landmarks\n", folder, writer.lines(),
+             mapper ? mapper->landmarks().size() : 0);
 }
 
 }  // namespace

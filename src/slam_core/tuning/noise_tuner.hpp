@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/tuning/innovation_score.hpp"
 

@@ -46,6 +46,11 @@ void VisualOdometry::configure(Settings& settings) {
   configure(config, camera);
 }
 
+void VisualOdometry::describe(Ports& ports) {
+  describeCamera(ports, "ceiling_camera", "images of the ceiling", this);
+  ports.makes<Motion>("motion", motion_);
+}
+
 void VisualOdometry::reset() {
   gate_.reset();
   matcher_.reset();
@@ -198,7 +203,7 @@ cv::Mat VisualOdometry::drawing() const {
                        : cv::Mat();
 }
 
-std::vector<std::pair<std::string, double>> VisualOdometry::figures() const {
+Component::Figures VisualOdometry::figures() const {
   return {{"features", static_cast<double>(matcher_.features())},
           {"matches", static_cast<double>(matcher_.matches().size())},
           {"inliers", static_cast<double>(matcher_.alignment().inliers.size())},

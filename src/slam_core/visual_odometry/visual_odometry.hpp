@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "slam_core/camera/camera_ports.hpp"
 #include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/contract/odometry_source.hpp"
 #include "slam_core/visual_odometry/increment_maker.hpp"
 #include "slam_core/visual_odometry/view_matcher.hpp"
@@ -28,26 +30,25 @@ namespace slam::visual_odometry {
 /// Counted: the reasons of the gate, and of images that tell nothing "few_features" (dark, blurred,
 /// bare), "few_inliers", "scale" (another surface is seen), "speed", "camera_direction";
 /// "keyframes".
-class VisualOdometry final : public OdometrySource {
+class VisualOdometry final : public OdometrySource, public ViewDrawer {
  public:
   void configure(const VisualOdometryConfig& config, const CeilingCameraConfig& camera = {});
   void configure(Settings& settings) override;
   void seed(std::uint64_t seed) override { matcher_.seed(seed); }
   void setGapSource(GapSource source) { increments_.setGapSource(std::move(source)); }
 
-  bool usesWheels() const override { return false; }
-  bool usesImages() const override { return true; }
-  using OdometrySource::set;
-  void set(const CameraCalibration& calibration) override { gate_.set(calibration); }
-  void set(const CameraMount& mount) override { gate_.set(mount); }
-  void set(const Image& image) override { gate_.set(image, counters_); }
+  void describe(Ports& ports) override;
+  void set(const CameraCalibration& calibration) { gate_.set(calibration); }
+  void set(const CameraMount& mount) { gate_.set(mount); }
+  void set(const Image& image) { gate_.set(image, counters_); }
   Status execute() override;
   bool isBusy() const override { return gate_.image().has_value(); }
 
   const std::optional<Motion>& motion() const override { return motion_; }
-  const Counters& counters() const override { return counters_; }
+  Counters counters() const override { return counters_; }
+  std::uint64_t dropped() const override { return counters_["late"]; }
   cv::Mat drawing() const override;
-  std::vector<std::pair<std::string, double>> figures() const override;
+  Figures figures() const override;
   void reset() override;
 
   /// Whether the last image told nothing.

@@ -24,10 +24,17 @@ void VisualWheelOdometry::configure(Settings& settings) {
   faults.attempt([&] {
     wheels_ = Registry<OdometrySource>::instance().create("wheel");
     wheels_->configure(settings);
+    wheel_ports_ = portsOf(*wheels_);
   });
   faults.attempt([&] { visual_.configure(settings); });
   faults.raise();
   reset();
+}
+
+void VisualWheelOdometry::describe(Ports& ports) {
+  describeCamera(ports, "ceiling_camera", "images of the ceiling", this);
+  ports.takes<OdometrySample>("odom", "odometry", this);
+  ports.makes<Motion>("motion", visual_.motion());
 }
 
 void VisualWheelOdometry::reset() {
@@ -40,7 +47,7 @@ void VisualWheelOdometry::reset() {
 }
 
 void VisualWheelOdometry::set(const OdometrySample& sample) {
-  wheels_->set(sample);
+  wheel_ports_.input("odom", kindOf<OdometrySample>())->set(&sample);
   has_sample_ = true;
 }
 
@@ -74,15 +81,15 @@ bool VisualWheelOdometry::handOverImage() {
   return true;
 }
 
-const Counters& VisualWheelOdometry::counters() const {
-  counters_ = visual_.counters();
-  for (const auto& [reason, count] : own_counters_.all()) counters_.add(reason, count);
-  for (const auto& [reason, count] : wheels_->counters().all()) counters_.add(reason, count);
-  return counters_;
+Counters VisualWheelOdometry::counters() const {
+  auto all = visual_.counters();
+  all.add(own_counters_);
+  all.add(wheels_->counters());
+  return all;
 }
 
-std::vector<std::pair<std::string, double>> VisualWheelOdometry::figures() const {
-  return visual_.figures();
+std::uint64_t VisualWheelOdometry::dropped() const {
+  return visual_.dropped() + wheels_->dropped();
 }
 
 }  // namespace slam::visual_odometry

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 
+#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/visual_odometry/motion_track.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
 
@@ -16,25 +17,26 @@ namespace slam::visual_odometry {
 /// far, so that the order of arrival does not matter; a second of images later they wait no longer.
 ///
 /// Counted: as VisualOdometry and as the wheels; "wheels_missing" for images that waited in vain.
-class VisualWheelOdometry final : public OdometrySource {
+class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
  public:
   VisualWheelOdometry();
 
   void configure(Settings& settings) override;
   void seed(std::uint64_t seed) override { visual_.seed(seed); }
 
-  bool usesImages() const override { return true; }
-  void set(const OdometrySample& sample) override;
-  void set(const CameraCalibration& calibration) override { visual_.set(calibration); }
-  void set(const CameraMount& mount) override { visual_.set(mount); }
-  void set(const Image& image) override;
+  void describe(Ports& ports) override;
+  void set(const OdometrySample& sample);
+  void set(const CameraCalibration& calibration) { visual_.set(calibration); }
+  void set(const CameraMount& mount) { visual_.set(mount); }
+  void set(const Image& image);
   Status execute() override;
   bool isBusy() const override { return visual_.isBusy() || is_handing_over_; }
 
   const std::optional<Motion>& motion() const override { return visual_.motion(); }
-  const Counters& counters() const override;
+  Counters counters() const override;
+  std::uint64_t dropped() const override;
   cv::Mat drawing() const override { return visual_.drawing(); }
-  std::vector<std::pair<std::string, double>> figures() const override;
+  Figures figures() const override { return visual_.figures(); }
   void reset() override;
 
   const VisualOdometry& visual() const { return visual_; }
@@ -43,12 +45,12 @@ class VisualWheelOdometry final : public OdometrySource {
   bool handOverImage();
 
   std::unique_ptr<OdometrySource> wheels_;
+  Ports wheel_ports_;
   bool has_sample_ = false, is_handing_over_ = false;
   MotionTrack track_;
   std::deque<Image> waiting_;
   VisualOdometry visual_;
   Counters own_counters_;
-  mutable Counters counters_;  ///< of all, put together when they are asked for
 };
 
 }  // namespace slam::visual_odometry

@@ -60,6 +60,18 @@ void WheelOdometryConfig::describe(Fields& fields) {
       .unit("rad/sqrt(s)")
       .in(Range::above(0))
       .ofRobot();
+  fields
+      .add("max_speed", &max_speed,
+           "what the robot can do at most; odometry that moves further is not believed")
+      .unit("m/s")
+      .in(Range::above(0))
+      .ofRobot();
+  fields
+      .add("max_turn_rate", &max_turn_rate,
+           "what the robot can do at most; odometry that turns further is not believed")
+      .unit("rad/s")
+      .in(Range::above(0))
+      .ofRobot();
 }
 
 }  // namespace slam::wheel_odometry

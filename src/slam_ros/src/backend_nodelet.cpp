@@ -10,10 +10,10 @@ namespace slam_ros {
 
 void BackendNodelet::onInit() {
   reportFailure(getName(), [this] {
-    source_ = std::make_unique<BackendAlone>(makeBackend());
     node_ = std::make_unique<EstimatorNode>(
         EstimatorNode::Handles{getNodeHandle(), getPrivateNodeHandle(), getName()},
-        parametersFromRos<OutputsConfig>(getPrivateNodeHandle()), *source_);
+        parametersFromRos<OutputsConfig>(getPrivateNodeHandle()), part_,
+        slam::ProductPart{slam::ProductPart::Extent::kBackend, backend_});
   });
 }
 

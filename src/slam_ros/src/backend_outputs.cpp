@@ -10,16 +10,19 @@ constexpr double kFlushInterval = 0.5;  // [s] of the wall: stamps may stand sti
 
 }  // namespace
 
-BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Backend& backend,
+BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Estimator& estimator,
                                const std::string& map_frame, const OutputsConfig& config)
-    : pose_(handle, map_frame, config.landmark_rate),
-      landmarks_(handle, backend, map_frame, config.landmark_rate),
-      map_odom_(handle, map_frame, config),
-      particles_(handle, backend, map_frame, config.landmark_rate) {
-  if (backend.usesScans()) grid_.emplace(handle, backend, map_frame, config.map_period);
+    : pose_(handle, map_frame, config.landmark_rate), map_odom_(handle, map_frame, config) {
+  const auto& backend = estimator.capabilities();
+  if (const auto* mapper = backend.find<slam::LandmarkMapper>())
+    landmarks_.emplace(handle, *mapper, map_frame, config.landmark_rate);
+  if (const auto* sampler = backend.find<slam::PoseSampler>())
+    particles_.emplace(handle, *sampler, map_frame, config.landmark_rate);
+  if (const auto* mapper = backend.find<slam::GridMapper>())
+    grid_.emplace(handle, *mapper, map_frame, config.map_period);
   const auto flush = [this](const ros::WallTimerEvent&) {
     pose_.flush();
-    landmarks_.flush();
+    if (landmarks_) landmarks_->flush();
     if (grid_) grid_->flush();
   };
   flush_timer_ = handle.createWallTimer(ros::WallDuration(kFlushInterval), flush);
@@ -27,15 +30,19 @@ BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Backend& back
 
 void BackendOutputs::publish(const slam::StepReport& report) {
   pose_.publish(report);
-  landmarks_.update(report.stamp);
+  if (landmarks_) landmarks_->update(report.stamp);
   map_odom_.update(report);
-  particles_.update(report.stamp);
+  if (particles_) particles_->update(report.stamp);
   if (grid_) grid_->update(report.stamp);
+}
+
+void BackendOutputs::refresh() {
+  if (landmarks_) landmarks_->refresh();
 }
 
 void BackendOutputs::restart() {
   pose_.reset();
-  landmarks_.refresh();
+  refresh();
   map_odom_.reset();
 }
 

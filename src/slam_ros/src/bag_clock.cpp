@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "slam_ros/conversions.hpp"
+
 namespace slam_ros {
 namespace {
 
@@ -25,10 +27,11 @@ void BagClock::waitUntil(const ros::Time& time, const std::atomic<bool>& stop) {
     begin_ = ros::WallTime::now();
   }
   while (rate_ > 0 && !stop) {
-    const auto passed = ros::WallTime::now() - begin_;
-    const auto wait = (time - first_).toSec() / rate_ - passed.toSec();
+    const double passed = (ros::WallTime::now() - begin_).toSec();
+    // as stamps: ROS's durations end at 68 years, which two times of a bag may lie apart
+    const double wait = slam::seconds(fromRos(time) - fromRos(first_)) / rate_ - passed;
     if (wait <= 0) break;
-    publish(std::min(time, first_ + ros::Duration(passed.toSec() * rate_)));
+    publish(toRos(fromRos(first_) + slam::durationFromSeconds(passed * rate_)));
     std::min(kTick, ros::WallDuration(wait)).sleep();
   }
   publish(time);

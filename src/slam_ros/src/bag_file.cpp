@@ -9,6 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "slam_core/common/atomic_file.hpp"
+
 namespace slam_ros {
 namespace {
 
@@ -31,10 +33,19 @@ void checkPath(const std::string& path) {
     throw BagPathError("cannot write " + path + ": it is no ordinary file");
 }
 
+std::string partOf(const std::string& path) {
+  try {
+    return slam::makeTemporaryBeside(path);
+  } catch (const std::runtime_error& error) {
+    throw BagWriteError(error.what());
+  }
+}
+
 }  // namespace
 
-BagFile::BagFile(const std::string& path) : path_(path), part_(path + ".part") {
+BagFile::BagFile(const std::string& path) : path_(path) {
   checkPath(path);
+  part_ = partOf(path);
   bag_ = std::make_unique<rosbag::Bag>();
   guarded([this] {
     bag_->open(part_, rosbag::bagmode::Write);

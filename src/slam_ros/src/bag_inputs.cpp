@@ -7,8 +7,10 @@
 #include <ros/message_traits.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "slam_core/common/nearest_name.hpp"
+#include "slam_core/models/filter_pose.hpp"
 #include "slam_core/product/product_components.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/camera_topics.hpp"
@@ -50,6 +52,11 @@ class Search {
     const auto* topic = bag_.find(wanted.topic);
     return isRemapped(name) ||
            (topic != nullptr && topic->messages > 0 && topic->type == wanted.type);
+  }
+
+  bool knows(const std::string& name) const {
+    return std::any_of(inputs_.begin(), inputs_.end(),
+                       [&](const auto& input) { return input.name == name; });
   }
 
   std::string need(const std::string& name) const {
@@ -116,9 +123,28 @@ BagCamera findCamera(const BagReader& bag, const Search& search, const CameraNam
   return camera;
 }
 
+/// An input that the odometry source shares with others and that the bag has, or an empty name: the
+/// source makes motion of it, whatever else the bag carries.
+std::string sharedWithOdometry(const Search& search, const InputNeeds& needs) {
+  std::vector<std::string> notes;
+  for (const auto& input : needs.of_odometry)
+    if (!needs.isOfOdometryAlone(input) && search.knows(input) &&
+        !search.topic(input, notes).empty())
+      return input;
+  return "";
+}
+
 void findOdometry(const BagReader& bag, const Search& search, const InputNeeds& needs,
                   BagInputs& inputs) {
   inputs.motion = search.topic("motion", inputs.notes);
+  const auto shared = inputs.motion.empty() ? "" : sharedWithOdometry(search, needs);
+  if (!shared.empty()) {
+    inputs.notes.push_back(
+        fmt::format("the motion that the bag carries is left out: the odometry source makes it of "
+                    "the input '{}', which others take as well",
+                    shared));
+    inputs.motion.clear();
+  }
   if (!inputs.motion.empty()) {
     inputs.notes.push_back("the bag carries motion: the odometry component is left out");
     return;
@@ -135,32 +161,84 @@ void findOdometry(const BagReader& bag, const Search& search, const InputNeeds& 
 
 }  // namespace
 
-std::vector<Input> inputsOf(const TopicsConfig& topics) {
+std::vector<Input> inputsOf(const TopicsConfig& topics,
+                            const std::vector<slam::InputPort>& others) {
   const auto camera = cameraTopics(topics.camera), ceiling = cameraTopics(topics.ceiling_camera);
-  return {input<slam_msgs::Motion>("motion", topics.motion),
-          input<nav_msgs::Odometry>("odom", topics.odom),
-          input<slam_msgs::LandmarkObservationArray>("observations", topics.observations),
-          input<sensor_msgs::Image>(kCamera.image, camera.raw),
-          input<sensor_msgs::CompressedImage>(kCamera.compressed, camera.compressed),
-          input<sensor_msgs::CameraInfo>(kCamera.info, camera.info),
-          input<sensor_msgs::Image>(kCeilingCamera.image, ceiling.raw),
-          input<sensor_msgs::CompressedImage>(kCeilingCamera.compressed, ceiling.compressed),
-          input<sensor_msgs::CameraInfo>(kCeilingCamera.info, ceiling.info),
-          input<sensor_msgs::LaserScan>("scan", topics.scan)};
+  std::vector<Input> inputs = {
+      input<slam_msgs::Motion>("motion", topics.motion),
+      input<nav_msgs::Odometry>("odom", topics.odom),
+      input<slam_msgs::LandmarkObservationArray>("observations", topics.observations),
+      input<sensor_msgs::Image>(kCamera.image, camera.raw),
+      input<sensor_msgs::CompressedImage>(kCamera.compressed, camera.compressed),
+      input<sensor_msgs::CameraInfo>(kCamera.info, camera.info),
+      input<sensor_msgs::Image>(kCeilingCamera.image, ceiling.raw),
+      input<sensor_msgs::CompressedImage>(kCeilingCamera.compressed, ceiling.compressed),
+      input<sensor_msgs::CameraInfo>(kCeilingCamera.info, ceiling.info),
+      input<sensor_msgs::LaserScan>("scan", topics.scan)};
+  for (const auto& port : others) {
+    const auto* binding = BagBindings::instance().find(port.kind);
+    inputs.push_back({port.name, topics.of(port.name), binding->type, binding->md5sum});
+  }
+  return inputs;
+}
+
+namespace {
+
+/// A message brings it, and it is none of the kinds that all products know.
+bool isOther(const slam::InputPort& port) {
+  return port.kind != slam::kindOf<slam::Motion>() &&
+         port.kind != slam::kindOf<slam::FilterPose>() &&
+         port.kind != slam::kindOf<slam::LandmarkObservationArray>() &&
+         BagBindings::instance().find(port.kind) != nullptr;
+}
+
+std::set<std::string> namesOf(const slam::ProductConfig& product, const slam::ProductPart& part) {
+  std::set<std::string> names;
+  for (const auto& input : slam::inputsOf(product, part)) names.insert(input.name);
+  return names;
+}
+
+void setTakers(const slam::ProductConfig& product, InputNeeds& needs) {
+  using Extent = slam::ProductPart::Extent;
+  needs.of_backend = namesOf(product, {Extent::kBackend, ""});
+  needs.of_odometry = namesOf(product, {Extent::kOdometry, ""});
+  needs.of_detector = namesOf(product, {Extent::kDetector, ""});
+  for (const auto& [name, is_wanted] : product.modules)
+    if (is_wanted) needs.of_modules.merge(namesOf(product, {Extent::kModule, name}));
+}
+
+}  // namespace
+
+bool InputNeeds::isOfOdometryAlone(const std::string& input) const {
+  return of_odometry.count(input) > 0 &&
+         of_backend.count(input) + of_detector.count(input) + of_modules.count(input) == 0;
 }
 
 InputNeeds needsOf(const slam::ProductConfig& product) {
+  const auto inputs = slam::inputsOf(product);
+  const auto find = [&](const char* name) {
+    return std::find_if(inputs.begin(), inputs.end(),
+                        [&](const auto& input) { return input.name == name; });
+  };
+  const auto has = [&](const char* name) { return find(name) != inputs.end(); };
   InputNeeds needs;
-  needs.images = product.usesImages();
-  needs.scans = product.usesScans();
-  needs.landmarks = !product.hasGrid();
-  const auto odometry = slam::makeOdometry(product);
-  needs.wheels = odometry->usesWheels();
-  needs.ceiling = odometry->usesImages();
+  needs.images = has("camera");
+  needs.scans = has("scan");
+  needs.landmarks = has("observations") && find("observations")->is_mandatory;
+  needs.wheels = has("odom");
+  needs.ceiling = has("ceiling_camera");
+  needs.motion = has("motion");
+  std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(needs.others), isOther);
+  setTakers(product, needs);
   return needs;
 }
 
 namespace {
+
+/// Whether nobody needs an input, since the bag carries what is made of it.
+bool isLeftOut(const std::string& input, const BagInputs& inputs, const InputNeeds& needs) {
+  return !inputs.motion.empty() && needs.isOfOdometryAlone(input);
+}
 
 /// What the product cannot do without, a text each.
 std::vector<std::string> missingOf(const BagInputs& inputs, const InputNeeds& needs,
@@ -170,15 +248,20 @@ std::vector<std::string> missingOf(const BagInputs& inputs, const InputNeeds& ne
   };
   std::vector<std::string> missing;
   const bool has_odometry = !inputs.odom.empty() || !inputs.tf.empty();
-  if (inputs.motion.empty() && needs.wheels && !has_odometry)
+  if (needs.motion && inputs.motion.empty() && needs.wheels && !has_odometry)
     missing.push_back(fmt::format("odometry: {}, or the transform {} -> {} in /tf",
                                   search.need("odom"), inputs.odom_frame, inputs.base_frame));
-  if (inputs.motion.empty() && needs.ceiling && !inputs.ceiling.hasImages())
+  if (needs.motion && inputs.motion.empty() && needs.ceiling && !inputs.ceiling.hasImages())
     missing.push_back("images of the ceiling: " + images(kCeilingCamera));
-  if (needs.scans && inputs.scan.empty()) missing.push_back("laser scans: " + search.need("scan"));
+  if (needs.scans && inputs.scan.empty() && !isLeftOut("scan", inputs, needs))
+    missing.push_back("laser scans: " + search.need("scan"));
   if (needs.landmarks && inputs.observations.empty() && !inputs.hasImages())
     missing.push_back("landmarks: " + search.need("observations") +
                       (needs.images ? ", or images: " + images(kCamera) : ""));
+  for (const auto& port : needs.others)
+    if (port.is_mandatory && inputs.others.count(port.name) == 0 &&
+        !isLeftOut(port.name, inputs, needs))
+      missing.push_back(port.sentence + ": " + search.need(port.name));
   return missing;
 }
 
@@ -186,14 +269,14 @@ std::vector<std::string> missingOf(const BagInputs& inputs, const InputNeeds& ne
 
 BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
                      const std::vector<Remap>& remaps) {
-  const auto all = inputsOf(needs.topics);
+  const auto all = inputsOf(needs.topics, needs.others);
   const Search search(
       bag, all,
       forCompressedImages(forCompressedImages(remaps, kCamera, bag), kCeilingCamera, bag));
   BagInputs inputs;
   inputs.odom_frame = frameId(needs.frames.odom);
   inputs.base_frame = frameId(needs.frames.base);
-  findOdometry(bag, search, needs, inputs);
+  if (needs.motion) findOdometry(bag, search, needs, inputs);
   const bool asked_for_images =
       needs.images && (search.isRemapped(kCamera.image) || search.isRemapped(kCamera.compressed));
   if (!asked_for_images) inputs.observations = search.topic("observations", inputs.notes);
@@ -203,7 +286,13 @@ BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
         "at that camera's images instead");
   else if (needs.images)
     static_cast<BagCamera&>(inputs) = findCamera(bag, search, kCamera, inputs);
-  if (needs.scans) inputs.scan = search.topic("scan", inputs.notes);
+  if (needs.scans && !isLeftOut("scan", inputs, needs))
+    inputs.scan = search.topic("scan", inputs.notes);
+  for (const auto& port : needs.others) {
+    if (isLeftOut(port.name, inputs, needs)) continue;
+    if (const auto topic = search.topic(port.name, inputs.notes); !topic.empty())
+      inputs.others.emplace(port.name, BagInputs::Other{topic, port.kind});
+  }
   if (const auto missing = missingOf(inputs, needs, search); !missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));
@@ -226,6 +315,9 @@ BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks) {
   };
   add_camera(inputs, sinks);
   add_camera(inputs.ceiling, sinks.ceiling);
+  for (const auto& [name, other] : inputs.others)
+    handlers[other.topic] =
+        sinks.other(name, other.kind, *BagBindings::instance().find(other.kind));
   if (!inputs.tf.empty())
     handlers[inputs.tf] = odometryOfEdge(inputs.odom_frame, inputs.base_frame, sinks.odom);
   return handlers;

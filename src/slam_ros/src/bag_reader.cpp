@@ -6,9 +6,12 @@
 #include <std_msgs/String.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <stdexcept>
 
+#include "slam_core/common/input_file.hpp"
+#include "slam_ros/bag_process.hpp"
 #include "slam_ros/conversions.hpp"
 
 namespace slam_ros {
@@ -27,40 +30,16 @@ std::vector<std::string> names(const BagHandlers& handlers) {
 }  // namespace
 
 BagReader::BagReader(const std::string& path) : path_(path) {
-  open();
-  listTopics();
-}
-
-void BagReader::open() {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (!fs::exists(path_, error)) fail(path_, "there is no such file");
-  if (fs::is_directory(path_, error)) fail(path_, "it is a folder");
+  if (!std::filesystem::exists(path)) fail(path, "there is no such file");
+  if (const auto fault = slam::inputFileFault(path); !fault.empty()) fail(path, fault);
   try {
-    bag_.open(path_, rosbag::bagmode::Read);
-  } catch (const rosbag::BagUnindexedException&) {
-    fail(path_, "it has no index, as if its recording was cut off; `rosbag reindex` may save it");
-  } catch (const rosbag::BagFormatException&) {
-    fail(path_, "it is not a bag");
-  } catch (const rosbag::BagIOException& fault) {
-    fail(path_, std::string("it is not a bag, or its end is missing (") + fault.what() + ")");
-  } catch (const ros::Exception& fault) {
-    fail(path_, fault.what());
+    const auto contents = contentsOfBag(path);
+    topics_ = contents.topics;
+    begin_ = fromRos(contents.begin);
+    end_ = fromRos(contents.end);
+  } catch (const std::exception& fault) {
+    fail(path, fault.what());
   }
-}
-
-void BagReader::listTopics() {
-  rosbag::View all(bag_);
-  if (all.size() == 0) return;
-  begin_ = fromRos(all.getBeginTime());
-  end_ = fromRos(all.getEndTime());
-  for (const auto* connection : all.getConnections()) {
-    if (find(connection->topic) != nullptr) continue;  // one of several publishers
-    rosbag::View view(bag_, rosbag::TopicQuery(connection->topic));
-    topics_.push_back({connection->topic, connection->datatype, connection->md5sum, view.size()});
-  }
-  std::sort(topics_.begin(), topics_.end(),
-            [](const auto& a, const auto& b) { return a.name < b.name; });
 }
 
 const BagTopic* BagReader::find(const std::string& topic) const {
@@ -78,18 +57,25 @@ std::size_t BagReader::messages(const BagHandlers& handlers) const {
 
 void BagReader::read(const BagHandlers& handlers,
                      const std::function<bool(std::size_t)>& progress) const {
-  try {
-    rosbag::View view(bag_, rosbag::TopicQuery(names(handlers)));
-    std::size_t done = 0;
-    for (const auto& message : view) {
-      handlers.at(message.getTopic())(message);
-      if (progress && !progress(++done)) return;
+  std::size_t done = 0;
+  std::exception_ptr of_handler;
+  const auto take = [&](const BagMessage& message) {
+    try {
+      handlers.at(message.topic)(message);
+      return !progress || progress(++done);
+    } catch (const ros::serialization::StreamOverrunException&) {
+      throw std::runtime_error("it is damaged (a message is shorter than its type)");
+    } catch (...) {
+      of_handler = std::current_exception();  // no fault of the bag
+      return false;
     }
-  } catch (const rosbag::BagException& fault) {
-    fail(path_, std::string("it is damaged (") + fault.what() + ")");
-  } catch (const ros::serialization::StreamOverrunException&) {
-    fail(path_, "it is damaged (a message is shorter than its type)");
+  };
+  try {
+    readBag(path_, names(handlers), take);
+  } catch (const std::exception& fault) {
+    fail(path_, fault.what());
   }
+  if (of_handler) std::rethrow_exception(of_handler);
 }
 
 std::string BagReader::robot() const {

@@ -9,14 +9,17 @@
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/bag_clock.hpp"
@@ -95,10 +98,9 @@ class BagSourceNodelet : public nodelet::Nodelet {
       std::vector<Remap> remaps;
       for (const auto& text : config_.remaps) remaps.push_back(parseRemap(text));
       inputs_ = findInputs(*bag_, needs, remaps);
-      // in one process with the point map it is the product's nodelet that takes them
-      backend_takes_scans_ = product.hasGrid() || !config_.pointmap;
+      setAnswers(needs);
       const bool has_landmarks = inputs_.hasImages() || !inputs_.observations.empty();
-      if (product.hasGrid() && has_landmarks)
+      if (needs.of_backend.count("scan") > 0 && has_landmarks)
         max_ahead_ = slam::durationFromSeconds(product.source_timeout / 2);
       for (const auto& note : inputs_.notes) NODELET_INFO_STREAM(note);
       for (const auto& warning : inputs_.warnings) NODELET_WARN_STREAM(warning);
@@ -111,12 +113,15 @@ class BagSourceNodelet : public nodelet::Nodelet {
 
   void connect(ros::NodeHandle handle) {
     publishers_.emplace(handle, topics_, inputs_, [this](const std::string& input, auto stamp) {
-      return input == kScans ? waitForRoomOfScan(stamp) : waitForRoom(input, stamp);
+      const auto answers = answers_.find(input);
+      return answers == answers_.end() ? waitForRoom(input, stamp)
+                                       : waitForRoomOf(answers->second, stamp);
     });
     if (inputs_.hasImages()) inputs_of_few_.insert("observations");
     if (inputs_.ceiling.hasImages()) inputs_of_few_.insert("motion");
     for (const auto& input : inputs_of_few_) window_.limit(input, kImagesInFlight);
     for (const auto* input : {kScans, kPointMapScans}) window_.limit(input, kScansInFlight);
+    if (hasAnswer(kScans, "motion")) window_.limit("motion", kScansInFlight);
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
     progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
     if (config_.pointmap)
@@ -124,11 +129,34 @@ class BagSourceNodelet : public nodelet::Nodelet {
                                              &BagSourceNodelet::onPointMapProgress, this);
   }
 
+  /// The back-end acknowledges what it takes itself; of what others take, what they make of it.
+  void setAnswers(const InputNeeds& needs) {
+    const auto set = [&](const std::string& port, const std::string& input) {
+      auto& answers = answers_[input];
+      if (needs.of_odometry.count(port) > 0) answers.push_back("motion");
+      if (needs.of_detector.count(port) > 0) answers.push_back("observations");
+      if (needs.of_backend.count(port) > 0) answers.push_back(input);
+    };
+    set("scan", kScans);
+    for (const auto& port : needs.others) set(port.name, port.name);
+    auto& of_scans = answers_[kScans];
+    // in one process with the point map it is the product's nodelet that takes them
+    if (of_scans.empty() && !config_.pointmap) of_scans.push_back(kScans);
+    if (config_.pointmap) of_scans.insert(of_scans.begin(), kPointMapScans);
+  }
+
+  bool hasAnswer(const std::string& input, const std::string& answer) const {
+    const auto& answers = answers_.at(input);
+    return std::find(answers.begin(), answers.end(), answer) != answers.end();
+  }
+
   void onProgress(const slam_msgs::Progress& message) {
     if (config_.pointmap) expectOfPointMap(message);
     window_.acknowledged("motion", fromRos(message.motion));
     window_.acknowledged("observations", fromRos(message.observations));
     window_.acknowledged(kScans, fromRos(message.scans));
+    for (std::size_t i = 0; i < std::min(message.inputs.size(), message.newest.size()); ++i)
+      window_.acknowledged(message.inputs[i], fromRos(message.newest[i]));
   }
 
   /// What the back-end has had and has told must reach the point map as well.
@@ -208,14 +236,14 @@ class BagSourceNodelet : public nodelet::Nodelet {
     auto handlers = handlersFor(inputs_, publishers_->sinks());
     if (const auto* tf = bag_->find("tf"); tf != nullptr && holdsTransforms(*tf)) {
       handlers[tf->name] = [pass = passTransforms(),
-                            odometry = handlers[tf->name]](const rosbag::MessageInstance& message) {
+                            odometry = handlers[tf->name]](const BagMessage& message) {
         pass(message);
         if (odometry) odometry(message);
       };
     }
     for (auto& entry : handlers)
-      entry.second = [this, handler = entry.second](const rosbag::MessageInstance& message) {
-        clock_->waitUntil(message.getTime(), stop_);
+      entry.second = [this, handler = entry.second](const BagMessage& message) {
+        clock_->waitUntil(message.time, stop_);
         handler(message);
       };
     return handlers;
@@ -230,10 +258,10 @@ class BagSourceNodelet : public nodelet::Nodelet {
     });
   }
 
-  /// Scans go to the back-end, to the point map or to both. @return as waitForRoom()
-  bool waitForRoomOfScan(slam::Stamp stamp) {
-    const bool to_point_map = !config_.pointmap || waitForRoom(kPointMapScans, stamp);
-    return to_point_map && (!backend_takes_scans_ || waitForRoom(kScans, stamp));
+  /// For an input that several take. @return as waitForRoom()
+  bool waitForRoomOf(const std::vector<std::string>& answers, slam::Stamp stamp) {
+    return std::all_of(answers.begin(), answers.end(),
+                       [&](const auto& answer) { return waitForRoom(answer, stamp); });
   }
 
   /// @return false when the nodelet is being unloaded
@@ -260,13 +288,14 @@ class BagSourceNodelet : public nodelet::Nodelet {
   std::unique_ptr<BagClock> clock_;
   FlowWindow window_{kInFlight};
   std::optional<slam::Duration> max_ahead_;  ///< of stamps, where scans and landmarks wait together
-  std::set<std::string> inputs_of_few_;      ///< of images that have not been waited for in vain
+  /// What is acknowledged for an input, where that is not the input itself alone.
+  std::map<std::string, std::vector<std::string>> answers_;
+  std::set<std::string> inputs_of_few_;  ///< of images that have not been waited for in vain
   std::atomic<bool> stop_{false};
   std::optional<InputPublishers> publishers_;
   ros::Publisher tf_, tf_static_;
   ros::Subscriber progress_, point_map_progress_;
   slam_msgs::Progress told_, point_map_told_;  ///< by the back-end and the point map, last
-  bool backend_takes_scans_ = false;
   std::thread thread_;
   std::optional<AfterLoad> start_;
 };

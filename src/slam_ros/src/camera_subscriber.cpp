@@ -10,8 +10,10 @@
 namespace slam_ros {
 
 CameraSubscriber::CameraSubscriber(ros::NodeHandle handle, const Options& options,
-                                   CameraInput::Sinks sinks)
-    : topics_(cameraTopics(options.topic)), input_(options.base_frame, std::move(sinks)) {
+                                   CameraInput::Sinks sinks, Pass pass)
+    : topics_(cameraTopics(options.topic)),
+      pass_(std::move(pass)),
+      input_(options.base_frame, std::move(sinks)) {
   for (const auto& topic : {topics_.raw, topics_.compressed, topics_.info})
     handle.resolveName(topic);  // throws now what subscribing would throw later
   start_.emplace([this, handle, transport = options.transport] { subscribe(handle, transport); });
@@ -19,13 +21,16 @@ CameraSubscriber::CameraSubscriber(ros::NodeHandle handle, const Options& option
 
 void CameraSubscriber::subscribe(ros::NodeHandle handle, const std::string& transport) {
   const std::lock_guard lock(kind_);
-  transforms_ = handle.subscribe("/tf_static", kQueue, &CameraSubscriber::onStaticTransforms, this);
-  info_ = handle.subscribe(topics_.info, kQueue, &CameraSubscriber::onCameraInfo, this);
+  const auto put_in = [this](const auto& message) { input_.take(message); };
+  transforms_ = subscribeThrough<tf2_msgs::TFMessage>(pass_, handle, "/tf_static", kQueue, put_in);
+  info_ = subscribeThrough<sensor_msgs::CameraInfo>(pass_, handle, topics_.info, kQueue, put_in);
   if (transport != "compressed")
-    raw_ = handle.subscribe(topics_.raw, kImageQueue, &CameraSubscriber::onImage, this);
+    raw_ = subscribeThrough<sensor_msgs::Image>(pass_, handle, topics_.raw, kImageQueue,
+                                                [this](const auto& image) { onImage(image); });
   if (transport != "raw")
-    compressed_ = handle.subscribe(topics_.compressed, kImageQueue,
-                                   &CameraSubscriber::onCompressedImage, this);
+    compressed_ = subscribeThrough<sensor_msgs::CompressedImage>(
+        pass_, handle, topics_.compressed, kImageQueue,
+        [this](const auto& image) { onCompressedImage(image); });
 }
 
 void CameraSubscriber::onImage(const sensor_msgs::Image& message) {

@@ -38,7 +38,7 @@ void ConsistencyPublisher::onTruth(const geometry_msgs::PoseStamped& message) {
 }
 
 void ConsistencyPublisher::publish(const slam::StepReport& report) {
-  if (report.trigger != slam::StepTrigger::kObservations) return;
+  if (report.trigger != "observations") return;
   pending_.push_back({messageOf(report), report.stamp, report.pose});
   flush();
 }
@@ -74,13 +74,12 @@ slam_msgs::Consistency ConsistencyPublisher::messageOf(const slam::StepReport& r
 void ConsistencyPublisher::fill(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
   const auto finding = monitor_.finding();
-  if (monitor_.updates() == 0)
-    status.summary(DiagnosticStatus::OK, "nothing to judge by");
-  else if (finding.empty())
-    status.summary(DiagnosticStatus::OK, "as wrong as it says");
+  const bool is_faulty = monitor_.fault() != slam::ConsistencyMonitor::Fault::kNone;
+  if (!finding.empty())
+    status.summary(is_faulty ? DiagnosticStatus::WARN : DiagnosticStatus::OK, finding);
   else
-    status.summary(monitor_.overconfident() ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
-                   finding);
+    status.summary(DiagnosticStatus::OK,
+                   monitor_.updates() == 0 ? "nothing to judge by" : "as wrong as it says");
   status.add("updates", monitor_.updates());
   status.add("NIS per degree of freedom", monitor_.nisMean());
   for (const auto source : kSources)

@@ -11,7 +11,7 @@ namespace slam_ros {
 DetectionsPublisher::DetectionsPublisher(ros::NodeHandle handle)
     : publisher_(handle.advertise<sensor_msgs::Image>("detections/image", 2)) {}
 
-void DetectionsPublisher::publish(const slam::LandmarkDetector& detector,
+void DetectionsPublisher::publish(const slam::ViewDrawer& detector,
                                   const slam::LandmarkObservationArray& array) const {
   if (publisher_.getNumSubscribers() == 0) return;
   const auto drawing = detector.drawing();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 #include <utility>
 
 namespace slam_ros {
@@ -18,6 +19,16 @@ const std::map<std::string, std::string>& sentences() {
       {"late", "messages had a stamp that was not newer than the one before; they were dropped"},
       {"lost", "messages were lost on the way, as the gap in their sequence tells"},
       {"bridged", "gaps of lost motion were bridged by the odometry's own poses"},
+      {"coasted",
+       "motion was missing and the odometry's poses did not tell it; the robot was taken to have "
+       "gone on at its last velocity"},
+      {"set_aside",
+       "messages have stamps from before those of the messages before them; they count once all "
+       "sources go back"},
+      {"odometry_implausible",
+       "odometry messages told of more than wheel_odometry.max_speed or max_turn_rate allow"},
+      {"odometry_pose_jump",
+       "jumps of the odometry's pose, as of a driver that was restarted, were made up for"},
       {"overflow", "messages were dropped because nothing came to go with them"},
       {"before_start", "observation arrays were older than the first motion and were left out"},
       {"stamp_jump", "messages were stamped far ahead of those around them; they were dropped"},
@@ -61,11 +72,13 @@ Diagnostics::~Diagnostics() {
 void Diagnostics::report(const std::string& topic, const slam::Status& status) {
   if (status.isOk()) return;
   warn(topic + ": " + status.message);
+  is_last_an_error_ = status.level == slam::Status::Level::kError;
 }
 
 void Diagnostics::warn(const std::string& sentence) {
   const auto now = ros::WallTime::now();
   last_warning_ = sentence;
+  is_last_an_error_ = false;
   last_warning_time_ = now;
   auto& told = told_[kindOf(sentence)];
   if (!told.isZero() && now - told < ros::WallDuration(kQuietTime)) return;
@@ -82,9 +95,23 @@ void Diagnostics::fail(const std::string& sentence) {
   ROS_ERROR_STREAM_NAMED("slam", name_ << ": " << sentence);
 }
 
+void Diagnostics::attempt(const std::string& topic, const Action& action) {
+  const auto fault = faultIn(action);
+  if (!fault.empty()) report(topic, slam::Status::error(fault + "; it is left out"));
+}
+
+void Diagnostics::guard(const std::string& topic, const Action& action) {
+  const auto fault = door_.pass(topic, action);
+  if (!fault.empty()) ROS_ERROR_STREAM_NAMED("slam", name_ << ": " << fault);
+}
+
 void Diagnostics::tick() {
   warnOfCounters();
-  updater_.force_update();
+  try {
+    updater_.force_update();
+  } catch (const std::runtime_error&) {
+    // its next time is past the last second that ROS's clock can show: a /clock gone astray
+  }
 }
 
 void Diagnostics::warnOfCounters() {
@@ -105,12 +132,15 @@ void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
                       ros::WallTime::now() - last_warning_time_ < ros::WallDuration(kQuietTime);
   if (!failure_.empty())
     status.summary(DiagnosticStatus::ERROR, failure_);
+  else if (!door_.fault().empty())
+    status.summary(DiagnosticStatus::ERROR, door_.fault());
   else if (ros::Time::isSimTime() && ros::Time::now().isZero())
     status.summary(DiagnosticStatus::WARN,
                    "use_sim_time is set and nobody publishes /clock: start the simulator or "
                    "rosbag play --clock, or unset the parameter");
   else if (warned)
-    status.summary(DiagnosticStatus::WARN, last_warning_);
+    status.summary(is_last_an_error_ ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN,
+                   last_warning_);
   else if (!waiting.empty())
     status.summary(DiagnosticStatus::WARN, waiting);
   else
@@ -119,6 +149,7 @@ void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (sources_.values)
     for (const auto& [name, value] : sources_.values()) status.add(name, value);
   for (const auto& [reason, count] : counters.all()) status.add(reason, count);
+  if (door_.refused() > 0) status.add("refused after an error", door_.refused());
   if (!last_warning_.empty()) status.add("last warning", last_warning_);
 }
 

@@ -6,87 +6,87 @@
 #include <fmt/core.h>
 #include <slam_msgs/Progress.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "slam_core/contract/grid_mapper.hpp"
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/known_inputs.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
 
 EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& outputs,
-                             StepSource& source)
-    : source_(source) {
+                             slam::MetaCoordinator& coordinator, const slam::ProductPart& part,
+                             const InputOptions& inputs)
+    : coordinator_(coordinator) {
   auto settings = settingsFromRos(handles.product);
   topics_ = settings.read<TopicsConfig>();
-  source_.configure(settings);
+  coordinator_.configure(settings, part);
+  requireKnownInputs(coordinator_.wiring());
   silence_.mayPause(topics_.observations);
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
-  auto& estimator = source_.estimator();
+  const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;
   slam::MapState start;
   slam::Status start_status;
   if (!outputs.load_map.empty()) {
-    start = slam::loadMap(outputs.load_map, map_frame_, estimator.backend().usesScans()).map;
-    start_status = estimator.startWith(start);
+    start = slam::loadMap(outputs.load_map, map_frame_, makes_grid).map;
+    start_status = estimator().startWith(start);
     if (start_status.level == slam::Status::Level::kError)
       throw std::runtime_error("cannot use the map " + outputs.load_map + ": " +
                                start_status.message);
   }
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
-      Diagnostics::Sources{[this] { return source_.counters(); }, [this] { return waiting(); },
+      Diagnostics::Sources{[this] { return coordinator_.counters(); }, [this] { return waiting(); },
                            [this] { return figures(); }});
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   diagnostics_->report(outputs.load_map, start_status);
-  if (!outputs.load_map.empty() && estimator.backend().usesScans() && !start.grid)
+  if (!outputs.load_map.empty() && makes_grid && !start.grid)
     diagnostics_->warn("no grid found at " + outputs.load_map + "; the grid begins empty");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
-  outputs_.emplace(handles.product, estimator.backend(), map_frame_, outputs);
+  outputs_.emplace(handles.product, estimator(), map_frame_, outputs);
   outputs_->refresh();
-  consistency_.emplace(handles.product, *diagnostics_, estimator.consistency());
-  services_.emplace(handles.product, map_frame_, estimator.backend().usesScans(), actions());
-  for (const auto& topic : {topics_.motion, topics_.observations})
-    handles.product.resolveName(topic);  // throws now what subscribing would throw later
-  if (source_.usesScans()) connectLaser(handles.product, settings);
+  consistency_.emplace(handles.product, *diagnostics_, estimator().consistency());
+  services_.emplace(handles.product, map_frame_, makes_grid, actions());
+  connect(handles.product, settings, inputs);
   start_.emplace([this, handle = handles.product] { subscribe(handle); });
 }
 
-void EstimatorNode::connectLaser(ros::NodeHandle handle, slam::Settings& settings) {
-  const LaserSubscriber::Options options{topics_.scan,
-                                         frameId(settings.read<slam::FramesConfig>().base),
-                                         !settings.read<slam::LaserConfig>().sensor_pose.empty()};
-  const auto take = [this](const auto& input) {
-    checkClock();
-    source_.set(input);
-    takeSteps(topics_.scan);
+void EstimatorNode::connect(const ros::NodeHandle& handle, slam::Settings& settings,
+                            const InputOptions& options) {
+  auto context = inputContext(handle, settings, options);
+  context.pass = pass();
+  context.put = [this](const auto& port, auto kind, const auto* value, const auto& topic) {
+    take(port, kind, value, topic);
   };
-  const auto take_scan = [this, take](const slam::LaserSweep& sweep) {
-    last_scan_ = sweep.stamp;
-    take(sweep);
-  };
-  laser_.emplace(handle, options, LaserInput::Sinks{take_scan, take});
+  context.warn = [this](const auto& sentence) { diagnostics_->warn(sentence); };
+  inputs_.emplace(context, coordinator_.wiring(), slam::portsOf(estimator()));
+}
+
+Pass EstimatorNode::pass() {
+  return [this](const auto& topic, const auto& action) { diagnostics_->guard(topic, action); };
 }
 
 EstimatorNode::~EstimatorNode() {
   // from here on no callback runs
   start_.reset();
   silence_timer_.stop();
-  if (laser_) laser_->stop();
+  inputs_->stop();
   subscribers_.clear();
   services_.reset();
   consistency_.reset();
   outputs_.reset();
-  recorder_->finish(source_.estimator().backend(), source_.dropped());
+  recorder_->finish(estimator().capabilities(), coordinator_.dropped());
 }
 
 void EstimatorNode::subscribe(ros::NodeHandle handle) {
   consistency_->subscribe(handle);
-  subscribers_ = {
-      handle.subscribe(topics_.motion, kQueue, &EstimatorNode::onMotion, this),
-      handle.subscribe(topics_.observations, kQueue, &EstimatorNode::onObservations, this),
-      handle.subscribe("initialpose", 1, &EstimatorNode::onInitialPose, this)};
+  subscribers_ = {subscribeThrough<geometry_msgs::PoseWithCovarianceStamped>(
+      pass(), handle, "initialpose", 1, [this](const auto& message) { onInitialPose(message); })};
   silence_timer_ = handle.createWallTimer(ros::WallDuration(1.0),
                                           [this](const ros::WallTimerEvent&) { tellOfSilence(); });
   // last: who sees it may send
@@ -97,13 +97,15 @@ void EstimatorNode::subscribe(ros::NodeHandle handle) {
 BackendActions EstimatorNode::actions() {
   BackendActions actions;
   actions.reset = [this] { reset(); };
-  actions.pause = [this](bool paused) { source_.estimator().pause(paused); };
+  actions.pause = [this](bool paused) { estimator().pause(paused); };
   actions.map = [this] {
-    return slam::LandmarkFile{map_frame_, recorder_->lastStamp(),
-                              source_.estimator().backend().state()};
+    const auto* keeper = estimator().capabilities().find<slam::MapKeeper>();
+    if (keeper == nullptr)
+      throw std::runtime_error("this back-end keeps no map that could be saved");
+    return slam::LandmarkFile{map_frame_, recorder_->lastStamp(), keeper->state()};
   };
   actions.load = [this](const slam::LandmarkFile& file) {
-    const auto status = source_.set(file.map);
+    const auto status = coordinator_.set(file.map);
     if (status.level == slam::Status::Level::kError) return status;
     outputs_->refresh();
     tellOfReset();
@@ -112,22 +114,23 @@ BackendActions EstimatorNode::actions() {
   return actions;
 }
 
-void EstimatorNode::onMotion(const slam_msgs::Motion& message) {
+void EstimatorNode::take(const std::string& port, slam::Kind kind, const void* value,
+                         const std::string& topic) {
   checkClock();
-  const auto motion = fromMsg(message);
-  const auto frames = motion.odometry_frame + " -> " + motion.base_frame;
-  if (!motion_frames_.empty() && frames != motion_frames_)
-    diagnostics_->warn(topics_.motion + ": its frames changed from " + motion_frames_ + " to " +
-                       frames + "; the new ones are used");
-  motion_frames_ = frames;
-  source_.set(motion);
-  takeSteps(topics_.motion);
+  if (kind == slam::kindOf<slam::Motion>())
+    noteFrames(*static_cast<const slam::Motion*>(value), topic);
+  if (kind == slam::kindOf<slam::LaserSweep>())
+    last_scan_ = static_cast<const slam::LaserSweep*>(value)->stamp;
+  coordinator_.put(port, kind, value);
+  takeSteps(topic);
 }
 
-void EstimatorNode::onObservations(const slam_msgs::LandmarkObservationArray& message) {
-  checkClock();
-  source_.estimator().set(fromMsg(message));
-  takeSteps(topics_.observations);
+void EstimatorNode::noteFrames(const slam::Motion& motion, const std::string& topic) {
+  const auto frames = motion.odometry_frame + " -> " + motion.base_frame;
+  if (!motion_frames_.empty() && frames != motion_frames_)
+    diagnostics_->warn(topic + ": its frames changed from " + motion_frames_ + " to " + frames +
+                       "; the new ones are used");
+  motion_frames_ = frames;
 }
 
 void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
@@ -140,7 +143,7 @@ void EstimatorNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped
         "initialpose: its pose is not a number or its covariance of (x, y, yaw) is "
         "not positive definite; it is left out");
   else
-    diagnostics_->report("initialpose", source_.estimator().set(estimate));
+    diagnostics_->report("initialpose", estimator().set(estimate));
 }
 
 void EstimatorNode::tellOfSilence() {
@@ -152,20 +155,19 @@ void EstimatorNode::tellOfSilence() {
 }
 
 std::string EstimatorNode::starving() const {
-  const auto what = source_.estimator().starving();
+  const auto what = estimator().intake().starving();
   return what.empty() ? "" : "nothing steps: " + what + " on " + motion_topic_;
 }
 
 void EstimatorNode::takeSteps(const std::string& topic) {
   const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
   if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
-  const auto& estimator = source_.estimator();
-  if (std::exchange(last_motion_, estimator.lastMotion()) != estimator.lastMotion())
-    motion_topic_ = topic;
-  const auto& report = estimator.report();
+  const auto last_motion = estimator().intake().lastMotion();
+  if (std::exchange(last_motion_, last_motion) != last_motion) motion_topic_ = topic;
+  const auto& report = estimator().report();
   do {
     const auto start = RunMetrics::Clock::now();
-    const auto status = source_.execute();
+    const auto status = coordinator_.execute();
     const auto time = RunMetrics::Clock::now() - start;
     diagnostics_->report(topic, status);
     if (report) publishStep(*report, time);
@@ -187,11 +189,16 @@ void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Cloc
 
 void EstimatorNode::publishProgress() {
   if (!tells_progress_ || progress_.getNumSubscribers() == 0) return;
-  const auto& estimator = source_.estimator();
+  const auto& intake = estimator().intake();
   slam_msgs::Progress message;
-  message.motion = toRos(estimator.lastMotion().value_or(slam::Stamp()));
-  message.observations = toRos(estimator.lastObservations().value_or(slam::Stamp()));
+  message.motion = toRos(intake.lastMotion().value_or(slam::Stamp()));
+  message.observations = toRos(intake.lastOf("observations").value_or(slam::Stamp()));
   message.scans = toRos(last_scan_);
+  for (const auto& input : intake.triggers()) {
+    if (input == "observations" || input == "scan") continue;
+    message.inputs.push_back(input);
+    message.newest.push_back(toRos(intake.lastOf(input).value_or(slam::Stamp())));
+  }
   message.step = toRos(recorder_->lastStamp());
   message.resets = resets_;
   progress_.publish(message);
@@ -199,10 +206,12 @@ void EstimatorNode::publishProgress() {
 
 void EstimatorNode::checkClock() {
   if (!clock_.hasJumpedBack()) return;
-  const auto& [from, to] = clock_.jump();
-  const auto middle = fromRos(to + (from - to) * 0.5);
-  if (source_.estimator().lastMotion().value_or(slam::Stamp()) < middle) return;  // it has seen it
-  diagnostics_->warn("/clock jumped back by " + std::to_string((from - to).toSec()) +
+  // as stamps: ROS's durations hold 68 years, its times 136
+  const auto from = fromRos(clock_.jump().from), to = fromRos(clock_.jump().to);
+  const auto middle = to + (from - to) / 2;
+  if (estimator().intake().lastMotion().value_or(recorder_->lastStamp()) < middle)
+    return;  // it has seen it
+  diagnostics_->warn("/clock jumped back by " + std::to_string(slam::seconds(from - to)) +
                      " s: map and pose begin anew");
   beginAnew();
 }
@@ -218,7 +227,8 @@ void EstimatorNode::tellOfReset() {
 }
 
 void EstimatorNode::beginAnew() {
-  source_.reset();
+  coordinator_.reset();
+  diagnostics_->recover();
   recorder_->restart();
   outputs_->restart();
   consistency_->restart();
@@ -226,20 +236,18 @@ void EstimatorNode::beginAnew() {
 }
 
 std::string EstimatorNode::waiting() const {
-  const auto& estimator = source_.estimator();
-  if (!estimator.lastMotion()) return "waiting for motion on " + topics_.motion;
-  if (const auto wait = laser_ ? laser_->waiting() : ""; !wait.empty()) return wait;
+  const auto& intake = estimator().intake();
+  std::vector<std::string> needless;
+  if (intake.lastMotion()) needless = {"odom", "ceiling_camera"};
+  if (intake.lastOf("observations")) needless.push_back("camera");
+  if (const auto wait = inputs_->waiting(needless); !wait.empty()) return wait;
   if (const auto starving = this->starving(); !starving.empty()) return starving;
-  if (const auto stale = silence_.sentence(SilenceWatch::Clock::now()); !stale.empty())
-    return stale;
-  if (estimator.lastObservations() || estimator.usesScans()) return "";
-  const auto sensor = front_end_waiting ? front_end_waiting() : "";
-  return sensor.empty() ? "waiting for observations on " + topics_.observations : sensor;
+  return silence_.sentence(SilenceWatch::Clock::now());
 }
 
 Diagnostics::Values EstimatorNode::figures() const {
   Diagnostics::Values values;
-  for (const auto& [name, value] : source_.estimator().backend().figures())
+  for (const auto& [name, value] : estimator().figures())
     values.emplace_back(name, fmt::format("{:g}", value));
   return values;
 }

@@ -24,9 +24,9 @@ nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp
   return message;
 }
 
-GridPublisher::GridPublisher(ros::NodeHandle handle, const slam::Backend& backend,
+GridPublisher::GridPublisher(ros::NodeHandle handle, const slam::GridMapper& mapper,
                              std::string map_frame, double period)
-    : backend_(backend),
+    : mapper_(mapper),
       map_frame_(std::move(map_frame)),
       map_(handle.advertise<nav_msgs::OccupancyGrid>("map", 1, true)),
       metadata_(handle.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)),
@@ -40,13 +40,13 @@ void GridPublisher::update(slam::Stamp stamp) {
 
 void GridPublisher::flush() {
   const auto subscribers = map_.getNumSubscribers() + metadata_.getNumSubscribers();
-  const bool has_changed = backend_.gridRevision() != published_;
+  const bool has_changed = mapper_.gridRevision() != published_;
   if (subscribers > 0 && (has_changed || subscribers > subscribers_)) publish();
   subscribers_ = subscribers;
 }
 
 void GridPublisher::publish() {
-  auto grid = backend_.grid();
+  auto grid = mapper_.grid();
   if (!grid || grid->cells.empty()) return;
   const auto send = [this, grid = std::move(*grid), stamp = stamp_] {
     const auto message =
@@ -54,11 +54,11 @@ void GridPublisher::publish() {
     metadata_.publish(message->info);
     map_.publish(message);
   };
-  if (background_.tryRun(send)) published_ = backend_.gridRevision();
+  if (background_.tryRun(send)) published_ = mapper_.gridRevision();
 }
 
 bool GridPublisher::answer(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
-  const auto grid = backend_.grid();
+  const auto grid = mapper_.grid();
   if (!grid) return false;
   response.map = toMsg(*grid, stamp_, map_frame_);
   return true;

@@ -9,10 +9,9 @@
 #include <slam_msgs/LandmarkMap.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/input_file.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/conversions.hpp"
 
@@ -69,8 +68,9 @@ std::string mapText(const slam_msgs::LandmarkMap& map) {
 
 /// The table of stamps that an importer wrote beside the bag; empty where there is none.
 std::string sourceStamps(const std::string& bag) {
-  std::ifstream file(bag + ".stamps.csv");
-  return {std::istreambuf_iterator<char>(file), {}};
+  const auto path = bag + ".stamps.csv";
+  return std::filesystem::exists(path) ? slam::readInputFile(path, "the bag's table of stamps")
+                                       : "";
 }
 
 }  // namespace

@@ -27,6 +27,11 @@ struct Encoding {
   int conversion;  ///< OpenCV's code
 };
 
+/// cv_bridge (1.16) would be no substitute: it refuses 8UC1, 8UC3, 8UC4, yuv422_yuy2 and colour of
+/// 16 bits in big-endian order, and makes two channels of mono16 in that order. Images of 8 bits
+/// become the same bytes in the same time, those of 16 bits sooner (VGA grey 0.04 ms, here 0.11
+/// ms), but colour and Bayer patterns of 16 bits other bytes.
+///
 /// OpenCV names a Bayer pattern after the second row's second and third pixel.
 const std::map<std::string, Encoding>& encodings() {
   namespace enc = sensor_msgs::image_encodings;

@@ -46,10 +46,17 @@ InputPublishers::InputPublishers(ros::NodeHandle handle, const TopicsConfig& top
   if (!inputs.observations.empty())
     observations_ =
         handle.advertise<slam_msgs::LandmarkObservationArray>(topics.observations, kInFlight);
+  for (const auto& [name, other] : inputs.others)
+    others_[name] =
+        BagBindings::instance().find(other.kind)->advertise(handle, topics.of(name), kInFlight);
 }
 
 InputSinks InputPublishers::sinks() const {
   InputSinks sinks;
+  sinks.other = [this](const auto& input, auto, const auto& binding) {
+    return binding.sender(others_.at(input),
+                          [this, input](auto stamp) { return gate_(input, stamp); });
+  };
   sinks.motion = [this](const auto& message) { send(motion_, "motion", message.end, message); };
   sinks.odom = [this](const auto& message) {
     // of images comes the motion that is acknowledged, where there are some
@@ -82,6 +89,8 @@ std::string InputPublishers::missingSubscriber() const {
                                 &camera_.info, &ceiling_.images, &ceiling_.info})
     if (*publisher && publisher->getNumSubscribers() == 0)
       return "a subscriber of " + publisher->getTopic();
+  for (const auto& [name, publisher] : others_)
+    if (publisher.getNumSubscribers() == 0) return "a subscriber of " + publisher.getTopic();
   return "";
 }
 

@@ -10,9 +10,9 @@
 
 namespace slam_ros {
 
-LandmarkPublisher::LandmarkPublisher(ros::NodeHandle handle, const slam::Backend& backend,
+LandmarkPublisher::LandmarkPublisher(ros::NodeHandle handle, const slam::LandmarkMapper& mapper,
                                      std::string map_frame, double rate)
-    : backend_(backend),
+    : mapper_(mapper),
       map_frame_(std::move(map_frame)),
       landmarks_(handle.advertise<slam_msgs::LandmarkMap>("landmarks", 1)),
       markers_(handle.advertise<visualization_msgs::MarkerArray>("landmark_markers", 1)),
@@ -32,7 +32,7 @@ void LandmarkPublisher::flush() {
 
 void LandmarkPublisher::publish() {
   is_new_ = false;
-  const auto map = backend_.landmarks();
+  const auto map = mapper_.landmarks();
   const auto message = toMsg(map, stamp_, map_frame_);
   landmarks_.publish(message);
   if (markers_.getNumSubscribers() == 0) return;

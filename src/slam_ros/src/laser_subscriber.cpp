@@ -9,15 +9,19 @@
 
 namespace slam_ros {
 
-LaserSubscriber::LaserSubscriber(ros::NodeHandle handle, Options options, LaserInput::Sinks sinks)
-    : options_(std::move(options)), input_(options_.base_frame, std::move(sinks)) {
+LaserSubscriber::LaserSubscriber(ros::NodeHandle handle, Options options, LaserInput::Sinks sinks,
+                                 Pass pass)
+    : options_(std::move(options)),
+      pass_(std::move(pass)),
+      input_(options_.base_frame, std::move(sinks)) {
   handle.resolveName(topic());  // throws now what subscribing would throw later
   start_.emplace([this, handle] { subscribe(handle); });
 }
 
 void LaserSubscriber::subscribe(ros::NodeHandle handle) {
-  transforms_ = handle.subscribe("/tf_static", kQueue, &LaserSubscriber::onStaticTransforms, this);
-  scans_ = handle.subscribe(topic(), kQueue, &LaserSubscriber::onScan, this);
+  const auto put_in = [this](const auto& message) { input_.take(message); };
+  transforms_ = subscribeThrough<tf2_msgs::TFMessage>(pass_, handle, "/tf_static", kQueue, put_in);
+  scans_ = subscribeThrough<sensor_msgs::LaserScan>(pass_, handle, topic(), kQueue, put_in);
 }
 
 void LaserSubscriber::stop() {

@@ -55,7 +55,7 @@ void VisualMotionPublisher::publish(const slam::Motion& motion) {
   odometry_.publish(message);
 }
 
-void VisualMotionPublisher::show(const slam::OdometrySource& source, slam::Stamp stamp) const {
+void VisualMotionPublisher::show(const slam::ViewDrawer& source, slam::Stamp stamp) const {
   if (image_.getNumSubscribers() == 0) return;
   const auto drawing = source.drawing();
   if (drawing.empty()) return;

@@ -15,17 +15,20 @@ constexpr char kTransforms[] = "/tf";
 
 }  // namespace
 
-OdometrySubscriber::OdometrySubscriber(const ros::NodeHandle& handle, Options options, Take take)
+OdometrySubscriber::OdometrySubscriber(const ros::NodeHandle& handle, Options options, Take take,
+                                       Pass pass)
     : handle_(handle),
       options_(std::move(options)),
       take_(std::move(take)),
+      pass_(std::move(pass)),
       edge_(frameId(options_.odom_frame), frameId(options_.base_frame)),
       source_(options_.topic) {
   handle_.resolveName(options_.topic);  // throws now what subscribing would throw later
 }
 
 void OdometrySubscriber::subscribe() {
-  odom_ = handle_.subscribe(options_.topic, kOdometryQueue, &OdometrySubscriber::onOdom, this);
+  odom_ = subscribeThrough<nav_msgs::Odometry>(pass_, handle_, options_.topic, kOdometryQueue,
+                                               [this](const auto& message) { onOdom(message); });
   if (options_.also_tf)
     tf_ = handle_.subscribe(kTransforms, kOdometryQueue, &OdometrySubscriber::onTransforms, this);
 }
@@ -52,7 +55,10 @@ void OdometrySubscriber::onOdom(const nav_msgs::Odometry& message) {
 
 void OdometrySubscriber::onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
   if (options_.but_own && event.getPublisherName() == ros::this_node::getName()) return;
-  const auto& message = *event.getMessage();
+  pass_(kTransforms, [&] { take(*event.getMessage()); });
+}
+
+void OdometrySubscriber::take(const tf2_msgs::TFMessage& message) {
   if (odom_.getNumPublishers() > 0 || !edge_.isIn(message)) return;
   if (!got_message_)
     ROS_INFO_STREAM("nobody publishes " << odom_.getTopic()

@@ -11,17 +11,16 @@
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
-#include "slam_core/point_map/pcd_file.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/product/map_files.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
+#include "slam_ros/known_inputs.hpp"
 #include "slam_ros/product_files.hpp"
 
 namespace slam_ros {
 namespace {
-
-constexpr std::size_t kMaxWarnings = 10;  ///< different ones; what is counted is summed up anyway
 
 std::string robotOf(const OfflineOptions& options, const BagReader& bag) {
   if (!options.robot.empty()) return options.robot;
@@ -52,35 +51,30 @@ void OfflineRun::configure() {
   faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
+  requireKnownInputs(coordinator_.wiring());
   auto needs = needsOf(settings_.read<slam::ProductConfig>());
   needs.topics = topics;
-  needs.frames = coordinator_.frames();
+  needs.frames = coordinator_.components().frames;
   std::vector<Remap> remaps;
   for (const auto& text : options_.remaps) remaps.push_back(parseRemap(text));
   inputs_ = findInputs(bag_, needs, remaps);
-  camera_.emplace(
-      frameId(needs.frames.base),
-      CameraInput::Sinks{[this](const auto& image) { coordinator_.set(image); },
-                         [this](const auto& calibration) { coordinator_.set(calibration); },
-                         [this](const auto& mount) { coordinator_.set(mount); }});
-  const auto for_odometry = [this](const auto& input) { coordinator_.setForOdometry(input); };
-  ceiling_camera_.emplace(frameId(needs.frames.base),
-                          CameraInput::Sinks{for_odometry, for_odometry, for_odometry});
-  connectLaser(frameId(needs.frames.base));
+  const auto base = frameId(needs.frames.base);
+  const auto put_at = [this](const std::string& port) {
+    return [this, port](const auto& input) { coordinator_.put(port, input); };
+  };
+  const auto look = put_at("camera"), look_up = put_at("ceiling_camera"), scan = put_at("scan");
+  camera_.emplace(base, CameraInput::Sinks{look, look, look});
+  ceiling_camera_.emplace(base, CameraInput::Sinks{look_up, look_up, look_up});
+  laser_.emplace(base, LaserInput::Sinks{scan, scan});
+  if (inputs_.observations.empty() && !inputs_.hasImages())
+    coordinator_.estimator().intake().expectNothing("observations");
 }
 
-void OfflineRun::connectLaser(const std::string& base_frame) {
-  laser_.emplace(base_frame,
-                 LaserInput::Sinks{[this](const auto& scan) { coordinator_.set(scan); },
-                                   [this](const auto& mount) { coordinator_.set(mount); }});
-  if (inputs_.observations.empty() && !inputs_.hasImages())
-    coordinator_.estimator().expectNoObservations();
-}
+std::string OfflineRun::mapFrame() const { return frameId(coordinator_.components().frames.map); }
 
 void OfflineRun::loadMap() {
-  const bool has_grid = coordinator_.estimator().backend().usesScans();
-  const auto map =
-      slam::loadMap(options_.load_map, frameId(coordinator_.frames().map), has_grid).map;
+  const bool has_grid = coordinator_.estimator().capabilities().find<slam::GridMapper>() != nullptr;
+  const auto map = slam::loadMap(options_.load_map, mapFrame(), has_grid).map;
   if (has_grid && !map.grid)
     warn("no grid found at " + options_.load_map + "; the grid begins empty");
   if (!map.landmarks.empty() && map.joint_covariance.size() == 0)
@@ -96,30 +90,37 @@ void OfflineRun::run() {
   for (const auto& warning : inputs_.warnings) warn(warning);
   slam::RunWriter writer(options_.folder);
   read(writer);
-  const auto truth = writeGroundTruth(bag_, options_.folder);
-  if (inputs_.ceiling.hasImages()) writeWheelOdometry(bag_, options_.folder);
   requireSteps(writer);
-  writer.finish(coordinator_.estimator().backend(), coordinator_.frames().map, settings_.inForce());
-  if (const auto* points = coordinator_.pointMap())
-    slam::point_map::savePcd(options_.folder + "/points.pcd", points->points());
-  if (const auto grid = coordinator_.estimator().backend().grid()) metrics_.setGrid(*grid);
-  slam::writeFileAtomically(options_.folder + "/metrics.json",
+  const auto truth = writeGroundTruth(bag_, writer.unfinished());
+  if (inputs_.ceiling.hasImages()) writeWheelOdometry(bag_, writer.unfinished());
+  const auto& backend = coordinator_.estimator().capabilities();
+  for (const auto& [name, module] : coordinator_.components().modules)
+    module->save(writer.unfinished());
+  metrics_.setGrid(backend);
+  slam::writeFileAtomically(writer.unfinished() + "/metrics.json",
                             metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
+  writer.finish(backend, coordinator_.components().frames.map, settings_.inForce());
   printSummary(writer);
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
 }
 
 void OfflineRun::read(slam::RunWriter& writer) {
   InputSinks sinks;
-  sinks.motion = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
+  sinks.motion = [&](const auto& message) { coordinator_.put("motion", fromMsg(message)); };
   sinks.odom = [&](const auto& message) { take(message); };
-  sinks.observations = [&](const auto& message) { coordinator_.set(fromMsg(message)); };
+  sinks.observations = [&](const auto& message) {
+    coordinator_.put("observations", fromMsg(message));
+  };
+  sinks.other = [&](const auto& input, auto kind, const auto& binding) {
+    return binding.reader(
+        [this, input, kind](const void* value) { coordinator_.put(input, kind, value); });
+  };
   const auto look = [&](const auto& message) { timed(message, [&] { camera_->take(message); }); };
   static_cast<CameraSinks&>(sinks) = {look, look, look};
   const auto look_up = [&](const auto& message) { ceiling_camera_->take(message); };
   sinks.ceiling = {look_up, look_up, look_up};
   sinks.scan = [&](const auto& message) { timed(message, [&] { laser_->take(message); }); };
-  const auto transforms = staticTransforms(bag_, frameId(coordinator_.frames().map));
+  const auto transforms = staticTransforms(bag_, mapFrame());
   if (inputs_.hasImages()) camera_->take(transforms);
   if (inputs_.ceiling.hasImages()) look_up(transforms);
   if (!inputs_.scan.empty()) laser_->take(transforms);
@@ -132,15 +133,33 @@ void OfflineRun::read(slam::RunWriter& writer) {
   });
   progress_.end();
   tellOfHeld();
+  tellOfDropped(bag_.messages(handlers));
+}
+
+/// Of a few in a hundred `counted:` tells enough.
+void OfflineRun::tellOfDropped(std::size_t messages) {
+  const auto aside = coordinator_.estimator().counters()["set_aside"];
+  if (aside > 0)
+    warn(
+        fmt::format("{} messages at the end were not used: their stamps are from before those of "
+                    "the messages before them",
+                    aside));
+  const auto dropped = coordinator_.dropped();
+  if (dropped * 20 > messages)
+    warn(fmt::format("{} of {} messages had no effect; the counts below tell why", dropped,
+                     messages));
 }
 
 /// The last ones may well come after the last odometry; more are worth a word.
 void OfflineRun::tellOfHeld() {
-  const auto& estimator = coordinator_.estimator();
-  const auto starving = estimator.starving();
+  const auto& intake = coordinator_.estimator().intake();
+  const auto starving = intake.starving();
   if (starving.empty()) return;
-  warn(fmt::format("{} observation arrays and {} scans were never used: {} that does not come",
-                   estimator.heldObservations(), estimator.heldScans(), starving));
+  std::vector<std::string> held;
+  for (const auto& [what, count] : intake.held().all())
+    held.push_back(fmt::format("{} messages of {}", count, what));
+  warn(fmt::format("{} were never used: {} that does not come", slam::join(held, " and "),
+                   starving));
 }
 
 template <class Message, class Work>
@@ -158,7 +177,7 @@ void OfflineRun::take(const nav_msgs::Odometry& message) {
       odometry_fault_ = "odometry: " + fault + "; its twist is used";
     }
   }
-  coordinator_.set(fromMsg(message));
+  coordinator_.put("odom", fromMsg(message));
 }
 
 void OfflineRun::drain(slam::RunWriter& writer) {
@@ -167,10 +186,13 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     const auto start = RunMetrics::Clock::now();
     const auto status = coordinator_.execute();
     const auto time = RunMetrics::Clock::now() - start;
-    if (!status.isOk()) warn(status.message);
+    if (!status.isOk()) warn(status.message, status.isUrgent());
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
-    if (report->restarted) warn("the stamps went back: map and pose begin anew");
+    if (report->restarted)
+      warn(
+          "the stamps went back: map and pose begin anew; what was written until then is kept in "
+          "files named ...before_restart_...");
     if (report->hasTrigger()) {
       metrics_.addUpdate(time);
       metrics_.addLatency(report->stamp, time);
@@ -179,11 +201,11 @@ void OfflineRun::drain(slam::RunWriter& writer) {
   }
 }
 
-void OfflineRun::warn(const std::string& sentence) {
-  if (warnings_.size() > kMaxWarnings || !warnings_.insert(sentence).second) return;
+void OfflineRun::warn(const std::string& sentence, bool is_urgent) {
+  const auto line = warnings_.add(sentence, is_urgent);
+  if (line.empty()) return;
   progress_.clear();
-  fmt::print(stderr, "warning: {}\n",
-             warnings_.size() > kMaxWarnings ? "further ones are only counted" : sentence);
+  fmt::print(stderr, "warning: {}\n", line);
 }
 
 void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
@@ -213,18 +235,19 @@ void OfflineRun::requireTransform(const std::string& missing) {
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {
   const double data_time = slam::seconds(bag_.end() - bag_.begin());
   const double wall = metrics_.wallSeconds();
+  const auto* mapper = coordinator_.estimator().capabilities().find<slam::LandmarkMapper>();
   fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s\n", writer.folder(),
-             writer.lines(), coordinator_.estimator().backend().landmarks().size(), data_time,
-             wall);
+             writer.lines(), mapper ? mapper->landmarks().size() : 0, data_time, wall);
   auto counters = coordinator_.counters();
   counters.add("odometry_without_pose", odometry_faults_);
-  counters.add("laser_no_mount", coordinator_.heldScans());
-  const auto& estimator = coordinator_.estimator();
-  counters.add("never_stepped", estimator.heldObservations() + estimator.heldScans());
+  counters.add(coordinator_.wiring().held());
+  for (const auto& [what, count] : coordinator_.estimator().intake().held().all())
+    counters.add("never_stepped", count);
   std::vector<std::string> counts;
   for (const auto& [reason, count] : counters.all())
     counts.push_back(fmt::format("{} {}", reason, count));
   if (!counts.empty()) fmt::print("counted: {}\n", slam::join(counts));
+  for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
 }
 
 }  // namespace slam_ros

@@ -4,6 +4,7 @@
 #include "slam_ros/parameter_check.hpp"
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/yaml_file.hpp"
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam_ros {
@@ -20,7 +21,7 @@ void requireFaultless(slam::Settings& settings) {
 /// What cannot be read as YAML counts as a text, which only few parameters are.
 YAML::Node valueOf(const std::string& text) {
   try {
-    return YAML::Load(text);
+    return slam::parseYaml(text, slam::YamlLimits::configuration());
   } catch (const YAML::Exception&) {
     return YAML::Node(text);
   }

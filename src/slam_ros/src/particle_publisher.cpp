@@ -11,10 +11,10 @@
 
 namespace slam_ros {
 
-ParticlePublisher::ParticlePublisher(ros::NodeHandle handle, const slam::Backend& backend,
+ParticlePublisher::ParticlePublisher(ros::NodeHandle handle, const slam::PoseSampler& sampler,
                                      std::string map_frame, double rate)
-    : backend_(backend), map_frame_(std::move(map_frame)), rate_(rate) {
-  if (!backend.particles().empty())
+    : sampler_(sampler), map_frame_(std::move(map_frame)), rate_(rate) {
+  if (!sampler.particles().empty())
     cloud_ = handle.advertise<geometry_msgs::PoseArray>("particlecloud", 1);
 }
 
@@ -23,7 +23,7 @@ void ParticlePublisher::update(slam::Stamp stamp) {
   geometry_msgs::PoseArray cloud;
   cloud.header.stamp = toRos(stamp);
   cloud.header.frame_id = map_frame_;
-  for (const auto& pose : backend_.particles()) cloud.poses.push_back(toSpatialMsg(pose));
+  for (const auto& pose : sampler_.particles()) cloud.poses.push_back(toSpatialMsg(pose));
   cloud_.publish(cloud);
 }
 

@@ -14,9 +14,8 @@ PosePublisher::PosePublisher(ros::NodeHandle handle, std::string map_frame, doub
     : map_frame_(std::move(map_frame)),
       pose_(handle.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", kQueue)),
       path_publisher_(handle.advertise<nav_msgs::Path>("path", 1)),
-      rate_(path_rate) {
-  reset();
-}
+      rate_(path_rate),
+      path_(map_frame_) {}
 
 void PosePublisher::publish(const slam::StepReport& report) {
   const auto message = toMsg(report.pose, report.stamp, map_frame_);
@@ -26,8 +25,7 @@ void PosePublisher::publish(const slam::StepReport& report) {
   geometry_msgs::PoseStamped last;
   last.header = message.header;
   last.pose = message.pose.pose;
-  path_.header.stamp = last.header.stamp;
-  path_.poses.push_back(last);
+  path_.add(last);
   path_is_new_ = true;
   if (rate_.isDue(report.stamp)) flush();
 }
@@ -35,15 +33,14 @@ void PosePublisher::publish(const slam::StepReport& report) {
 void PosePublisher::flush() {
   const auto subscribers = path_publisher_.getNumSubscribers();
   if (subscribers > 0 && (path_is_new_ || subscribers > subscribers_)) {
-    path_publisher_.publish(path_);
+    path_publisher_.publish(path_.message());
     path_is_new_ = false;
   }
   subscribers_ = subscribers;
 }
 
 void PosePublisher::reset() {
-  path_ = nav_msgs::Path();
-  path_.header.frame_id = map_frame_;
+  path_ = ThinnedPath(map_frame_);
   path_is_new_ = true;
 }
 

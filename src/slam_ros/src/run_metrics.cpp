@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "slam_core/contract/grid_mapper.hpp"
+
 namespace slam_ros {
 namespace {
 
@@ -64,8 +66,9 @@ void RunMetrics::addLatency(slam::Stamp stamp, Clock::duration time) {
 }
 
 std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_messages) const {
-  rusage usage{};
+  rusage usage{}, of_children{};
   getrusage(RUSAGE_SELF, &usage);
+  getrusage(RUSAGE_CHILDREN, &of_children);  // they read the bag
   const double wall = wallSeconds();
   nlohmann::ordered_json metrics;
   metrics["updates"] = updates();
@@ -78,12 +81,19 @@ std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_m
     metrics["latency_ms_p99"] = percentile(latency_ms_, 0.99);
   }
   if (map_entropy_) metrics["map_entropy_bits"] = *map_entropy_;
-  metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime) +
+                     seconds(of_children.ru_utime) + seconds(of_children.ru_stime);
   metrics["wall_s"] = wall;
   if (wall > 0) metrics["realtime_factor"] = slam::seconds(data_time) / wall;
   if (const double peak = peakMemory(); peak > 0) metrics["max_rss_mb"] = peak;
   metrics["dropped_messages"] = dropped_messages;
   return metrics.dump(2) + "\n";
+}
+
+void RunMetrics::setGrid(const slam::Capabilities& backend) {
+  const auto* mapper = backend.find<slam::GridMapper>();
+  const auto grid = mapper == nullptr ? std::nullopt : mapper->grid();
+  if (grid) setGrid(*grid);
 }
 
 }  // namespace slam_ros

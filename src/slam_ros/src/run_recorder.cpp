@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
 
 namespace slam_ros {
@@ -43,24 +44,25 @@ void RunRecorder::write(const slam::StepReport& report, RunMetrics::Clock::durat
 
 void RunRecorder::restart() {
   metrics_.reset();
-  if (!writer_) return;
-  writer_.reset();  // its files are closed before they are begun anew
-  attempt([&] { writer_ = std::make_unique<slam::RunWriter>(config_.output_dir); });
+  if (writer_) attempt([&] { writer_->restart(); });
 }
 
-void RunRecorder::finish(const slam::Backend& backend, std::uint64_t dropped_messages) {
+void RunRecorder::finish(const slam::Capabilities& backend, std::uint64_t dropped_messages) {
   if (writer_)
     attempt([&] {
+      if (metrics_) {
+        metrics_->setGrid(backend);
+        slam::writeFileAtomically(writer_->unfinished() + "/metrics.json",
+                                  metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
+      }
       writer_->finish(backend, map_frame_, values_in_force_);
-      if (!metrics_) return;
-      if (const auto grid = backend.grid()) metrics_->setGrid(*grid);
-      slam::writeFileAtomically(config_.output_dir + "/metrics.json",
-                                metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
     });
   if (config_.save_on_exit.empty()) return;
+  const auto* keeper = backend.find<slam::MapKeeper>();
+  if (keeper == nullptr) return;
   attempt([&] {
     slam::saveMap(config_.save_on_exit + "/landmarks.yaml",
-                  {map_frame_, last_stamp_, backend.state()});
+                  {map_frame_, last_stamp_, keeper->state()});
   });
 }
 

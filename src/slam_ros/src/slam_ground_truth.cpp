@@ -6,6 +6,7 @@
 #include <csignal>
 #include <string>
 
+#include "slam_core/common/folder_lock.hpp"
 #include "slam_ros/ground_truth.hpp"
 
 int main(int argc, char** argv) {
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   }
   try {
     const slam_ros::BagReader bag(argv[1]);
+    const slam::FolderLock lock(argv[2]);
     const auto counts = slam_ros::writeGroundTruth(bag, argv[2]);
     if (with_wheels) slam_ros::writeWheelOdometry(bag, argv[2]);
     fmt::print("{}: {} true poses, {} true landmarks\n", argv[2], counts.poses, counts.landmarks);

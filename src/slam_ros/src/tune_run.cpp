@@ -8,13 +8,13 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/input_file.hpp"
+#include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/tuning/robot_file_text.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/bag_transforms.hpp"
@@ -41,14 +41,12 @@ class Recorder {
  public:
   Recorder(const TuneOptions& options, const std::string& bag)
       : bag_(bag), settings_(settingsFor(options, {})) {
-    slam::ProductConfig product;
-    settings_.read(product);
     needs_.topics = settings_.read<TopicsConfig>();
     needs_.frames = settings_.read<slam::FramesConfig>();
-    slam::loadLibraries(product.libraries);
-    detector_ = slam::makeDetector(product);
-    if (detector_) detector_->configure(settings_);
-    needs_.images = detector_ != nullptr;
+    front_end_.configure(settings_, {slam::ProductPart::Extent::kDetector, ""});
+    front_end_.listen<slam::LandmarkObservationArray>(
+        "observations", [this](const auto& array) { log_.inputs.emplace_back(array); });
+    needs_.images = front_end_.components().detector != nullptr;
     std::vector<Remap> remaps;
     for (const auto& text : options.remaps) remaps.push_back(parseRemap(text));
     inputs_ = findInputs(bag_, needs_, remaps);
@@ -56,13 +54,7 @@ class Recorder {
 
   RecordedLog record() {
     log_.name = bag_.path();
-    const auto look = [this](const auto& input) {
-      detector_->set(input);
-      do {
-        detector_->execute();
-        if (detector_->observations()) log_.inputs.emplace_back(*detector_->observations());
-      } while (detector_->observations());
-    };
+    const auto look = [this](const auto& input) { front_end_.put("camera", input); };
     CameraInput camera(frameId(needs_.frames.base), CameraInput::Sinks{look, look, look});
     const auto take = [&](const auto& message) { camera.take(message); };
     InputSinks sinks;
@@ -86,16 +78,10 @@ class Recorder {
   BagReader bag_;
   slam::Settings settings_;
   InputNeeds needs_;
-  std::unique_ptr<slam::LandmarkDetector> detector_;
+  slam::MetaCoordinator front_end_;
   BagInputs inputs_;
   RecordedLog log_;
 };
-
-std::string readText(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 std::string bagNames(const TuneOptions& options) {
   std::vector<std::string> names;
@@ -156,7 +142,7 @@ RecordedLog recordedLog(const TuneOptions& options, const std::string& bag) {
 }
 
 void tune(const TuneOptions& options) {
-  const auto robot = readText(robotFile(options.robot));
+  const auto robot = slam::readInputFile(robotFile(options.robot), "the robot's file");
   slam::requireWritable(options.out);
   std::vector<RecordedLog> logs;
   for (const auto& bag : options.bags) logs.push_back(recordedLog(options, bag));

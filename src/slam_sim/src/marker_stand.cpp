@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "slam_core/camera/camera_model.hpp"
+#include "slam_core/camera/image.hpp"
 #include "slam_sim/studio.hpp"
 
 namespace slam::sim {
@@ -25,9 +26,10 @@ MarkerStand::MarkerStand(std::unique_ptr<LandmarkDetector> detector,
                          const CameraCalibration& calibration, const CameraOptics& optics)
     : world_(studioWorld(kFamily, kId, kSize)),
       camera_(std::make_shared<const Scene>(world_), calibration, optics),
-      detector_(std::move(detector)) {
-  detector_->set(calibration);
-  detector_->set(levelMount());
+      detector_(std::move(detector)),
+      ports_(portsOf(*detector_)) {
+  give(calibration);
+  give(levelMount());
 }
 
 MarkerTruth MarkerStand::truth(const Eigen::Isometry3d& T_world_camera) const {
@@ -47,7 +49,7 @@ std::optional<LandmarkObservation> MarkerStand::look(const CameraPath& T_world_c
   image.stamp = stampFromNanoseconds(static_cast<std::int64_t>(frame + 1) * kFramePeriod);
   image.frame = levelMount().camera_frame;
   image.gray = camera_.render(T_world_camera, RandomStream(1, frame));
-  detector_->set(image);
+  give(image);
   detector_->execute();
   if (!detector_->observations()) return std::nullopt;
   for (const auto& observation : detector_->observations()->observations) {

@@ -16,6 +16,9 @@ namespace {
 constexpr int kVersion = 1;
 const Range kGray = Range::closed(0.0, 1.0);
 const Range kPositive = Range::above(0.0);
+constexpr double kFarthest = 1000.0;  // [m]; a way that is longer by far would take hours to check
+const Range kCoordinate = Range::closed(-kFarthest, kFarthest);
+const Range kLength = {0.0, kFarthest, true, false};
 
 /// Reads one file; the parts' places are kept for the checks that come after.
 class WorldReader {
@@ -53,7 +56,7 @@ class WorldReader {
   }
 
   void readCeiling(YamlMap map) {
-    map.read("height", world_.ceiling.height, kPositive);
+    map.read("height", world_.ceiling.height, kLength);
     map.read("texture", world_.ceiling.texture, ceilingTextures());
     map.read("scale", world_.ceiling.scale, kPositive);
     map.finish();
@@ -65,9 +68,9 @@ class WorldReader {
     bool closed = false;
     Wall wall;
     wall.height = world_.ceiling.height;
-    map.require("points", points);
+    map.require("points", points, kCoordinate);
     map.read("closed", closed);
-    map.read("height", wall.height, kPositive);
+    map.read("height", wall.height, kLength);
     map.read("gray", wall.gray, kGray);
     map.finish();
     if (points.size() < 2) map.fault("needs at least 2 points");
@@ -83,8 +86,8 @@ class WorldReader {
 
   void readFurniture(YamlMap& map) {
     Box box;
-    map.require("centre", box.centre);
-    map.require("size", box.size, kPositive);
+    map.require("centre", box.centre, kCoordinate);
+    map.require("size", box.size, kLength);
     map.read("yaw", box.yaw);
     map.read("gray", box.gray, kGray);
     map.finish();
@@ -95,7 +98,7 @@ class WorldReader {
   void readMarkerDefaults(YamlMap map) {
     default_.family = "36h11";
     map.read("family", default_.family, markerFamilyNames());
-    map.read("size", default_.size, kPositive);
+    map.read("size", default_.size, kLength);
     map.finish();
   }
 
@@ -105,8 +108,8 @@ class WorldReader {
     double facing = 0.0;
     map.require("id", marker.id);
     map.read("family", marker.family, markerFamilyNames());
-    map.read("size", marker.size, kPositive);
-    map.require("position", position);
+    map.read("size", marker.size, kLength);
+    map.require("position", position, kCoordinate);
     map.require("facing", facing);
     map.finish();
     add(marker, position, facing, map.where());
@@ -122,9 +125,9 @@ class WorldReader {
     map.require("first_id", first_id, Range::atLeast(0.0));
     map.require("count", count, Range::closed(2.0, 10000.0));
     map.read("family", marker.family, markerFamilyNames());
-    map.read("size", marker.size, kPositive);
-    map.require("from", from);
-    map.require("to", to);
+    map.read("size", marker.size, kLength);
+    map.require("from", from, kCoordinate);
+    map.require("to", to, kCoordinate);
     map.require("facing", facing);
     map.finish();
     for (int i = 0; i < count && count <= 10000; ++i) {
@@ -142,7 +145,7 @@ class WorldReader {
   }
 
   void readPath(YamlMap map, const std::string& file) {
-    map.read("points", world_.path.points);
+    map.read("points", world_.path.points, kCoordinate);
     map.read("speed", world_.path.speed, kPositive);
     map.read("laps", world_.path.laps, Range::closed(1.0, 1000.0));
     map.finish();

@@ -110,6 +110,12 @@ void YamlMap::checkRange(const YAML::Node& node, const std::string& key,
     }
 }
 
+std::vector<double> YamlMap::coordinatesOf(const std::vector<Eigen::Vector2d>& points) {
+  std::vector<double> all;
+  for (const auto& point : points) all.insert(all.end(), {point.x(), point.y()});
+  return all;
+}
+
 bool YamlMap::decode(const YAML::Node& node, double& value, const std::string& key) {
   if (finiteNumber(node, value)) return true;
   wrongType(node, key, "a number");

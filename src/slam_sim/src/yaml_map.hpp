@@ -67,10 +67,13 @@ class YamlMap {
   bool decode(const YAML::Node& node, Eigen::Vector3d& value, const std::string& key);
   bool decode(const YAML::Node& node, std::vector<Eigen::Vector2d>& value, const std::string& key);
 
+  static std::vector<double> coordinatesOf(const std::vector<Eigen::Vector2d>& points);
   template <class T>
   static std::vector<double> numbersOf(const T& value) {
-    if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<Eigen::Vector2d>>)
+    if constexpr (std::is_same_v<T, std::string>)
       return {};
+    else if constexpr (std::is_same_v<T, std::vector<Eigen::Vector2d>>)
+      return coordinatesOf(value);
     else if constexpr (std::is_arithmetic_v<T>)
       return {static_cast<double>(value)};
     else

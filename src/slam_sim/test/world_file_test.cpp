@@ -115,7 +115,7 @@ TEST_F(WorldFile, AnUnknownFamilyIsNamedWithTheNearest) {
 }
 
 TEST_F(WorldFile, AMarkerOfSizeZeroIsRefused) {
-  expectFault(room("id: 0", "id: 0, size: 0"), ":8", "size holds '0', which is not in > 0");
+  expectFault(room("id: 0", "id: 0, size: 0"), ":8", "size holds '0', which is not in (0, 1000]");
 }
 
 TEST_F(WorldFile, AnIdThatTheFamilyDoesNotHaveIsRefused) {
@@ -158,6 +158,15 @@ TEST_F(WorldFile, APathThroughAWallIsRefused) {
 
 TEST_F(WorldFile, APathOfTwoPointsIsRefused) {
   expectFault(room(", [3, 3], [1, 3]", ""), ":9", "fewer than 3 points");
+}
+
+TEST_F(WorldFile, APointThatIsFarAwayIsRefusedAtOnce) {
+  const std::string range = "which is not in [-1000, 1000]";
+  expectFault(room("[3, 1]", "[1000000, 1]"), ":9", "points holds '1000000', " + range);
+  expectFault(room("[4, 0]", "[4, -1000000]"), ":4", "points holds '-1000000', " + range);
+  expectFault(room("[2, 2]", "[2, 1000000]"), ":6", "centre holds '1000000', " + range);
+  expectFault(room("[3.99, 2, 0.6]", "[1000000, 2, 0.6]"), ":8", "position holds");
+  expectFault(room("0.5, 1.0]", "1000000, 1.0]"), ":6", "size holds '1000000'");
 }
 
 TEST_F(WorldFile, AnEmptyWorldIsRefused) {

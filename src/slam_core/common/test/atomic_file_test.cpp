@@ -96,6 +96,30 @@ TEST(AtomicFile, DoesNotReplaceADevice) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
+/// In a folder like /tmp others may have put links under the names to come.
+TEST(AtomicFile, FollowsNoLinkUnderTheNameOfItsTemporaryFile) {
+  const TemporaryFolder folder;
+  const auto victim = folder.write("victim", "of another person");
+  const auto path = folder / "map.yaml";
+  const auto first = path + ".part" + std::to_string(getpid());
+  std::filesystem::create_symlink(victim, first);
+  std::filesystem::create_symlink(victim, first + ".1");
+  writeFileAtomically(path, "new");
+  requireWritable(path);
+  const auto temporary = makeTemporaryBeside(path);
+  EXPECT_EQ(std::filesystem::symlink_status(temporary).type(), std::filesystem::file_type::regular);
+  EXPECT_EQ(contentOf(path), "new");
+  EXPECT_EQ(contentOf(victim), "of another person");
+  EXPECT_TRUE(std::filesystem::is_symlink(first)) << "it is not ours to remove";
+  for (int i = 2; i < 100; ++i) {
+    const auto link = first + "." + std::to_string(i);
+    if (link != temporary) std::filesystem::create_symlink(victim, link);
+  }
+  EXPECT_TRUE(test::oneSays({sentenceOf([&] { writeFileAtomically(path, "newer"); })},
+                            {path.c_str(), "File exists", "as it was before"}));
+  EXPECT_EQ(contentOf(victim), "of another person");
+}
+
 TEST(AtomicFile, TellsBeforehandWhatCannotBeWritten) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "folder");

@@ -144,5 +144,57 @@ TEST(CollatorRestart, CountsTriggersBeforeTheMotionOfTheNewRunAsBeforeItsStart) 
   EXPECT_EQ(run.collator.counters()["late"], 0u);
 }
 
+/// A run of 4 s whose sources are stamped 100 s ahead where told.
+LineRun runWithWrongStamps(bool wrong_motion, bool wrong_triggers) {
+  LineRun run;
+  double end = 0.0;
+  for (int i = 1; i <= 40; ++i) {
+    const double now = 0.1 * i;
+    const bool is_wrong = i >= 10 && i < 13;
+    const double stamp = is_wrong && wrong_motion ? now + 100 : now;
+    run.move(end, stamp, std::uint64_t(i));
+    end = is_wrong && !wrong_motion ? now : stamp;
+    if (i == 12) end = 1.2;
+    run.see("a", is_wrong && wrong_triggers ? now + 100.01 : now - 0.01, std::uint64_t(i));
+  }
+  return run;
+}
+
+TEST(CollatorFuture, IsLeftByASourceWhoseTriggersWereStampedAhead) {
+  const auto run = runWithWrongStamps(false, true);
+  EXPECT_EQ(run.steps.size(), 37u) << "three are lost";
+  EXPECT_EQ(run.steps.back().stamp, at(3.99));
+  EXPECT_EQ(run.collator.counters()["stamp_jump"], 3u);
+  EXPECT_EQ(run.collator.setAside(), 0u);
+}
+
+TEST(CollatorFuture, IsLeftByMotionAndNothingStepsByWhatWasStampedAhead) {
+  const auto run = runWithWrongStamps(true, false);
+  EXPECT_EQ(run.steps.size(), 40u);
+  double way = 0.0;
+  for (std::size_t i = 0; i < run.steps.size(); ++i) way += run.wayOf(i);
+  EXPECT_NEAR(way, 3.99 - 0.3, 1e-9) << "only the three wrong ones may be missing";
+  EXPECT_EQ(run.collator.counters()["stamp_jump"], 3u);
+  EXPECT_EQ(run.collator.counters()["restart"], 0u);
+}
+
+TEST(CollatorFuture, IsLeftWhereBothWereStampedAhead) {
+  const auto run = runWithWrongStamps(true, true);
+  EXPECT_EQ(run.steps.size(), 37u);
+  EXPECT_EQ(run.collator.counters()["restart"], 0u);
+}
+
+TEST(CollatorFuture, TellsWhatIsStillSetAside) {
+  LineRun run;
+  run.move(0, 1, 0);
+  run.move(1, 200, 1);
+  run.move(200, 201, 2);
+  run.move(201, 202, 3);
+  run.see("a", 150, 0);
+  EXPECT_EQ(run.seen(), "a");
+  for (std::uint64_t i = 1; i < 6; ++i) run.see("b", double(i), i);
+  EXPECT_EQ(run.collator.setAside(), 5u) << "motion has passed them; they may begin a new run";
+}
+
 }  // namespace
 }  // namespace slam

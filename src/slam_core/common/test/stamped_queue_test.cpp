@@ -113,5 +113,101 @@ TEST_F(StampedQueueTest, CountsWhatWasAsideAsLateWhenTimeGoesOn) {
   EXPECT_EQ(drain(), (std::vector<int>{0, 3}));
 }
 
+TEST_F(StampedQueueTest, LeavesTheFutureOnceThreeInARowSaySo) {
+  push(1, 0);
+  push(101, 1);
+  push(101.2, 2);
+  push(1.6, 3);
+  push(1.8, 4);
+  EXPECT_EQ(queue.setAside(), 2u) << "two may still be the beginning of a new run";
+  push(2, 5);
+  EXPECT_FALSE(queue.wentBack());
+  EXPECT_EQ(counters["stamp_jump"], 2u);
+  EXPECT_EQ(counters["late"] + counters["lost"], 0u);
+  EXPECT_EQ(queue.last(), at(2));
+  EXPECT_EQ(drain(), (std::vector<int>{0, 3, 4, 5}));
+}
+
+TEST_F(StampedQueueTest, LeavesTheFutureThatItBeganIn) {
+  push(101, 0);
+  push(101.2, 1);
+  for (std::uint64_t i = 2; i < 5; ++i) push(double(i), i);
+  EXPECT_EQ(counters["stamp_jump"], 2u);
+  EXPECT_EQ(drain(), (std::vector<int>{2, 3, 4}));
+}
+
+TEST_F(StampedQueueTest, LeavesTheFutureWhereItJumpedMoreThanOnce) {
+  push(1, 0);
+  push(101, 1);
+  push(301, 2);
+  for (std::uint64_t i = 3; i < 6; ++i) push(double(i), i);
+  EXPECT_EQ(counters["stamp_jump"], 2u);
+  EXPECT_EQ(drain(), (std::vector<int>{0, 3, 4, 5}));
+}
+
+TEST_F(StampedQueueTest, StaysInTheFutureWhereItsReceiverIsAsWell) {
+  push(1, 0);
+  push(101, 1);
+  push(101.2, 2);
+  queue.goneTo(at(101));
+  for (std::uint64_t i = 3; i < 7; ++i) push(double(i), i);
+  EXPECT_EQ(queue.setAside(), 4u) << "only all sources together begin anew";
+  EXPECT_EQ(counters["stamp_jump"], 0u);
+}
+
+TEST_F(StampedQueueTest, StaysInTheFutureWhenAllBeginsBeforeTheJump) {
+  push(50, 0);
+  push(101, 1);
+  push(101.2, 2);
+  for (std::uint64_t i = 3; i < 7; ++i) push(double(i), i);
+  EXPECT_EQ(queue.setAside(), 4u) << "that is a new run";
+}
+
+TEST_F(StampedQueueTest, BelievesAJumpOnlyWhenASecondOfMessagesIsBehindIt) {
+  push(1, 0);
+  push(1.5, 1);
+  EXPECT_EQ(queue.believed(), at(1.5));
+  push(101, 2);
+  push(101.5, 3);
+  EXPECT_EQ(queue.believed(), at(1.5));
+  push(102, 4);
+  EXPECT_EQ(queue.believed(), at(102));
+}
+
+TEST_F(StampedQueueTest, DoesNotDoubtASlowSource) {
+  for (std::uint64_t i = 0; i < 4; ++i) push(10 * double(i), i);
+  for (std::uint64_t i = 4; i < 9; ++i) {
+    push(10 * double(i), i);
+    EXPECT_EQ(queue.believed(), at(10 * double(i)));
+  }
+}
+
+TEST_F(StampedQueueTest, ASequenceThatBreaksOffIsARestartedSourceAndNoLoss) {
+  push(1, 55);
+  push(2, std::uint64_t(1) << 63);
+  push(3, 57);
+  push(4, 0);
+  push(5, 59);
+  push(6, 0);
+  push(7, 1);
+  EXPECT_EQ(counters["lost"], 0u);
+  push(8, 4);
+  EXPECT_EQ(counters["lost"], 2u) << "a restarted source's losses count again";
+}
+
+TEST_F(StampedQueueTest, CountsWhatWasLostBesideADamagedSequence) {
+  push(1, 55);
+  push(2, 0);
+  push(3, 60);
+  EXPECT_EQ(counters["lost"], 3u);
+}
+
+TEST_F(StampedQueueTest, ARestartedSourceIsNotTakenBackToItsOldNumbers) {
+  push(1, 100);
+  for (std::uint64_t i = 0; i < 20; ++i) push(2 + double(i), i);
+  push(30, 130);
+  EXPECT_EQ(counters["lost"], 110u);
+}
+
 }  // namespace
 }  // namespace slam

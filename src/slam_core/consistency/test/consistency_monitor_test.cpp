@@ -9,7 +9,7 @@
 
 #include "slam_core/ekf/ekf_slam.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 namespace slam {
 namespace {

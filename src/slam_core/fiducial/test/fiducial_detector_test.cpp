@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/fiducial/test/marker_picture.hpp"
+#include "slam_core/product/test/component_driver.hpp"
 
 namespace slam::fiducial {
 namespace {
@@ -37,13 +39,14 @@ class FiducialDetectorTest : public testing::TestWithParam<const char*> {
     Settings settings({}, {}, overrides);
     detector_->configure(settings);
     settings.requireAllRead();
-    detector_->set(kCamera.calibration());
-    detector_->set(mountAhead());
+    inputs_.emplace(*detector_);
+    inputs_->set(kCamera.calibration());
+    inputs_->set(mountAhead());
   }
 
   Status look(const cv::Mat& image) {
     stamp_ += std::chrono::milliseconds(100);
-    detector_->set(Image{stamp_, "camera", image, ""});
+    inputs_->set(Image{stamp_, "camera", image, ""});
     return detector_->execute();
   }
   Status look(const MarkerPicture& picture) { return look(picture.exposed(2.0)); }
@@ -54,6 +57,7 @@ class FiducialDetectorTest : public testing::TestWithParam<const char*> {
   std::uint64_t count(const std::string& reason) const { return detector_->counters()[reason]; }
 
   std::unique_ptr<LandmarkDetector> detector_;
+  std::optional<slam::test::ComponentDriver> inputs_;
   Stamp stamp_{};
 };
 
@@ -161,7 +165,7 @@ TEST_P(FiducialDetectorTest, RejectsByTheLimitsOfTheConfiguration) {
     configure({override});
     EXPECT_TRUE(look(picture).isOk());
     EXPECT_TRUE(observations().empty());
-    const auto& counts = detector_->counters().all();
+    const auto counts = detector_->counters().all();
     return counts.size() == 1 ? counts.begin()->first : "none or several";
   };
   EXPECT_EQ(reasonWith("fiducial.min_side=60"), "too_small");
@@ -200,7 +204,7 @@ TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
   CameraMount up;
   up.camera_frame = "camera";
   up.T_base_camera.translation().z() = 0.5;
-  detector_->set(up);
+  inputs_->set(up);
   MarkerPicture picture(kCamera);
   picture.add(printedMarker(1), facing({0.002, 0.0, 1.8}, 0.3));
   picture.add(printedMarker(2), facing({0.6, 0.0, 1.8}, 0.3));
@@ -214,12 +218,12 @@ TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
 
 TEST_P(FiducialDetectorTest, DrawsWhatItFound) {
   configure({"fiducial.ids=[1]"});
-  EXPECT_TRUE(detector_->drawing().empty()) << "no image yet";
+  EXPECT_TRUE(dynamic_cast<const ViewDrawer&>(*detector_).drawing().empty()) << "no image yet";
   MarkerPicture picture(kCamera);
   picture.add(printedMarker(1), facing({-0.3, 0.0, 1.5}, 0.3));
   picture.add(printedMarker(2), facing({0.3, 0.0, 1.5}, 0.3));
   look(picture);
-  const cv::Mat drawing = detector_->drawing();
+  const cv::Mat drawing = dynamic_cast<const ViewDrawer&>(*detector_).drawing();
   ASSERT_EQ(drawing.type(), CV_8UC3);
   ASSERT_EQ(drawing.size(), cv::Size(640, 480));
   const auto has = [](const cv::Mat& part, int channel) {

@@ -61,6 +61,20 @@ TEST(LandmarkObservationFault, FindsACovarianceThatIsNone) {
   EXPECT_TRUE(test::oneSays({faultOf(z)}, {"positive definite"}));
 }
 
+TEST(LandmarkObservationFault, FindsACovarianceThatIsAbsurdlyLarge) {
+  auto z = goodObservation();
+  z.covariance = Eigen::Vector2d(1e6, 100.0).asDiagonal();
+  EXPECT_EQ(faultOf(z), "");
+  for (const int axis : {0, 1})
+    for (const double variance : {1e7, 1e12, 1e150, 1.7e308}) {
+      z = goodObservation();
+      z.covariance = Eigen::Vector2d(0.01, 0.0004).asDiagonal();
+      z.covariance(axis, axis) = variance;
+      EXPECT_TRUE(
+          test::oneSays({faultOf(z)}, {"landmark 7", "standard deviations", "1000 m", "10 rad"}));
+    }
+}
+
 TEST(LandmarkSensor, GivesItsNoiseToObservationsThatBringNone) {
   LandmarkObservationArray array;
   array.observations = {goodObservation(), goodObservation()};

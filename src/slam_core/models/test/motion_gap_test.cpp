@@ -5,10 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "slam_core/models/test/simulated_world.hpp"
 
 namespace slam {
 namespace {
+
+using Bridge = MotionGap::Bridge;
 
 std::vector<Motion> drive(int steps) {
   test::SimulatedWorld world(1);
@@ -21,7 +25,7 @@ TEST(MotionGap, LeavesAloneWhatIsComplete) {
   MotionGap gap;
   for (auto motion : drive(10)) {
     const auto start = motion.start;
-    EXPECT_FALSE(gap.bridge(motion));
+    EXPECT_EQ(gap.bridge(motion), Bridge::kNone);
     EXPECT_EQ(motion.start, start);
   }
 }
@@ -30,8 +34,8 @@ TEST(MotionGap, IsBridgedByWhatTheLostMotionsTellTogether) {
   const auto all = drive(60);
   MotionGap gap;
   auto first = all[4], next = all[55];
-  EXPECT_FALSE(gap.bridge(first));
-  ASSERT_TRUE(gap.bridge(next));
+  EXPECT_EQ(gap.bridge(first), Bridge::kNone);
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   Motion expected = all[5];
   for (int i = 6; i <= 55; ++i) expected = joined(expected, all[i]);
   EXPECT_EQ(next.start, expected.start);
@@ -49,7 +53,7 @@ TEST(MotionGap, IsAsUncertainAsTheWorstIncrementThatWasSeen) {
   MotionGap gap;
   for (int i : {0, 1, 2, 3}) gap.bridge(all[i]);
   Motion next = all[14];
-  ASSERT_TRUE(gap.bridge(next));
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   EXPECT_GT(next.covariance(0, 0), 9.0 * 10 * all[0].covariance(0, 0));
   EXPECT_EQ(faultOf(next), "");
 }
@@ -61,7 +65,7 @@ TEST(MotionGap, IsAsUncertainAsTheWorstWayAndTheWorstTurn) {
   MotionGap gap;
   for (int i : {0, 1, 2, 3}) gap.bridge(all[i]);
   Motion next = all[14];
-  ASSERT_TRUE(gap.bridge(next));
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   EXPECT_GT(next.covariance(0, 0), 9.0 * 10 * all[0].covariance(0, 0));
   EXPECT_GT(next.covariance(2, 2), 9.0 * 10 * all[0].covariance(2, 2));
   EXPECT_EQ(faultOf(next), "");
@@ -84,10 +88,10 @@ TEST(MotionGap, IsNotAsUncertainAsAShortIncrementSeemsToTell) {
     MotionGap gap;
     for (std::size_t i = 0; i < 5; ++i) {
       auto motion = all[i];
-      EXPECT_FALSE(gap.bridge(motion));
+      EXPECT_EQ(gap.bridge(motion), Bridge::kNone);
     }
     auto next = all.back();
-    EXPECT_TRUE(gap.bridge(next));
+    EXPECT_EQ(gap.bridge(next), Bridge::kByPoses);
     return next.covariance;
   };
   const auto covariance = covarianceAfter(driveWithAShortIncrement());
@@ -99,7 +103,7 @@ TEST(MotionGap, IsBridgedAtOnceByWhatAShortIncrementTells) {
   MotionGap gap;
   auto first = all[2], next = all[12];
   gap.bridge(first);
-  ASSERT_TRUE(gap.bridge(next));
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   EXPECT_EQ(faultOf(next), "");
 }
 
@@ -114,7 +118,7 @@ TEST(MotionGap, OfWheelsThatAreCalibratedIsBridgedWithTheirScales) {
   MotionGap gap;
   for (std::size_t i = 0; i < 5; ++i) gap.bridge(all[i]);
   Motion next = all[40], expected = all[5];
-  ASSERT_TRUE(gap.bridge(next));
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   for (int i = 6; i <= 40; ++i) expected = joined(expected, all[i]);
   EXPECT_LT((next.increment.vector() - expected.increment.vector()).norm(), 1e-5);
 }
@@ -124,24 +128,118 @@ TEST(MotionGap, IsNotSeenWhereAMotionComesLate) {
   MotionGap gap;
   for (int i : {0, 1, 2, 3, 1, 4, 3, 5}) {
     Motion next = all[i];
-    EXPECT_FALSE(gap.bridge(next)) << i;
+    EXPECT_EQ(gap.bridge(next), Bridge::kNone) << i;
   }
 }
 
-TEST(MotionGap, OfAnOdometryThatBeganAnewIsNone) {
+TEST(MotionGap, IsBridgedWhereTheSourceWasRestartedAndCountsAnew) {
+  const auto all = drive(20);
+  MotionGap gap;
+  for (int i : {0, 1, 2}) {
+    Motion next = all[i];
+    gap.bridge(next);
+  }
+  Motion next = all[10], expected = all[3];
+  next.sequence = 0;
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
+  for (int i = 4; i <= 10; ++i) expected = joined(expected, all[i]);
+  EXPECT_EQ(next.start, expected.start);
+  EXPECT_EQ(next.sequence, 0u);
+  EXPECT_LT((next.increment.vector() - expected.increment.vector()).norm(), 1e-9);
+  EXPECT_TRUE(next.covariance.isApprox(expected.covariance, 1e-6)) << next.covariance;
+  next = all[11];
+  next.sequence = 1;
+  EXPECT_EQ(gap.bridge(next), Bridge::kNone);
+}
+
+TEST(MotionGap, NeedsNoLossToBeBridged) {
+  const auto all = drive(20);
+  MotionGap gap;
+  Motion next = all[3];
+  gap.bridge(next);
+  next = all[10];
+  next.sequence = all[3].sequence + 1;
+  EXPECT_EQ(gap.bridge(next), Bridge::kByPoses);
+  EXPECT_EQ(next.start, all[3].end);
+}
+
+/// What is told of all[13] after all[0..3], with the odometry's poses changed.
+template <class Change>
+Motion bridgedByVelocity(const Change& change) {
+  auto all = drive(20);
+  const Pose2 begin(20, -10, 1);  // of the odometry
+  for (auto& motion : all) {
+    motion.odometry_start = begin * motion.odometry_start;
+    motion.odometry_end = begin * motion.odometry_end;
+  }
+  MotionGap gap;
+  for (int i : {0, 1, 2, 3}) {
+    Motion motion = all[i];
+    gap.bridge(motion);
+  }
+  Motion next = all[13], expected = all[4];
+  change(next);
+  EXPECT_EQ(gap.bridge(next), Bridge::kByVelocity);
+  for (int i = 5; i <= 13; ++i) expected = joined(expected, all[i]);
+  EXPECT_EQ(next.start, all[3].end);
+  EXPECT_EQ(faultOf(next), "");
+  // the simulated robot does go on at one velocity; nobody knows that it does
+  EXPECT_LT((next.increment.vector() - expected.increment.vector()).norm(), 0.1);
+  EXPECT_GT(next.covariance(0, 0), 100.0 * expected.covariance(0, 0));
+  EXPECT_GT(next.covariance(0, 0), std::pow(0.5 * expected.increment.position().norm(), 2));
+  return next;
+}
+
+TEST(MotionGap, IsBridgedByTheLastVelocityWhereTheOdometryWasRestartedAsWell) {
+  bridgedByVelocity([](Motion& next) {
+    const Pose2 way = next.odometry_start.between(next.odometry_end);
+    next.odometry_start = Pose2();
+    next.odometry_end = way;
+  });
+}
+
+TEST(MotionGap, IsBridgedByTheLastVelocityWhereThePosesAreImpossible) {
+  bridgedByVelocity([](Motion& next) {
+    const Pose2 far(1e6, 0, 0);
+    next.odometry_start = far * next.odometry_start;
+    next.odometry_end = far * next.odometry_end;
+  });
+}
+
+TEST(MotionGap, IsBridgedByTheLastVelocityWhereAnotherOdometryGoesOn) {
+  const auto next =
+      bridgedByVelocity([](Motion& motion) { motion.odometry_frame = "visual_odom"; });
+  EXPECT_EQ(next.odometry_frame, "visual_odom");
+}
+
+TEST(MotionGap, OfAResetOdometryIsNone) {
   const auto all = drive(20);
   MotionGap gap;
   Motion next = all[0];
   gap.bridge(next);
-  next = all[10];
-  next.sequence = 0;
-  EXPECT_FALSE(gap.bridge(next)) << "its first message";
-  next = all[15];
-  next.odometry_frame = "visual_odom";
-  EXPECT_FALSE(gap.bridge(next)) << "another odometry";
   gap.reset();
   next = all[19];
-  EXPECT_FALSE(gap.bridge(next)) << "the first after a reset";
+  EXPECT_EQ(gap.bridge(next), Bridge::kNone) << "the first after a reset";
+}
+
+TEST(MotionGap, IsBridgedFromBeforeStampsThatJumpedAndCameBack) {
+  const auto all = drive(20);
+  MotionGap gap;
+  for (int i : {0, 1, 2, 3}) {
+    Motion motion = all[i];
+    gap.bridge(motion);
+  }
+  for (int i : {4, 5}) {
+    Motion motion = all[i];
+    motion.end += std::chrono::seconds(100);
+    if (i == 5) motion.start += std::chrono::seconds(100);
+    EXPECT_EQ(gap.bridge(motion), Bridge::kNone);
+  }
+  Motion next = all[7];
+  EXPECT_EQ(gap.bridge(next), Bridge::kByPoses);
+  EXPECT_EQ(next.start, all[3].end);
+  next = all[8];
+  EXPECT_EQ(gap.bridge(next), Bridge::kNone);
 }
 
 }  // namespace

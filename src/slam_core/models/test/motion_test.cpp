@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "slam_core/common/test/faults.hpp"
+
 namespace slam {
 namespace {
 
@@ -111,6 +113,48 @@ TEST(MotionFault, FindsACovarianceThatIsNone) {
   motion = goodMotion();
   motion.covariance(0, 1) += 0.005;  // no longer symmetric
   EXPECT_NE(faultOf(motion).find("positive definite"), std::string::npos);
+}
+
+Motion plainMotion() {
+  Motion motion;
+  motion.end = motion.start + std::chrono::milliseconds(50);
+  motion.increment = Pose2(0.05, 0, 0.01);
+  motion.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+  return motion;
+}
+
+TEST(MotionFault, NamesValuesThatNoRobotsOdometryHas) {
+  EXPECT_EQ(faultOf(plainMotion()), "");
+  for (const double far : {1e3, 1e6, 1e300}) {
+    auto motion = plainMotion();
+    motion.increment = Pose2(far, -far, 0);
+    EXPECT_NE(faultOf(motion).find("which no robot drives"), std::string::npos) << far;
+  }
+  for (const double far : {1e10, 1e300}) {
+    auto motion = plainMotion();
+    motion.odometry_end = Pose2(0, far, 0);
+    EXPECT_NE(faultOf(motion).find("m from its origin"), std::string::npos) << far;
+  }
+}
+
+TEST(MotionFault, IsNotThatMessagesCameInABurst) {
+  auto motion = plainMotion();
+  motion.end = motion.start + std::chrono::microseconds(100);
+  motion.increment = Pose2(3, 0, 0);
+  EXPECT_EQ(faultOf(motion), "");
+}
+
+TEST(MotionFault, FindsACovarianceThatIsAbsurdlyLarge) {
+  auto motion = goodMotion();
+  motion.covariance = Eigen::Vector3d(1e6, 1e6, 100.0).asDiagonal();
+  EXPECT_EQ(faultOf(motion), "");
+  for (const int axis : {0, 1, 2})
+    for (const double variance : {1e7, 1e12, 1e150, 1.7e308}) {
+      motion = goodMotion();
+      motion.covariance = Eigen::Matrix3d::Identity();
+      motion.covariance(axis, axis) = variance;
+      EXPECT_TRUE(test::oneSays({faultOf(motion)}, {"standard deviations", "1000 m", "10 rad"}));
+    }
 }
 
 }  // namespace

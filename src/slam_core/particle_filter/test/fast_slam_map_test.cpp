@@ -7,7 +7,7 @@
 #include "slam_core/common/test/temporary_folder.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 #include "slam_core/product/landmark_file.hpp"
 
 namespace slam::particle_filter {
@@ -15,13 +15,14 @@ namespace {
 
 using test::SimulatedWorld;
 
-Pose2 run(Backend& backend, SimulatedWorld& world, int steps) {
+template <class Filter>
+Pose2 run(Filter& filter, SimulatedWorld& world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    backend.set(step.motion);
-    backend.set(step.observations);
-    backend.execute();
+    filter.set(step.motion);
+    filter.set(step.observations);
+    filter.execute();
     truth = step.truth;
   }
   return truth;
@@ -41,11 +42,12 @@ PfConfig localization() {
 }
 
 /// A mapped world, through a landmark file.
-MapState savedBy(Backend& backend) {
+template <class Filter>
+MapState savedBy(Filter& filter) {
   SimulatedWorld world(8);
-  run(backend, world, 150);
+  run(filter, world, 150);
   const test::TemporaryFolder folder;
-  saveLandmarks(folder / "landmarks.yaml", {"map", {}, backend.state()});
+  saveLandmarks(folder / "landmarks.yaml", {"map", {}, filter.state()});
   return loadLandmarks(folder / "landmarks.yaml", "map").map;
 }
 
@@ -118,7 +120,7 @@ TEST(FastSlamMap, OfOneCopyIsSharedByAllParticlesThatOnlyLocalise) {
   filter->set(savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig())));
   SimulatedWorld world(9);
   run(*filter, world, 60);
-  EXPECT_EQ(filter->particleSet().mapMemory().leavesInUse(), 4u) << "16 landmarks, 4 a leaf";
+  EXPECT_EQ(filter->particleSet().memory().maps.leavesInUse(), 4u) << "16 landmarks, 4 a leaf";
 }
 
 TEST(FastSlamMap, LeavesOutAndCountsStrangersInLocalization) {

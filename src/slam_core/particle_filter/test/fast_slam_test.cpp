@@ -1,44 +1,46 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 #include <gtest/gtest.h>
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/test/component_driver.hpp"
 
 namespace slam::particle_filter {
 namespace {
 
 using test::SimulatedWorld;
 
-Pose2 run(Backend& backend, SimulatedWorld world, int steps) {
+template <class Filter>
+Pose2 run(Filter& filter, SimulatedWorld world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    backend.set(step.motion);
-    backend.set(step.observations);
-    backend.execute();
+    filter.set(step.motion);
+    filter.set(step.observations);
+    filter.execute();
     truth = step.truth;
   }
   return truth;
 }
 
-std::vector<double> numbersOf(const Backend& backend) {
+std::vector<double> numbersOf(const FastSlam& filter) {
   std::vector<double> numbers;
   const auto add = [&](const auto& matrix) {
     for (Eigen::Index i = 0; i < matrix.size(); ++i) numbers.push_back(matrix.data()[i]);
   };
-  add(backend.pose().pose.vector());
-  add(backend.pose().covariance);
-  for (const auto& landmark : backend.state().landmarks) {
+  add(filter.pose().pose.vector());
+  add(filter.pose().covariance);
+  for (const auto& landmark : filter.state().landmarks) {
     add(landmark.position);
     add(landmark.covariance);
   }
-  for (const auto& [stamp, pose] : backend.path()) add(pose.vector());
-  for (const auto& pose : backend.particles()) add(pose.vector());
+  for (const auto& [stamp, pose] : filter.path()) add(pose.vector());
+  for (const auto& pose : filter.particles()) add(pose.vector());
   return numbers;
 }
 
@@ -147,8 +149,8 @@ TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
       filter.set(step.motion);
       filter.set(step.observations);
       filter.execute();
-      const auto figures = filter.figures();
-      const bool below = figures.at("effective_sample_size") < threshold * figures.at("particles");
+      const bool below = test::figureOf(filter, "effective_sample_size") <
+                         threshold * test::figureOf(filter, "particles");
       ASSERT_EQ(filter.counters()["resampled"] - before, below ? 1u : 0u);
     }
     if (threshold == 0.0) {
@@ -201,8 +203,8 @@ TEST(FastSlamTest, SharesMapsAndPathsBetweenParticles) {
   filter.configure(PfConfig());
   run(filter, SimulatedWorld(10), 300);
   const auto& set = filter.particleSet();
-  EXPECT_LT(set.pathMemory().posesInUse(), 300u * set.size() / 5);
-  EXPECT_LE(set.mapMemory().leavesInUse(), 4u * set.size()) << "16 landmarks in leaves of 4";
+  EXPECT_LT(set.memory().paths.posesInUse(), 300u * set.size() / 5);
+  EXPECT_LE(set.memory().maps.leavesInUse(), 4u * set.size()) << "16 landmarks in leaves of 4";
 }
 
 TEST(FastSlamTest, KeepsNoPosesOfStepsThatSawNothing) {
@@ -216,7 +218,7 @@ TEST(FastSlamTest, KeepsNoPosesOfStepsThatSawNothing) {
     filter.set(step.observations);
     filter.execute();
   }
-  EXPECT_EQ(filter.particleSet().pathMemory().posesInUse(), 0u);
+  EXPECT_EQ(filter.particleSet().memory().paths.posesInUse(), 0u);
   const auto path = filter.path();
   ASSERT_EQ(path.size(), 200u);
   for (std::size_t i = 1; i < path.size(); ++i)
@@ -239,8 +241,8 @@ TEST(FastSlamTest, HasNoMemoryOfTheMapBeforeReset) {
   filter.configure(PfConfig());
   run(filter, SimulatedWorld(10), 30);
   filter.reset();
-  EXPECT_EQ(filter.particleSet().mapMemory().leavesInUse(), 0u);
-  EXPECT_EQ(filter.particleSet().pathMemory().posesInUse(), 0u);
+  EXPECT_EQ(filter.particleSet().memory().maps.leavesInUse(), 0u);
+  EXPECT_EQ(filter.particleSet().memory().paths.posesInUse(), 0u);
   EXPECT_TRUE(filter.path().empty());
 }
 

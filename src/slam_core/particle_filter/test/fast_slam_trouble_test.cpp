@@ -5,20 +5,20 @@
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 namespace slam::particle_filter {
 namespace {
 
 using test::SimulatedWorld;
 
-Pose2 run(Backend& backend, SimulatedWorld& world, int steps) {
+Pose2 run(FastSlam& filter, SimulatedWorld& world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    backend.set(step.motion);
-    backend.set(step.observations);
-    backend.execute();
+    filter.set(step.motion);
+    filter.set(step.observations);
+    filter.execute();
     truth = step.truth;
   }
   return truth;

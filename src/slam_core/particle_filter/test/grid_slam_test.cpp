@@ -7,7 +7,8 @@
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
+#include "slam_core/product/test/component_driver.hpp"
 
 namespace slam::particle_filter {
 namespace {
@@ -31,19 +32,19 @@ std::unique_ptr<FastSlam> made(const PfConfig& config = gridConfig(), const Scan
   return filter;
 }
 
-Status take(Backend& backend, const RoomDrive::Step& step) {
-  backend.set(step.motion);
-  backend.set(step.scan);
-  return backend.execute();
+Status take(FastSlam& filter, const RoomDrive::Step& step) {
+  filter.set(step.motion);
+  filter.set(step.scan);
+  return filter.execute();
 }
 
 /// @return the largest distance between pose and truth [m]
-double run(Backend& backend, RoomDrive& drive, int steps) {
+double run(FastSlam& filter, RoomDrive& drive, int steps) {
   double worst = 0.0;
   for (int i = 0; i < steps; ++i) {
     const auto step = drive.next();
-    EXPECT_EQ(take(backend, step).message, "");
-    worst = std::max(worst, (backend.pose().pose.position() - step.truth.position()).norm());
+    EXPECT_EQ(take(filter, step).message, "");
+    worst = std::max(worst, (filter.pose().pose.position() - step.truth.position()).norm());
   }
   return worst;
 }
@@ -113,7 +114,7 @@ TEST(GridSlam, CarriesThePoseBetweenUpdatesWithoutTouchingParticles) {
   const auto filter = made();
   RoomDrive drive(5);
   run(*filter, drive, 1);
-  const auto poses_held = filter->particleSet().pathMemory().posesInUse();
+  const auto poses_held = filter->particleSet().memory().paths.posesInUse();
   const auto revision = filter->gridRevision();
   for (int i = 0; i < 2; ++i) {
     const auto before = filter->pose();
@@ -125,7 +126,7 @@ TEST(GridSlam, CarriesThePoseBetweenUpdatesWithoutTouchingParticles) {
     EXPECT_LT((moved.vector() - step.motion.increment.vector()).norm(), 1e-12);
     EXPECT_GT(filter->pose().covariance(0, 0), before.covariance(0, 0));
   }
-  EXPECT_EQ(filter->particleSet().pathMemory().posesInUse(), poses_held);
+  EXPECT_EQ(filter->particleSet().memory().paths.posesInUse(), poses_held);
   EXPECT_EQ(filter->gridRevision(), revision);
   run(*filter, drive, 3);
   EXPECT_GT(filter->gridRevision(), revision);
@@ -220,7 +221,7 @@ TEST(GridSlam, SaysWhenThereIsNotEnoughMemoryAndKeepsTheMap) {
   std::vector<std::string> sentences;
   for (int i = 0; i < kLap; ++i) sentences.push_back(take(*filter, drive.next()).message);
   EXPECT_TRUE(test::oneSays(sentences, {"grid_map.largest_memory", "lower pf.particles"}));
-  EXPECT_LE(filter->particleSet().gridMemory().bytes(), 4e6);
+  EXPECT_LE(filter->particleSet().memory().grids.bytes(), 4e6);
   EXPECT_TRUE(filter->pose().pose.isFinite());
 }
 
@@ -282,10 +283,10 @@ TEST(GridSlam, GoesOnWithAMapThatWasSavedInTheMiddle) {
 }
 
 /// @return how many steps were told as lost
-int countLost(Backend& backend, RoomDrive& drive, int steps) {
+int countLost(FastSlam& filter, RoomDrive& drive, int steps) {
   int lost = 0;
   for (int i = 0; i < steps; ++i)
-    lost += test::oneSays({take(backend, drive.next()).message}, {"may be lost", "initial pose"});
+    lost += test::oneSays({take(filter, drive.next()).message}, {"may be lost", "initial pose"});
   return lost;
 }
 
@@ -296,7 +297,7 @@ TEST(GridSlam, ARobotCarriedAwayWhileItMapsIsToldLost) {
     EXPECT_EQ(countLost(*filter, drive, 2 * kLap), 0);
     for (int i = 0; i < carried; ++i) drive.next();
     EXPECT_GT(countLost(*filter, drive, 10), 0) << carried << " steps";
-    EXPECT_GT(filter->figures().at("contradicting_ends"), 0.0);
+    EXPECT_GT(test::figureOf(*filter, "contradicting_ends"), 0.0);
   }
 }
 
@@ -362,7 +363,7 @@ TEST(GridSlam, StartsAfreshWithReset) {
   const auto before = filter->path();
   filter->reset();
   EXPECT_TRUE(filter->grid()->cells.empty());
-  EXPECT_EQ(filter->particleSet().gridMemory().tilesInUse(), 0u);
+  EXPECT_EQ(filter->particleSet().memory().grids.tilesInUse(), 0u);
   RoomDrive again(17);
   run(*filter, again, 40);
   ASSERT_EQ(filter->path().size(), before.size());

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "slam_core/common/test/faults.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 namespace slam::particle_filter {
 namespace {

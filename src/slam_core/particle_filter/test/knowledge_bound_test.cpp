@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/knowledge_bound.hpp"
+#include "slam_core/particle_filter/particles/knowledge_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 
 #include "slam_core/models/test/simulated_world.hpp"
-#include "slam_core/particle_filter/fast_slam.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
 
 namespace slam::particle_filter {
 namespace {
@@ -79,11 +79,11 @@ TEST(Forgetting, IsTheShareOfThePairsThatDescendFromTheSameParticle) {
   KnowledgeBound bound;
   bound.restart(someCovariance());
   EXPECT_TRUE(bound.told(told).isApprox(told)) << "nothing yet";
-  bound.resample({0, 1, 2, 3});
+  bound.genealogy().resample({0, 1, 2, 3});
   EXPECT_TRUE(bound.told(told).isApprox(told));
-  bound.resample({0, 0, 2, 3});  // one pair of six
+  bound.genealogy().resample({0, 0, 2, 3});  // one pair of six
   EXPECT_TRUE(bound.told(told).isApprox(5.0 / 6.0 * told + someCovariance() / 6.0));
-  bound.resample({1, 1, 1, 1});
+  bound.genealogy().resample({1, 1, 1, 1});
   EXPECT_TRUE(bound.told(told).isApprox(someCovariance(), 1e-4)) << "all of it";
 }
 
@@ -91,11 +91,11 @@ TEST(Forgetting, IncludesParticlesThatWeighNothing) {
   const Eigen::Matrix3d bound = Eigen::Matrix3d::Identity(), spread = 0.01 * bound;
   KnowledgeBound knowledge;
   knowledge.restart(bound);
-  knowledge.weigh(100.0, 100);
+  knowledge.genealogy().weigh(100.0, 100);
   EXPECT_TRUE(knowledge.told(spread).isApprox(spread)) << "all weigh the same";
-  knowledge.weigh(1.0, 100);
+  knowledge.genealogy().weigh(1.0, 100);
   EXPECT_TRUE(knowledge.told(spread).isApprox(bound)) << "one has all the weight";
-  knowledge.weigh(1.0, 1);
+  knowledge.genealogy().weigh(1.0, 1);
   EXPECT_TRUE(knowledge.told(spread).isApprox(bound)) << "there is only one";
 }
 

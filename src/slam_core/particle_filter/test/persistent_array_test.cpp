@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/persistent_array.hpp"
+#include "slam_core/particle_filter/memory/persistent_array.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "slam_core/common/random.hpp"
-#include "slam_core/particle_filter/workers.hpp"
+#include "slam_core/particle_filter/particles/workers.hpp"
 
 namespace slam::particle_filter {
 namespace {

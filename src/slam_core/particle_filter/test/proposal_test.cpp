@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/proposal.hpp"
+#include "slam_core/particle_filter/landmarks/proposal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 
-#include "slam_core/particle_filter/landmark_filter.hpp"
-#include "slam_core/particle_filter/weighting.hpp"
+#include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
+#include "slam_core/particle_filter/landmarks/weighting.hpp"
 
 namespace slam::particle_filter {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/resampling.hpp"
+#include "slam_core/particle_filter/particles/resampling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <numeric>
 #include <set>
 
-#include "slam_core/particle_filter/hilbert_order.hpp"
-#include "slam_core/particle_filter/kld_size.hpp"
-#include "slam_core/particle_filter/weights.hpp"
+#include "slam_core/particle_filter/particles/hilbert_order.hpp"
+#include "slam_core/particle_filter/particles/kld_size.hpp"
+#include "slam_core/particle_filter/particles/weights.hpp"
 
 namespace slam::particle_filter {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/scan_fit_monitor.hpp"
+#include "slam_core/particle_filter/scans/scan_fit_monitor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/shared_path.hpp"
+#include "slam_core/particle_filter/memory/shared_path.hpp"
 
 #include <gtest/gtest.h>
 

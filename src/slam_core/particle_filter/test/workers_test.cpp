@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/particle_filter/workers.hpp"
+#include "slam_core/particle_filter/particles/workers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,6 +35,20 @@ TEST(Workers, AreTheSameThreadsEachTime) {
       threads.insert(std::this_thread::get_id());
     });
   EXPECT_EQ(threads.size(), kLanes);
+}
+
+TEST(Workers, HandOnWhatTheWorkThrowsAndGoOn) {
+  constexpr unsigned kLanes = 4;
+  Workers workers(kLanes);
+  for (std::size_t culprit = 0; culprit < kLanes; ++culprit) {
+    const auto fail = [&](std::size_t i, unsigned) {
+      if (i == culprit) throw std::bad_alloc();
+    };
+    EXPECT_THROW(workers.forEach(kLanes, fail), std::bad_alloc);
+    int done = 0;
+    workers.forEach(1, [&](std::size_t, unsigned) { ++done; });
+    EXPECT_EQ(done, 1);
+  }
 }
 
 }  // namespace

@@ -162,14 +162,14 @@ TEST_F(PointMapTest, LeavesOutInputsThatAreNone) {
 }
 
 TEST_F(PointMapTest, CrossesAGapOfLostMotionByTheOdometrysPoses) {
-  const auto mapped = [this](bool is_cut) {
+  const auto mapped = [this](bool is_cut, bool is_restarted = false) {
     configure();
     const auto at = [](int i) { return Stamp(i * std::chrono::milliseconds(100)); };
     Pose2 odometry(3, 4, 1);
     map.set(FilterPose::of(at(0), Pose2()));
     for (int i = 0; i < 30; ++i) {
       Motion motion;
-      motion.sequence = static_cast<std::uint64_t>(i);
+      motion.sequence = static_cast<std::uint64_t>(is_restarted && i > 20 ? i - 21 : i);
       motion.start = at(i);
       motion.end = at(i + 1);
       motion.increment = Pose2::exp({0.1, 0.0, 0.03});
@@ -190,6 +190,10 @@ TEST_F(PointMapTest, CrossesAGapOfLostMotionByTheOdometrysPoses) {
   ASSERT_EQ(complete.size(), 1u);
   ASSERT_EQ(bridged.size(), 1u);
   EXPECT_LT((bridged[0].position - complete[0].position).norm(), 1e-9);
+  const auto restarted = mapped(true, true);
+  EXPECT_EQ(map.counters()["bridged"], 1u);
+  ASSERT_EQ(restarted.size(), 1u);
+  EXPECT_LT((restarted[0].position - complete[0].position).norm(), 1e-9) << "it counts from 0";
 }
 
 TEST_F(PointMapTest, BeginsAnewWhenTimeGoesBack) {

@@ -22,13 +22,17 @@ class BackendBadInput : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     Settings settings;
-    estimator.configure(settings, Registry<Backend>::instance().create(GetParam()));
+    estimator.use(Registry<Backend>::instance().create(GetParam()));
+    estimator.configure(settings);
   }
   void drain() {
     do {
       const auto status = estimator.execute();
       if (!status.isOk()) sentences.push_back(status.message);
     } while (estimator.report());
+  }
+  LandmarkMap landmarks() const {
+    return estimator.capabilities().find<LandmarkMapper>()->landmarks();
   }
   void runSpoilt(const std::function<void(SimulatedStep&)>& spoil) {
     SimulatedWorld world(12);
@@ -45,7 +49,7 @@ class BackendBadInput : public testing::TestWithParam<std::string> {
     ASSERT_TRUE(estimate.pose.isFinite());
     EXPECT_TRUE(isCovariance(estimate.covariance));
     EXPECT_LT((estimate.pose.position() - truth.position()).norm(), 0.3);
-    for (const auto& landmark : estimator.backend().landmarks()) {
+    for (const auto& landmark : landmarks()) {
       EXPECT_TRUE(landmark.position.allFinite());
       EXPECT_TRUE(isCovariance(landmark.covariance));
     }
@@ -114,7 +118,7 @@ TEST_P(BackendBadInput, ObservationsBeforeAnyMotion) {
   early.stamp -= std::chrono::seconds(3);
   estimator.set(early);
   drain();
-  EXPECT_TRUE(estimator.backend().landmarks().empty());
+  EXPECT_TRUE(landmarks().empty());
   runSpoilt([](SimulatedStep&) {});
   EXPECT_EQ(estimator.counters()["before_start"], 1u);
 }
@@ -134,6 +138,107 @@ TEST_P(BackendBadInput, ARangeThatCannotBeReckonedWith) {
 TEST_P(BackendBadInput, ARangeFarOutsideTheWorld) {
   runWithObservation([](LandmarkObservation& z) { z.range = 1e12; });
   EXPECT_GE(estimator.counters()["gated"], 1u);
+}
+
+TEST_P(BackendBadInput, ObservationsWhoseCovarianceIsAbsurdlyLarge) {
+  for (const double variance : {1e12, 1e100, 1.7e308})
+    for (const int axis : {0, 1}) {
+      SetUp();
+      runSpoilt([&](SimulatedStep& step) {
+        for (auto& z : step.observations.observations) {
+          z.covariance = 1e-4 * Eigen::Matrix2d::Identity();
+          z.covariance(axis, axis) = variance;
+        }
+      });
+      EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
+    }
+  EXPECT_TRUE(test::oneSays(sentences, {"observation of landmark", "standard deviation"}));
+}
+
+TEST_P(BackendBadInput, MotionWhoseCovarianceIsAbsurdlyLarge) {
+  for (const double variance : {1e12, 1e100, 1.7e308})
+    for (const int axis : {0, 1, 2}) {
+      SetUp();
+      runSpoilt([&](SimulatedStep& step) { step.motion.covariance(axis, axis) = variance; });
+      EXPECT_EQ(estimator.counters()["invalid_motion"], 3u);
+    }
+  EXPECT_TRUE(test::oneSays(sentences, {"motion", "standard deviation"}));
+}
+
+/// What is just accepted must not be too much for the filter either.
+TEST_P(BackendBadInput, TheLargestCovariancesThatAreAccepted) {
+  runSpoilt([](SimulatedStep& step) {
+    for (auto& z : step.observations.observations)
+      z.covariance = Eigen::Vector2d(1e6, 100.0).asDiagonal();
+  });
+  EXPECT_EQ(estimator.counters()["invalid_observation"], 0u);
+}
+
+TEST_P(BackendBadInput, ALandmarkThatIsFirstSeenAsUnsurelyAsIsAccepted) {
+  SimulatedWorld world(12);
+  for (int i = 0; i < 60; ++i) {
+    auto step = world.next();
+    if (i < 3)
+      for (auto& z : step.observations.observations)
+        z.covariance = Eigen::Vector2d(1e6, 100.0).asDiagonal();
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    drain();
+    ASSERT_TRUE(estimator.backend().pose().pose.isFinite()) << i;
+    ASSERT_TRUE(isCovariance(estimator.backend().pose().covariance)) << i;
+  }
+  for (const auto& landmark : landmarks()) {
+    EXPECT_TRUE(landmark.position.allFinite());
+    EXPECT_TRUE(isCovariance(landmark.covariance));
+  }
+}
+
+TEST_P(BackendBadInput, AnArrayOfVeryManyNewLandmarks) {
+  runSpoilt([](SimulatedStep& step) {
+    for (LandmarkId id = 1000; id < 101000; ++id) {
+      auto z = step.observations.observations.front();
+      z.id = id;
+      step.observations.observations.push_back(z);
+    }
+  });
+  EXPECT_GT(estimator.counters()["observations_beyond_limit"], 3u * 99000u);
+  EXPECT_GT(estimator.counters()["new_landmarks_beyond_limit"], 0u);
+  EXPECT_LE(landmarks().size(), 16 + 3 * ObservationIntake::kMostNewLandmarks);
+  EXPECT_TRUE(test::oneSays(sentences, {"observations", "more than the 500", "left out"}));
+}
+
+TEST_P(BackendBadInput, AnArrayOfManyNewLandmarks) {
+  runSpoilt([](SimulatedStep& step) {
+    for (LandmarkId id = 1000; id < 1300; ++id) {
+      auto z = step.observations.observations.front();
+      z.id = id;
+      step.observations.observations.push_back(z);
+    }
+  });
+  EXPECT_EQ(estimator.counters()["new_landmarks_beyond_limit"], 100u);
+  EXPECT_TRUE(test::oneSays(sentences, {"300 new landmarks", "more than the 200"}));
+}
+
+TEST_P(BackendBadInput, AnInitialPoseAsUnsureAsCanBe) {
+  for (const double variance : {1e12, 1e100, 1.7e308}) {
+    SetUp();
+    runSpoilt([](SimulatedStep&) {});
+    auto place = estimator.backend().pose();
+    place.covariance = variance * Eigen::Matrix3d::Identity();
+    estimator.set(place);
+    EXPECT_TRUE(estimator.backend().pose().pose.isFinite()) << variance;
+    EXPECT_TRUE(isCovariance(estimator.backend().pose().covariance)) << variance;
+    SimulatedWorld world(12);
+    for (int i = 0; i < 70; ++i) {
+      const auto step = world.next();
+      if (i < 60) continue;
+      estimator.set(step.motion);
+      estimator.set(step.observations);
+      drain();
+      EXPECT_TRUE(estimator.backend().pose().pose.isFinite()) << variance;
+      EXPECT_TRUE(isCovariance(estimator.backend().pose().covariance)) << variance;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BackendBadInput,

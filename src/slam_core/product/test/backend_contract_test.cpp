@@ -6,7 +6,8 @@
 namespace slam::test {
 namespace {
 
-/// All that are registered, and those of the EKF's settings that change how it works.
+/// All that are registered, those of the EKF's settings that change how it works, and what the
+/// particle filter does with a grid.
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const auto& name : Registry<Backend>::instance().names()) all.push_back({name, name, {}});
@@ -15,10 +16,11 @@ std::vector<Variant> variants() {
     all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});
   all.push_back({"ekf", "ekf_dense", {"ekf.update=dense"}});
   all.push_back({"ekf", "ekf_neighbourhood_of_one", {"ekf.neighbourhood=1"}});
+  all.push_back({"pf", "pf_grid", {"pf.particles=8", "pf.resampling_threshold=0.5"}, "grid"});
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BackendContract, testing::ValuesIn(variants()), variantName);
+INSTANTIATE_BACKEND_CONTRACTS(All, variants());
 
 }  // namespace
 }  // namespace slam::test

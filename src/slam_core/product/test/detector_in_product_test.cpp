@@ -5,10 +5,12 @@
 
 #include <opencv2/core.hpp>
 
+#include "slam_core/camera/camera_ports.hpp"
 #include "slam_core/camera/image_gate.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 
 namespace slam {
@@ -34,9 +36,13 @@ class LampDetector final : public LandmarkDetector {
     gate_.configure(settings.read<CameraConfig>());
     sequence_ = 0;
   }
-  void set(const CameraCalibration& calibration) override { gate_.set(calibration); }
-  void set(const CameraMount& mount) override { gate_.set(mount); }
-  void set(const Image& image) override { gate_.set(image, counters_); }
+  void describe(Ports& ports) override {
+    describeCamera(ports, "camera", "images", this);
+    ports.makes<LandmarkObservationArray>("observations", array_);
+  }
+  void set(const CameraCalibration& calibration) { gate_.set(calibration); }
+  void set(const CameraMount& mount) { gate_.set(mount); }
+  void set(const Image& image) { gate_.set(image, counters_); }
 
   Status execute() override {
     const auto status = gate_.next(counters_);
@@ -53,8 +59,8 @@ class LampDetector final : public LandmarkDetector {
     return status;
   }
   const std::optional<LandmarkObservationArray>& observations() const override { return array_; }
-  cv::Mat drawing() const override { return {}; }
-  const Counters& counters() const override { return counters_; }
+  Counters counters() const override { return counters_; }
+  std::uint64_t dropped() const override { return counters_["late"]; }
   void reset() override {
     gate_.reset();
     counters_.clear();
@@ -76,7 +82,7 @@ std::vector<std::string> faultsOf(const std::string& product, const std::string&
   return test::faultsOf([&] {
     Settings settings({"product.yaml", YAML::Load(product)}, {"robot.yaml", YAML::Load(robot)},
                       overrides);
-    validateProduct(settings);
+    MetaCoordinator().configure(settings);
   });
 }
 
@@ -103,7 +109,7 @@ TEST(DetectorConfig, AnOverrideThatWouldHaveNoEffectIsRefused) {
 
 TEST(DetectorConfig, ValuesInForceAreThoseOfTheComponentsInUse) {
   Settings settings({}, {"robot.yaml", YAML::Load("{version: 1, lamp: {distance: 3}}")}, {});
-  validateProduct(settings);
+  MetaCoordinator().configure(settings);
   EXPECT_EQ(settings.inForce().find("lamp"), std::string::npos);
 }
 
@@ -129,8 +135,8 @@ struct DetectorRun : testing::Test {
     }
   }
   void giveCalibrationAndMount() {
-    coordinator.set(CameraCalibration{32, 24, "plumb_bob", 16, 16, 16, 12, {}});
-    coordinator.set(CameraMount{"camera", Eigen::Isometry3d::Identity()});
+    coordinator.put("camera", CameraCalibration{32, 24, "plumb_bob", 16, 16, 16, 12, {}});
+    coordinator.put("camera", CameraMount{"camera", Eigen::Isometry3d::Identity()});
   }
   void drain() {
     do {
@@ -151,9 +157,10 @@ TEST_F(DetectorRun, EveryImageIsAStepAndWhatIsSeenIsMapped) {
   drain();
   ASSERT_EQ(reports.size(), 5u);
   EXPECT_EQ(reports.front().stamp, at(50));
-  EXPECT_EQ(reports.front().trigger, StepTrigger::kObservations);
-  ASSERT_EQ(coordinator.estimator().backend().landmarks().size(), 1u);
-  EXPECT_NEAR(coordinator.estimator().backend().landmarks()[0].position.x(), 2.0, 0.1);
+  EXPECT_EQ(reports.front().trigger, "observations");
+  const auto map = coordinator.estimator().capabilities().find<LandmarkMapper>()->landmarks();
+  ASSERT_EQ(map.size(), 1u);
+  EXPECT_NEAR(map[0].position.x(), 2.0, 0.1);
   EXPECT_EQ(sentences, std::vector<std::string>());
 }
 
@@ -190,7 +197,8 @@ TEST_F(DetectorRun, WarningsAndCountsOfTheDetectorComeOutAndLateImagesAreDropped
 
 TEST_F(DetectorRun, ArraysAreShownToWhoWantsToDrawThem) {
   std::vector<Stamp> shown;
-  coordinator.on_detections = [&](const auto& array) { shown.push_back(array.stamp); };
+  coordinator.listen<LandmarkObservationArray>(
+      "observations", [&](const auto& array) { shown.push_back(array.stamp); });
   coordinator.set(lampAt(16, 100));
   giveCalibrationAndMount();
   coordinator.set(lampAt(16, 200));
@@ -201,7 +209,7 @@ TEST(DetectorNone, ImagesHaveNoEffect) {
   Settings settings;
   MetaCoordinator coordinator;
   coordinator.configure(settings);
-  EXPECT_EQ(coordinator.detector(), nullptr);
+  EXPECT_EQ(coordinator.components().detector, nullptr);
   coordinator.set(lampAt(16, 100));
   EXPECT_TRUE(coordinator.execute().isOk());
   EXPECT_TRUE(coordinator.counters().all().empty());

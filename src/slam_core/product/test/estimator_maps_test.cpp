@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/product/estimator.hpp"
 
@@ -18,7 +19,8 @@ class EstimatorMapsTest : public testing::Test {
         {"product.yaml", YAML::Load("{version: 1, backend: pf, map: grid, pf: {particles: 5}, "
                                     "grid_map: {resolution: 0.1, largest_area: 400.0}}")},
         {"robot.yaml", YAML::Load("version: 1")}, {"pf.mode=" + mode});
-    estimator.configure(settings, Registry<Backend>::instance().create("pf"));
+    estimator.use(Registry<Backend>::instance().create("pf"));
+    estimator.configure(settings);
   }
   /// A free square about (x, 0).
   static MapState square(double edge, double x = 0.0) {
@@ -31,6 +33,10 @@ class EstimatorMapsTest : public testing::Test {
     grid.cells.assign(std::size_t{grid.width} * grid.height, 0);
     return map;
   }
+  std::vector<std::int8_t> grid() const {
+    return estimator.capabilities().find<GridMapper>()->grid()->cells;
+  }
+
   Estimator estimator;
 };
 
@@ -41,7 +47,7 @@ TEST_F(EstimatorMapsTest, SaysThatAMapIsTooLarge) {
     EXPECT_EQ(status.level, Status::Level::kWarning) << "what has room is used";
     EXPECT_NE(status.message.find("larger than grid_map.largest_area"), std::string::npos)
         << status.message;
-    EXPECT_GT(estimator.backend().grid()->cells.size(), 0u);
+    EXPECT_GT(grid().size(), 0u);
     EXPECT_EQ(estimator.startWith(square(40.0)).message, status.message);
     estimator.reset();
     EXPECT_EQ(estimator.execute().message, status.message) << "once more it is cut";
@@ -52,16 +58,16 @@ TEST_F(EstimatorMapsTest, SaysThatAMapIsTooLarge) {
 TEST_F(EstimatorMapsTest, AMapThatIsNoneLeavesThatBeforeAsItIs) {
   configure("slam");
   EXPECT_TRUE(estimator.set(square(4.0)).isOk());
-  const auto before = estimator.backend().grid()->cells;
+  const auto before = grid();
   auto map = square(2.0, 1e12);
   map.robot.pose = Pose2(7, 7, 0);
   map.landmarks = {{900, {5, 5}, 0.01 * Eigen::Matrix2d::Identity()}};
   const auto status = estimator.set(map);
   EXPECT_EQ(status.level, Status::Level::kError);
   EXPECT_NE(status.message.find("the grid map cannot be used"), std::string::npos);
-  EXPECT_EQ(estimator.backend().grid()->cells, before);
+  EXPECT_EQ(grid(), before);
   EXPECT_EQ(estimator.backend().pose().pose.x(), 1.0);
-  EXPECT_TRUE(estimator.backend().landmarks().empty());
+  EXPECT_TRUE(estimator.capabilities().find<LandmarkMapper>()->landmarks().empty());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "slam_core/models/test/simulated_world.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_core/product/run_writer.hpp"
+#include "slam_core/product/test/component_driver.hpp"
 
 namespace slam {
 namespace {
@@ -22,21 +23,17 @@ using test::SimulatedWorld;
 class EkfCarriedByScans : public Backend {
  public:
   void configure(Settings& settings) override { ekf_->configure(settings); }
-  void set(const Motion& motion) override { ekf_->set(motion); }
-  void set(const LandmarkObservationArray& observations) override { ekf_->set(observations); }
-  void set(const LaserScan& scan) override { beams_ += scan.beams.size(); }
+  void describe(Ports& ports) override {
+    ekf_->describe(ports);
+    ports.takes<LaserScan>("scan", "laser scans",
+                           [this](const LaserScan& scan) { beams_ += scan.beams.size(); });
+  }
+  void describe(Capabilities& capabilities) override { ekf_->describe(capabilities); }
   void set(const PoseEstimate& initial_pose) override { ekf_->set(initial_pose); }
-  void set(const MapState& map) override { ekf_->set(map); }
-  bool usesScans() const override { return true; }
   Status execute() override { return ekf_->execute(); }
   PoseEstimate pose() const override { return ekf_->pose(); }
-  LandmarkMap landmarks() const override { return ekf_->landmarks(); }
-  MapState state() const override { return ekf_->state(); }
-  UpdateStatistics statistics() const override { return ekf_->statistics(); }
-  const Counters& counters() const override { return ekf_->counters(); }
-  std::map<std::string, double> figures() const override {
-    return {{"beams", static_cast<double>(beams_)}};
-  }
+  Counters counters() const override { return ekf_->counters(); }
+  Figures figures() const override { return {{"beams", static_cast<double>(beams_)}}; }
   void reset() override { ekf_->reset(); }
 
  private:
@@ -49,7 +46,8 @@ class EstimatorScansTest : public testing::Test {
   void SetUp() override { configure(std::make_unique<EkfCarriedByScans>()); }
   void configure(std::unique_ptr<Backend> backend) {
     Settings settings;
-    estimator.configure(settings, std::move(backend));
+    estimator.use(std::move(backend));
+    estimator.configure(settings);
     text.clear();
   }
   void drain() {
@@ -58,7 +56,7 @@ class EstimatorScansTest : public testing::Test {
       if (!status.isOk()) warning = status.message;
       if (!estimator.report()) return;
       const auto& report = *estimator.report();
-      text += report.trigger == StepTrigger::kScan ? "s" : "o";
+      text += report.trigger == "scan" ? "s" : "o";
       trajectory += tumLine(report.stamp, report.pose.pose);
       last = report;
     } while (true);
@@ -70,7 +68,7 @@ class EstimatorScansTest : public testing::Test {
     scan.beams = {{0.1f, 2.0f, true}, {0.2f, 3.0f, false}};
     return scan;
   }
-  double beams() const { return estimator.backend().figures().at("beams"); }
+  double beams() const { return test::figureOf(estimator, "beams"); }
 
   Estimator estimator;
   std::string text;        ///< o and s: steps of observations and scans
@@ -134,7 +132,7 @@ TEST_F(EstimatorScansTest, WithoutLandmarksScansWaitOnceForTheTimeOut) {
 }
 
 TEST_F(EstimatorScansTest, WithoutLandmarksToExpectScansDoNotWait) {
-  estimator.expectNoObservations();
+  estimator.intake().expectNothing("observations");
   for (int run = 0; run < 2; ++run) {
     text.clear();
     SimulatedWorld world(1);
@@ -150,7 +148,7 @@ TEST_F(EstimatorScansTest, WithoutLandmarksToExpectScansDoNotWait) {
 }
 
 TEST_F(EstimatorScansTest, PausedIgnoresScansAndStillMoves) {
-  estimator.expectNoObservations();
+  estimator.intake().expectNothing("observations");
   estimator.pause(true);
   const auto step = SimulatedWorld(1).next();
   estimator.set(step.motion);
@@ -163,7 +161,7 @@ TEST_F(EstimatorScansTest, PausedIgnoresScansAndStillMoves) {
 }
 
 TEST_F(EstimatorScansTest, TakesAScanWithValuesThatAreNoneAsEmpty) {
-  estimator.expectNoObservations();
+  estimator.intake().expectNothing("observations");
   const auto step = SimulatedWorld(1).next();
   estimator.set(step.motion);
   auto scan = scanAt(step.motion.end, 0);
@@ -177,28 +175,29 @@ TEST_F(EstimatorScansTest, TakesAScanWithValuesThatAreNoneAsEmpty) {
 }
 
 TEST_F(EstimatorScansTest, SaysWhatWaitsForMotionThatHasStopped) {
-  estimator.expectNoObservations();
+  estimator.intake().expectNothing("observations");
   SimulatedWorld world(1);
   const auto first = world.next();
   estimator.set(first.motion);
   for (std::uint64_t i = 0; i < 40; ++i) {
-    EXPECT_EQ(estimator.starving(), "") << i;
+    EXPECT_EQ(estimator.intake().starving(), "") << i;
     estimator.set(
         scanAt(first.motion.end + std::chrono::milliseconds(100) * static_cast<int>(i), i));
     drain();
     if (i == 31) break;
   }
   EXPECT_EQ(text, "s");
-  EXPECT_EQ(estimator.starving().find("scans since "), 0u) << estimator.starving();
-  EXPECT_NE(estimator.starving().find(" wait for motion"), std::string::npos);
-  EXPECT_EQ(estimator.heldScans(), 31u);
+  EXPECT_EQ(estimator.intake().starving().find("laser scans since "), 0u)
+      << estimator.intake().starving();
+  EXPECT_NE(estimator.intake().starving().find(" wait for motion"), std::string::npos);
+  EXPECT_EQ(estimator.intake().held()["laser scans"], 31u);
   auto array = first.observations;
   array.stamp = first.motion.end + std::chrono::seconds(4);
   estimator.set(array);
-  EXPECT_EQ(estimator.starving().find("observations and scans since "), 0u);
-  EXPECT_EQ(estimator.heldObservations(), 1u);
+  EXPECT_EQ(estimator.intake().starving().find("landmarks and laser scans since "), 0u);
+  EXPECT_EQ(estimator.intake().held()["landmarks"], 1u);
   estimator.reset();
-  EXPECT_EQ(estimator.starving(), "");
+  EXPECT_EQ(estimator.intake().starving(), "");
 }
 
 TEST_F(EstimatorScansTest, ABackEndThatUsesNoScansIsNotHeldBackByThem) {

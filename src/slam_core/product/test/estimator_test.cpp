@@ -34,7 +34,8 @@ class EstimatorTest : public testing::Test {
   void SetUp() override { configure(estimator); }
   static void configure(Estimator& any) {
     Settings settings;
-    any.configure(settings, Registry<Backend>::instance().create("ekf"));
+    any.use(Registry<Backend>::instance().create("ekf"));
+    any.configure(settings);
   }
   void drain() {
     do {
@@ -46,6 +47,9 @@ class EstimatorTest : public testing::Test {
     estimator.set(step.motion);
     estimator.set(step.observations);
     drain();
+  }
+  LandmarkMap landmarks() const {
+    return estimator.capabilities().find<LandmarkMapper>()->landmarks();
   }
   std::string trajectory() const {
     std::string lines;
@@ -92,6 +96,88 @@ TEST_F(EstimatorTest, FindsItselfAgainWhereMessagesWereLostOnTheWay) {
   EXPECT_LT(test::nees(steps.back().truth, last.pose, last.covariance), 16.0);
 }
 
+/// Whether the run ends where the robot is, and knows how surely.
+void expectAtHome(const std::vector<SimulatedStep>& steps, const StepReport& report) {
+  EXPECT_LT((report.pose.pose.position() - steps.back().truth.position()).norm(), 0.1);
+  EXPECT_LT(test::nees(steps.back().truth, report.pose.pose, report.pose.covariance), 16.0);
+}
+
+TEST_F(EstimatorTest, LosesOnlyObservationsThatWereStampedAhead) {
+  auto steps = simulate(1, 400);
+  for (std::size_t i : {100, 101}) steps[i].observations.stamp += std::chrono::seconds(100);
+  for (const auto& step : steps) take(step);
+  EXPECT_EQ(reports.size(), 398u);
+  EXPECT_EQ(estimator.dropped(), 2u);
+  expectAtHome(steps, reports.back());
+}
+
+TEST_F(EstimatorTest, LosesOnlyMotionThatWasStampedAhead) {
+  auto steps = simulate(1, 400);
+  steps[100].motion.end += std::chrono::seconds(100);
+  for (std::size_t i : {101, 102}) {
+    steps[i].motion.start += std::chrono::seconds(100);
+    steps[i].motion.end += std::chrono::seconds(100);
+  }
+  for (const auto& step : steps) take(step);
+  EXPECT_EQ(reports.size(), 400u);
+  EXPECT_EQ(estimator.counters()["bridged"], 1u);
+  EXPECT_EQ(estimator.dropped(), 3u);
+  expectAtHome(steps, reports.back());
+  for (const auto& report : reports)
+    EXPECT_LT(report.pose.covariance(0, 0) + report.pose.covariance(1, 1), 0.05);
+}
+
+TEST_F(EstimatorTest, CountsWhatIsSetAsideForARestartThatNeverComes) {
+  const auto steps = simulate(1, 200);
+  for (std::size_t i = 0; i < 100; ++i) take(steps[i]);
+  for (std::size_t i = 0; i < 20; ++i) estimator.set(steps[i].observations);
+  drain();
+  EXPECT_EQ(estimator.counters()["set_aside"], 20u);
+  EXPECT_EQ(estimator.dropped(), 20u);
+}
+
+TEST_F(EstimatorTest, FindsItselfAgainWhereTheFrontEndWasRestarted) {
+  auto steps = simulate(1, 400);
+  for (std::size_t i = 260; i < steps.size(); ++i) {
+    steps[i].motion.sequence = i - 260;
+    steps[i].observations.sequence = i - 260;
+  }
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (i < 200 || i >= 260) take(steps[i]);
+  EXPECT_EQ(estimator.counters()["bridged"], 1u);
+  EXPECT_EQ(estimator.counters()["lost"], 0u);
+  expectAtHome(steps, reports.back());
+}
+
+TEST_F(EstimatorTest, OneMotionThatNoRobotDrivesIsMadeUpForByThePoses) {
+  for (const double far : {1e6, 1e300}) {
+    auto steps = simulate(1, 200);
+    steps[100].motion.increment = Pose2(far, far, 1);
+    steps[150].motion.covariance = far * Eigen::Matrix3d::Identity();
+    SetUp();
+    reports.clear();
+    for (const auto& step : steps) take(step);
+    EXPECT_EQ(estimator.counters()["invalid_motion"], 2u);
+    EXPECT_EQ(reports.size(), steps.size());
+    expectAtHome(steps, reports.back());
+  }
+}
+
+TEST_F(EstimatorTest, TellsThatMissingMotionIsGuessedWhereThePosesAreOfNoUse) {
+  auto steps = simulate(1, 200);
+  for (std::size_t i = 100; i < steps.size(); ++i) {
+    auto& motion = steps[i].motion;
+    motion.odometry_start = Pose2(1e5, 0, 0) * motion.odometry_start;
+    motion.odometry_end = Pose2(1e5, 0, 0) * motion.odometry_end;
+  }
+  for (std::size_t i = 0; i < 90; ++i) take(steps[i]);
+  estimator.set(steps[100].motion);
+  EXPECT_NE(estimator.execute().message.find("gone on at its last velocity"), std::string::npos);
+  for (std::size_t i = 101; i < steps.size(); ++i) take(steps[i]);
+  EXPECT_EQ(estimator.counters()["coasted"], 1u);
+  expectAtHome(steps, reports.back());
+}
+
 TEST_F(EstimatorTest, DoesNotMindTheOrderWithinAnArray) {
   const auto steps = simulate(1, 60);
   for (const auto& step : steps) take(step);
@@ -116,7 +202,7 @@ TEST_F(EstimatorTest, ReportsTheOdometryPoseOfTheVeryStamp) {
     EXPECT_LT((report.odometry_pose.vector() - expected.vector()).norm(), 1e-9);
     EXPECT_EQ(report.odometry_frame, "odom");
     EXPECT_EQ(report.base_frame, "base_link");
-    EXPECT_EQ(report.trigger, StepTrigger::kObservations);
+    EXPECT_EQ(report.trigger, "observations");
   }
 }
 
@@ -157,12 +243,12 @@ TEST_F(EstimatorTest, AppliesMotionAndNoObservationsWhilePaused) {
   const auto steps = simulate(1, 30);
   for (int i = 0; i < 10; ++i) take(steps[std::size_t(i)]);
   estimator.pause(true);
-  const auto map = estimator.backend().landmarks();
+  const auto map = landmarks();
   const auto before = estimator.backend().pose();
   for (int i = 10; i < 20; ++i) take(steps[std::size_t(i)]);
   EXPECT_EQ(estimator.counters()["paused"], 10u);
-  EXPECT_EQ(estimator.backend().landmarks().size(), map.size());
-  EXPECT_EQ(estimator.backend().landmarks()[0].position, map[0].position);
+  EXPECT_EQ(landmarks().size(), map.size());
+  EXPECT_EQ(landmarks()[0].position, map[0].position);
   EXPECT_GT((estimator.backend().pose().pose.position() - before.pose.position()).norm(), 1.5);
   EXPECT_GT(estimator.backend().pose().covariance.trace(), before.covariance.trace());
   estimator.pause(false);
@@ -189,7 +275,7 @@ TEST_F(EstimatorTest, IsFreshAfterReset) {
   const auto first = trajectory();
   estimator.reset();
   EXPECT_FALSE(estimator.report().has_value());
-  EXPECT_FALSE(estimator.lastMotion().has_value());
+  EXPECT_FALSE(estimator.intake().lastMotion().has_value());
   EXPECT_TRUE(estimator.counters().all().empty());
   reports.clear();
   for (const auto& step : steps) take(step);
@@ -201,11 +287,11 @@ TEST_F(EstimatorTest, TakesAStartMapAgainWheneverItBeginsAnew) {
   map.robot = {Pose2(1, 2, 0.5), 0.01 * Eigen::Matrix3d::Identity()};
   map.landmarks = {{900, {5, 5}, 0.01 * Eigen::Matrix2d::Identity()}};
   estimator.startWith(map);
-  EXPECT_EQ(estimator.backend().landmarks().size(), 1u);
+  EXPECT_EQ(landmarks().size(), 1u);
   for (const auto& step : simulate(1, 80)) take(step);
-  EXPECT_GT(estimator.backend().landmarks().size(), 1u);
+  EXPECT_GT(landmarks().size(), 1u);
   estimator.reset();
-  ASSERT_EQ(estimator.backend().landmarks().size(), 1u);
+  ASSERT_EQ(landmarks().size(), 1u);
   EXPECT_EQ(estimator.backend().pose().pose.vector(), Eigen::Vector3d(1, 2, 0.5));
 }
 
@@ -218,10 +304,10 @@ TEST_F(EstimatorTest, GivesTheSensorsNoiseToObservationsWithoutOne) {
             .asDiagonal();
   for (auto& z : without.observations.observations) z.covariance << -1, 0, 0, 0;
   take(with);
-  const auto expected = estimator.backend().landmarks();
+  const auto expected = landmarks();
   configure(estimator);
   take(without);
-  const auto map = estimator.backend().landmarks();
+  const auto map = landmarks();
   ASSERT_EQ(map.size(), expected.size());
   EXPECT_TRUE(map[0].covariance.isApprox(expected[0].covariance, 1e-12));
 }
@@ -263,7 +349,7 @@ TEST_F(JudgedEstimatorTest, APoseThatIsSetEndsWhatTheOdometryErredBefore) {
 
 TEST_F(JudgedEstimatorTest, AMapThatIsLoadedIsJudgedAnew) {
   EXPECT_GT(estimator.consistency().updates(), 10);
-  EXPECT_TRUE(estimator.set(estimator.backend().state()).isOk());
+  EXPECT_TRUE(estimator.set(estimator.capabilities().find<MapKeeper>()->state()).isOk());
   EXPECT_EQ(estimator.consistency().updates(), 0) << "they were of another map";
   judge(steps[60]);
   EXPECT_EQ(estimator.consistency().updates(), 1);
@@ -286,6 +372,76 @@ TEST_F(EstimatorTest, WarnsOnceOfASigmaThatIsThreeTimesTooSmall) {
   EXPECT_EQ(estimator.consistency().finding().find("bearing sigma looks"), 0u);
   estimator.reset();
   EXPECT_EQ(estimator.consistency().finding(), "");
+}
+
+/// It breaks with the sixth array of observations, for good.
+class BrokenBackend final : public Backend {
+ public:
+  void describe(Ports& ports) override {
+    ports.takes<Motion>("motion", "motion", this).carrier();
+    ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+  }
+  void configure(Settings&) override {}
+  void set(const Motion& motion) { motion_ = motion; }
+  void set(const LandmarkObservationArray& array) { is_broken_ |= array.sequence == 5; }
+  void set(const PoseEstimate&) override {}
+  Status execute() override { return Status::ok(); }
+  PoseEstimate pose() const override {
+    const double x = is_broken_ ? std::nan("") : motion_.increment.x();
+    return {Pose2(x, 0, 0), Eigen::Matrix3d::Identity()};
+  }
+  Counters counters() const override { return {}; }
+  void reset() override { is_broken_ = false; }
+
+ private:
+  Motion motion_;
+  bool is_broken_ = false;
+};
+
+TEST(EstimatorOfABrokenBackend, ReportsNoPoseThatIsNotFiniteAndSaysSo) {
+  Estimator estimator;
+  Settings settings;
+  estimator.use(std::make_unique<BrokenBackend>());
+  estimator.configure(settings);
+  int steps = 0, errors = 0;
+  const auto run = [&](std::uint64_t seed) {
+    for (const auto& step : simulate(seed, 10)) {
+      estimator.set(step.motion);
+      estimator.set(step.observations);
+      const auto status = estimator.execute();
+      steps += estimator.report().has_value();
+      errors += status.level == Status::Level::kError;
+      if (status.isOk()) continue;
+      EXPECT_NE(status.message.find("not a finite number"), std::string::npos);
+    }
+  };
+  run(1);
+  EXPECT_EQ(steps, 5);
+  EXPECT_EQ(errors, 5);
+  EXPECT_EQ(estimator.counters()["not_finite_pose"], 5u);
+  estimator.reset();
+  steps = 0;
+  run(1);
+  EXPECT_EQ(steps, 5);
+}
+
+TEST_F(EstimatorTest, ThatThePoseMayBeLostIsSaidByTheMonitorOnceAndHidesNothingGraver) {
+  std::vector<Status> alarms;
+  auto steps = simulate(9, 160);
+  steps[80].motion.increment = steps[80].motion.increment * Pose2(2.0, 1.0, 0.7);
+  for (const auto& step : steps) {
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    do {
+      const auto status = estimator.execute();
+      if (status.message.find("failed the gate") != std::string::npos) alarms.push_back(status);
+    } while (estimator.report());
+  }
+  ASSERT_EQ(alarms.size(), 1u);
+  EXPECT_TRUE(alarms.front().isUrgent());
+  EXPECT_EQ(estimator.consistency().fault(), ConsistencyMonitor::Fault::kLost);
+  EXPECT_TRUE(moreUrgent(alarms.front(), Status::warning("of something else")).isUrgent());
+  EXPECT_EQ(moreUrgent(alarms.front(), Status::error("of all")).message, "of all");
 }
 
 }  // namespace

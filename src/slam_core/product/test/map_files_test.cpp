@@ -4,6 +4,7 @@
 #include "slam_core/product/map_files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -126,6 +127,21 @@ TEST_F(MapFilesTest, AnEarlierGridIsNotGivenOtherLandmarks) {
   EXPECT_EQ(loadMap(folder / "room.yaml", "map", true).map.landmarks.size(), 1u);
 }
 
+TEST_F(MapFilesTest, AGridIsNotSavedToTheNameOfItsImage) {
+  saveMap(folder / "room.yaml", mapOf(true));
+  const auto image = test::contentOf(folder / "room.pgm");
+  for (const bool is_known : {true, false}) {
+    auto file = mapOf(true);
+    if (!is_known) file.map.grid->cells.clear();
+    EXPECT_TRUE(oneSays({sentenceOf([&] { saveMap(folder / "room.pgm", file); })},
+                        {"room.pgm", "the grid's image", "ends with .yaml"}));
+    EXPECT_TRUE(oneSays({sentenceOf([&] { saveMap(folder / "new.pgm", file); })}, {"new.pgm"}));
+  }
+  EXPECT_EQ(test::contentOf(folder / "room.pgm"), image);
+  EXPECT_EQ(folder.files(), 3u) << "nothing new";
+  EXPECT_EQ(sentenceOf([&] { saveMap(folder / "room.pgm", mapOf(false)); }), "");
+}
+
 TEST_F(MapFilesTest, SaysWhatCannotBeLoaded) {
   saveMap(folder / "map.yaml", mapOf(true));
   const auto sentence = [&](const std::string& path, bool has_grid) {
@@ -137,6 +153,34 @@ TEST_F(MapFilesTest, SaysWhatCannotBeLoaded) {
   EXPECT_TRUE(oneSays({sentence(folder / "nowhere.yaml", true)}, {"nowhere.yaml", "exist"}));
   std::filesystem::remove(folder / "map.pgm");
   EXPECT_TRUE(oneSays({sentence(folder / "map.yaml", true)}, {"map.pgm"}));
+}
+
+/// Reading a pipe would wait for somebody to write to it.
+TEST_F(MapFilesTest, OfPipesAndDevicesAreRefusedAtOnce) {
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto sentence = [&](const std::string& path, bool has_grid) {
+    return sentenceOf([&] { loadMap(path, "map", has_grid); });
+  };
+  for (const bool has_grid : {false, true}) {
+    EXPECT_TRUE(oneSays({sentence(pipe, has_grid)}, {pipe.c_str(), "is a named pipe"}));
+    EXPECT_TRUE(oneSays({sentence("/dev/zero", has_grid)}, {"/dev/zero", "is a device"}));
+    EXPECT_TRUE(oneSays({sentence("", has_grid)}, {"its name is empty"}));
+  }
+  saveMap(folder / "map.yaml", mapOf(true));
+  std::filesystem::rename(pipe, folder / "map.pgm");
+  EXPECT_TRUE(oneSays({sentence(folder / "map.yaml", true)}, {"map.pgm", "is a named pipe"}));
+  std::filesystem::rename(folder / "map.pgm", folder / "landmarks.yaml");
+  EXPECT_TRUE(oneSays({sentence(folder / "", true)}, {"landmarks.yaml", "is a named pipe"}));
+}
+
+TEST_F(MapFilesTest, WithAliasesOutOfAllBoundsAreRefused) {
+  const auto sentence = [&](const std::string& content) {
+    const auto path = folder.write("room.yaml", content);
+    return sentenceOf([&] { loadMap(path, "map", true); });
+  };
+  EXPECT_TRUE(oneSays({sentence("&a {version: *a}\n")}, {"room.yaml", "within what it refers to"}));
+  EXPECT_TRUE(oneSays({sentence("image: &a [*a]\n")}, {"room.yaml", "within what it refers to"}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "slam_core/common/test/faults.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 
 namespace slam {
@@ -132,6 +133,68 @@ TEST_F(MetaCoordinatorRun, LeadsRawOdometryAndObservationsToAMap) {
   EXPECT_EQ(coordinator.dropped(), 0u);
   const auto pose = coordinator.estimator().backend().pose().pose;
   EXPECT_LT((pose.position() - truth.position()).norm(), 0.3);
+}
+
+/// A drive of 300 steps whose odometry samples go through a change. @return where it ends
+template <class Change>
+Pose2 driveWith(MetaCoordinator& coordinator, int& steps, std::vector<std::string>& sentences,
+                const Change& change) {
+  test::SimulatedWorld world(4);
+  Pose2 truth;
+  for (int i = 0; i < 300; ++i) {
+    const auto step = world.next();
+    truth = step.truth;
+    const Pose2 begin(20, -10, 1);  // of the odometry
+    if (i == 0) coordinator.set(sampleAt(step.motion.start, begin * step.motion.odometry_start));
+    auto sample = sampleAt(step.motion.end, begin * step.motion.odometry_end);
+    change(i, sample);
+    coordinator.set(sample);
+    coordinator.set(step.observations);
+    do {
+      const auto status = coordinator.execute();
+      if (!status.isOk()) sentences.push_back(status.message);
+      if (coordinator.estimator().report()) ++steps;
+    } while (coordinator.estimator().report());
+  }
+  return truth;
+}
+
+TEST_F(MetaCoordinatorRun, LosesNothingOfARunToThreeOdometryMessagesStampedAhead) {
+  const auto truth = driveWith(coordinator, steps, sentences, [](int i, auto& sample) {
+    if (i >= 100 && i < 103) sample.stamp += std::chrono::seconds(100);
+  });
+  EXPECT_GE(steps, 298);
+  EXPECT_GT(coordinator.dropped(), 0u);
+  const auto pose = coordinator.estimator().backend().pose().pose;
+  EXPECT_LT((pose.position() - truth.position()).norm(), 0.3);
+}
+
+TEST_F(MetaCoordinatorRun, GoesOnWhereTheDriverOfTheOdometryWasRestarted) {
+  Pose2 restart;
+  const auto truth = driveWith(coordinator, steps, sentences, [&](int i, auto& sample) {
+    if (i == 100) restart = *sample.pose;
+    if (i >= 100) sample.pose = restart.between(*sample.pose);
+  });
+  EXPECT_GE(steps, 298);
+  EXPECT_EQ(coordinator.counters()["odometry_pose_jump"], 1u);
+  EXPECT_EQ(sentences.size(), 2u) << join(sentences, "\n");
+  const auto estimate = coordinator.estimator().backend().pose();
+  EXPECT_LT((estimate.pose.position() - truth.position()).norm(), 0.3);
+  EXPECT_LT(test::nees(truth, estimate.pose, estimate.covariance), 16.0);
+}
+
+TEST_F(MetaCoordinatorRun, IsNotMovedByOneOdometryMessageThatIsOff) {
+  for (const double off : {1e6, 1e300}) {
+    SetUp();
+    steps = 0;
+    const auto truth = driveWith(coordinator, steps, sentences, [&](int i, auto& sample) {
+      if (i == 100) sample.pose = Pose2(off, 0, 0);
+    });
+    EXPECT_GE(steps, 298);
+    EXPECT_EQ(coordinator.dropped(), 1u);
+    const auto pose = coordinator.estimator().backend().pose().pose;
+    EXPECT_LT((pose.position() - truth.position()).norm(), 0.3) << off;
+  }
 }
 
 TEST(MetaCoordinatorFrames, AreThoseOfTheRobotFileWhereTheDataNameNone) {

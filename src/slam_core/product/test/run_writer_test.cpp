@@ -7,11 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <map>
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/common/test/temporary_folder.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/estimator.hpp"
 #include "slam_core/product/landmark_file.hpp"
 
 namespace slam {
@@ -35,7 +38,8 @@ class RunWriterTest : public testing::Test {
   std::string run(const std::string& name, int steps, int times = 1) {
     Estimator estimator;
     Settings settings;
-    estimator.configure(settings, Registry<Backend>::instance().create("ekf"));
+    estimator.use(Registry<Backend>::instance().create("ekf"));
+    estimator.configure(settings);
     RunWriter writer(folder / name);
     for (int time = 0; time < times; ++time) {
       test::SimulatedWorld world(3);
@@ -50,7 +54,7 @@ class RunWriterTest : public testing::Test {
       }
     }
     EXPECT_EQ(writer.lines(), std::size_t(steps));
-    writer.finish(estimator.backend(), "map", settings.inForce());
+    writer.finish(estimator.capabilities(), "map", settings.inForce());
     return writer.folder();
   }
 
@@ -98,14 +102,14 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
   statistics.added = 5;
   statistics.unknown = 6;
   statistics.landmarks = 9;
-  report.trigger = StepTrigger::kObservations;
+  report.trigger = "observations";
   writer.write(report);
-  report.trigger = StepTrigger::kNone;  // a carry of motion
+  report.trigger = "";  // a carry of motion
   writer.write(report);
   Settings settings;
   const auto backend = Registry<Backend>::instance().create("ekf");
   backend->configure(settings);
-  writer.finish(*backend, "map", "");
+  writer.finish(capabilitiesOf(*backend), "map", "");
   EXPECT_EQ(contentOf(folder / "run/updates.csv"),
             "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
             "landmarks\n1.500000000,1,0.2,0.3,4,0.5,6,7.5,4,2,3,5,6,9\n");
@@ -114,22 +118,22 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
 TEST_F(RunWriterTest, WritesOneLineForObservationsAndAScanOfTheSameStamp) {
   RunWriter writer(folder / "run");
   StepReport report;
-  const auto write = [&](int second, StepTrigger trigger, double x) {
+  const auto write = [&](int second, const std::string& trigger, double x) {
     report.stamp = stampFromNanoseconds(1000000000LL * second);
     report.trigger = trigger;
     report.pose.pose = {x, 0, 0};
-    report.statistics.nis_dof = trigger == StepTrigger::kObservations ? 2 : 0;
+    report.statistics.nis_dof = trigger == "observations" ? 2 : 0;
     writer.write(report);
   };
-  write(1, StepTrigger::kObservations, 1.0);
-  write(1, StepTrigger::kScan, 1.5);
-  write(2, StepTrigger::kScan, 2.0);
-  write(3, StepTrigger::kNone, 3.0);
+  write(1, "observations", 1.0);
+  write(1, "scan", 1.5);
+  write(2, "scan", 2.0);
+  write(3, "", 3.0);
   EXPECT_EQ(writer.lines(), 2u);
   Settings settings;
   const auto backend = Registry<Backend>::instance().create("ekf");
   backend->configure(settings);
-  writer.finish(*backend, "map", "");
+  writer.finish(capabilitiesOf(*backend), "map", "");
   EXPECT_EQ(contentOf(folder / "run/trajectory.tum"),
             tumLine(stampFromNanoseconds(1000000000), {1.5, 0, 0}) +
                 tumLine(stampFromNanoseconds(2000000000), {2, 0, 0}));
@@ -146,7 +150,7 @@ TEST_F(RunWriterTest, BeginsAnewWithARestart) {
 
 TEST_F(RunWriterTest, NothingOfALongRunIsLeftAfterARestart) {
   StepReport report;
-  report.trigger = StepTrigger::kObservations;
+  report.trigger = "observations";
   RunWriter writer(folder / "run");
   for (int i = 0; i < 1000; ++i) {
     report.stamp = stampFromNanoseconds(1000000000LL * (i + 100));
@@ -157,14 +161,48 @@ TEST_F(RunWriterTest, NothingOfALongRunIsLeftAfterARestart) {
   writer.write(report);
   Estimator estimator;
   Settings settings;
-  estimator.configure(settings, Registry<Backend>::instance().create("ekf"));
-  writer.finish(estimator.backend(), "map", "");
+  estimator.use(Registry<Backend>::instance().create("ekf"));
+  estimator.configure(settings);
+  writer.finish(estimator.capabilities(), "map", "");
   for (const auto* name : {"trajectory.tum", "odometry.tum", "trajectory_final.tum"})
     EXPECT_EQ(contentOf(folder / (std::string("run/") + name)), tumLine(report.stamp, Pose2()));
   EXPECT_EQ(linesOf(folder / "run/updates.csv"), 2u) << "its header and a line";
 }
 
-TEST_F(RunWriterTest, ReplacesAnEarlierRunAtOnce) {
+TEST_F(RunWriterTest, KeepsWhatWasWrittenBeforeARestart) {
+  const auto once = run("once", 70), thrice = run("thrice", 70, 3);
+  for (const std::string name : {"trajectory", "odometry", "updates"})
+    for (const std::string number : {"1", "2"}) {
+      const auto ending = name == "updates" ? ".csv" : ".tum";
+      EXPECT_EQ(contentOf(thrice + "/" + name + ".before_restart_" + number + ending),
+                contentOf(once + "/" + name + ending));
+    }
+  EXPECT_FALSE(std::filesystem::exists(thrice + "/trajectory.before_restart_3.tum"));
+  run("thrice", 70);
+  EXPECT_FALSE(std::filesystem::exists(thrice + "/trajectory.before_restart_1.tum"))
+      << "it is of an earlier run";
+}
+
+TEST_F(RunWriterTest, KeepsTheLastHundredRestarts) {
+  RunWriter writer(folder / "run");
+  StepReport report;
+  report.trigger = "observations";
+  for (int i = 0; i < 120; ++i) {
+    writer.write(report);
+    writer.restart();
+    writer.restart();  // with nothing to keep
+  }
+  const auto kept = [&](int number) {
+    return std::filesystem::exists(writer.unfinished() + "/trajectory.before_restart_" +
+                                   std::to_string(number) + ".tum");
+  };
+  EXPECT_FALSE(kept(20));
+  EXPECT_TRUE(kept(21));
+  EXPECT_TRUE(kept(120));
+  EXPECT_FALSE(kept(121));
+}
+
+TEST_F(RunWriterTest, ReplacesAnEarlierRunOnceItIsComplete) {
   run("run", 5);
   const auto results = {"metrics.json",
                         "map.png",
@@ -180,12 +218,55 @@ TEST_F(RunWriterTest, ReplacesAnEarlierRunAtOnce) {
                         "report.html"};
   for (const auto* name : results) folder.write(std::string("run/") + name, "{}");
   const auto own = folder.write("run/notes.txt", "of the user");
-  const RunWriter writer(folder / "run");
-  EXPECT_FALSE(std::filesystem::exists(folder / "run/landmarks.yaml"));
+  {
+    const RunWriter writer(folder / "run");
+    for (const auto* name : results)
+      EXPECT_EQ(contentOf(folder / (std::string("run/") + name)), "{}") << name;
+  }
+  EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 5u);
+  EXPECT_TRUE(std::filesystem::exists(folder / "run/landmarks.yaml"));
+  run("run", 7);
   for (const auto* name : results)
     EXPECT_FALSE(std::filesystem::exists(folder / (std::string("run/") + name))) << name;
   EXPECT_TRUE(std::filesystem::exists(own));
-  EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 0u);
+  EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 7u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/unfinished_run"));
+}
+
+TEST_F(RunWriterTest, WithoutItsEndLeavesTheFilesOfAnEarlierRunAsTheyWere) {
+  run("run", 5);
+  const auto content = [&](const char* name) {
+    return contentOf(folder / (std::string("run/") + name));
+  };
+  std::map<std::string, std::string> before;
+  for (const auto& name : kFiles) before[name] = content(name.c_str());
+  {
+    StepReport report;
+    report.trigger = "observations";
+    RunWriter writer(folder / "run");
+    for (int i = 0; i < 100; ++i) {
+      report.stamp = stampFromNanoseconds(1000000000LL * (i + 100));
+      writer.write(report);
+    }
+    std::ofstream(writer.unfinished() + "/points.pcd") << "of a run that did not end well";
+  }
+  for (const auto& name : kFiles) EXPECT_EQ(content(name.c_str()), before[name]) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/points.pcd"));
+  EXPECT_GT(linesOf(folder / "run/unfinished_run/trajectory.tum"), 50u) << "it may be of use";
+  run("run", 3);
+  EXPECT_EQ(linesOf(folder / "run/trajectory.tum"), 3u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "run/unfinished_run"));
+}
+
+TEST_F(RunWriterTest, RefusesAFolderThatAnotherRunIsWritingInto) {
+  {
+    const RunWriter first(folder / "run");
+    EXPECT_TRUE(oneSays({sentenceOf([&] { RunWriter second(folder / "run"); })},
+                        {(folder / "run").c_str(), "another run is writing"}));
+    EXPECT_TRUE(std::filesystem::exists(first.unfinished() + "/trajectory.tum"));
+    const RunWriter elsewhere(folder / "run2");
+  }
+  const RunWriter after(folder / "run");
 }
 
 TEST_F(RunWriterTest, SaysWhyItCannotWrite) {
@@ -200,11 +281,14 @@ TEST_F(RunWriterTest, SaysWhyItCannotWrite) {
 
 TEST_F(RunWriterTest, SaysThatTheDiskIsFull) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
-  std::filesystem::create_directory(folder / "run");
-  std::filesystem::create_symlink("/dev/full", folder / "run/trajectory.tum");
   RunWriter writer(folder / "run");
+  std::filesystem::remove(writer.unfinished() + "/trajectory.tum");
+  std::filesystem::create_symlink("/dev/full", writer.unfinished() + "/trajectory.tum");
   StepReport report;
-  report.trigger = StepTrigger::kObservations;
+  report.restarted = true;  // its files are opened anew
+  report.trigger = "observations";
+  writer.write(report);
+  report.restarted = false;
   EXPECT_TRUE(oneSays({sentenceOf([&] {
                         for (int i = 0; i < 1000; ++i) {
                           report.stamp += std::chrono::seconds(1);

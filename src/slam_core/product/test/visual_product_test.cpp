@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "slam_core/camera/image.hpp"
 #include "slam_core/common/test/faults.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
@@ -16,7 +18,7 @@ namespace ceilings = visual_odometry::test;
 std::vector<std::string> faultsOf(const std::vector<std::string>& overrides) {
   return test::faultsOf([&] {
     Settings settings({}, {}, overrides);
-    validateProduct(settings);
+    MetaCoordinator().configure(settings);
   });
 }
 
@@ -46,11 +48,11 @@ TEST(VisualProduct, MovesByTheCeilingAndTakesNoWheels) {
   Settings settings({}, {}, {"odometry=visual", "visual_odometry.ceiling_height=1.7"});
   MetaCoordinator product;
   product.configure(settings);
-  product.setForOdometry(ceilings::smallCamera());
+  product.put("ceiling_camera", ceilings::smallCamera());
   const auto mount = ceilings::mountUp();
-  product.setForOdometry(mount);
+  product.put("ceiling_camera", mount);
   std::vector<Motion> motions;
-  product.on_motion = [&](const Motion& motion) { motions.push_back(motion); };
+  product.listen<Motion>("motion", [&](const Motion& motion) { motions.push_back(motion); });
 
   const ceilings::Ceiling ceiling;
   Stamp stamp(std::chrono::seconds(1));
@@ -60,7 +62,8 @@ TEST(VisualProduct, MovesByTheCeilingAndTakesNoWheels) {
     wheels.pose = Pose2();
     product.set(wheels);
     const auto light = ceiling.seenBy(mount, Pose2(0.05 * i, 0.0, 0.0));
-    product.setForOdometry(Image{stamp, mount.camera_frame, ceilings::exposed(light, {}, 1), ""});
+    product.put("ceiling_camera",
+                Image{stamp, mount.camera_frame, ceilings::exposed(light, {}, 1), ""});
   }
   ASSERT_EQ(motions.size(), 4u);
   EXPECT_EQ(motions[0].odometry_frame, "odom");
@@ -79,11 +82,11 @@ TEST(VisualProduct, WheelsLookAtNoCeiling) {
   Settings settings;
   MetaCoordinator product;
   product.configure(settings);
-  product.on_motion = [](const Motion&) { FAIL() << "nothing comes of images"; };
-  product.setForOdometry(ceilings::smallCamera());
+  product.listen<Motion>("motion", [](const Motion&) { FAIL() << "nothing comes of images"; });
+  product.put("ceiling_camera", ceilings::smallCamera());
   for (int i = 1; i < 4; ++i)
-    product.setForOdometry(
-        Image{Stamp(std::chrono::seconds(i)), "c", cv::Mat(240, 320, CV_8UC1), ""});
+    product.put("ceiling_camera",
+                Image{Stamp(std::chrono::seconds(i)), "c", cv::Mat(240, 320, CV_8UC1), ""});
 }
 
 }  // namespace

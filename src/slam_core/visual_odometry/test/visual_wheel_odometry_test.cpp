@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/product/product_config.hpp"
+#include "slam_core/product/test/component_driver.hpp"
 #include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
 namespace slam::visual_odometry {
@@ -51,8 +54,9 @@ class VisualWheelTest : public testing::Test {
     source_ = Registry<OdometrySource>::instance().create("visual_wheel");
     Settings settings({}, {}, {"visual_odometry.ceiling_height=1.7"});
     source_->configure(settings);
-    source_->set(test::smallCamera());
-    source_->set(test::mountUp());
+    inputs_.emplace(*source_);
+    inputs_->set(test::smallCamera());
+    inputs_->set(test::mountUp());
   }
 
   void execute() {
@@ -66,18 +70,19 @@ class VisualWheelTest : public testing::Test {
     OdometrySample sample;
     sample.stamp = at(t);
     sample.pose = Pose2(1.05 * 0.5 * t, 0.0, 0.0);
-    source_->set(sample);
+    inputs_->set(sample);
     execute();
   }
   void look(double t, bool dark = false) {
     static const test::Ceiling kCeiling;
     const auto light = kCeiling.seenBy(test::mountUp(), Pose2(0.5 * t, 0.0, 0.0));
     const test::Exposure exposure{dark ? 0.0 : 1.0, 0.0, 2.0};
-    source_->set(Image{at(t), "ceiling_camera", test::exposed(light, exposure, ++images_), ""});
+    inputs_->set(Image{at(t), "ceiling_camera", test::exposed(light, exposure, ++images_), ""});
     execute();
   }
 
   std::unique_ptr<OdometrySource> source_;
+  std::optional<slam::test::ComponentDriver> inputs_;
   std::vector<Motion> motions_;
   std::string message_;
   std::uint64_t images_ = 0;

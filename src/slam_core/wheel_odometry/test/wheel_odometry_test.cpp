@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "slam_core/common/test/faults.hpp"
 
@@ -197,6 +199,147 @@ TEST_F(WheelOdometryTest, TakesOutTheSystematicErrorOfTheWheels) {
   take(poseSample(1, measured));
   expectSame(motion().increment, Pose2::exp({0.9, 0, 0.6}));
   expectSame(motion().odometry_end, measured);
+}
+
+/// Ahead at 1 m/s, 20 messages a second, to the pose that is given for the message.
+class DrivenWheelsTest : public WheelOdometryTest {
+ protected:
+  template <class PoseOf>
+  void drive(int messages, const PoseOf& poseOf, const Eigen::Vector3d& twist = {0, 0, 0}) {
+    for (int i = 0; i < messages; ++i) {
+      auto sample = poseSample(0.05 * i, poseOf(i));
+      sample.twist = twist;
+      if (const auto status = take(sample); !status.isOk()) sentences.push_back(status.message);
+      if (!odometry.motion()) continue;
+      EXPECT_EQ(faultOf(motion()), "") << i;
+      EXPECT_EQ(motion().start, end) << "no time is left out";
+      end = motion().end;
+      covariance += motion().covariance;
+      way = way * motion().increment;
+    }
+  }
+  static Pose2 ahead(int i) { return {5 + 0.05 * i, 1, 0}; }
+
+  Stamp end = at(0);
+  Pose2 way;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  std::vector<std::string> sentences;
+};
+
+TEST_F(DrivenWheelsTest, ADriverThatBeginsAtTheOriginAgainMovesNothing) {
+  drive(40, [](int i) { return i < 20 ? ahead(i) : Pose2(0.05 * (i - 20), 0, 0); });
+  EXPECT_LT((way.position() - Eigen::Vector2d(39 * 0.05, 0)).norm(), 0.001);
+  EXPECT_EQ(odometry.counters()["pose_jump"], 1u);
+  EXPECT_EQ(odometry.counters()["implausible"], 1u);
+  EXPECT_TRUE(test::oneSays(sentences, {"pose jumped", "goes on from the new one"}));
+  expectSame(motion().odometry_end, Pose2(0.05 * 19, 0, 0));
+}
+
+TEST_F(DrivenWheelsTest, ADriverThatBeginsAtTheOriginNearByIsSeenAsWell) {
+  drive(40, [](int i) { return i < 20 ? ahead(i) : Pose2(0.05 * (i - 20), 0, 0); });
+  const auto far = way;
+  SetUp();
+  end = at(0);
+  way = Pose2();
+  drive(40, [](int i) {
+    return i < 20 ? Pose2(-0.5 + 0.05 * i, 0.3, 0) : Pose2(0.05 * (i - 20), 0, 0);
+  });
+  EXPECT_LT((way.vector() - far.vector()).norm(), 1e-9);
+  EXPECT_EQ(odometry.counters()["pose_jump"], 1u);
+}
+
+TEST_F(DrivenWheelsTest, ADriverThatIsSilentAndBeginsAtTheOriginHasNotDrivenThere) {
+  for (const double pause : {1.0, 3.0, 8.0}) {
+    SetUp();
+    for (int i = 0; i < 20; ++i) take(poseSample(0.05 * i, Pose2(20 + 0.05 * i, 1, 0)));
+    take(poseSample(1.0 + pause, Pose2(0.01, 0, 0.01)));
+    take(poseSample(1.05 + pause, Pose2(0.06, 0, 0.01)));
+    EXPECT_EQ(odometry.counters()["pose_jump"], 1u) << pause;
+    EXPECT_EQ(motion().start, at(0.95));
+    EXPECT_NEAR(motion().increment.x(), 0.05 + 0.05 + pause, 0.01) << "as before";
+    EXPECT_GT(motion().covariance(0, 0), std::pow(0.9 * pause, 2)) << "or not";
+    EXPECT_EQ(faultOf(motion()), "");
+  }
+}
+
+TEST_F(DrivenWheelsTest, ADriverThatPassesItsOriginHasNotJumped) {
+  drive(40, [](int i) { return Pose2(-1 + 0.05 * i, 0, 0); });
+  EXPECT_TRUE(odometry.counters().all().empty());
+}
+
+TEST_F(DrivenWheelsTest, AJumpIsCrossedByTheTwistWhereThereIsOne) {
+  // turns as well, only in the message before the jump
+  drive(20, ahead, {1.0, 0.0, 0.0});
+  auto turning = poseSample(1.0, ahead(20));
+  turning.twist = {1.0, 0.0, 2.0};
+  take(turning);
+  take(poseSample(1.05, Pose2(100, 100, 0)));
+  EXPECT_FALSE(odometry.motion());
+  EXPECT_FALSE(take(poseSample(1.1, Pose2(100.05, 100, 0))).isOk());
+  expectSame(motion().increment, Pose2::exp({0.05, 0, 0.1}) * Pose2(0.05, 0, 0));
+  expectSame(motion().odometry_end, Pose2(100.05, 100, 0));
+  EXPECT_EQ(motion().start, at(1.0));
+}
+
+TEST_F(DrivenWheelsTest, AJumpLeavesDoubtToMatch) {
+  drive(40, ahead);
+  const auto without = covariance;
+  SetUp();
+  end = at(0);
+  covariance.setZero();
+  drive(40, [](int i) { return i < 20 ? ahead(i) : Pose2(70, 0.05 * i, M_PI / 2); });
+  EXPECT_GT(covariance(0, 0), without(0, 0) + std::pow(0.005, 2));
+  EXPECT_GT(covariance(1, 1), without(1, 1) + std::pow(0.005, 2));
+  EXPECT_LT(covariance(0, 0), without(0, 0) + std::pow(0.1, 2));
+}
+
+TEST_F(DrivenWheelsTest, OnePoseThatIsOffAndComesBackIsLeftOut) {
+  for (const double off : {3.0, 1e6, 1e8, 1e300}) {
+    SetUp();
+    end = at(0);
+    way = Pose2();
+    drive(40, [&](int i) { return i == 20 ? Pose2(off, off, 1) : ahead(i); });
+    EXPECT_LT((way.position() - Eigen::Vector2d(39 * 0.05, 0)).norm(), 1e-9) << off;
+    EXPECT_EQ(odometry.counters()["implausible"] + odometry.counters()["invalid"], 1u);
+    EXPECT_EQ(odometry.counters()["pose_jump"], 0u);
+  }
+}
+
+TEST_F(DrivenWheelsTest, AFirstPoseThatIsOffIsForgotten) {
+  drive(40, [&](int i) { return i == 0 ? Pose2(1e6, 0, 0) : ahead(i); });
+  EXPECT_LT((way.position() - Eigen::Vector2d(38 * 0.05, 0)).norm(), 1e-9);
+}
+
+TEST_F(DrivenWheelsTest, MessagesInBurstsAreBelieved) {
+  double stamp = 0.0;
+  for (int i = 0; i < 40; ++i, stamp += i % 5 == 0 ? 0.2496 : 1e-4) {
+    EXPECT_TRUE(take(poseSample(stamp, ahead(i))).isOk()) << i;
+  }
+}
+
+TEST_F(DrivenWheelsTest, ASlipOfTheHeadingIsBelieved) {
+  drive(40, [](int i) { return ahead(i) * Pose2(0, 0, i < 20 ? 0.0 : 0.3); });
+  EXPECT_TRUE(odometry.counters().all().empty());
+}
+
+TEST_F(DrivenWheelsTest, ATwistBeyondTheLimitIsReplacedByTheLastVelocity) {
+  for (int i = 0; i < 10; ++i) take(twistSample(0.1 * i, {1, 0, 0}));
+  for (const double fast : {100.0, 1e300}) {
+    const double begin = fast > 1e3 ? 2.0 : 1.0;
+    take(twistSample(begin, {fast, 0, 0}));
+    EXPECT_FALSE(take(twistSample(begin + 0.1, {1, 0, 0})).isOk());
+    expectSame(motion().increment, Pose2(0.1, 0, 0));
+    EXPECT_EQ(faultOf(motion()), "");
+  }
+  EXPECT_EQ(odometry.counters()["implausible"], 2u);
+}
+
+TEST_F(DrivenWheelsTest, TheLargestSpeedIsTheRobots) {
+  config.max_speed = 0.5;
+  odometry.configure(config);
+  drive(20, [](int i) { return Pose2(0.1 * i, 0, 0); });  // 2 m/s
+  EXPECT_GT(odometry.counters()["implausible"], 10u);
+  EXPECT_TRUE(test::oneSays(sentences, {"wheel_odometry.max_speed"}));
 }
 
 TEST_F(WheelOdometryTest, ForgetsEverythingOnReset) {

@@ -8,21 +8,24 @@
 #include <nodelet/nodelet.h>
 
 #include <memory>
+#include <string>
 
 #include "slam_ros/estimator_node.hpp"
 
 namespace slam_ros {
 
-/// The nodelet of a back-end in the composition pubsub. A back-end's package derives from it, says
-/// which component it is and exports the plugin; nothing else.
+/// The nodelet of a back-end in the composition pubsub. A back-end's package derives from it, names
+/// the component and exports the plugin; nothing else.
 class BackendNodelet : public nodelet::Nodelet {
  protected:
-  virtual std::unique_ptr<slam::Backend> makeBackend() const = 0;
+  /// @param backend its name in the registry of back-ends
+  explicit BackendNodelet(std::string backend) : backend_(std::move(backend)) {}
 
  private:
   void onInit() final;
 
-  std::unique_ptr<BackendAlone> source_;
+  std::string backend_;
+  slam::MetaCoordinator part_;
   std::unique_ptr<EstimatorNode> node_;
 };
 

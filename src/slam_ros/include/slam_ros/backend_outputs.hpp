@@ -13,24 +13,25 @@
 
 namespace slam_ros {
 
-/// All that is published of a step. What a rate held back follows when nothing else comes.
+/// All that is published of a step, by what the back-end can do. What a rate held back follows when
+/// nothing else comes.
 class BackendOutputs {
  public:
-  BackendOutputs(ros::NodeHandle handle, const slam::Backend& backend, const std::string& map_frame,
-                 const OutputsConfig& config);
+  BackendOutputs(ros::NodeHandle handle, const slam::Estimator& estimator,
+                 const std::string& map_frame, const OutputsConfig& config);
 
   void publish(const slam::StepReport& report);
   /// The map was replaced.
-  void refresh() { landmarks_.refresh(); }
+  void refresh();
   /// Path and transform begin anew.
   void restart();
 
  private:
   PosePublisher pose_;
-  LandmarkPublisher landmarks_;
+  std::optional<LandmarkPublisher> landmarks_;
   MapOdomBroadcaster map_odom_;
-  ParticlePublisher particles_;
-  std::optional<GridPublisher> grid_;  ///< of back-ends that make one
+  std::optional<ParticlePublisher> particles_;
+  std::optional<GridPublisher> grid_;
   ros::WallTimer flush_timer_;
 };
 

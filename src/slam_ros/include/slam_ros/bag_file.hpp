@@ -25,8 +25,9 @@ class BagWriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A bag that is written message by message and is there as a whole or not at all: PATH.part
-/// becomes PATH in complete(); without it, and after an error, the part is removed.
+/// A bag that is written message by message and is there as a whole or not at all: a part of
+/// its own beside it becomes PATH in complete(); without it, and after an error, the part is
+/// removed.
 class BagFile {
  public:
   /// @throw BagPathError its folder is not there, or it is no ordinary file; BagWriteError

@@ -3,44 +3,18 @@
 
 #pragma once
 
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
-
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "slam_core/common/time.hpp"
+#include "slam_ros/bag_message.hpp"
 #include "slam_ros/topic_matching.hpp"
 
 namespace slam_ros {
 
-/// Takes the messages of one topic.
-using BagHandler = std::function<void(const rosbag::MessageInstance&)>;
-using BagHandlers = std::map<std::string, BagHandler>;
-
-/// Where a message's bytes are copied to; grows with the largest one.
-struct MessageBytes {
-  std::vector<std::uint8_t> bytes;
-  std::uint8_t* advance(std::uint32_t size) { return bytes.resize(size), bytes.data(); }
-};
-
-/// Deserialises into one message that is used again and again; the callback copies what it keeps.
-template <class Message, class Callback>
-BagHandler onMessage(Callback callback) {
-  return [callback, buffer = MessageBytes(),
-          message = Message()](const rosbag::MessageInstance& instance) mutable {
-    buffer.bytes.clear();
-    instance.write(buffer);
-    ros::serialization::IStream stream(buffer.bytes.data(),
-                                       static_cast<std::uint32_t>(buffer.bytes.size()));
-    ros::serialization::deserialize(stream, message);
-    callback(message);
-  };
-}
-
-/// A bag that is read, in the order of its receive times; only the topics asked for are touched.
+/// A bag that is read, in the order of its receive times; only the topics asked for are touched. A
+/// damaged bag costs a sentence, whatever the library makes of it (bag_process.hpp).
 /// Everything throws std::runtime_error, one sentence that names the bag and what is wrong with it.
 class BagReader {
  public:
@@ -65,11 +39,7 @@ class BagReader {
   std::string robot() const;
 
  private:
-  void open();
-  void listTopics();
-
   std::string path_;
-  rosbag::Bag bag_;
   std::vector<BagTopic> topics_;
   slam::Stamp begin_, end_;
 };

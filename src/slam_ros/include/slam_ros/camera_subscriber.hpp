@@ -13,6 +13,7 @@
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/camera_input.hpp"
 #include "slam_ros/camera_topics.hpp"
+#include "slam_ros/door.hpp"
 #include "slam_ros/latency_window.hpp"
 
 namespace slam_ros {
@@ -30,7 +31,9 @@ class CameraSubscriber {
   };
 
   /// @throw ros::InvalidNameException
-  CameraSubscriber(ros::NodeHandle handle, const Options& options, CameraInput::Sinks sinks);
+  /// @param pass of all callbacks
+  CameraSubscriber(ros::NodeHandle handle, const Options& options, CameraInput::Sinks sinks,
+                   Pass pass);
 
   const std::string& topic() const { return topics_.raw; }
   /// "waiting for ...", or empty when all have come that a component may need.
@@ -46,10 +49,9 @@ class CameraSubscriber {
   void take(const Message& message);
   void onImage(const sensor_msgs::Image& message);
   void onCompressedImage(const sensor_msgs::CompressedImage& message);
-  void onCameraInfo(const sensor_msgs::CameraInfo& message) { input_.take(message); }
-  void onStaticTransforms(const tf2_msgs::TFMessage& message) { input_.take(message); }
 
   CameraTopics topics_;
+  Pass pass_;
   CameraInput input_;
   LatencyWindow::Clock::time_point arrival_;
   std::mutex kind_;  ///< held while it is told which of raw_ and compressed_ there are

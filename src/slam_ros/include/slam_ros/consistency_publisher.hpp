@@ -18,8 +18,9 @@
 namespace slam_ros {
 
 /// What the consistency monitor sees: on `consistency` after every update, and as a diagnostic that
-/// warns while a sigma looks wrong. Where the truth comes on `ground_truth/pose`, the NEES as well;
-/// then a message waits until the truth has come as far.
+/// warns while the pose may be lost, innovations are biased or a sigma looks too small. Where the
+/// truth comes on `ground_truth/pose`, the NEES as well; then a message waits until the truth has
+/// come as far.
 class ConsistencyPublisher {
  public:
   /// Both must live longer than the diagnostics are updated.

@@ -15,7 +15,7 @@
 
 #include <string>
 
-#include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"

@@ -6,7 +6,8 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include "slam_core/contract/landmark_detector.hpp"
+#include "slam_core/camera/view_drawer.hpp"
+#include "slam_core/models/landmark_observation.hpp"
 
 namespace slam_ros {
 
@@ -17,7 +18,7 @@ class DetectionsPublisher {
   explicit DetectionsPublisher(ros::NodeHandle handle);
 
   /// @param array what `detector` has made of its last image
-  void publish(const slam::LandmarkDetector& detector,
+  void publish(const slam::ViewDrawer& detector,
                const slam::LandmarkObservationArray& array) const;
 
  private:

@@ -15,6 +15,7 @@
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/status.hpp"
+#include "slam_ros/door.hpp"
 
 namespace slam_ros {
 
@@ -48,6 +49,12 @@ class Diagnostics {
   void tell(ros::console::Level level, const std::string& sentence);
   /// What does not pass by itself, such as a full disk; stays until the node ends.
   void fail(const std::string& sentence);
+  /// What each callback of a nodelet goes through (door.hpp): an exception is told as an error.
+  void attempt(const std::string& topic, const Action& action);
+  /// The same where it may leave something half done: nothing more is taken in until recover().
+  void guard(const std::string& topic, const Action& action);
+  /// All begins anew.
+  void recover() { door_.open(); }
 
  private:
   void tick();
@@ -60,7 +67,9 @@ class Diagnostics {
   std::map<std::string, ros::WallTime> told_;  ///< kind of warning, when it was told last
   slam::Counters counted_;                     ///< what has been told of
   std::string last_warning_, failure_;
+  Door door_;
   ros::WallTime last_warning_time_;
+  bool is_last_an_error_ = false;
   ros::WallTimer timer_;
 };
 

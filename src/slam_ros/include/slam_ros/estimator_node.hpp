@@ -7,24 +7,22 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 #include <ros/wall_timer.h>
-#include <slam_msgs/LandmarkObservationArray.h>
-#include <slam_msgs/Motion.h>
 
 #include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/backend_outputs.hpp"
 #include "slam_ros/backend_services.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
 #include "slam_ros/diagnostics.hpp"
-#include "slam_ros/laser_subscriber.hpp"
+#include "slam_ros/part_inputs.hpp"
 #include "slam_ros/run_recorder.hpp"
 #include "slam_ros/silence_watch.hpp"
-#include "slam_ros/step_source.hpp"
 #include "slam_ros/topics_config.hpp"
 
 namespace slam_ros {
@@ -40,9 +38,11 @@ class EstimatorNode {
     std::string name;              ///< of the nodelet
   };
 
-  /// Configures `source`, which must outlive this.
+  /// Configures `coordinator`, which must outlive this, for a part of the product.
   /// @throw slam::ConfigError, std::runtime_error
-  EstimatorNode(const Handles& handles, const OutputsConfig& outputs, StepSource& source);
+  EstimatorNode(const Handles& handles, const OutputsConfig& outputs,
+                slam::MetaCoordinator& coordinator, const slam::ProductPart& part,
+                const InputOptions& inputs = {});
   ~EstimatorNode();
   EstimatorNode(const EstimatorNode&) = delete;
   EstimatorNode& operator=(const EstimatorNode&) = delete;
@@ -50,24 +50,28 @@ class EstimatorNode {
   const TopicsConfig& topics() const { return topics_; }
   Diagnostics& diagnostics() { return *diagnostics_; }
 
-  /// To be called before an input is set: begins anew when the clock has jumped back.
-  void checkClock();
-  /// To be called after an input was set: takes and publishes all steps that are due.
-  void takeSteps(const std::string& topic);
+  /// What the callbacks of a front-end in this process go through, as this one's own do.
+  Pass pass();
+
+  /// What it subscribes.
+  const PartInputs& inputs() const { return *inputs_; }
   /// Called with every step.
   std::function<void(const slam::StepReport&)> on_step;
   /// Called when all steps that were due have been taken.
   std::function<void()> on_idle;
-  /// What the front-end in this process waits for ("waiting for ..."), where there is one.
-  std::function<std::string()> front_end_waiting;
 
  private:
-  void onMotion(const slam_msgs::Motion& message);
-  void onObservations(const slam_msgs::LandmarkObservationArray& message);
+  /// Begins anew when the clock has jumped back.
+  void checkClock();
+  /// Takes and publishes all steps that are due.
+  void takeSteps(const std::string& topic);
+  void take(const std::string& port, slam::Kind kind, const void* value, const std::string& topic);
+  void noteFrames(const slam::Motion& motion, const std::string& topic);
   void onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message);
 
   void subscribe(ros::NodeHandle handle);
-  void connectLaser(ros::NodeHandle handle, slam::Settings& settings);
+  void connect(const ros::NodeHandle& handle, slam::Settings& settings,
+               const InputOptions& options);
   BackendActions actions();
   void tellOfSilence();
   std::string waiting() const;
@@ -79,7 +83,10 @@ class EstimatorNode {
   void reset();
   void tellOfReset();
 
-  StepSource& source_;
+  slam::Estimator& estimator() { return coordinator_.estimator(); }
+  const slam::Estimator& estimator() const { return coordinator_.estimator(); }
+
+  slam::MetaCoordinator& coordinator_;
   TopicsConfig topics_;
   std::string map_frame_;
   ClockWatch clock_;
@@ -93,7 +100,7 @@ class EstimatorNode {
   ros::Publisher progress_;
   std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
   std::vector<ros::Subscriber> subscribers_;
-  std::optional<LaserSubscriber> laser_;
+  std::optional<PartInputs> inputs_;
   slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;

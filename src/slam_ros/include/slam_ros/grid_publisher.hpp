@@ -11,7 +11,7 @@
 
 #include <string>
 
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
 #include "slam_ros/background.hpp"
 #include "slam_ros/rate_limit.hpp"
 
@@ -27,7 +27,7 @@ nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp
 class GridPublisher {
  public:
   /// @param period of the map at least [s of stamps]
-  GridPublisher(ros::NodeHandle handle, const slam::Backend& backend, std::string map_frame,
+  GridPublisher(ros::NodeHandle handle, const slam::GridMapper& mapper, std::string map_frame,
                 double period);
 
   /// A step was taken: publishes when it is time.
@@ -39,7 +39,7 @@ class GridPublisher {
   void publish();
   bool answer(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response);
 
-  const slam::Backend& backend_;
+  const slam::GridMapper& mapper_;
   std::string map_frame_;
   ros::Publisher map_, metadata_;
   ros::ServiceServer service_;

@@ -7,6 +7,7 @@
 #include <ros/publisher.h>
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "slam_core/common/time.hpp"
@@ -17,8 +18,8 @@ namespace slam_ros {
 /// Publishes a product's inputs, those that a bag has, to the topics of the robot file.
 class InputPublishers {
  public:
-  /// Waits until a message of an input ("motion", "observations" or "scans", as they are
-  /// acknowledged) may be sent. @return false: it is not to be sent
+  /// Waits until a message of an input ("motion", "observations", "scans" or the name of one of a
+  /// further kind, as they are acknowledged) may be sent. @return false: it is not to be sent
   using Gate = std::function<bool(const std::string& input, slam::Stamp stamp)>;
 
   InputPublishers(ros::NodeHandle handle, const TopicsConfig& topics, const BagInputs& inputs,
@@ -44,8 +45,9 @@ class InputPublishers {
 
   Gate gate_;
   ros::Publisher motion_, odom_, observations_, scan_;
-  Camera camera_;   ///< that observations are made of
-  Camera ceiling_;  ///< that motion is made of
+  std::map<std::string, ros::Publisher> others_;  ///< of further kinds, by input
+  Camera camera_;                                 ///< that observations are made of
+  Camera ceiling_;                                ///< that motion is made of
 };
 
 }  // namespace slam_ros

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_ros/rate_limit.hpp"
 
 namespace slam_ros {
@@ -16,7 +16,7 @@ namespace slam_ros {
 /// `landmarks` and `landmark_markers`, at a bounded rate.
 class LandmarkPublisher {
  public:
-  LandmarkPublisher(ros::NodeHandle handle, const slam::Backend& backend, std::string map_frame,
+  LandmarkPublisher(ros::NodeHandle handle, const slam::LandmarkMapper& mapper, std::string map_frame,
                     double rate);
 
   /// A step was taken: publishes when it is time.
@@ -29,7 +29,7 @@ class LandmarkPublisher {
  private:
   void publish();
 
-  const slam::Backend& backend_;
+  const slam::LandmarkMapper& mapper_;
   std::string map_frame_;
   ros::Publisher landmarks_, markers_;
   RateLimit rate_;

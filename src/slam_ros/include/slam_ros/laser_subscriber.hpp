@@ -10,6 +10,7 @@
 #include <string>
 
 #include "slam_ros/after_load.hpp"
+#include "slam_ros/door.hpp"
 #include "slam_ros/laser_input.hpp"
 
 namespace slam_ros {
@@ -25,7 +26,8 @@ class LaserSubscriber {
   };
 
   /// @throw ros::InvalidNameException
-  LaserSubscriber(ros::NodeHandle handle, Options options, LaserInput::Sinks sinks);
+  /// @param pass of all callbacks
+  LaserSubscriber(ros::NodeHandle handle, Options options, LaserInput::Sinks sinks, Pass pass);
 
   const std::string& topic() const { return options_.topic; }
   /// "waiting for ...", or empty when all have come that are needed.
@@ -35,10 +37,9 @@ class LaserSubscriber {
 
  private:
   void subscribe(ros::NodeHandle handle);
-  void onScan(const sensor_msgs::LaserScan& message) { input_.take(message); }
-  void onStaticTransforms(const tf2_msgs::TFMessage& message) { input_.take(message); }
 
   Options options_;
+  Pass pass_;
   LaserInput input_;
   ros::Subscriber scans_, transforms_;
   std::optional<AfterLoad> start_;

@@ -4,8 +4,9 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <ros/timer.h>
+#include <ros/wall_timer.h>
 
+#include <optional>
 #include <string>
 
 #include "slam_core/product/estimator.hpp"
@@ -25,13 +26,16 @@ class MapOdomBroadcaster {
   void reset();
 
  private:
-  void send(const ros::Time& now);
+  void sendIfDue(slam::Stamp now);
+  void send(slam::Stamp now);
 
   std::string map_frame_, odometry_frame_;
-  ros::Duration tolerance_;
+  slam::Duration interval_, tolerance_;
+  std::optional<slam::Stamp> due_;  ///< of the ROS clock
   slam::Pose2 T_map_odom_;
   TransformPublisher publisher_;
-  ros::Timer timer_;
+  // A timer of the ROS clock ends the process where that clock nears its last second.
+  ros::WallTimer poll_;
 };
 
 }  // namespace slam_ros

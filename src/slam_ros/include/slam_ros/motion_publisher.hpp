@@ -6,7 +6,8 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/camera/view_drawer.hpp"
+#include "slam_core/models/motion.hpp"
 
 namespace slam_ros {
 
@@ -18,7 +19,7 @@ class VisualMotionPublisher {
   explicit VisualMotionPublisher(ros::NodeHandle handle);
 
   void publish(const slam::Motion& motion);
-  void show(const slam::OdometrySource& source, slam::Stamp stamp) const;
+  void show(const slam::ViewDrawer& source, slam::Stamp stamp) const;
 
  private:
   ros::Publisher odometry_, image_;

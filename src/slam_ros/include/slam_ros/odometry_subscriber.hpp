@@ -10,6 +10,7 @@
 #include <functional>
 #include <string>
 
+#include "slam_ros/door.hpp"
 #include "slam_ros/odometry_edge.hpp"
 
 namespace slam_ros {
@@ -29,7 +30,8 @@ class OdometrySubscriber {
   using Take = std::function<void(const nav_msgs::Odometry&)>;
 
   /// The names are checked here; nothing is subscribed to. @throw ros::InvalidNameException
-  OdometrySubscriber(const ros::NodeHandle& handle, Options options, Take take);
+  /// @param pass of all callbacks
+  OdometrySubscriber(const ros::NodeHandle& handle, Options options, Take take, Pass pass);
 
   /// To be called once the nodelet is loaded (AfterLoad).
   void subscribe();
@@ -43,10 +45,12 @@ class OdometrySubscriber {
  private:
   void onOdom(const nav_msgs::Odometry& message);
   void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
+  void take(const tf2_msgs::TFMessage& message);
 
   ros::NodeHandle handle_;
   Options options_;
   Take take_;
+  Pass pass_;
   OdometryEdge edge_;
   std::string source_;
   bool got_message_ = false;

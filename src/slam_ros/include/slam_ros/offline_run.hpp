@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "slam_ros/camera_input.hpp"
 #include "slam_ros/laser_input.hpp"
 #include "slam_ros/run_metrics.hpp"
+#include "slam_ros/warning_log.hpp"
 
 namespace slam_ros {
 
@@ -40,7 +40,6 @@ class OfflineRun {
 
  private:
   void configure();
-  void connectLaser(const std::string& base_frame);
   void loadMap();
   void read(slam::RunWriter& writer);
   template <class Message, class Work>
@@ -48,7 +47,9 @@ class OfflineRun {
   void take(const nav_msgs::Odometry& message);
   void drain(slam::RunWriter& writer);
   void tellOfHeld();
-  void warn(const std::string& sentence);
+  void tellOfDropped(std::size_t messages);
+  void warn(const std::string& sentence, bool is_urgent = false);
+  std::string mapFrame() const;
   void requireSteps(const slam::RunWriter& writer) const;
   static void requireCamera(const BagCamera& topics, const CameraInput& camera);
   static void requireTransform(const std::string& missing);
@@ -65,7 +66,7 @@ class OfflineRun {
   std::optional<LaserInput> laser_;
   std::string odometry_fault_;
   std::uint64_t odometry_faults_ = 0;
-  std::set<std::string> warnings_;
+  WarningLog warnings_;
 };
 
 }  // namespace slam_ros

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_ros/rate_limit.hpp"
 
 namespace slam_ros {
@@ -17,14 +17,14 @@ namespace slam_ros {
 /// others.
 class ParticlePublisher {
  public:
-  ParticlePublisher(ros::NodeHandle handle, const slam::Backend& backend, std::string map_frame,
+  ParticlePublisher(ros::NodeHandle handle, const slam::PoseSampler& sampler, std::string map_frame,
                     double rate);
 
   /// A step was taken: publishes when it is time and somebody listens.
   void update(slam::Stamp stamp);
 
  private:
-  const slam::Backend& backend_;
+  const slam::PoseSampler& sampler_;
   std::string map_frame_;
   ros::Publisher cloud_;
   RateLimit rate_;

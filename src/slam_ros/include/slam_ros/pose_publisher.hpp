@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <nav_msgs/Path.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
@@ -11,10 +10,11 @@
 
 #include "slam_core/product/estimator.hpp"
 #include "slam_ros/rate_limit.hpp"
+#include "slam_ros/thinned_path.hpp"
 
 namespace slam_ros {
 
-/// `pose` at every step; `path`, which grows, at a bounded rate.
+/// `pose` at every step; `path`, thinned where it is long, at a bounded rate.
 class PosePublisher {
  public:
   PosePublisher(ros::NodeHandle handle, std::string map_frame, double path_rate);
@@ -29,8 +29,8 @@ class PosePublisher {
   std::string map_frame_;
   ros::Publisher pose_, path_publisher_;
   RateLimit rate_;
-  nav_msgs::Path path_;
-  bool path_is_new_ = false;
+  ThinnedPath path_;
+  bool path_is_new_ = true;
   std::uint32_t subscribers_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "slam_core/common/time.hpp"
+#include "slam_core/contract/capabilities.hpp"
 #include "slam_core/models/occupancy_grid.hpp"
 
 namespace slam_ros {
@@ -41,6 +42,8 @@ class RunMetrics {
   void addLatency(slam::Stamp stamp, Clock::duration time);
   /// The map at the end.
   void setGrid(const slam::OccupancyGrid& grid) { map_entropy_ = meanEntropy(grid); }
+  /// The same of a back-end that makes one.
+  void setGrid(const slam::Capabilities& backend);
   double wallSeconds() const;
 
   /// The metrics up to now, of this process. Keys without a value are absent.

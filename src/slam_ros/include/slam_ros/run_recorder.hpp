@@ -24,10 +24,10 @@ class RunRecorder {
 
   /// @param time the step took
   void write(const slam::StepReport& report, RunMetrics::Clock::duration time);
-  /// The run begins anew; so do its files.
+  /// The run begins anew; so do its files, as RunWriter::restart().
   void restart();
   /// Completes all files.
-  void finish(const slam::Backend& backend, std::uint64_t dropped_messages);
+  void finish(const slam::Capabilities& backend, std::uint64_t dropped_messages);
 
   slam::Stamp lastStamp() const { return last_stamp_; }
 

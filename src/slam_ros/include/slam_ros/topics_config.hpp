@@ -20,6 +20,16 @@ struct TopicsConfig {
   std::string ceiling_camera = "ceiling_camera/image_raw";
   std::string scan = "scan";
 
+  /// The topic of an input; one that has no name here is on the topic of its own name.
+  std::string of(const std::string& input) const {
+    if (input == "odom") return odom;
+    if (input == "observations") return observations;
+    if (input == "motion") return motion;
+    if (input == "camera") return camera;
+    if (input == "ceiling_camera") return ceiling_camera;
+    return input == "scan" ? scan : input;
+  }
+
   void describe(slam::Fields& fields) {
     fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
     fields

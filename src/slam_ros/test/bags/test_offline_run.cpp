@@ -55,13 +55,98 @@ TEST_F(Offline, TellsWhatWasNeverSteppedBecauseTheOdometryEnds) {
                     (folder / "run"));
   };
   ASSERT_EQ(run("dead.bag"), 0);
-  EXPECT_TRUE(contains(folder.read("stderr"), "40 observation arrays and 0 scans were never used"))
+  EXPECT_TRUE(contains(folder.read("stderr"), "40 messages of landmarks were never used"))
       << folder.read("stderr");
-  EXPECT_TRUE(contains(folder.read("stderr"), "observations since 104.2 wait for motion"));
+  EXPECT_TRUE(contains(folder.read("stderr"), "landmarks since 104.2 wait for motion"));
   EXPECT_TRUE(contains(folder.read("stdout"), "never_stepped 40")) << folder.read("stdout");
   ASSERT_EQ(run("x.bag"), 0);
   EXPECT_EQ(folder.read("stderr"), "");
   EXPECT_FALSE(contains(folder.read("stdout"), "never_stepped"));
+}
+
+TEST_F(Offline, ObservationsThatAreStampedAheadCostOnlyThemselves) {
+  {
+    BagMaker bag(folder / "ahead.bag");
+    bag.addOdometry();
+    for (int i = 1; i <= 17; ++i) {
+      auto message = test::observations(0.2 * i, static_cast<std::uint64_t>(i - 1));
+      if (i == 5 || i == 6) message.header.stamp += ros::Duration(100.0);
+      bag.add("/observations", 0.2 * i, message);
+    }
+  }
+  ASSERT_EQ(faultOf(options("ahead.bag")), "");
+  const auto trajectory = folder.read("run/trajectory.tum");
+  EXPECT_EQ(std::count(trajectory.begin(), trajectory.end(), '\n'), 15);
+  EXPECT_EQ(nlohmann::json::parse(folder.read("run/metrics.json"))["dropped_messages"], 2);
+}
+
+TEST_F(Offline, TellsWhatIsSetAsideAtTheEnd) {
+  {
+    BagMaker bag(folder / "back.bag");
+    bag.addOdometry().addObservations();
+    for (int i = 0; i < 20; ++i)
+      bag.add("/observations", 3.6 + 0.01 * i,
+              test::observations(-50.0 + 0.2 * i, static_cast<std::uint64_t>(17 + i)));
+  }
+  ASSERT_EQ(exitCode(product + " --robot " + robot + " --bag " + (folder / "back.bag") + " --out " +
+                     (folder / "run")),
+            0);
+  EXPECT_TRUE(contains(folder.read("stderr"), "20 messages at the end were not used"))
+      << folder.read("stderr");
+  EXPECT_TRUE(contains(folder.read("stderr"), "20 of 118 messages had no effect"))
+      << folder.read("stderr");
+  EXPECT_TRUE(contains(folder.read("stdout"), "set_aside 20")) << folder.read("stdout");
+  EXPECT_EQ(nlohmann::json::parse(folder.read("run/metrics.json"))["dropped_messages"], 20);
+}
+
+TEST_F(Offline, ARestartKeepsTheTrajectoryUntilThen) {
+  {
+    BagMaker bag(folder / "twice.bag");
+    for (const double begin : {0.0, -50.0})
+      for (int i = 0; i <= 40; ++i) {
+        const double t = 0.1 * i, written = t + (begin < 0.0 ? 10.0 : 0.0);
+        bag.add("/odom", written, test::odometry(begin + t));
+        bag.add("/observations", written,
+                test::observations(begin + t, static_cast<std::uint64_t>(i)));
+      }
+  }
+  ASSERT_EQ(faultOf(options("twice.bag")), "");
+  const auto kept = folder.read("run/trajectory.before_restart_1.tum");
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), '\n'), 41);
+  EXPECT_TRUE(contains(kept, "103.900000000 "));
+  EXPECT_TRUE(contains(folder.read("run/trajectory.tum"), "53.900000000 "));
+}
+
+/// From `moved` on every other one of 24 landmarks is elsewhere, from `lost` on all are.
+void addTroubledObservations(BagMaker& bag, int steps, int moved, int lost) {
+  for (int i = 1; i <= steps; ++i) {
+    auto message = test::observations(0.2 * i, static_cast<std::uint64_t>(i - 1));
+    message.observations.resize(24, message.observations.front());
+    for (int k = 0; k < 24; ++k) {
+      auto& seen = message.observations[static_cast<std::size_t>(k)];
+      seen.id = k;
+      const bool is_elsewhere = i >= lost || (i >= moved && k % 2 == 0);
+      const double x = 20.0 - 0.2 * i, y = k - 12.0 + (is_elsewhere ? 3.0 : 0.0);
+      seen.range = std::hypot(x, y);
+      seen.bearing = std::atan2(y, x);
+    }
+    bag.add("/observations", 0.2 * i, message);
+  }
+}
+
+TEST_F(Offline, AWarningThatComesWithManyNumbersLeavesRoomForThatThePoseMayBeLost) {
+  {
+    BagMaker bag(folder / "moved.bag");
+    addTroubledObservations(bag.addOdometry("/odom", 14.0), 65, 20, 50);
+  }
+  ASSERT_EQ(exitCode(product + " --robot " + robot + " --bag " + (folder / "moved.bag") +
+                     " --out " + (folder / "run")),
+            0);
+  const auto said = folder.read("stderr"), counted = folder.read("stdout");
+  EXPECT_TRUE(contains(said, "was not where the map has it 10 times in a row")) << said;
+  EXPECT_FALSE(contains(said, "was not where the map has it 11 times in a row")) << said;
+  EXPECT_TRUE(contains(said, "the pose may be lost")) << said;
+  EXPECT_TRUE(contains(counted, "times: landmark 0 was not where the map has it")) << counted;
 }
 
 TEST_F(Offline, TwiceGivesTheSameBytes) {
@@ -107,6 +192,16 @@ TEST_F(Offline, OverridesCountAndMisspeltOnesAreNamed) {
   EXPECT_TRUE(contains(folder.read("run/config.yaml"), "initial_sigma_position: 0.5"));
   changed.overrides = {"ekf.initial_sigma_positon=0.5"};
   EXPECT_TRUE(contains(faultOf(changed), "did you mean 'initial_sigma_position'"));
+}
+
+TEST_F(Offline, AnInputThatNoTopicCanBringIsRefusedBeforeTheRun) {
+  auto odd = options();
+  odd.product = folder.write(
+      "odd.yaml", std::string("version: 1\nproduct: odd\nodometry: inertial\nlibraries: [") +
+                      ODD_COMPONENTS + "]\n");
+  const auto fault = faultOf(odd);
+  EXPECT_TRUE(contains(fault, "the odometry source 'inertial' needs 'imu'")) << fault;
+  EXPECT_FALSE(folder.has("run"));
 }
 
 TEST_F(Offline, TheBagNamesItsRobotUnlessOneIsGiven) {

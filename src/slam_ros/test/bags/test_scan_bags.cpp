@@ -98,6 +98,74 @@ TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
   EXPECT_TRUE(contains(folder.read("stdout"), "laser_no_mount 4")) << folder.read("stdout");
 }
 
+/// Of a product whose odometry source makes motion of scans.
+InputNeeds scanOdometryNeeds() {
+  InputNeeds needs;
+  needs.wheels = false;
+  needs.scans = true;
+  needs.of_odometry = {"scan"};
+  needs.of_backend = {"motion", "observations"};
+  return needs;
+}
+
+slam_msgs::Motion motionAt(double t) {
+  slam_msgs::Motion motion;
+  motion.start = test::at(t - 1);
+  motion.end = test::at(t);
+  return motion;
+}
+
+TEST_F(ScanBags, MotionInTheBagTakesTheScansPlaceOfAnOdometrySource) {
+  const auto with_motion = [](auto& maker) {
+    maker.add("/motion", 1, motionAt(1)).addObservations();
+  };
+  const auto both = bag([&](auto& maker) {
+    with_motion(maker);
+    maker.add("/scan", 1, scanAt(1));
+  });
+  const auto inputs = findInputs(BagReader(both), scanOdometryNeeds(), {});
+  EXPECT_EQ(inputs.motion, "/motion");
+  EXPECT_EQ(inputs.scan, "") << "motion would be made twice";
+  const auto without_scans = bag(with_motion);
+  EXPECT_EQ(findInputs(BagReader(without_scans), scanOdometryNeeds(), {}).motion, "/motion");
+}
+
+TEST_F(ScanBags, AnOdometrySourceMakesMotionOfScansThatOthersTakeAsWell) {
+  const auto path = bag([](auto& maker) {
+    maker.add("/motion", 1, motionAt(1)).add("/scan", 1, scanAt(1)).addObservations();
+  });
+  auto needs = scanOdometryNeeds();
+  needs.of_modules = {"scan", "motion", "pose"};
+  const auto inputs = findInputs(BagReader(path), needs, {});
+  EXPECT_EQ(inputs.scan, "/scan");
+  EXPECT_EQ(inputs.motion, "") << "motion would come twice";
+  ASSERT_EQ(inputs.notes.size(), 1u);
+  EXPECT_TRUE(contains(inputs.notes[0], "the motion that the bag carries is left out"));
+}
+
+TEST_F(ScanBags, AnOdometrySourceThatTakesScansNeedsThem) {
+  const auto path = bag([](auto& maker) { maker.addObservations(); });
+  const auto message = messageOf([&] { findInputs(BagReader(path), scanOdometryNeeds(), {}); });
+  EXPECT_TRUE(contains(message, "lacks laser scans: 'scan'")) << message;
+}
+
+TEST_F(ScanBags, NeedsTellWhoTakesAnInput) {
+  slam::ProductConfig product;
+  product.backend = "pf";
+  product.map = "grid";
+  product.detector = "apriltag";
+  product.modules["pointmap"] = true;
+  const auto needs = needsOf(product);
+  EXPECT_EQ(needs.of_odometry, std::set<std::string>{"odom"});
+  EXPECT_EQ(needs.of_detector, std::set<std::string>{"camera"});
+  EXPECT_EQ(needs.of_backend.count("scan"), 1u);
+  EXPECT_EQ(needs.of_modules.count("scan"), 1u);
+  EXPECT_TRUE(needs.isOfOdometryAlone("odom"));
+  EXPECT_FALSE(needs.isOfOdometryAlone("scan"));
+  product.map = "landmarks";
+  EXPECT_EQ(needsOf(product).of_backend.count("scan"), 0u);
+}
+
 TEST_F(ScanBags, AProductOfLandmarksDoesNotTouchTheScans) {
   const BagReader reader(
       bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));

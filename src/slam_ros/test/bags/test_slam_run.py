@@ -3,6 +3,7 @@
 """The command line of slam_run; what it starts has tests of its own."""
 
 import contextlib
+import fcntl
 import importlib.machinery
 import importlib.util
 import io
@@ -27,6 +28,20 @@ def load():
 slam_run = load()
 PRODUCT = "version: 1\nproduct: p\nbackend: ekf\nodometry: wheel\nmap: landmarks\nseed: 1\n"
 REQUIRED = ["p.yaml", "--bag", "x.bag", "--out", "run"]
+
+
+class Odometry(unittest.TestCase):
+    def of(self, values):
+        with tempfile.TemporaryDirectory() as folder:
+            config = pathlib.Path(folder) / "config.yaml"
+            config.write_text(values, encoding="ascii")
+            return slam_run.has_own_odometry(config)
+
+    def test_of_a_run_is_its_own_where_more_than_the_wheels_tell_it(self):
+        self.assertFalse(self.of("odometry: wheel\nlibraries: []\n"))
+        self.assertTrue(self.of("odometry: visual\n"))
+        self.assertTrue(self.of("odometry: visual_wheel\n"))
+        self.assertFalse(self.of("odometry: none\n"))
 
 
 class WrongUse(unittest.TestCase):
@@ -67,6 +82,19 @@ class Launch(unittest.TestCase):
         self.assertIn(f"output_dir:={os.getcwd()}/run", command)
         self.assertIn("rate:=0", command)
         self.assertIn(f"product:={os.getcwd()}/p.yaml", command)
+
+    def test_passes_on_names_that_roslaunch_cannot_carry(self):
+        odd = "it's a := \"place\""
+        os.mkdir(odd)
+        command = slam_run.launch_command(slam_run.parse_arguments(
+            ["p.yaml", "--bag", f"{odd}/x y.bag", "--out", odd, "--online", "--load-map", odd]))
+        for word in command[3:]:
+            self.assertEqual(word.count(":="), 1, word)
+            self.assertFalse(set(word) & set("'\" "), word)
+        given = dict(word.split(":=") for word in command[3:])
+        uri = pathlib.Path(odd).absolute().as_uri()
+        self.assertEqual((given["output_dir"], given["load_map"]), (uri, uri))
+        self.assertEqual(given["bag"], uri + "/x%20y.bag")
 
     def test_passes_on_what_was_asked_for_without_a_colon_in_a_value(self):
         command = self.command("--set", "a.b=1", "c.d=2", "--set", "e.f=3", "--remap", "odom:=/w",
@@ -135,6 +163,21 @@ class InvalidProduct(unittest.TestCase):
 
 
 class Online(unittest.TestCase):
+    def test_into_the_folder_of_another_run_fails_before_anything_starts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            slam_run.require_no_other_run(folder)
+            held = os.open(folder, os.O_RDONLY)
+            self.addCleanup(os.close, held)
+            fcntl.flock(held, fcntl.LOCK_EX)
+            bag = pathlib.Path(folder) / "x.bag"
+            bag.write_bytes(b"")
+            (bag.parent / "config.yaml").write_text("of the other run", encoding="ascii")
+            chosen = slam_run.parse_arguments([*REQUIRED[:1], "--bag", str(bag), "--out", folder,
+                                               "--online"])
+            with self.assertRaisesRegex(slam_run.RunError, "another run is writing"):
+                slam_run.run_online(chosen)
+            self.assertTrue((bag.parent / "config.yaml").exists())
+
     def test_of_a_bag_that_is_not_there_fails_before_anything_starts(self):
         chosen = slam_run.parse_arguments([*REQUIRED[:2], "/nowhere/x.bag", "--out", "/nowhere/run",
                                            "--online"])

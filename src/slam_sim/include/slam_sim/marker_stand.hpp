@@ -38,12 +38,18 @@ class MarkerStand {
   /// What the detector makes of one image; nothing where it does not see the marker or rejects it.
   /// @param frame rises from image to image
   std::optional<LandmarkObservation> look(const CameraPath& T_world_camera, std::uint64_t frame);
-  const Counters& counters() const { return detector_->counters(); }
+  Counters counters() const { return detector_->counters(); }
 
  private:
+  template <class T>
+  void give(const T& value) {
+    ports_.input("camera", kindOf<T>())->set(&value);
+  }
+
   World world_;
   CameraRenderer camera_;
   std::unique_ptr<LandmarkDetector> detector_;
+  Ports ports_;  ///< its
 };
 
 /// The index-th of many poses of a camera at about that distance [m] and obliqueness [rad] from the

@@ -36,6 +36,16 @@ void ToyBackend::configure(slam::Settings& settings) {
   reset();
 }
 
+void ToyBackend::describe(slam::Ports& ports) {
+  ports.takes<slam::Motion>("motion", "motion", this).carrier();
+  ports.takes<slam::LandmarkObservationArray>("observations", "landmarks", this);
+}
+
+void ToyBackend::describe(slam::Capabilities& capabilities) {
+  capabilities.offer<slam::LandmarkMapper>(*this);
+  capabilities.offer<slam::MapKeeper>(*this);
+}
+
 void ToyBackend::reset() {
   const double variance = config_.initial_sigma * config_.initial_sigma;
   x_ = Eigen::Vector3d::Zero();

@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam_toy {
@@ -23,12 +26,14 @@ struct ToyConfig {
 
 /// EKF-SLAM with known ids (Thrun, Burgard, Fox 2005, table 10.1), one observation after the other,
 /// with dense matrices: nothing but the algorithm.
-class ToyBackend final : public slam::Backend {
+class ToyBackend final : public slam::Backend, public slam::LandmarkMapper, public slam::MapKeeper {
  public:
   void configure(slam::Settings& settings) override;
+  void describe(slam::Ports& ports) override;
+  void describe(slam::Capabilities& capabilities) override;
 
-  void set(const slam::Motion& motion) override { motions_.push_back(motion); }
-  void set(const slam::LandmarkObservationArray& seen) override { observations_ = seen; }
+  void set(const slam::Motion& motion) { motions_.push_back(motion); }
+  void set(const slam::LandmarkObservationArray& seen) { observations_ = seen; }
   void set(const slam::PoseEstimate& initial_pose) override { initial_pose_ = initial_pose; }
   void set(const slam::MapState& map) override { map_ = map; }
 
@@ -38,7 +43,7 @@ class ToyBackend final : public slam::Backend {
   slam::LandmarkMap landmarks() const override;
   slam::MapState state() const override { return {pose(), landmarks(), {}}; }
   slam::UpdateStatistics statistics() const override { return statistics_; }
-  const slam::Counters& counters() const override { return counters_; }
+  slam::Counters counters() const override { return counters_; }
 
   void reset() override;
 

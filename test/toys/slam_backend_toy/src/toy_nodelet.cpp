@@ -4,15 +4,11 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <slam_ros/backend_nodelet.hpp>
 
-#include "toy_backend.hpp"
-
 namespace slam_backend_toy {
 
 class ToyNodelet final : public slam_ros::BackendNodelet {
- private:
-  std::unique_ptr<slam::Backend> makeBackend() const override {
-    return std::make_unique<slam_toy::ToyBackend>();
-  }
+ public:
+  ToyNodelet() : BackendNodelet("toy") {}
 };
 
 }  // namespace slam_backend_toy

@@ -5,7 +5,6 @@
 
 namespace slam::test {
 
-INSTANTIATE_TEST_SUITE_P(Toy, BackendContract, testing::Values(Variant{"toy", "toy", {}}),
-                         variantName);
+INSTANTIATE_BACKEND_CONTRACTS(Toy, (std::vector<Variant>{{"toy", "toy", {}}}));
 
 }  // namespace slam::test

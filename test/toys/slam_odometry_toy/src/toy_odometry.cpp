@@ -31,6 +31,11 @@ void ToyOdometry::configure(slam::Settings& settings) {
   reset();
 }
 
+void ToyOdometry::describe(slam::Ports& ports) {
+  ports.takes<slam::OdometrySample>("odom", "odometry", this);
+  ports.makes<slam::Motion>("motion", motion_);
+}
+
 void ToyOdometry::reset() {
   last_.reset();
   sample_.reset();

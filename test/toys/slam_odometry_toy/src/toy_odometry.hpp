@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 
 namespace slam_toy {
 
@@ -23,10 +24,12 @@ struct ToyOdometryConfig {
 class ToyOdometry final : public slam::OdometrySource {
  public:
   void configure(slam::Settings& settings) override;
-  void set(const slam::OdometrySample& sample) override { sample_ = sample; }
+  void describe(slam::Ports& ports) override;
+  void set(const slam::OdometrySample& sample) { sample_ = sample; }
   slam::Status execute() override;
   const std::optional<slam::Motion>& motion() const override { return motion_; }
-  const slam::Counters& counters() const override { return counters_; }
+  slam::Counters counters() const override { return counters_; }
+  std::uint64_t dropped() const override { return counters_["late"] + counters_["invalid"]; }
   void reset() override;
 
  private:

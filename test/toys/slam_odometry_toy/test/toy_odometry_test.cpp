@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/product/test/component_driver.hpp"
 
 namespace slam_toy {
 namespace {
@@ -26,13 +27,14 @@ class ToyOdometryTest : public testing::Test {
     odometry_->configure(settings);
   }
   const std::optional<slam::Motion>& after(const slam::OdometrySample& sample) {
-    odometry_->set(sample);
+    inputs_.set(sample);
     odometry_->execute();
     return odometry_->motion();
   }
 
   std::unique_ptr<slam::OdometrySource> odometry_ =
       slam::Registry<slam::OdometrySource>::instance().create("toy");
+  slam::test::ComponentDriver inputs_{*odometry_};
 };
 
 TEST_F(ToyOdometryTest, GivesWhatLiesBetweenTwoPosesInTheRobotsFrame) {

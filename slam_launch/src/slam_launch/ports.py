@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a product's components take in and make.
+
+Their ports say so in the components and nowhere else; the program slam_ports has them.
+"""
+
+import dataclasses
+import json
+import subprocess
+
+from . import packages
+from .errors import ProductError
+
+PROGRAM = "slam_ports"
+LATCHED = "latched"
+
+
+@dataclasses.dataclass(frozen=True)
+class Input:
+    """What a component takes in."""
+
+    name: str
+    topic: str           # where the robot file names no other
+    sentence: str        # what comes in there, for people
+    is_mandatory: bool
+    time: str            # trigger, carrier, latched
+    kind: str            # of the data, as C++ calls it
+    made_by: str = None  # the key of the component that makes it; none: it comes from outside
+    gate: str = None     # that makes it fit for use, of what comes from outside
+
+
+@dataclasses.dataclass(frozen=True)
+class Output:
+    """What a component makes; without a kind it is only published."""
+
+    name: str
+    topic: str
+    kind: str = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Component:
+    """A component, or a gate, which has no role and no key, with its ports."""
+
+    name: str  # in the registry
+    inputs: tuple
+    outputs: tuple
+    role: str = "gate"
+    key: str = None  # of the product file, which names the component there
+
+
+@dataclasses.dataclass(frozen=True)
+class ProductPorts:
+    """The ports of all components of a product, in the order of the data's flow."""
+
+    components: tuple
+    gates: tuple
+    owns_odometry_edge: bool  # whether the odometry source publishes odom -> base_link itself
+
+
+def of_product(product):
+    """Returns the ProductPorts of a product."""
+    told = json.loads(ask(product))
+    return ProductPorts(tuple(map(component, told["components"])),
+                        tuple(map(component, told["gates"])), told["owns_odometry_edge"])
+
+
+def component(told):
+    return Component(**{**told, "inputs": tuple(Input(**port) for port in told["inputs"]),
+                        "outputs": tuple(Output(**port) for port in told["outputs"])})
+
+
+def require_joined(product):
+    """Refuses a product whose libraries are missing, or whose components cannot be joined by their
+    ports: two make the same, or nobody makes what one cannot do without."""
+    ask(product, "--check")
+
+
+def ask(product, *options):
+    """Returns what the program says of a product with these features and libraries."""
+    libraries = [word for name in product.content.get("libraries") or []
+                 for word in ("--library", name)]
+    features = [f"{key}={value}" for key, value in product.features.items()]
+    done = subprocess.run([packages.program("slam_ros", PROGRAM), *features, *libraries, *options],
+                          text=True, capture_output=True, check=False)
+    if done.returncode != 0:
+        faults = done.stderr.strip().replace(f"{PROGRAM}: ", "", 1).splitlines()
+        raise ProductError("; ".join(faults) or f"{PROGRAM} ended with exit code {done.returncode}")
+    return done.stdout

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What components say of their inputs and outputs, and products that cannot be wired."""
+
+import dataclasses
+import pathlib
+import tempfile
+import unittest
+
+from slam_launch import ports, ports_diagram, products
+from slam_launch.errors import ProductError
+from slam_launch.feature_model import FeatureModel, text
+
+
+class Ports(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.model = FeatureModel()
+
+    def of(self, name):
+        return ports.of_product(products.find(name, self.model))
+
+
+class Told(Ports):
+    def test_every_valid_product_is_joined(self):
+        for features in self.model.valid():
+            with self.subTest(text(features)):
+                ports.require_joined(products.without_file(features, self.model))
+
+    def test_components_come_in_the_order_of_the_flow(self):
+        self.assertEqual([part.key for part in self.of("ekf_wheel_pointmap").components],
+                         ["odometry", "detector", "backend", "pointmap"])
+
+    def test_an_input_has_its_topic_its_kind_its_time_and_its_maker(self):
+        backend = next(part for part in self.of("pf_wheel_grid").components
+                       if part.key == "backend")
+        told = {port.name: (port.kind, port.time, port.is_mandatory, port.made_by, port.gate)
+                for port in backend.inputs}
+        self.assertEqual(told, {
+            "motion": ("slam::Motion", "carrier", True, "odometry", None),
+            "observations": ("slam::LandmarkObservationArray", "trigger", False, None, None),
+            "scan": ("slam::LaserScan", "trigger", True, None, "laser")})
+
+    def test_a_camera_comes_with_its_calibration_and_its_mount(self):
+        source = self.of("pf_visual").components[0]
+        self.assertEqual([(port.topic, port.time) for port in source.inputs],
+                         [("ceiling_camera/image_raw", "trigger"),
+                          ("ceiling_camera/camera_info", "latched"), ("tf_static", "latched")])
+
+    def test_the_gate_of_a_laser_is_there_once(self):
+        for name, count in (("ekf_wheel", 0), ("pf_wheel_grid", 1), ("ekf_wheel_pointmap", 1)):
+            gates = self.of(name).gates
+            self.assertEqual(len(gates), count, name)
+            for gate in gates:
+                self.assertEqual([port.kind for port in gate.inputs],
+                                 ["slam::LaserSweep", "slam::LaserMount"])
+
+    def test_the_transform_of_the_odometry_follows_from_what_its_source_takes_in(self):
+        for name, owns in (("ekf_wheel", False), ("pf_visual", True), ("pf_visual_wheel", True)):
+            self.assertEqual(self.of(name).owns_odometry_edge, owns, name)
+
+
+class Refused(Ports):
+    def test_is_a_product_whose_library_is_missing(self):
+        product = products.find("ekf_wheel", self.model)
+        content = {**product.content, "libraries": ["libslam_nowhere.so"]}
+        product = dataclasses.replace(product, content=content)
+        for ask in (ports.require_joined, ports.of_product):
+            with self.assertRaises(ProductError) as caught:
+                ask(product)
+            self.assertIn("cannot load the product's library libslam_nowhere.so",
+                          str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+
+
+class Diagram(Ports):
+    def test_shows_each_port_with_its_kind_and_time_and_joins_it_with_its_maker(self):
+        drawn = ports_diagram.dot(self.of("pf_wheel_grid"))
+        for shown in ("slam::OdometrySample", "slam::LaserMount", "observations [0..1]",
+                      f"{ports_diagram.TIMES['carrier']} motion", "particlecloud"):
+            self.assertIn(shown, drawn)
+        self.assertIn('"odometry source wheel":out0:e -> "back-end pf":in0:w', drawn)
+        self.assertIn('"gate laser":out0:e -> "back-end pf":in2:w', drawn)
+        self.assertIn('"topic tf_static":e -> "gate laser":in1:w', drawn)
+        self.assertNotIn('"topic motion"', drawn)
+
+    def test_is_a_small_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "ports.svg"
+            ports_diagram.draw(products.find("pf_wheel_grid", self.model), path)
+            self.assertIn("slam::Motion", path.read_text(encoding="utf-8"))
+            self.assertLess(path.stat().st_size, 30000)
+
+
+if __name__ == "__main__":
+    unittest.main()

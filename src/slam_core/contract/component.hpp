@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/settings.hpp"
+#include "slam_core/common/status.hpp"
+#include "slam_core/contract/ports.hpp"
+
+namespace slam {
+
+/// What every component of a product is (thesis 4.2.1): its data come in and go out by ports.
+///
+/// Who calls: the Wiring, from one thread: an input's set(...), then execute() until isBusy() says
+/// no; after each execute() the outputs are taken. Nothing is known of other components.
+class Component {
+ public:
+  /// Names and values that tell how well it goes, for diagnostics.
+  using Figures = std::vector<std::pair<std::string, double>>;
+
+  virtual ~Component() = default;
+
+  /// Its inputs and outputs. They depend on what the component is, not on its configuration, so
+  /// that a product's inputs are known before anything is configured.
+  virtual void describe(Ports& ports) = 0;
+  /// A fresh start. @throw ConfigError listing all faults of its sections
+  virtual void configure(Settings& settings) = 0;
+  /// One deterministic step with what was set.
+  virtual Status execute() = 0;
+  /// Whether another execute() follows although nothing more is set: of several inputs that waited
+  /// the last one took in one.
+  virtual bool isBusy() const { return false; }
+
+  virtual Counters counters() const = 0;
+  /// Messages that had no effect because they came late, were lost or could not be used.
+  virtual std::uint64_t dropped() const { return 0; }
+  virtual Figures figures() const { return {}; }
+  /// The component is as after configure(); what is latched stays.
+  virtual void reset() = 0;
+};
+
+/// The ports of a component. They hold pointers to it.
+inline Ports portsOf(Component& component) {
+  Ports ports;
+  component.describe(ports);
+  return ports;
+}
+
+}  // namespace slam

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <typeindex>
+#include <utility>
+
+#include "slam_core/common/time.hpp"
+
+namespace slam {
+
+/// A kind of data is a C++ type: whoever has the type has the kind, nothing is registered.
+using Kind = std::type_index;
+
+template <class T>
+Kind kindOf() {
+  return typeid(T);
+}
+
+/// The type's name as C++ writes it ("slam::Motion"), for sentences.
+std::string nameOf(Kind kind);
+
+/// A value of some kind on its way from one port to another; it lives with its maker.
+class Datum {
+ public:
+  template <class T>
+  static Datum of(const T& value) {
+    return {kindOf<T>(), &value};
+  }
+  Kind kind() const { return kind_; }
+  const void* value() const { return value_; }
+  /// Null where it is of another kind.
+  template <class T>
+  const T* as() const {
+    return kind_ == kindOf<T>() ? static_cast<const T*>(value_) : nullptr;
+  }
+
+ private:
+  Datum(Kind kind, const void* value) : kind_(kind), value_(value) {}
+
+  Kind kind_;
+  const void* value_;
+};
+
+/// A value that waits for its turn, with what orders it.
+struct HeldDatum {
+  Stamp stamp;
+  std::uint64_t sequence = 0;
+  std::shared_ptr<void> value;
+};
+
+namespace detail {
+
+template <class T, class = void>
+struct HasSequence : std::false_type {};
+template <class T>
+struct HasSequence<T, std::void_t<decltype(std::declval<T>().sequence)>> : std::true_type {};
+
+template <class T, class = void>
+struct HasStamp : std::false_type {};
+template <class T>
+struct HasStamp<T, std::void_t<decltype(std::declval<T>().stamp)>> : std::true_type {};
+
+template <class T, class = void>
+struct HasFault : std::false_type {};
+template <class T>
+struct HasFault<T, std::void_t<decltype(faultOf(std::declval<const T&>()))>> : std::true_type {};
+
+}  // namespace detail
+
+/// What is to be known of a kind to let its values wait in order of time. A kind whose values
+/// trigger steps has a member `stamp`, and `sequence` where its source counts them. A free function
+/// `std::string faultOf(const T&)` beside the type says what makes a value unusable.
+struct KindTraits {
+  HeldDatum (*hold)(const void* value);        ///< null: the kind has no stamp
+  std::string (*fault_of)(const void* value);  ///< empty: the value can be used
+
+  template <class T>
+  static KindTraits of() {
+    KindTraits traits{nullptr, [](const void*) { return std::string(); }};
+    if constexpr (detail::HasStamp<T>::value)
+      traits.hold = [](const void* value) {
+        auto copy = std::make_shared<T>(*static_cast<const T*>(value));
+        HeldDatum held{copy->stamp, 0, copy};
+        if constexpr (detail::HasSequence<T>::value) held.sequence = copy->sequence;
+        return held;
+      };
+    if constexpr (detail::HasFault<T>::value)
+      traits.fault_of = [](const void* value) { return faultOf(*static_cast<const T*>(value)); };
+    return traits;
+  }
+};
+
+}  // namespace slam

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam {
+
+/// How far an observation of a known landmark was from the prediction.
+struct ObservationInnovation {
+  LandmarkId id = kUnknownId;
+  Eigen::Vector2d nu = Eigen::Vector2d::Zero();  ///< in range [m] and bearing [rad]
+  Eigen::Matrix2d S = Eigen::Matrix2d::Zero();   ///< its covariance, as the back-end believes
+  Eigen::Matrix2d R = Eigen::Matrix2d::Zero();   ///< the observation's part of it
+  bool used = false;                             ///< it passed the gate
+};
+
+/// The same of several observations of a stamp together, (range, bearing) one after the other.
+struct JointInnovation {
+  Eigen::VectorXd nu;
+  Eigen::MatrixXd S, R;
+  /// Jacobian of the prediction by the pose (x, y, theta), map frame; empty where it is not known.
+  Eigen::MatrixX3d H;
+};
+
+/// What the last execute() made of its observations.
+struct UpdateStatistics {
+  double nis = 0.0;   ///< normalised innovation squared of the used observations together
+  int nis_dof = 0;    ///< its degrees of freedom
+  int used = 0;       ///< observations of known landmarks that went into the update
+  int gated = 0;      ///< outside the chi-square gate, left out
+  int added = 0;      ///< landmarks seen for the first time
+  int unknown = 0;    ///< without an id, or not in a fixed map; left out
+  int landmarks = 0;  ///< in the map after the step
+  /// That a right observation passes the gate; of what is gated more often something is wrong.
+  double gate_probability = 0.9999;
+  /// Of the observations of known landmarks: log N(nu; 0, S). Outside the gate the density falls
+  /// like a power of the distance instead, so that an outlier costs more the smaller S is.
+  double log_likelihood = 0.0;
+  /// One by one, those that were gated included; in the order of the observations.
+  std::vector<ObservationInnovation> innovations;
+  JointInnovation joint;      ///< of the first of those that were used, kJoint at most
+  PosePrediction prediction;  ///< before the observations; counts only where joint.H is known
+
+  static constexpr std::size_t kJoint = 8;
+};
+
+/// The capability of a back-end whose map has landmarks.
+class LandmarkMapper {
+ public:
+  virtual ~LandmarkMapper() = default;
+  virtual LandmarkMap landmarks() const = 0;  ///< sorted by id
+  virtual UpdateStatistics statistics() const = 0;
+};
+
+}  // namespace slam

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "slam_core/models/landmark_map.hpp"
+
+namespace slam {
+
+/// The capability of a back-end whose map and pose can be saved, and taken up again.
+class MapKeeper {
+ public:
+  virtual ~MapKeeper() = default;
+  virtual MapState state() const = 0;  ///< all that save_map writes
+  /// The map and the pose are replaced with the next execute(). Without a joint covariance the
+  /// marginals are inflated. A map that cannot be used is an error of that step, which leaves map
+  /// and pose as they are.
+  virtual void set(const MapState& map) = 0;
+};
+
+/// The capability of a back-end that has several representations of a map to choose from.
+class MapChooser {
+ public:
+  virtual ~MapChooser() = default;
+  virtual std::vector<std::string> maps() const = 0;
+  /// Makes this one of maps() from the next configure() on; its ports are those of this map at
+  /// once.
+  virtual void useMap(const std::string& map) = 0;
+};
+
+}  // namespace slam

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "slam_core/contract/data.hpp"
+
+namespace slam {
+
+/// What the data of an input do to time.
+enum class TimeRole {
+  kTrigger,  ///< each is worth a step at its stamp
+  kCarrier,  ///< moves time on between the triggers: motion
+  kLatched,  ///< in force for all that follows, whatever its stamp: a calibration, a mount
+};
+
+/// An input of a component. Name and kind together say what it is joined with.
+struct InputPort {
+  std::string name;      ///< "scan", as topics and messages call it
+  Kind kind;             ///< of its data
+  std::string sentence;  ///< what comes in there, for people: "laser scans"
+  TimeRole time = TimeRole::kTrigger;
+  bool is_mandatory = true;
+  KindTraits traits;
+  std::function<void(const void*)> set;  ///< gives the component a value of the kind
+
+  InputPort& optional() { return is_mandatory = false, *this; }
+  InputPort& carrier() { return time = TimeRole::kCarrier, *this; }
+  InputPort& latched() { return time = TimeRole::kLatched, *this; }
+};
+
+/// An output of a component.
+struct OutputPort {
+  std::string name;
+  Kind kind;
+  std::function<const void*()> get;  ///< of the last execute(); null where it made nothing
+};
+
+/// A component's inputs and outputs, each described once: the wiring joins them, and what a product
+/// needs, what it subscribes to, and what a diagram shows follow from them. Filled by describe().
+class Ports {
+ public:
+  /// An input that a setter takes in.
+  template <class T, class Set>
+  InputPort& takes(const std::string& name, const std::string& sentence, Set set) {
+    auto give = [set = std::move(set)](const void* value) { set(*static_cast<const T*>(value)); };
+    return inputs_.emplace_back(InputPort{name, kindOf<T>(), sentence, TimeRole::kTrigger, true,
+                                          KindTraits::of<T>(), std::move(give)});
+  }
+  /// The same of a component with an overload set(const T&).
+  template <class T, class Component>
+  InputPort& takes(const std::string& name, const std::string& sentence, Component* component) {
+    return takes<T>(name, sentence, [component](const T& value) { component->set(value); });
+  }
+
+  /// An output that stands in an optional member: what the last execute() made, or nothing.
+  template <class T>
+  OutputPort& makes(const std::string& name, const std::optional<T>& value) {
+    return makes<T>(name, [&value]() -> const T* { return value ? &*value : nullptr; });
+  }
+  /// An output: `get` returns a pointer to what the last execute() made, or null.
+  template <class T, class Get>
+  OutputPort& makes(const std::string& name, Get get) {
+    auto find = [get = std::move(get)]() -> const void* {
+      const T* value = get();
+      return value;
+    };
+    return outputs_.emplace_back(OutputPort{name, kindOf<T>(), std::move(find)});
+  }
+
+  /// Adds an input that another component has described.
+  InputPort& add(InputPort port) { return inputs_.emplace_back(std::move(port)); }
+
+  const std::deque<InputPort>& inputs() const { return inputs_; }
+  const std::deque<OutputPort>& outputs() const { return outputs_; }
+  /// Null where there is none.
+  const InputPort* input(const std::string& name, Kind kind) const;
+  const OutputPort* output(const std::string& name, Kind kind) const;
+
+ private:
+  std::deque<InputPort> inputs_;  // deques: what is added is handed out by reference
+  std::deque<OutputPort> outputs_;
+};
+
+}  // namespace slam

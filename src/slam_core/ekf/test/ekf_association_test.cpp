@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <set>
+
+#include "slam_core/association/association_policy.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/ekf/candidates.hpp"
+#include "slam_core/ekf/ekf_slam.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+
+namespace slam::ekf {
+namespace {
+
+using association::AssociationPolicy;
+using association::Candidate;
+using association::CandidateSource;
+using association::Decision;
+using test::SimulatedStep;
+using test::SimulatedWorld;
+
+double distance(const Candidate& candidate) {
+  return candidate.nu.dot(candidate.S.llt().solve(candidate.nu));
+}
+
+/// A toy: each observation is of the nearest landmark, where that is near; where none is, it is of
+/// a new one. Ids are not looked at.
+class ToyNearest final : public AssociationPolicy {
+ public:
+  bool usesPlaces() const override { return true; }
+  void decide(const LandmarkObservationArray& array, const CandidateSource& source,
+              bool map_is_fixed, std::vector<Decision>& decisions) override {
+    decisions.assign(array.observations.size(), Decision());
+    for (std::size_t i = 0; i < decisions.size(); ++i) {
+      candidates_.clear();
+      source.candidates(i, candidates_);
+      const auto nearest =
+          std::min_element(candidates_.begin(), candidates_.end(),
+                           [](const auto& a, const auto& b) { return distance(a) < distance(b); });
+      if (nearest != candidates_.end() && distance(*nearest) < 100.0)
+        decisions[i] = {Decision::Kind::kLandmark, nearest->landmark};
+      else
+        decisions[i].kind = map_is_fixed ? Decision::Kind::kNotInMap : Decision::Kind::kNew;
+    }
+  }
+
+ private:
+  std::vector<Candidate> candidates_;
+};
+
+const Registrar<AssociationPolicy, ToyNearest> kRegistrar("toy_nearest");
+
+void removeIds(SimulatedStep& step) {
+  for (auto& z : step.observations.observations) z.id = kUnknownId;
+}
+
+/// The same drive with ids, and without them by distance.
+class EkfAssociationTest : public testing::Test {
+ protected:
+  void configure(EkfConfig config = {}) {
+    with_ids.configure(config);
+    config.association = "toy_nearest";
+    by_distance.configure(config);
+  }
+  static void take(EkfSlam& ekf, const SimulatedStep& step) {
+    ekf.set(step.motion);
+    ekf.set(step.observations);
+    EXPECT_TRUE(ekf.execute().isOk());
+  }
+  void drive(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      auto step = world.next();
+      take(with_ids, step);
+      removeIds(step);
+      take(by_distance, step);
+      truth = step.truth;
+      unknown += by_distance.statistics().unknown;
+    }
+  }
+
+  EkfSlam with_ids, by_distance;
+  SimulatedWorld world{4};
+  Pose2 truth;
+  int unknown = 0;
+};
+
+TEST_F(EkfAssociationTest, APolicyThatPairsByDistanceNeedsNoIds) {
+  configure();
+  drive(300);
+  const auto expected = with_ids.pose(), pose = by_distance.pose();
+  EXPECT_EQ(by_distance.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_EQ(unknown, 0);
+  EXPECT_LT((pose.pose.vector() - expected.pose.vector()).norm(), 1e-6);
+  EXPECT_LT((pose.covariance - expected.covariance).norm(), 1e-6 * expected.covariance.norm());
+  EXPECT_LT(test::nees(truth, pose.pose, pose.covariance), 16.0);
+}
+
+TEST_F(EkfAssociationTest, LandmarksWithoutIdsAreGivenSomeOfTheirOwn) {
+  configure();
+  drive(50);
+  std::set<LandmarkId> ids;
+  for (const auto& landmark : by_distance.landmarks()) ids.insert(landmark.id);
+  EXPECT_EQ(ids.size(), by_distance.landmarks().size()) << "each has its own";
+  EXPECT_GE(*ids.begin(), 0);
+  for (const auto& innovation : by_distance.statistics().innovations)
+    EXPECT_EQ(ids.count(innovation.id), 1u) << innovation.id;
+}
+
+/// A neighbourhood of four landmarks is renewed all the time: what is seen again comes back into it
+/// by its place.
+TEST_F(EkfAssociationTest, LandmarksComeIntoTheNeighbourhoodByPlace) {
+  EkfConfig config;
+  config.neighbourhood = 4;
+  configure(config);
+  drive(300);
+  EXPECT_EQ(by_distance.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_LT((by_distance.pose().pose.vector() - with_ids.pose().pose.vector()).norm(), 1e-6);
+}
+
+TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
+  configure();
+  drive(200);
+  EkfConfig config;
+  config.mode = "localization";
+  config.association = "toy_nearest";
+  EkfSlam localizer;
+  localizer.configure(config);
+  localizer.set(by_distance.state());
+  for (int i = 0; i < 50; ++i) {
+    auto step = world.next();
+    removeIds(step);
+    if (i == 10) {
+      step.observations.observations.emplace_back(step.observations.observations.front());
+      step.observations.observations.back().range = 80.0;
+    }
+    take(localizer, step);
+    truth = step.truth;
+  }
+  EXPECT_EQ(localizer.landmarks().size(), by_distance.landmarks().size());
+  EXPECT_EQ(localizer.counters()["not_in_map"], 1u);
+  const auto pose = localizer.pose();
+  EXPECT_LT(test::nees(truth, pose.pose, pose.covariance), 16.0);
+}
+
+/// Takes each observation for new, for a landmark that there is not, or says nothing at all.
+class ToyNonsense final : public AssociationPolicy {
+ public:
+  bool usesPlaces() const override { return true; }
+  void decide(const LandmarkObservationArray& array, const CandidateSource&, bool,
+              std::vector<Decision>& decisions) override {
+    decisions.assign(array.observations.size(), {Decision::Kind::kLandmark, 1000000});
+    if (calls_ % 3 == 1) decisions.assign(array.observations.size(), {Decision::Kind::kNew, 0});
+    if (calls_ % 3 == 2) decisions.clear();
+    ++calls_;
+  }
+
+ private:
+  int calls_ = 0;
+};
+
+TEST_F(EkfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
+  const Registrar<AssociationPolicy, ToyNonsense> registrar("toy_nonsense");
+  configure();
+  drive(50);
+  EkfConfig config;
+  config.mode = "localization";
+  config.association = "toy_nonsense";
+  EkfSlam localizer;
+  localizer.configure(config);
+  localizer.set(with_ids.state());
+  for (int i = 0; i < 30; ++i) take(localizer, world.next());
+  EXPECT_EQ(localizer.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_EQ(localizer.statistics().used, 0);
+  EXPECT_GT(localizer.counters()["not_in_map"], 0u);
+  EXPECT_GT(localizer.counters()["unknown_id"], 0u);
+}
+
+TEST_F(EkfAssociationTest, APolicyThatIsNotKnownIsNamedWithThoseThereAre) {
+  EkfConfig config;
+  config.association = "known_idz";
+  try {
+    EkfSlam().configure(config);
+    FAIL();
+  } catch (const ConfigError& error) {
+    const std::string fault = error.what();
+    EXPECT_NE(fault.find("ekf.association"), std::string::npos) << fault;
+    EXPECT_NE(fault.find("known_ids"), std::string::npos) << fault;
+  }
+}
+
+/// What a policy is told of a map of two landmarks and their observations.
+class PlaceCandidatesTest : public testing::Test {
+ protected:
+  PlaceCandidatesTest() {
+    const PoseEstimate robot{Pose2(), Eigen::Vector3d(0.01, 0.01, 0.001).asDiagonal()};
+    state = EkfState(makeLinearization("right_invariant"), {}, robot);
+    for (const auto& place : {Eigen::Vector2d(3, 1), Eigen::Vector2d(4, -2)}) {
+      LandmarkObservation z;
+      z.range = place.norm() + 0.02;
+      z.bearing = std::atan2(place.y(), place.x());
+      z.covariance = Eigen::Vector2d(0.0025, 0.0001).asDiagonal();
+      array.observations.push_back(z);
+      RangeBearingModel::Jacobian23 J_robot;
+      Eigen::Matrix2d J_z;
+      model.invert(Pose2(), Pose2(), z.vector(), &J_robot, &J_z);
+      state.append(state.freeId(), place, J_robot, J_z * z.covariance * J_z.transpose());
+    }
+    near = landmarksByPlace(array, state, model, 18.0);
+    state.take(near.all());
+  }
+
+  RangeBearingModel model;
+  EkfState state;
+  LandmarkObservationArray array;
+  LandmarksByPlace near;
+};
+
+TEST_F(PlaceCandidatesTest, AreTheLandmarksAroundWithTheirInnovation) {
+  const PlaceCandidates source(array, state, model, near);
+  EXPECT_EQ(source.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<Candidate> candidates;
+    source.candidates(i, candidates);
+    ASSERT_EQ(candidates.size(), 1u);
+    EXPECT_EQ(candidates[0].landmark, i);
+    EXPECT_NEAR(candidates[0].nu.x(), 0.02, 1e-12);
+    EXPECT_NEAR(candidates[0].nu.y(), 0.0, 1e-12);
+    // the robot has not moved since it saw the landmark: only what it measured then is in doubt
+    const Eigen::Matrix2d R = array.observations[i].covariance;
+    EXPECT_LT((candidates[0].S - 2.0 * R).norm(), 0.05 * R.norm());
+  }
+}
+
+TEST_F(PlaceCandidatesTest, TellHowTwoInnovationsBelongTogether) {
+  Eigen::Matrix3d Q = Eigen::Vector3d(0.04, 0.02, 0.001).asDiagonal();
+  state.predict(Pose2(0.5, 0.1, 0.1), Q);
+  const PlaceCandidates source(array, state, model, near);
+  const Eigen::Matrix2d cross = source.crossCovariance({0, 0}, {1, 1});
+  const std::vector<Match> both = {{state.slotOf(0), array.observations[0]},
+                                   {state.slotOf(1), array.observations[1]}};
+  const auto S = ObservationUpdate(model, state, array.sensor_pose, both, 1).joint().S;
+  EXPECT_EQ(cross, (S.block<2, 2>(0, 2)));
+  EXPECT_GT(cross.norm(), 0.01) << "a wrong pose is common to both";
+  EXPECT_TRUE(source.crossCovariance({1, 1}, {0, 0}).isApprox(cross.transpose(), 1e-12));
+}
+
+TEST_F(PlaceCandidatesTest, FarFromTheMapThereAreNone) {
+  array.observations[0].range = 30.0;
+  near = landmarksByPlace(array, state, model, 18.0);
+  EXPECT_TRUE(near.of[0].empty());
+  EXPECT_EQ(near.all().others, 1);
+  EXPECT_EQ(near.all().landmarks, std::vector<Eigen::Index>{1});
+}
+
+}  // namespace
+}  // namespace slam::ekf

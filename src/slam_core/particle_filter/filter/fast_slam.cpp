@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
+
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/grid_map/grid_conversion.hpp"
+#include "slam_core/particle_filter/particles/mixture.hpp"
+
+namespace slam::particle_filter {
+namespace {
+
+const Registrar<Backend, FastSlam> kRegistrar("pf");
+const SectionRegistrar<PfConfig> kSectionRegistrar;
+const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
+const SectionRegistrar<ScanConfig> kScanRegistrar;
+
+using Purpose = RandomStreams::Purpose;
+
+void append(const Motion& motion, std::optional<Motion>& sum) {
+  sum = sum ? joined(*sum, motion) : motion;
+}
+
+Status statusOfWeights(bool are_left) {
+  if (are_left) return Status::ok();
+  return Status::warning(
+      "no particle can explain the observations, all weights vanished; they are made equal and "
+      "the filter goes on: check the noise of the sensor in the robot file");
+}
+
+}  // namespace
+
+void FastSlam::configure(const PfConfig& config, const grid_map::GridMapConfig& grid,
+                         const ScanConfig& scan) {
+  FaultCollector faults;
+  faults.attempt([&] { validatePf(config); });
+  if (uses_grid_) faults.attempt([&] { validate(grid); });
+  if (uses_grid_) faults.attempt([&] { validate(scan); });
+  faults.raise();
+  config_ = config;
+  scans_.reset();
+  if (uses_grid_) scans_.emplace(grid, scan, mapIsFixed());
+  resampler_ = Resampler(resamplingOf(config));
+  execution_.workers = std::make_unique<Workers>(static_cast<unsigned>(config.threads));
+  reset();
+}
+
+void FastSlam::configure(Settings& settings) {
+  PfConfig config;
+  grid_map::GridMapConfig grid;
+  ScanConfig scan;
+  FaultCollector faults;
+  faults.attempt([&] { settings.read(config); });
+  if (uses_grid_) faults.attempt([&] { settings.read(grid); });
+  if (uses_grid_) faults.attempt([&] { settings.read(scan); });
+  faults.attempt([&] { configure(config, grid, scan); });
+  faults.raise();
+}
+
+void FastSlam::reset() {
+  execution_.streams.restart();
+  particles_ = std::make_unique<ParticleSet>(static_cast<std::size_t>(config_.particles),
+                                             static_cast<unsigned>(config_.threads),
+                                             scans_ ? scans_->mostTiles() : 0);
+  landmarks_ = LandmarkUpdate(landmarksOf(config_));
+  if (scans_) scans_->relocate({});
+  inputs_ = {};
+  account_ = {};
+  shown_grid_ = {nullptr, shown_grid_.revision + 1};
+  const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
+  const Eigen::Vector3d sigma(position, position, heading);
+  belief_ = {};
+  belief_.estimate = {Pose2(), sigma.cwiseAbs2().asDiagonal()};
+  belief_.bound.restart(belief_.estimate.covariance);
+  auto stream = execution_.streams.of(Purpose::kPlace);
+  particles_->relocate(Pose2(), belief_.estimate, stream);
+}
+
+void FastSlam::set(const Motion& motion) { append(motion, inputs_.motion); }
+
+/// After Montemerlo 2003 and Grisetti, Stachniss, Burgard 2007, alg. 1, but that particles are
+/// weighed and resampled before their poses are drawn (Pitt, Shephard 1999).
+Status FastSlam::execute() {
+  execution_.streams.nextStep();
+  account_.statistics = {};
+  const auto replaced = replaceMap();
+  relocate();
+  const auto step = takeInputs();
+  if (step.update == nullptr) return summary({carry(step), replaced});
+  const auto drafts = propose(step);
+  const auto weighed = weigh(drafts, *step.update);
+  const auto moments = estimate(drafts, step);
+  const auto ancestors = resample(drafts, moments);
+  const auto drawn = draw(drafts, ancestors, *step.update);
+  const auto learnt = learn(ancestors, step);
+  return summary({weighed, drawn, learnt, replaced});
+}
+
+Status FastSlam::replaceMap() {
+  if (!inputs_.map) return Status::ok();
+  const auto map = *std::exchange(inputs_.map, std::nullopt);
+  grid_map::GridMap grid(particles_->memory().grids);
+  Status status;
+  if (scans_ && map.grid) status = fillFrom(*map.grid, scans_->model(), grid);
+  if (status.level == Status::Level::kError) return status;  // all stays as it is
+  shown_grid_ = {grid.identity(), shown_grid_.revision + 1};
+  const bool has_joint = map.joint_covariance.size() > 0;
+  const double inflation = has_joint ? 1.0 : config_.load_inflation;
+  particles_->replaceMaps(map.landmarks, inflation, grid);
+  landmarks_.load(map.landmarks);
+  belief_.bound.load(map.landmarks, inflation);
+  if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
+  return status;
+}
+
+void FastSlam::relocate() {
+  if (!inputs_.initial_pose) return;
+  const auto place = *std::exchange(inputs_.initial_pose, std::nullopt);
+  auto drawn = place;
+  if (scans_) drawn.covariance *= 0.5;  // the other half is what a scan looks around each of them
+  if (scans_) scans_->relocate(drawn);
+  landmarks_.relocate();
+  auto stream = execution_.streams.of(Purpose::kPlace);
+  particles_->relocate(carriedIncrement(), drawn, stream);
+  belief_.carried.reset();
+  belief_.estimate = place;
+  belief_.bound.setPose(place.covariance);
+  belief_.told_place = {place.pose, place.covariance};
+}
+
+FastSlam::Step FastSlam::takeInputs() {
+  Step step;
+  step.latest = std::exchange(inputs_.motion, std::nullopt);
+  const auto observations = std::exchange(inputs_.observations, std::nullopt);
+  const auto scan = std::exchange(inputs_.scan, std::nullopt);
+  if (step.latest) {
+    step.stamp = step.latest->end;
+    append(*step.latest, belief_.carried);
+    if (scans_) scans_->move(*step.latest);
+  }
+  if (observations) step.stamp = observations->stamp;
+  if (scan) step.stamp = scan->stamp;
+  step.has_seen = landmarks_.take(observations, account_);
+  if (step.has_seen || (!scans_ && step.latest)) step.update = &landmarks_;
+  if (scans_ && scan && scans_->take(*scan)) {
+    step.update = &*scans_;
+    step.has_seen = true;
+  }
+  return step;
+}
+
+/// The particles stay where they are; what is told of them moves on.
+Status FastSlam::carry(const Step& step) {
+  if (!scans_) return Status::ok();
+  auto& [pose, covariance] = belief_.estimate;
+  if (step.latest) {
+    const auto& [increment, Q] = std::tie(step.latest->increment, step.latest->covariance);
+    belief_.bound.move(pose, *step.latest);
+    Eigen::Matrix3d J_pose, J_u;
+    pose = pose.compose(increment, &J_pose, &J_u);
+    covariance = J_pose * covariance * J_pose.transpose() + J_u * Q * J_u.transpose();
+  }
+  if (step.stamp != Stamp())
+    particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), false);
+  return Status::ok();
+}
+
+Drafts FastSlam::propose(const Step& step) {
+  const auto motion = std::exchange(belief_.carried, std::nullopt);
+  auto& place = belief_.told_place;
+  if (place && motion) place = place->moved(*motion);
+  auto drafts = step.update->propose(*particles_, motion, belief_, execution_);
+  if (step.has_seen) place.reset();
+  return drafts;
+}
+
+Status FastSlam::weigh(const Drafts& drafts, SensorUpdate& update) {
+  update.judge(particles_->weights(), account_);
+  const bool are_left = particles_->weigh(drafts.log_factors);
+  if (!are_left) account_.counters.add("weight_underflow");
+  return statusOfWeights(are_left);
+}
+
+PoseEstimate FastSlam::estimate(const Drafts& drafts, const Step& step) {
+  const auto& weights = particles_->weights();
+  auto& [estimate, bound, told_place, carried] = belief_;
+  const auto moments = momentsOf(drafts.proposals, weights.all());
+  bound.genealogy().weigh(weights.effectiveSize(), weights.size());
+  if (step.latest) bound.move(estimate.pose, *step.latest);
+  step.update->inform(moments, particles_->best(), bound);
+  estimate = {moments.pose, bound.told(moments.covariance)};
+  return moments;
+}
+
+Ancestors FastSlam::resample(const Drafts& drafts, const PoseEstimate& moments) {
+  const auto& weights = particles_->weights();
+  auto& figures = account_.figures;
+  figures["particles"] = static_cast<double>(weights.size());
+  figures["effective_sample_size"] = weights.effectiveSize();
+  if (!resampler_.isDue(weights)) {
+    Ancestors themselves(weights.size());
+    std::iota(themselves.begin(), themselves.end(), 0u);
+    return themselves;
+  }
+  const auto ancestors = resampler_.draw(drafts.proposals, weights, moments, execution_.streams);
+  particles_->resample(ancestors);
+  belief_.bound.genealogy().resample(ancestors);
+  account_.counters.add("resampled");
+  const std::set<std::uint32_t> distinct(ancestors.begin(), ancestors.end());
+  figures["unique_ancestors"] = static_cast<double>(distinct.size());
+  return ancestors;
+}
+
+Status FastSlam::draw(const Drafts& drafts, const Ancestors& ancestors,
+                      const SensorUpdate& update) {
+  std::vector<double> log_corrections(particles_->size());
+  execution_.workers->forEach(particles_->size(), [&](std::size_t i, unsigned) {
+    auto& particle = (*particles_)[i];
+    auto stream = execution_.streams.of(Purpose::kDraw, i);
+    particle.pose = drafts.proposals[ancestors[i]].sample(stream);
+    log_corrections[i] = update.logCorrection(drafts, ancestors[i], particle);
+  });
+  return statusOfWeights(particles_->weigh(log_corrections));
+}
+
+Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
+  const auto lesson = step.update->learn(*particles_, ancestors, belief_, execution_, account_);
+  particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), step.has_seen);
+  const auto* const grid = particles_->best().grid.identity();
+  const bool is_other = grid != std::exchange(shown_grid_.identity, grid);
+  shown_grid_.revision += lesson.changes_grids || is_other;
+  return lesson.status;
+}
+
+/// The first that has something to tell; else how it goes on the whole.
+Status FastSlam::summary(std::initializer_list<Status> of_steps) {
+  account_.statistics.landmarks = static_cast<int>(landmarks_.index().size());
+  for (const auto& status : of_steps)
+    if (!status.isOk()) return status;
+  if (mapIsFixed() && landmarks_.index().size() == 0 && particles_->best().grid.isEmpty())
+    return Status::warning("there is no map to localise in; load one");
+  if (landmarks_.isLost() || (scans_ && scans_->isLost()))
+    return Status::warning(
+        "the latest observations are far less likely than they should be: the pose may be lost; "
+        "set an initial pose");
+  return Status::ok();
+}
+
+}  // namespace slam::particle_filter

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/particle_filter/filter/pf_config.hpp"
+#include "slam_core/particle_filter/landmarks/landmark_update.hpp"
+#include "slam_core/particle_filter/particles/particle_set.hpp"
+#include "slam_core/particle_filter/particles/resampler.hpp"
+#include "slam_core/particle_filter/particles/sensor_update.hpp"
+#include "slam_core/particle_filter/scans/scan_update.hpp"
+
+namespace slam::particle_filter {
+
+/// A Rao-Blackwellised particle filter over the robot's path, each particle with a map of its own
+/// (thesis 5.4, 5.7; Montemerlo 2003; Grisetti, Stachniss, Burgard 2007). What a sensor does to the
+/// particles is that sensor's SensorUpdate: LandmarkUpdate makes it FastSLAM, ScanUpdate a filter
+/// with grid maps; with both, observations and scans come in turn. Beside a grid, steps that see
+/// nothing do not touch the particles: the motion is carried until something is seen.
+class FastSlam final : public Backend,
+                       public LandmarkMapper,
+                       public GridMapper,
+                       public PoseSampler,
+                       public PathReviser,
+                       public MapKeeper,
+                       public MapChooser {
+ public:
+  std::vector<std::string> maps() const override { return {"landmarks", "grid"}; }
+  void useMap(const std::string& map) override { uses_grid_ = map == "grid"; }
+  /// The grid's parameters count only where one is used. @throw ConfigError
+  void configure(const PfConfig& config, const grid_map::GridMapConfig& grid = {},
+                 const ScanConfig& scan = {});
+  void configure(Settings& settings) override;
+  void seed(std::uint64_t seed) override { execution_.streams.seed(seed); }
+
+  void describe(Ports& ports) override;
+  void describe(Capabilities& capabilities) override;
+
+  void set(const Motion& motion);
+  void set(const LandmarkObservationArray& observations) { inputs_.observations = observations; }
+  void set(const LaserScan& scan) { inputs_.scan = scan; }
+  void set(const PoseEstimate& initial_pose) override { inputs_.initial_pose = initial_pose; }
+  void set(const MapState& map) override { inputs_.map = map; }
+
+  bool usesScans() const { return scans_.has_value(); }
+
+  Status execute() override;
+
+  PoseEstimate pose() const override;
+  LandmarkMap landmarks() const override;
+  MapState state() const override;
+  UpdateStatistics statistics() const override { return account_.statistics; }
+  Counters counters() const override { return account_.counters; }
+  std::vector<Pose2> particles() const override;
+  std::vector<StampedPose> path() const override;
+  std::optional<OccupancyGrid> grid() const override;
+  std::uint64_t gridRevision() const override { return shown_grid_.revision; }
+  Figures figures() const override {
+    return {account_.figures.begin(), account_.figures.end()};
+  }
+
+  void reset() override;
+
+  const ParticleSet& particleSet() const { return *particles_; }
+
+ private:
+  /// What was set since the last step.
+  struct Inputs {
+    std::optional<MapState> map;
+    std::optional<PoseEstimate> initial_pose;
+    std::optional<Motion> motion;  ///< all motions as one
+    std::optional<LandmarkObservationArray> observations;
+    std::optional<LaserScan> scan;
+  };
+  /// What a step begins with.
+  struct Step {
+    Stamp stamp;
+    std::optional<Motion> latest;    ///< since the last step
+    SensorUpdate* update = nullptr;  ///< of the sensor that saw something, or by motion alone
+    bool has_seen = false;
+  };
+  struct ShownGrid {
+    const void* identity = nullptr;
+    std::uint64_t revision = 0;
+  };
+
+  Status replaceMap();
+  void relocate();
+  Step takeInputs();
+  Status carry(const Step& step);
+  Drafts propose(const Step& step);
+  Status weigh(const Drafts& drafts, SensorUpdate& update);
+  PoseEstimate estimate(const Drafts& drafts, const Step& step);
+  Ancestors resample(const Drafts& drafts, const PoseEstimate& moments);
+  Status draw(const Drafts& drafts, const Ancestors& ancestors, const SensorUpdate& update);
+  Status learn(const Ancestors& ancestors, const Step& step);
+  Status summary(std::initializer_list<Status> of_steps);
+
+  /// As the particles have it.
+  Landmark landmark(std::size_t slot) const;
+  bool tellsBest() const {
+    return config_.pose == "best" || (config_.pose == "auto" && usesScans());
+  }
+  /// Motion that has not been applied to the particles yet.
+  Pose2 carriedIncrement() const { return belief_.carried ? belief_.carried->increment : Pose2(); }
+  bool mapIsFixed() const { return config_.mode == "localization"; }
+
+  PfConfig config_;
+  bool uses_grid_ = false;
+  Execution execution_;
+  std::unique_ptr<ParticleSet> particles_;
+  LandmarkUpdate landmarks_;
+  std::optional<ScanUpdate> scans_;  ///< where a grid is made
+  Resampler resampler_;
+  PoseBelief belief_;
+  Inputs inputs_;
+  Account account_;
+  ShownGrid shown_grid_;
+};
+
+}  // namespace slam::particle_filter

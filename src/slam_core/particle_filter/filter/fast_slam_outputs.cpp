@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+
+#include "slam_core/grid_map/grid_conversion.hpp"
+#include "slam_core/particle_filter/filter/fast_slam.hpp"
+#include "slam_core/particle_filter/particles/mixture.hpp"
+
+namespace slam::particle_filter {
+
+void FastSlam::describe(Ports& ports) {
+  ports.takes<Motion>("motion", "motion", this).carrier();
+  auto& observations = ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+  if (!uses_grid_) return;
+  observations.optional();
+  ports.takes<LaserScan>("scan", "laser scans", this);
+}
+
+void FastSlam::describe(Capabilities& capabilities) {
+  capabilities.offer<LandmarkMapper>(*this);
+  if (uses_grid_) capabilities.offer<GridMapper>(*this);
+  capabilities.offer<PoseSampler>(*this);
+  capabilities.offer<PathReviser>(*this);
+  capabilities.offer<MapKeeper>(*this);
+  capabilities.offer<MapChooser>(*this);
+}
+
+PoseEstimate FastSlam::pose() const {
+  const auto& estimate = belief_.estimate;
+  return tellsBest() ? about(particles_->best().pose * carriedIncrement(), estimate) : estimate;
+}
+
+Landmark FastSlam::landmark(std::size_t slot) const {
+  if (config_.map != "best") return mixtureOf(*particles_, slot, landmarks_.index().id(slot));
+  const auto& best = particles_->best().map;
+  return mixtureAbout(best[slot].mean(), *particles_, slot, landmarks_.index().id(slot));
+}
+
+LandmarkMap FastSlam::landmarks() const {
+  LandmarkMap map;
+  map.reserve(landmarks_.index().size());
+  for (const auto slot : landmarks_.index().slotsById()) {
+    map.push_back(landmark(slot));
+    map.back().covariance = belief_.bound.told(map.back().covariance, slot);
+  }
+  return map;
+}
+
+/// Of a map to localise in counts how its landmarks lie to one another, not what all of them have
+/// in common, which the bound holds and nobody could tell apart any more.
+MapState FastSlam::state() const {
+  MapState state{pose(), {}, {}, grid()};
+  for (const auto slot : landmarks_.index().slotsById()) state.landmarks.push_back(landmark(slot));
+  return state;
+}
+
+std::optional<OccupancyGrid> FastSlam::grid() const {
+  if (!scans_) return std::nullopt;
+  return occupancyGridOf(particles_->best().grid, scans_->model().resolution());
+}
+
+std::vector<StampedPose> FastSlam::path() const {
+  const auto& best = particles_->best();
+  auto poses = best.path.poses(best.pose * carriedIncrement());
+  // landmarks and a scan of the same stamp are two steps, of which the second knows more
+  const auto is_outdone = [](const StampedPose& later, const StampedPose& earlier) {
+    return later.stamp == earlier.stamp;
+  };
+  const auto kept = std::unique(poses.rbegin(), poses.rend(), is_outdone);
+  poses.erase(poses.begin(), kept.base());
+  return poses;
+}
+
+std::vector<Pose2> FastSlam::particles() const {
+  std::vector<Pose2> poses;
+  poses.reserve(particles_->size());
+  for (std::size_t i = 0; i < particles_->size(); ++i)
+    poses.push_back((*particles_)[i].pose * carriedIncrement());
+  return poses;
+}
+
+}  // namespace slam::particle_filter

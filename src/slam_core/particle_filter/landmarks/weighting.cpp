@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/landmarks/weighting.hpp"
+
+#include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
+
+namespace slam::particle_filter {
+
+double Weighting::logFactor(const Prediction* predictions, std::size_t matches) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < matches; ++k) sum += predictions[k].log_likelihood;
+  return sum;
+}
+
+double ImportanceWeighting::logCorrection(const ObservationModel& model, const Sight& sight,
+                                          const ParticleMap& map, const PoseGaussian& prior,
+                                          const PoseGaussian& proposal, const Pose2& drawn,
+                                          const Prediction* predictions) const {
+  if (proposal.isCertain() || sight.matches.empty()) return 0.0;  // weighed at the pose itself
+  double sum = prior.logDensity(drawn) - proposal.logDensity(drawn);
+  for (std::size_t k = 0; k < sight.matches.size(); ++k) {
+    if (predictions[k].gated) continue;
+    const auto& [slot, z] = sight.matches[k];
+    const auto e = expect(model, drawn, sight.sensor, map[slot], z);
+    const auto exact =
+        e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
+    sum += exact.log_likelihood - predictions[k].log_likelihood;
+  }
+  return sum;
+}
+
+const std::vector<std::string>& weightingNames() {
+  static const std::vector<std::string> kNames = {"predictive", "importance"};
+  return kNames;
+}
+
+std::unique_ptr<Weighting> makeWeighting(const std::string& name) {
+  if (name == "importance") return std::make_unique<ImportanceWeighting>();
+  return std::make_unique<PredictiveWeighting>();
+}
+
+}  // namespace slam::particle_filter

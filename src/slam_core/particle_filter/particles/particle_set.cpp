@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/particles/particle_set.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace slam::particle_filter {
+
+ParticleSet::ParticleSet(std::size_t count, unsigned lanes, std::size_t most_tiles)
+    : memory_{ParticleMap::Memory(lanes), grid_map::GridMap::Memory(most_tiles), {}},
+      particles_(count, {Pose2(), ParticleMap(memory_.maps), grid_map::GridMap(memory_.grids),
+                         SharedPath(memory_.paths)}),
+      weights_(count) {}
+
+bool ParticleSet::weigh(const std::vector<double>& log_factors) {
+  const bool are_left = weights_.multiply(log_factors);
+  for (std::size_t i = 0; i < size(); ++i)
+    if (weights_[i] > weights_[best_]) best_ = i;
+  return are_left;
+}
+
+void ParticleSet::relocate(const Pose2& increment, const PoseEstimate& around,
+                           RandomStream& random) {
+  const Eigen::Matrix3d L = around.covariance.llt().matrixL();
+  std::vector<Eigen::Vector3d> deviations(size(), Eigen::Vector3d::Zero());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < size(); ++i) {
+    const double x = random.gaussian(), y = random.gaussian(), theta = random.gaussian();
+    deviations[i] = L * Eigen::Vector3d(x, y, theta);
+    mean += weights_[i] * deviations[i];
+  }
+  const double others = 1.0 - weights_[0];
+  const bool is_centred = size() > 2 && others > 0.0;  // a single other one would be no deviation
+  for (auto& particle : particles_) {
+    particle.pose = particle.pose * increment;
+    particle.path.append(particle.pose);
+  }
+  for (std::size_t i = 1; i < size(); ++i) {
+    if (is_centred) deviations[i] -= mean / others;
+    particles_[i].pose = Pose2::fromVector(around.pose.vector() + deviations[i]);
+  }
+  particles_[0].pose = around.pose;
+}
+
+void ParticleSet::record(Stamp stamp, const Pose2& odometry, bool has_learned) {
+  memory_.paths.addStep(stamp, odometry);
+  if (!has_learned) return;
+  for (auto& particle : particles_) particle.path.append(particle.pose);
+}
+
+void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation,
+                              const grid_map::GridMap& grid) {
+  ParticleMap shared(memory_.maps);
+  for (const auto& landmark : map) {
+    LandmarkEstimate estimate(landmark.position, inflation * inflation * landmark.covariance);
+    estimate.credit = LandmarkEstimate::kMostCredit;
+    shared.push_back(estimate);
+  }
+  for (auto& particle : particles_) {
+    particle.map = shared;
+    particle.grid = grid;
+    particle.path = SharedPath(memory_.paths);
+  }
+  memory_.paths.clearSteps();
+  weights_.reset(size());
+  best_ = 0;
+}
+
+void ParticleSet::resample(const std::vector<std::uint32_t>& ancestors) {
+  std::vector<Particle> next;
+  next.reserve(ancestors.size());
+  for (const auto ancestor : ancestors) next.push_back(particles_[ancestor]);
+  const auto best = std::find(ancestors.begin(), ancestors.end(), best_);
+  best_ = best == ancestors.end() ? 0 : static_cast<std::size_t>(best - ancestors.begin());
+  particles_ = std::move(next);
+  weights_.reset(size());
+}
+
+}  // namespace slam::particle_filter

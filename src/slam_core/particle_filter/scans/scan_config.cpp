@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/scans/scan_config.hpp"
+
+#include "slam_core/particle_filter/scans/scan_proposal.hpp"
+#include "slam_core/particle_filter/scans/scan_weighting.hpp"
+
+namespace slam::particle_filter {
+
+void ScanConfig::describe(Fields& fields) {
+  describePolicies(fields);
+  describeUpdates(fields);
+  describeLikelihood(fields);
+  describeSearch(fields);
+}
+
+void ScanConfig::describePolicies(Fields& fields) {
+  fields
+      .add("proposal", &proposal,
+           "where a particle's new pose is drawn from: about the place where the scan fits its map "
+           "best (matched), or from the motion alone (motion)")
+      .oneOf(scanProposalNames());
+  fields
+      .add("weighting", &weighting,
+           "a particle's weight: the scan's likelihood over all poses that the motion may have led "
+           "to (integral), or at the middle of the proposal (likelihood)")
+      .oneOf(scanWeightingNames());
+  fields
+      .add("matcher", &matcher,
+           "how that place is found: in steps from where the motion leads, or by searching a whole "
+           "window around that (correlative), slower, for odometry that slips")
+      .oneOf(scanMatcherNames());
+}
+
+void ScanConfig::describeUpdates(Fields& fields) {
+  fields
+      .add("update_distance", &update_distance,
+           "a scan is used when the robot has gone so far since the last one; between them poses "
+           "are the odometry's")
+      .unit("m")
+      .in(Range::atLeast(0));
+  fields.add("update_angle", &update_angle, "or when it has turned by so much")
+      .unit("rad")
+      .in(Range::atLeast(0));
+  fields.add("update_interval", &update_interval, "or after so long a time; 0: never for that")
+      .unit("s")
+      .in(Range::atLeast(0));
+}
+
+void ScanConfig::describeLikelihood(Fields& fields) {
+  fields
+      .add("spacing", &spacing,
+           "of ends of beams that lie closer together than this only one is matched")
+      .unit("m")
+      .in(Range::atLeast(0));
+  fields
+      .add("outlier", &outlier,
+           "likelihood of an end that has nothing to do with the map, relative to the best")
+      .unit("1")
+      .in(Range::open(0, 1));
+  fields
+      .add(
+          "beam_information", &beam_information,
+          "share of a beam's information that counts beside that of the motion: neighbouring beams "
+          "err in the same way")
+      .unit("1")
+      .in(Range{0, 1, true, false});
+  fields
+      .add(
+          "weight_smoothing", &weight_smoothing,
+          "the logarithm of a scan's factor on the weights is divided by this: what scans say of a "
+          "particle one after the other is not independent either, as they fit the same map")
+      .unit("1")
+      .in(Range::atLeast(1));
+  fields
+      .add("lost_share", &lost_share,
+           "the robot is told lost when a larger share of a scan's ends than this, of those where "
+           "the map knows something, lies where the map is free")
+      .unit("1")
+      .in(Range::open(0, 1));
+}
+
+void ScanConfig::describeSearch(Fields& fields) {
+  fields.add("step_position", &step_position, "first step of hill climbing")
+      .unit("m")
+      .in(Range::above(0));
+  fields.add("step_heading", &step_heading, "first step of hill climbing")
+      .unit("rad")
+      .in(Range::above(0));
+  fields.add("step_halvings", &step_halvings, "how often the steps are halved")
+      .unit("1")
+      .in(Range::closed(1, 20));
+  fields
+      .add("window_position", &window_position,
+           "correlative: half the edge of the square that is searched")
+      .unit("m")
+      .in(Range::closed(0, 5));
+  fields.add("window_heading", &window_heading, "correlative: half the angle that is searched")
+      .unit("rad")
+      .in(Range::closed(0, 3.1416));
+}
+
+}  // namespace slam::particle_filter

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "slam_core/grid_map/grid_map_config.hpp"
+#include "slam_core/grid_map/scan_insertion.hpp"
+#include "slam_core/grid_map/scan_points.hpp"
+#include "slam_core/particle_filter/particles/sensor_update.hpp"
+#include "slam_core/particle_filter/scans/scan_config.hpp"
+#include "slam_core/particle_filter/scans/scan_fit_monitor.hpp"
+#include "slam_core/particle_filter/scans/scan_proposal.hpp"
+#include "slam_core/particle_filter/scans/scan_weighting.hpp"
+#include "slam_core/particle_filter/scans/update_trigger.hpp"
+
+namespace slam::particle_filter {
+
+/// Laser scans in the filter, whose particles carry grid maps (Grisetti, Stachniss, Burgard 2007;
+/// thesis 5.7).
+class ScanUpdate final : public SensorUpdate {
+ public:
+  /// As when no scan has come yet. @param map, scan are valid
+  ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan, bool map_is_fixed);
+
+  /// The next scan is used wherever the robot is.
+  /// @param around a pose: by its covariance a particle may be off, beyond what it was drawn by
+  void relocate(const PoseEstimate& around);
+  void move(const Motion& motion);
+  /// @return whether the scan is due for an update and has beams that tell something
+  bool take(const LaserScan& scan);
+
+  Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
+                 const PoseBelief& belief, const Execution& execution) override;
+  void inform(const PoseEstimate& moments, const Particle& best,
+              KnowledgeBound& bound) const override;
+  Lesson learn(ParticleSet& particles, const Ancestors& ancestors, PoseBelief& belief,
+               const Execution& execution, Account& account) override;
+
+  bool isLost() const { return fit_.isLost(); }
+  const grid_map::BeamModel& model() const { return model_; }
+  /// Tiles in the rectangle of the largest map.
+  std::size_t mostTiles() const;
+
+ private:
+  /// How far a particle that is here may be off since the last scan: what landmarks have said since
+  /// has moved the particles, which for the scan is where to look, not how sure that is.
+  Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
+  Lesson insert(ParticleSet& particles, const Execution& execution, Account& account) const;
+  /// Whether as many maps may take the scan in without needing more memory than there is.
+  bool hasRoomFor(std::size_t maps, const grid_map::GridMap::Memory& memory) const;
+
+  grid_map::GridMapConfig map_config_;
+  ScanConfig config_;
+  bool map_is_fixed_;
+  grid_map::BeamModel model_;
+  grid_map::ScanLikelihood likelihood_;
+  std::unique_ptr<ScanProposal> proposal_;
+  std::unique_ptr<ScanWeighting> weighting_;
+  UpdateTrigger trigger_;
+  ScanFitMonitor fit_;
+  std::optional<Motion> motion_;  ///< since the last update
+
+  // of the step
+  Stamp stamp_;
+  grid_map::ScanPoints scan_;
+};
+
+}  // namespace slam::particle_filter

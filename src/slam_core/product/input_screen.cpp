@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/input_screen.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slam {
+namespace {
+
+bool isInvalid(const LaserBeam& beam) {
+  return !std::isfinite(beam.bearing) || !std::isfinite(beam.range) || beam.range <= 0.0f;
+}
+
+}  // namespace
+
+std::optional<HeldDatum> InputScreen::pass(const InputPort& port, const void* value) {
+  if (const auto fault = port.traits.fault_of(value); !fault.empty()) {
+    counters_.add("invalid_" + port.name);
+    fault_ = fault + "; it is left out";
+    return std::nullopt;
+  }
+  auto held = port.traits.hold(value);
+  if (port.kind == kindOf<LandmarkObservationArray>())
+    tell(
+        observations_.screen(*static_cast<LandmarkObservationArray*>(held.value.get()), counters_));
+  else if (port.kind == kindOf<LaserScan>())
+    screen(*static_cast<LaserScan*>(held.value.get()));
+  return held;
+}
+
+void InputScreen::admit(const InputPort& port, void* value) {
+  if (port.kind == kindOf<LandmarkObservationArray>())
+    tell(observations_.admit(*static_cast<LandmarkObservationArray*>(value), counters_));
+}
+
+void InputScreen::tell(const std::string& sentence) {
+  if (!sentence.empty()) fault_ = sentence;
+}
+
+void InputScreen::screen(LaserScan& scan) {
+  auto& beams = scan.beams;
+  if (scan.sensor_pose.isFinite() && std::none_of(beams.begin(), beams.end(), isInvalid)) return;
+  counters_.add("invalid_scan");
+  fault_ =
+      "a scan whose sensor pose or beams hold values that are not numbers, or a range that is not "
+      "above 0, is taken as empty";
+  beams.clear();
+}
+
+void InputScreen::reset() {
+  fault_.clear();
+  counters_.clear();
+}
+
+}  // namespace slam

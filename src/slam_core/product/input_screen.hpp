@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/common/settings.hpp"
+#include "slam_core/contract/ports.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/product/observation_intake.hpp"
+
+namespace slam {
+
+/// Makes the triggers of a back-end fit for it: faults are taken out and counted, what the robot
+/// file says of a sensor is filled in, observations are sorted by id. A trigger with a fault still
+/// moves time on where its kind can be empty. Counted: the reasons of the ObservationIntake,
+/// "invalid_scan", "invalid_NAME" of an input NAME of any other kind.
+class InputScreen {
+ public:
+  /// @throw ConfigError
+  void configure(Settings& settings) {
+    observations_ = ObservationIntake(settings.read<LandmarkSensorConfig>());
+  }
+
+  /// When a value arrives. @return nothing where it is left out
+  std::optional<HeldDatum> pass(const InputPort& port, const void* value);
+
+  /// When a step takes it: what would be too much for one step is left out.
+  void admit(const InputPort& port, void* value);
+  /// Does the same as ObservationIntake::knowOnly().
+  void knowOnly(const LandmarkMap& map) { observations_.knowOnly(map); }
+
+  /// Of the values since the last call: a sentence, or empty.
+  std::string takeFault() { return std::exchange(fault_, ""); }
+  const Counters& counters() const { return counters_; }
+  void reset();
+
+ private:
+  void screen(LaserScan& scan);
+  void tell(const std::string& sentence);
+
+  ObservationIntake observations_;
+  std::string fault_;
+  Counters counters_;
+};
+
+}  // namespace slam

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/collator.hpp"
+#include "slam_core/contract/ports.hpp"
+#include "slam_core/models/motion_gap.hpp"
+#include "slam_core/product/input_screen.hpp"
+#include "slam_core/product/product_config.hpp"
+
+namespace slam {
+
+/// The inputs of a back-end in order: screens them and collates motion and triggers by stamp. In a
+/// product without motion the triggers are the clock. What is latched goes to the back-end at once.
+///
+/// Counted: the reasons of the collator and of the screen, "invalid_motion", "bridged" (missing
+/// motion, made up for by the odometry's poses), "coasted" (by the last velocity, where those do
+/// not tell), "set_aside" (messages that went back in time and wait for the other sources to do
+/// so).
+class Intake {
+ public:
+  struct Trigger {
+    const InputPort* port = nullptr;
+    std::shared_ptr<void> value;
+  };
+  using Step = Collator<Motion, Trigger>::Step;
+
+  /// @param ports of the back-end; they outlive this @throw ConfigError
+  void configure(Settings& settings, const Ports& ports);
+
+  /// A value for an input; nothing comes of one that there is not.
+  void take(const std::string& input, Kind kind, const void* value);
+  /// The same for the first input of this kind.
+  void take(Kind kind, const void* value);
+  /// No data are expected at this input, now and after a reset: no other waits for it.
+  void expectNothing(const std::string& input);
+
+  /// The next step that is due, or nothing. @return its trigger as the back-end may have it
+  std::optional<Step> next();
+  /// The landmarks of a map are not new to the back-end; those that it has seen before are.
+  void knowOnly(const LandmarkMap& map) { screen_.knowOnly(map); }
+  /// The motion that follows the last step, if it is here.
+  const Motion* pending() const { return collator_.pending(); }
+
+  /// The names of the inputs that trigger steps.
+  std::vector<std::string> triggers() const;
+  std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
+  /// Of a trigger's input, the newest stamp that has come.
+  std::optional<Stamp> lastOf(const std::string& input) const;
+  /// Triggers that have come and have not been handed out, by input.
+  Counters held() const;
+  /// "landmarks and laser scans since 12.3 wait for motion", where they have gone on without it for
+  /// more than kPatience; else empty.
+  std::string starving() const;
+  static constexpr Duration kPatience = std::chrono::seconds(3);
+
+  /// Of an input since the last call: a sentence, or empty.
+  std::string takeFault() { return std::exchange(fault_, ""); }
+  Counters counters() const;
+  /// Messages that had no effect because they came late, were lost or did not fit.
+  std::uint64_t dropped() const;
+  void reset();
+
+ private:
+  void take(const InputPort& port, const void* value);
+  void takeMotion(Motion motion);
+  void takeTrigger(const InputPort& port, const void* value);
+  void warnOfBaseFrame(const std::string& moved);
+
+  FramesConfig frames_;
+  Duration source_timeout_{};
+  const Ports* ports_ = nullptr;
+  bool has_carrier_ = false;
+  std::vector<const InputPort*> triggers_;  ///< equal stamps come in this order
+  std::vector<std::string> not_expected_;   ///< inputs without data
+  InputScreen screen_;
+  MotionGap gap_;
+  Collator<Motion, Trigger> collator_;
+  std::string moved_frame_;  ///< the base frame of the last motion
+  std::string fault_;        ///< of an input since it was asked for
+  Counters counters_;
+};
+
+}  // namespace slam

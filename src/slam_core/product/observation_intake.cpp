@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/observation_intake.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace slam {
+namespace {
+
+using Observations = std::vector<LandmarkObservation>;
+
+std::string leaveOutInvalid(Observations& all, Counters& counters) {
+  std::string told;
+  const auto is_invalid = [&](const LandmarkObservation& observation) {
+    const auto fault = faultOf(observation);
+    if (fault.empty()) return false;
+    counters.add("invalid_observation");
+    told = fault + "; it is left out";
+    return true;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), is_invalid), all.end());
+  return told;
+}
+
+/// Those without an id, which come first, go first.
+std::string leaveOutBeyond(std::size_t most, Observations& sorted, Counters& counters) {
+  if (sorted.size() <= most) return "";
+  const auto told = fmt::format(
+      "an array holds {} observations, more than the {} that one step takes in; the others are "
+      "left out: check the detector",
+      sorted.size(), most);
+  counters.add("observations_beyond_limit", sorted.size() - most);
+  const auto has_id = [](const LandmarkObservation& z) { return z.id != kUnknownId; };
+  const auto with_id = std::find_if(sorted.begin(), sorted.end(), has_id);
+  const auto excess = static_cast<std::ptrdiff_t>(sorted.size() - most);
+  const auto without_id = std::min(excess, with_id - sorted.begin());
+  sorted.erase(sorted.end() - (excess - without_id), sorted.end());
+  sorted.erase(sorted.begin(), sorted.begin() + without_id);
+  return told;
+}
+
+}  // namespace
+
+std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters& counters) const {
+  completeCovariances(sensor_, array);
+  auto& all = array.observations;
+  if (!array.sensor_pose.isFinite()) {
+    counters.add("invalid_observation", all.size());
+    all.clear();
+    return "observations with a sensor pose that holds a value that is not a number are left out";
+  }
+  const auto invalid = leaveOutInvalid(all, counters);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.id < b.id; });
+  const auto beyond = leaveOutBeyond(kMostObservations, all, counters);
+  return beyond.empty() ? invalid : beyond;
+}
+
+std::string ObservationIntake::admit(LandmarkObservationArray& array, Counters& counters) {
+  std::size_t added = 0, left_out = 0;
+  const auto is_beyond = [&](const LandmarkObservation& z) {
+    if (z.id == kUnknownId || known_.count(z.id) > 0) return false;
+    if (added == kMostNewLandmarks) return ++left_out > 0;
+    ++added;
+    known_.insert(z.id);
+    return false;
+  };
+  auto& all = array.observations;
+  all.erase(std::remove_if(all.begin(), all.end(), is_beyond), all.end());
+  counters.add("new_landmarks_beyond_limit", left_out);
+  if (left_out == 0) return "";
+  return fmt::format(
+      "an array holds {} new landmarks, more than the {} that one step adds; the others wait for "
+      "the next array that sees them: check the detector",
+      added + left_out, kMostNewLandmarks);
+}
+
+void ObservationIntake::knowOnly(const LandmarkMap& map) {
+  known_.clear();
+  for (const auto& landmark : map) known_.insert(landmark.id);
+}
+
+}  // namespace slam

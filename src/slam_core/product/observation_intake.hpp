@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <unordered_set>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/landmark_sensor.hpp"
+
+namespace slam {
+
+/// What the Estimator lets through to its back-end of an observation array. The work of a step
+/// grows with the cube of the observations and its memory with the square of the map, so that one
+/// wild array could stop a robot. Counted: "invalid_observation", "observations_beyond_limit",
+/// "new_landmarks_beyond_limit".
+class ObservationIntake {
+ public:
+  static constexpr std::size_t kMostObservations = 500;  ///< of one array
+  static constexpr std::size_t kMostNewLandmarks = 200;  ///< of one step
+
+  explicit ObservationIntake(const LandmarkSensorConfig& sensor = {}) : sensor_(sensor) {}
+
+  /// When an array arrives: fills in the sensor's covariances, leaves out what is invalid or beyond
+  /// kMostObservations, and sorts by id.
+  /// @return what was left out and why; empty where nothing was
+  std::string screen(LandmarkObservationArray& array, Counters& counters) const;
+
+  /// When a step takes the array: leaves out new landmarks beyond kMostNewLandmarks. They come with
+  /// a later array. @return as screen()
+  std::string admit(LandmarkObservationArray& array, Counters& counters);
+
+  /// The landmarks of a map are not new; those that were admitted before are.
+  void knowOnly(const LandmarkMap& map);
+
+ private:
+  LandmarkSensorConfig sensor_;
+  std::unordered_set<LandmarkId> known_;  // looked up only, never iterated
+};
+
+}  // namespace slam

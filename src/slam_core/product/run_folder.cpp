@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/run_folder.hpp"
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace slam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run and its evaluation leave in the folder: none of it may be of another run.
+constexpr const char* kResults[] = {"trajectory.tum",
+                                    "trajectory_final.tum",
+                                    "odometry.tum",
+                                    "wheel_odometry.tum",
+                                    "updates.csv",
+                                    "ground_truth.tum",
+                                    "ground_truth_landmarks.yaml",
+                                    "stamps.csv",
+                                    "landmarks.yaml",
+                                    "map.pgm",
+                                    "map.yaml",
+                                    "points.pcd",
+                                    "config.yaml",
+                                    "metrics.json",
+                                    "trajectory.png",
+                                    "odometry.png",
+                                    "map.png",
+                                    "landmark_errors.png",
+                                    "consistency.png",
+                                    "relations.png",
+                                    "report.html"};
+constexpr const char* kKept = ".before_restart_";  ///< in names of what was written until a restart
+constexpr const char* kLast = "config.yaml";
+
+const std::string& made(const std::string& folder) {
+  if (folder.empty()) throw std::runtime_error("the output folder has no name");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw std::runtime_error("cannot make the output folder " + folder + ": " + error.message());
+  return folder;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::string& path)
+    : path_(path), unfinished_((fs::path(path) / "unfinished_run").string()), lock_(made(path)) {
+  for (const auto* name : kResults) {
+    requirePlace(name);
+    const auto file = path_ + "/" + name;
+    if (fs::exists(fs::symlink_status(file))) former_[file] = versionOf(file);
+  }
+  for (const auto& entry : fs::directory_iterator(path_)) {
+    const auto file = path_ + "/" + entry.path().filename().string();
+    if (file.find(kKept, path_.size()) != std::string::npos) former_[file] = versionOf(file);
+  }
+  std::error_code error;
+  fs::remove_all(unfinished_, error);  // of a link only the link
+  if (!fs::create_directory(unfinished_, error))
+    throw std::runtime_error("cannot make the folder " + unfinished_ + ": " + error.message());
+}
+
+RunFolder::FileVersion RunFolder::versionOf(const std::string& path) {
+  struct stat status {};
+  ::lstat(path.c_str(), &status);
+  return {1'000'000'000LL * status.st_mtim.tv_sec + status.st_mtim.tv_nsec, status.st_ino};
+}
+
+void RunFolder::requirePlace(const std::string& name) const {
+  if (fs::is_directory(path_ + "/" + name))
+    throw std::runtime_error("cannot write " + path_ + "/" + name + ": Is a directory");
+}
+
+void RunFolder::removeFormer() {
+  std::error_code ignored;
+  for (const auto& [file, version] : former_)
+    if (versionOf(file) == version) fs::remove(file, ignored);
+}
+
+void RunFolder::complete() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(unfinished_))
+    names.push_back(entry.path().filename().string());
+  for (const auto& name : names) requirePlace(name);
+  removeFormer();
+  const auto move = [this](const std::string& name) {
+    fs::rename(unfinished_ + "/" + name, path_ + "/" + name);
+  };
+  for (const auto& name : names)
+    if (name != kLast) move(name);
+  if (fs::exists(unfinished_ + "/" + kLast)) move(kLast);
+  discard();
+}
+
+void RunFolder::discard() {
+  std::error_code ignored;
+  fs::remove_all(unfinished_, ignored);
+}
+
+}  // namespace slam

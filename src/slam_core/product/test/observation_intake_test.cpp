@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/observation_intake.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "slam_core/common/test/faults.hpp"
+
+namespace slam {
+namespace {
+
+constexpr std::size_t kMost = ObservationIntake::kMostObservations;
+constexpr std::size_t kMostNew = ObservationIntake::kMostNewLandmarks;
+
+LandmarkObservation observationOf(LandmarkId id) {
+  LandmarkObservation z;
+  z.id = id;
+  z.range = 2.0;
+  z.covariance = 0.01 * Eigen::Matrix2d::Identity();
+  return z;
+}
+
+LandmarkObservationArray arrayOf(LandmarkId first, std::size_t count) {
+  LandmarkObservationArray array;
+  for (LandmarkId id = first; id < first + static_cast<LandmarkId>(count); ++id)
+    array.observations.push_back(observationOf(id));
+  return array;
+}
+
+class ObservationIntakeTest : public testing::Test {
+ protected:
+  ObservationIntake intake;
+  Counters counters;
+};
+
+TEST_F(ObservationIntakeTest, LetsAllOfAnOrdinaryArrayThrough) {
+  auto array = arrayOf(0, kMostNew);
+  EXPECT_EQ(intake.screen(array, counters), "");
+  EXPECT_EQ(intake.admit(array, counters), "");
+  EXPECT_EQ(array.observations.size(), kMostNew);
+  EXPECT_TRUE(counters.all().empty());
+}
+
+TEST_F(ObservationIntakeTest, CutsAnArrayThatIsTooLargeAndSaysSo) {
+  auto array = arrayOf(0, 100000);
+  EXPECT_TRUE(test::oneSays({intake.screen(array, counters)}, {"100000", "500", "left out"}));
+  EXPECT_EQ(array.observations.size(), kMost);
+  EXPECT_EQ(counters["observations_beyond_limit"], 100000 - kMost);
+}
+
+TEST_F(ObservationIntakeTest, LeavesOutThoseWithoutAnIdBeforeOthers) {
+  auto array = arrayOf(0, kMost - 10);
+  array.observations.insert(array.observations.end(), 30, observationOf(kUnknownId));
+  intake.screen(array, counters);
+  ASSERT_EQ(array.observations.size(), kMost);
+  const auto unknown = std::count_if(array.observations.begin(), array.observations.end(),
+                                     [](const auto& z) { return z.id == kUnknownId; });
+  EXPECT_EQ(unknown, 10);
+  array = arrayOf(0, kMost + 10);
+  array.observations.push_back(observationOf(kUnknownId));
+  intake.screen(array, counters);
+  ASSERT_EQ(array.observations.size(), kMost);
+  EXPECT_EQ(array.observations.front().id, 0);
+}
+
+TEST_F(ObservationIntakeTest, AddsSoManyLandmarksInAStepAndTheOthersLater) {
+  auto array = arrayOf(0, kMostNew + 50);
+  EXPECT_TRUE(test::oneSays({intake.admit(array, counters)}, {"250 new landmarks", "200"}));
+  EXPECT_EQ(array.observations.size(), kMostNew);
+  EXPECT_EQ(counters["new_landmarks_beyond_limit"], 50u);
+  array = arrayOf(0, kMostNew + 50);
+  EXPECT_EQ(intake.admit(array, counters), "");
+  EXPECT_EQ(array.observations.size(), kMostNew + 50);
+}
+
+TEST_F(ObservationIntakeTest, CountsNoLandmarkOfTheMapAsNew) {
+  LandmarkMap map(kMost);
+  for (std::size_t i = 0; i < map.size(); ++i) map[i].id = static_cast<LandmarkId>(i);
+  intake.knowOnly(map);
+  auto array = arrayOf(0, kMost);
+  EXPECT_EQ(intake.admit(array, counters), "");
+  EXPECT_EQ(array.observations.size(), kMost);
+  intake.knowOnly({});
+  EXPECT_NE(intake.admit(array, counters), "");
+  EXPECT_EQ(array.observations.size(), kMostNew);
+}
+
+}  // namespace
+}  // namespace slam

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "slam_core/contract/component.hpp"
+#include "slam_core/contract/gate.hpp"
+
+namespace slam {
+
+/// The gate that makes data fit for this input, not configured; null where none is registered.
+std::unique_ptr<Gate> gateFor(const InputPort& input);
+
+/// Joins the ports of components: data go from who makes them to all who take in data of that name
+/// and kind, and so do data that come from outside. A gate stands once before those that need it.
+/// Any part of a product is wired in the same way, which is why all compositions give the same
+/// result.
+class Wiring {
+ public:
+  /// Hands over a value of a kind that is known to whoever gets it.
+  using Listener = std::function<void(const void*)>;
+
+  /// When a component executes.
+  enum class Turn {
+    kAtOnce,     ///< with every value that comes in, until it is not busy
+    kOnRequest,  ///< when step() is called
+  };
+
+  /// @param prefix of its counters @param component outlives this and stays in its place
+  /// @param title what sentences call it: "back-end 'ekf'"
+  void add(const std::string& prefix, Component& component, Turn turn = Turn::kAtOnce,
+           const std::string& title = "component");
+  /// Fills in what data of a kind lack, before anyone gets them.
+  template <class T>
+  void complete(std::function<void(T&)> fill_in);
+  /// Joins what was added, and places the gates. @throw ConfigError where two components make the
+  /// same output, or a gate cannot be configured
+  void connect(Settings& settings);
+
+  /// A value from outside for an input, or for all inputs that take what a component would make.
+  void put(const std::string& port, Kind kind, const void* value);
+  /// Calls the listener with every value that a component or a gate makes at this output.
+  void listen(const std::string& port, Kind kind, Listener listener);
+  /// One execute() of the component that waits for requests, its outputs handed on.
+  Status step();
+  /// The last warning since the last call of those that took their turn at once.
+  Status takeStatus() { return std::exchange(status_, Status::ok()); }
+
+  /// The inputs of components and gates, in their order; of the same name and kind one, mandatory
+  /// where it is so for anyone.
+  std::vector<InputPort> inputs() const;
+  /// Those of them that no component and no gate makes.
+  std::vector<InputPort> open() const;
+  /// The outputs of all components and gates.
+  std::vector<OutputPort> outputs() const;
+  /// Titles of the components and gates that take in an input: "the back-end 'ekf' and ...".
+  std::string takersOf(const std::string& port, Kind kind) const;
+  /// Of all components and gates, with their prefixes.
+  Counters counters() const;
+  /// Of all components.
+  Component::Figures figures() const;
+  /// Data that wait at gates, with their prefixes.
+  Counters held() const;
+  void reset();
+
+ private:
+  struct Node {
+    std::string prefix;
+    Component* component;
+    Ports ports;
+    Turn turn;
+    std::string title;
+  };
+  struct Consumer {
+    Node* node;
+    const InputPort* port;
+  };
+  struct Route {
+    std::vector<Consumer> consumers;
+    std::vector<Listener> listeners;
+  };
+  using Address = std::pair<std::string, Kind>;
+  using Completion = std::function<std::shared_ptr<void>(const void*)>;
+
+  /// The value with what it lacks filled in; it lives as long as `copy`.
+  const void* completed(Kind kind, const void* value, std::shared_ptr<void>& copy) const;
+
+  void requireOneMaker(const Node& node) const;
+  void placeGates(Settings& settings);
+  bool isMade(const std::string& port, Kind kind) const;
+  void run(Node& node);
+  void handOn(Node& node);
+  void pass(const Route& route, const void* value);
+
+  std::deque<Node> nodes_;  // a deque: nodes are referred to
+  std::vector<std::unique_ptr<Gate>> gates_;
+  std::map<Address, Route> routes_;
+  std::map<Kind, Completion> completions_;
+  Status status_;
+};
+
+template <class T>
+void Wiring::complete(std::function<void(T&)> fill_in) {
+  completions_[kindOf<T>()] = [fill_in = std::move(fill_in)](const void* value) {
+    auto copy = std::make_shared<T>(*static_cast<const T*>(value));
+    fill_in(*copy);
+    return copy;
+  };
+}
+
+}  // namespace slam

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace slam_ros {
+
+using Action = std::function<void()>;
+
+/// Does it. @return one sentence about what it threw; empty where it threw nothing
+std::string faultIn(const Action& action);
+
+/// Where the callbacks of a nodelet come in whose state must not be half changed: what a callback
+/// throws shuts the door, and further input is refused and counted until open(). For one thread.
+class Door {
+ public:
+  /// @return what was thrown now and shut the door, as one sentence; else empty
+  std::string pass(const std::string& topic, const Action& action);
+  void open() { fault_.clear(); }
+
+  /// Why the door is shut; empty while it is open.
+  const std::string& fault() const { return fault_; }
+  std::uint64_t refused() const { return refused_; }
+
+ private:
+  std::string fault_;
+  std::uint64_t refused_ = 0;
+};
+
+/// What callbacks go through, so that no exception leaves them: it would end the manager, and all
+/// nodelets with it. (topic, what the callback does)
+using Pass = std::function<void(const std::string& topic, const Action& action)>;
+
+/// A subscription whose callbacks go through `pass`.
+template <class Message, class Take>
+ros::Subscriber subscribeThrough(Pass pass, ros::NodeHandle handle, const std::string& topic,
+                                 std::uint32_t queue, Take take) {
+  using Pointer = boost::shared_ptr<const Message>;
+  const boost::function<void(const Pointer&)> callback =
+      [pass = std::move(pass), topic, take = std::move(take)](const Pointer& message) {
+        pass(topic, [&] { take(*message); });
+      };
+  return handle.subscribe<Message>(topic, queue, callback);
+}
+
+}  // namespace slam_ros

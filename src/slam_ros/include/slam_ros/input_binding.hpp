@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/settings.hpp"
+#include "slam_core/contract/ports.hpp"
+#include "slam_core/product/product_config.hpp"
+#include "slam_ros/door.hpp"
+#include "slam_ros/latency_window.hpp"
+#include "slam_ros/topics_config.hpp"
+
+namespace slam_ros {
+
+/// What a nodelet is told of its inputs.
+struct InputOptions {
+  std::string image_transport = "auto";  ///< "raw", "compressed"; "auto": what comes first
+  /// Where nobody publishes the topic of the odometry: the transform odom -> base.
+  bool odometry_from_tf = true;
+  bool publishes_odometry_edge = false;  ///< this node does: its own transforms tell nothing new
+};
+
+/// Where the inputs of a part of a product come from, and who gets their data.
+struct InputContext {
+  /// A value of some kind for the port; the topic that it came on, for sentences.
+  using Put = std::function<void(const std::string& port, slam::Kind kind, const void* value,
+                                 const std::string& topic)>;
+
+  ros::NodeHandle handle;  ///< the product's namespace
+  TopicsConfig topics;
+  slam::FramesConfig frames;
+  bool has_laser_mount = false;  ///< from the robot file, else it comes as a transform
+  InputOptions options;
+  Pass pass;  ///< what callbacks go through
+  Put put;
+  std::function<void(const std::string&)> warn;
+};
+
+/// The context of a nodelet by its settings; what it does with data is left open.
+InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& settings,
+                          const InputOptions& options);
+
+/// How data of one kind come from ROS to an input: one object for each port. It subscribes once its
+/// nodelet is loaded; its owner destroys it before what `put` needs goes away. All callbacks come
+/// from the node handle's queue.
+class InputBinding {
+ public:
+  virtual ~InputBinding() = default;
+  /// Where the last data came from, or the topic that is waited for.
+  virtual const std::string& topic() const = 0;
+  /// "waiting for ...", or empty when all have come that a component may need.
+  virtual std::string waiting() const = 0;
+  /// When data came last, by the wall.
+  LatencyWindow::Clock::time_point arrival() const { return arrival_; }
+
+ protected:
+  void noteArrival() { arrival_ = LatencyWindow::Clock::now(); }
+
+ private:
+  LatencyWindow::Clock::time_point arrival_;
+};
+
+/// The bindings there are, by the kind of their data. A binding registers itself, so that a package
+/// brings one for a kind of its own.
+class InputBindings {
+ public:
+  using Factory = std::function<std::unique_ptr<InputBinding>(const InputContext& context,
+                                                              const slam::InputPort& port)>;
+
+  static InputBindings& instance();
+  void add(slam::Kind kind, Factory factory) { factories_.emplace(kind, std::move(factory)); }
+  bool has(slam::Kind kind) const { return factories_.count(kind) > 0; }
+  /// The names of the kinds that there are bindings for, sorted.
+  std::vector<std::string> kinds() const;
+  /// @throw slam::ConfigError where no binding brings the kind, or several do
+  std::unique_ptr<InputBinding> create(const InputContext& context,
+                                       const slam::InputPort& port) const;
+
+ private:
+  std::multimap<slam::Kind, Factory> factories_;
+};
+
+/// A static object of this type beside a binding with the constructor (context, port) registers it.
+template <class Data, class Binding>
+struct InputBindingRegistrar {
+  InputBindingRegistrar() {
+    InputBindings::instance().add(slam::kindOf<Data>(), [](const auto& context, const auto& port) {
+      return std::make_unique<Binding>(context, port);
+    });
+  }
+};
+
+}  // namespace slam_ros

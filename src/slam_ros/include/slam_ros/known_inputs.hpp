@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/product/wiring.hpp"
+
+namespace slam_ros {
+
+/// Refuses a mandatory input that no component of the wiring makes and no topic can bring, since no
+/// binding is registered for its kind: such a component would wait for ever. What is latched comes
+/// with the data of the same port.
+/// @throw slam::ConfigError naming the component, the input, its kind and what is near
+void requireKnownInputs(const slam::Wiring& wiring);
+
+}  // namespace slam_ros

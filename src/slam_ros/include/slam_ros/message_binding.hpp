@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "slam_ros/after_load.hpp"
+#include "slam_ros/bag_binding.hpp"
+#include "slam_ros/input_binding.hpp"
+#include "slam_ros/queue_sizes.hpp"
+
+namespace slam_ros {
+
+/// The binding of a kind whose values are messages of one topic.
+/// @tparam convert from message to data
+template <class Message, class Data, Data (*convert)(const Message&)>
+class MessageBinding final : public InputBinding {
+ public:
+  MessageBinding(const InputContext& context, const slam::InputPort& port)
+      : name_(port.name), topic_(context.topics.of(port.name)) {
+    context.handle.resolveName(topic_);  // throws now what subscribing would throw later
+    const auto take = [this, put = context.put](const Message& message) {
+      noteArrival();
+      has_come_ = true;
+      const Data data = convert(message);
+      put(name_, slam::kindOf<Data>(), &data, topic_);
+    };
+    start_.emplace([this, take, handle = context.handle, pass = context.pass] {
+      subscriber_ = subscribeThrough<Message>(pass, handle, topic_, kQueue, take);
+    });
+  }
+  const std::string& topic() const override { return topic_; }
+  std::string waiting() const override {
+    return has_come_ ? "" : "waiting for " + name_ + " on " + topic_;
+  }
+
+ private:
+  std::string name_, topic_;
+  bool has_come_ = false;
+  ros::Subscriber subscriber_;
+  std::optional<AfterLoad> start_;
+};
+
+/// A static object of this type registers a message as what brings a kind of data, live and from a
+/// bag.
+template <class Message, class Data, Data (*convert)(const Message&)>
+struct MessageBindingRegistrar
+    : InputBindingRegistrar<Data, MessageBinding<Message, Data, convert>> {
+  MessageBindingRegistrar() { BagBindings::instance().add<Message, Data, convert>(); }
+};
+
+}  // namespace slam_ros

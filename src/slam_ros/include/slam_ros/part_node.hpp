@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_ros/clock_watch.hpp"
+#include "slam_ros/diagnostics.hpp"
+#include "slam_ros/latency_window.hpp"
+#include "slam_ros/part_inputs.hpp"
+
+namespace slam_ros {
+
+/// The ROS side of a part of a product that has no back-end, the same for every front-end component
+/// and module: subscribes what the part's ports take in, and reports diagnostics. What comes out
+/// its nodelet hears from part().listen(). All callbacks come from one thread, one at a time.
+class PartNode {
+ public:
+  struct Handles {
+    ros::NodeHandle product, own;  ///< the product's namespace and the nodelet's private one
+    std::string name;              ///< of the nodelet
+  };
+
+  /// @throw slam::ConfigError
+  PartNode(const Handles& handles, const slam::ProductPart& part, const InputOptions& options);
+  ~PartNode();
+  PartNode(const PartNode&) = delete;
+  PartNode& operator=(const PartNode&) = delete;
+
+  slam::MetaCoordinator& part() { return part_; }
+  const TopicsConfig& topics() const { return topics_; }
+  Diagnostics& diagnostics() { return *diagnostics_; }
+  const PartInputs& inputs() const { return *inputs_; }
+  Pass pass();
+  /// From here on no callback of an input runs; the part stays.
+  void stop() { inputs_->stop(); }
+
+  /// Something has come out: how long that took since the last input came counts.
+  void noteOutput() { latency_.add(arrival_, LatencyWindow::Clock::now()); }
+  /// Forgets all that came, as when the clock has jumped back.
+  void reset();
+
+  /// Called after each reset().
+  std::function<void()> on_reset;
+  /// Called after each value that was taken in.
+  std::function<void(slam::Kind, const void*)> on_taken;
+
+ private:
+  void take(const std::string& port, slam::Kind kind, const void* value, const std::string& topic);
+  Diagnostics::Values figures() const;
+
+  slam::MetaCoordinator part_;
+  TopicsConfig topics_;
+  ClockWatch clock_;
+  LatencyWindow latency_;
+  LatencyWindow::Clock::time_point arrival_;  ///< of the last input, by the wall
+  std::optional<Diagnostics> diagnostics_;
+  std::optional<PartInputs> inputs_;
+};
+
+}  // namespace slam_ros

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "slam_core/product/product_config.hpp"
+
+namespace slam_ros {
+
+/// What a product takes in and makes, as its components' ports and capabilities tell:
+/// "components" in the order of the data's flow, "gates" that the wiring places before them, and
+/// "owns_odometry_edge". Topics have the names that they have where the robot file gives no others.
+/// @throw slam::ConfigError
+nlohmann::ordered_json describePorts(const slam::ProductConfig& product);
+
+/// Refuses a product whose components cannot be wired: two make the same output, or one needs data
+/// that nobody makes and no topic brings. @throw slam::ConfigError listing all faults
+void checkPorts(const slam::ProductConfig& product);
+
+}  // namespace slam_ros

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+
+#include "slam_core/models/filter_pose.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/message_binding.hpp"
+
+// Kinds of data that are messages of one topic, as the components of a product exchange them.
+
+namespace slam_ros {
+namespace {
+
+slam::FilterPose filterPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const auto& pose = message.pose.pose;
+  return {fromRos(message.header.stamp), pose.position.x, pose.position.y, pose.orientation.z,
+          pose.orientation.w};
+}
+
+const MessageBindingRegistrar<slam_msgs::Motion, slam::Motion, fromMsg> kMotion;
+const MessageBindingRegistrar<slam_msgs::LandmarkObservationArray, slam::LandmarkObservationArray,
+                              fromMsg>
+    kObservations;
+const MessageBindingRegistrar<geometry_msgs::PoseWithCovarianceStamped, slam::FilterPose,
+                              filterPose>
+    kPose;
+
+}  // namespace
+}  // namespace slam_ros

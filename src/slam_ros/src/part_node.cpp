@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_ros/part_node.hpp"
+
+#include <fmt/format.h>
+
+#include "slam_ros/settings_from_ros.hpp"
+
+namespace slam_ros {
+
+PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
+                   const InputOptions& options) {
+  auto settings = settingsFromRos(handles.product);
+  part_.configure(settings, part);
+  auto context = inputContext(handles.product, settings, options);
+  topics_ = context.topics;
+  diagnostics_.emplace(handles.product, handles.own, handles.name,
+                       Diagnostics::Sources{[this] { return part_.counters(); },
+                                            [this] { return inputs_ ? inputs_->waiting() : ""; },
+                                            [this] { return figures(); }});
+  context.pass = pass();
+  context.put = [this](const auto& port, auto kind, const auto* value, const auto& topic) {
+    take(port, kind, value, topic);
+  };
+  context.warn = [this](const auto& sentence) { diagnostics_->warn(sentence); };
+  inputs_.emplace(context, part_.wiring());
+}
+
+PartNode::~PartNode() {
+  inputs_->stop();
+  diagnostics_.reset();
+}
+
+Pass PartNode::pass() {
+  return [this](const auto& topic, const auto& action) { diagnostics_->attempt(topic, action); };
+}
+
+void PartNode::reset() {
+  part_.reset();
+  if (on_reset) on_reset();
+}
+
+void PartNode::take(const std::string& port, slam::Kind kind, const void* value,
+                    const std::string& topic) {
+  if (clock_.hasJumpedBack()) reset();
+  arrival_ = inputs_->of(port).arrival();
+  part_.put(port, kind, value);
+  diagnostics_->report(topic, part_.execute());
+  if (on_taken) on_taken(kind, value);
+}
+
+Diagnostics::Values PartNode::figures() const {
+  Diagnostics::Values values;
+  for (const auto& [name, value] : part_.wiring().figures())
+    values.emplace_back(name, fmt::format("{:g}", value));
+  if (latency_.empty()) return values;
+  values.emplace_back("rate [1/s]", fmt::format("{:.2f}", latency_.rate()));
+  values.emplace_back("latency p50 [ms]", fmt::format("{:.2f}", latency_.milliseconds(0.5)));
+  values.emplace_back("latency p99 [ms]", fmt::format("{:.2f}", latency_.milliseconds(0.99)));
+  return values;
+}
+
+}  // namespace slam_ros

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "slam_core/common/config_error.hpp"
+#include "slam_core/common/settings.hpp"
+#include "slam_ros/command_line.hpp"
+#include "slam_ros/product_files.hpp"
+#include "slam_ros/product_ports.hpp"
+
+namespace {
+
+constexpr int kFailed = 1, kWrongUse = 2;
+
+int fail(const std::string& sentence, int code) {
+  std::cerr << "slam_ports: " << sentence << std::endl;
+  return code;
+}
+
+bool isFile(const std::vector<std::string>& words) {
+  return words.size() == 1 && words[0].find('=') == std::string::npos;
+}
+
+slam::Settings settingsOf(const std::vector<std::string>& words) {
+  if (!isFile(words)) return {{}, {}, words};
+  return {slam::loadConfigFile(slam_ros::productFile(words[0])), {}, {}};
+}
+
+/// Modules are keys of the product, and those of its libraries are known once these are loaded.
+slam::ProductConfig productOf(const std::vector<std::string>& words) {
+  auto settings = settingsOf(words);
+  slam::ProductConfig product;
+  slam::FaultCollector().attempt([&] { settings.read(product); });
+  slam::loadLibraries(product.libraries);
+  product = settings.read<slam::ProductConfig>();
+  if (!isFile(words)) settings.requireAllRead();
+  return product;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Prints as JSON what a product's components take in and make, and who makes it.",
+               "slam_ports");
+  std::vector<std::string> words, libraries;
+  bool check = false;
+  app.add_option("PRODUCT", words, "a product's name, its file, or features as KEY=VALUE")
+      ->required();
+  app.add_option("--library", libraries, "also knows the components in this shared library")
+      ->allow_extra_args(false);
+  app.add_flag("--check", check,
+               "prints nothing and refuses components that cannot be joined by their ports");
+  try {
+    app.parse(argc, argv);
+    slam::loadLibraries(libraries);
+    const auto product = productOf(words);
+    slam_ros::checkPorts(product);
+    if (!check) std::cout << slam_ros::describePorts(product).dump(2) << std::endl;
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(slam_ros::sentenceOf(app, error), kWrongUse);
+  } catch (const slam_ros::UnknownName& error) {
+    return fail(error.what(), kWrongUse);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kFailed);
+  }
+  return 0;
+}
