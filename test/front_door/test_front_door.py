@@ -157,29 +157,9 @@ class WithBuild(FrontDoorTest):
         self.assertIn("building: 100%", done.stderr)
         self.assertTrue(done.stdout.startswith("ekf_"), done.stdout)
 
-    def test_refuses_what_makes_no_product(self):
-        self.expect(call(self.slam, "check", "backend=ekf", "odometry=weel"), 1,
-                    "did you mean 'wheel'?")
-        self.expect(call(self.slam, "check", "backend=ekf", "odometry=wheel"), 0, "(ekf_wheel)")
-
-    def test_tells_what_a_diagram_lacks(self):
-        self.expect(call(self.slam, "products", "--diagram", "ekf_whel"), 1,
-                    "did you mean 'ekf_wheel'?")
-        self.expect(call(self.slam, "products", "--diagram", "ekf_wheel", "--out", "a.gif",
-                         cwd=self.folder), 1, "a.gif ends with none of: .svg")
-        self.expect(call(self.slam, "products", "--out", "a.svg"), 2, "go with --diagram")
-        self.assertEqual(list(self.folder.glob("*.*")), [])
-
     def test_names_the_demonstrations_beside_a_product_that_is_none(self):
         self.expect(call(self.slam, "demo", "al", "--yes"), 2, "there is no product 'al'",
                     "all are the thesis's five", "sena is a real robot's log")
-
-    def test_lists_a_product_that_it_has_written(self):
-        home = self.folder / "config of mine"
-        written = call(self.slam, "new", "mine", "backend=pf", "odometry=wheel", "detector=none",
-                       XDG_CONFIG_HOME=str(home))
-        self.expect(written, 0, f"{home}/slam/products/mine.yaml")
-        self.expect(call(self.slam, "products", XDG_CONFIG_HOME=str(home)), 0, "\nmine  ")
 
     def test_is_found_through_a_link_from_another_folder(self):
         link = self.folder / "link"
@@ -208,6 +188,37 @@ class WithBuild(FrontDoorTest):
                 self.assertIsNone(waiting.poll())
                 fcntl.flock(lock, fcntl.LOCK_UN)
                 self.assertIn("ekf_wheel  ", waiting.communicate(timeout=300)[0])
+
+
+class WithAllPrograms(FrontDoorTest):
+    """In front of the build under test: a clone of slam_launch alone cannot ask for ports."""
+
+    def setUp(self):
+        super().setUp()
+        clone = make_clone(self.folder / "a clone")
+        with (clone / "tools/build.sh").open("a", encoding="utf-8") as file:
+            file.write(f"build() {{ :; }}\nenclosing_workspace() {{ echo '{REPO}/.slam'; }}\n")
+        self.slam = clone / "slam"
+
+    def test_refuses_what_makes_no_product(self):
+        self.expect(call(self.slam, "check", "backend=ekf", "odometry=weel"), 1,
+                    "did you mean 'wheel'?")
+        self.expect(call(self.slam, "check", "backend=ekf", "odometry=wheel"), 0, "(ekf_wheel)")
+
+    def test_tells_what_a_diagram_lacks(self):
+        self.expect(call(self.slam, "products", "--diagram", "ekf_whel"), 1,
+                    "did you mean 'ekf_wheel'?")
+        self.expect(call(self.slam, "products", "--diagram", "ekf_wheel", "--out", "a.gif",
+                         cwd=self.folder), 1, "a.gif ends with none of: .svg")
+        self.expect(call(self.slam, "products", "--out", "a.svg"), 2, "go with --diagram")
+        self.assertEqual(list(self.folder.glob("*.*")), [])
+
+    def test_lists_a_product_that_it_has_written(self):
+        home = self.folder / "config of mine"
+        written = call(self.slam, "new", "mine", "backend=pf", "odometry=wheel", "detector=none",
+                       XDG_CONFIG_HOME=str(home))
+        self.expect(written, 0, f"{home}/slam/products/mine.yaml")
+        self.expect(call(self.slam, "products", XDG_CONFIG_HOME=str(home)), 0, "\nmine  ")
 
 
 if __name__ == "__main__":
