@@ -75,32 +75,38 @@ class Collator {
 
   /// The next step that is due, or nothing. Call until it is empty after every push().
   std::optional<Step> next() {
-    if (limits_.has_motion && motions_.empty() && !motions_.last()) return std::nullopt;
-    if (limits_.has_motion && !position_) position_ = motions_.front().value.start;
+    if (limits_.has_motion && motions_.items().empty() && !motions_.stamps().last())
+      return std::nullopt;
+    if (limits_.has_motion && !position_) position_ = motions_.items().front().value.start;
     if (position_) dropStale();
     auto* source = earliestSource();
     if (source != nullptr && isDue(*source)) {
-      Step step = stepTo(source->front().stamp);
+      Step step = stepTo(source->items().front().stamp);
       step.trigger = source->pop().value;
       return step;
     }
-    if (motions_.size() > limits_.motions) return stepTo(motions_[motions_.size() / 2].stamp);
+    const auto& held = motions_.items();
+    if (held.size() > limits_.motions) return stepTo(held[held.size() / 2].stamp);
     return std::nullopt;
   }
 
   /// The motion that follows the last step, if it is here.
-  const Motion* pending() const { return motions_.empty() ? nullptr : &motions_.front().value; }
-  std::optional<Stamp> lastMotion() const { return motions_.last(); }
-  std::optional<Stamp> lastTrigger(std::size_t source) const { return triggers_[source].last(); }
+  const Motion* pending() const {
+    return motions_.items().empty() ? nullptr : &motions_.items().front().value;
+  }
+  std::optional<Stamp> lastMotion() const { return motions_.stamps().last(); }
+  std::optional<Stamp> lastTrigger(std::size_t source) const {
+    return triggers_[source].stamps().last();
+  }
   /// Triggers that have come and have not been handed out.
-  std::size_t held(std::size_t source) const { return triggers_[source].size(); }
+  std::size_t held(std::size_t source) const { return triggers_[source].items().size(); }
   /// Since when the source's triggers wait for motion, where they have gone on without it for
   /// longer than `patience`.
   std::optional<Stamp> starvedSince(std::size_t source, Duration patience) const {
-    const auto& queue = triggers_[source];
-    if (queue.empty() || !motions_.last() || *queue.last() - *motions_.last() <= patience)
-      return std::nullopt;
-    return std::max(queue.front().stamp, *motions_.last());
+    const auto& waiting = triggers_[source].items();
+    const auto last = lastMotion();
+    if (waiting.empty() || !last || *lastTrigger(source) - *last <= patience) return std::nullopt;
+    return std::max(waiting.front().stamp, *last);
   }
   const Counters& counters() const { return counters_; }
   /// Messages that went back in time and wait for the other sources to do so as well.
@@ -114,7 +120,7 @@ class Collator {
   /// Triggers from before the first motion, and those of a timed-out source that come too late.
   void dropStale() {
     for (auto& source : triggers_)
-      while (!source.empty() && source.front().stamp < *position_) {
+      while (!source.items().empty() && source.items().front().stamp < *position_) {
         counters_.add(stepped_ ? "late" : "before_start");
         source.pop();
       }
@@ -123,7 +129,8 @@ class Collator {
   StampedQueue<Trigger>* earliestSource() {
     StampedQueue<Trigger>* earliest = nullptr;
     for (auto& source : triggers_)
-      if (!source.empty() && (!earliest || source.front().stamp < earliest->front().stamp))
+      if (!source.items().empty() &&
+          (!earliest || source.items().front().stamp < earliest->items().front().stamp))
         earliest = &source;
     return earliest;
   }
@@ -131,7 +138,7 @@ class Collator {
   /// The newest stamp of the triggers, but for jumps ahead that too few of them confirm.
   std::optional<Stamp> newestTrigger() const {
     std::optional<Stamp> newest;
-    for (const auto& source : triggers_) newest = std::max(newest, source.believed());
+    for (const auto& source : triggers_) newest = std::max(newest, source.stamps().believed());
     return newest;
   }
 
@@ -139,16 +146,18 @@ class Collator {
   /// motion's stamps counts where triggers confirm it.
   std::optional<Stamp> covered() const {
     if (!limits_.has_motion) return newestTrigger();
-    const auto confirms = [this](const auto& source) {
-      return source.believed() && *source.believed() + kStampJump >= *motions_.jump();
+    const auto& moved = motions_.stamps();
+    const auto confirms = [&](const auto& source) {
+      const auto believed = source.stamps().believed();
+      return believed && *believed + kStampJump >= *moved.begin();
     };
     const bool is_confirmed =
-        motions_.jump() && std::any_of(triggers_.begin(), triggers_.end(), confirms);
-    return is_confirmed ? motions_.last() : motions_.believed();
+        moved.begin() && std::any_of(triggers_.begin(), triggers_.end(), confirms);
+    return is_confirmed ? moved.last() : moved.believed();
   }
 
   bool isDue(const StampedQueue<Trigger>& source) {
-    const auto stamp = source.front().stamp;
+    const auto stamp = source.items().front().stamp;
     if (!covered() || *covered() < stamp) return false;
     for (std::size_t other = 0; other < triggers_.size(); ++other)
       if (!hasPassed(other, stamp)) return false;
@@ -157,9 +166,9 @@ class Collator {
 
   /// Whether nothing of the source is to be waited for any more before a step to the stamp.
   bool hasPassed(std::size_t source, Stamp stamp) {
-    const auto& queue = triggers_[source];
-    if (silent_[source] || !queue.empty() || (queue.last() && *queue.last() >= stamp)) return true;
-    const auto last = std::max(stamp, queue.last().value_or(stamp));
+    const auto newest = lastTrigger(source);
+    if (silent_[source] || held(source) > 0 || (newest && *newest >= stamp)) return true;
+    const auto last = std::max(stamp, newest.value_or(stamp));
     if (*covered() - last < limits_.source_timeout) return false;
     counters_.add("source_timeout");
     silent_[source] = true;
@@ -170,7 +179,7 @@ class Collator {
     Step step;
     step.stamp = stamp;
     step.restart = std::exchange(restart_, false);
-    while (!motions_.empty() && motions_.front().value.start < stamp) {
+    while (pending() != nullptr && pending()->start < stamp) {
       Motion motion = motions_.pop().value;
       if (motion.end <= *position_) {
         counters_.add("late");
@@ -202,8 +211,7 @@ class Collator {
         limits_.has_motion ? motions_.beganAnew() : setAside() >= StampedQueue<Trigger>::kInARow;
     if (!is_likely) return false;
     for (std::size_t source = 0; source < triggers_.size(); ++source)
-      if (!silent_[source] && !triggers_[source].beganAnew() && triggers_[source].last())
-        return false;
+      if (!silent_[source] && !triggers_[source].beganAnew() && lastTrigger(source)) return false;
     return true;
   }
 

@@ -77,8 +77,11 @@ class Ports {
   /// Adds an input that another component has described.
   InputPort& add(InputPort port) { return inputs_.emplace_back(std::move(port)); }
 
-  const std::deque<InputPort>& inputs() const { return inputs_; }
-  const std::deque<OutputPort>& outputs() const { return outputs_; }
+  const std::deque<InputPort>& inputs() const& { return inputs_; }
+  const std::deque<OutputPort>& outputs() const& { return outputs_; }
+  /// Of a temporary: a loop over a reference would outlive it.
+  std::deque<InputPort> inputs() && { return std::move(inputs_); }
+  std::deque<OutputPort> outputs() && { return std::move(outputs_); }
   /// Null where there is none.
   const InputPort* input(const std::string& name, Kind kind) const;
   const OutputPort* output(const std::string& name, Kind kind) const;

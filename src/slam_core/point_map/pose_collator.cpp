@@ -17,7 +17,7 @@ void PoseCollator::push(Motion motion) {
 }
 
 void PoseCollator::push(const FilterPose& pose) {
-  if (pose.stamp == poses_.last()) return;
+  if (pose.stamp == lastPose()) return;
   poses_.push(pose.stamp, pose_sequence_++, pose, counters_);
   restartWhenAllWentBack();
 }
@@ -30,11 +30,11 @@ void PoseCollator::push(LaserScan scan) {
 }
 
 std::optional<PoseCollator::Placed> PoseCollator::next() {
-  if (scans_.empty()) forgetOldest();
-  while (!scans_.empty()) {
-    const auto stamp = scans_.front().stamp;
+  if (scans_.items().empty()) forgetOldest();
+  while (!scans_.items().empty()) {
+    const auto stamp = scans_.items().front().stamp;
     const bool is_due =
-        poses_.last() && *poses_.last() >= stamp && motions_.last() && *motions_.last() >= stamp;
+        lastPose() && *lastPose() >= stamp && lastMotion() && *lastMotion() >= stamp;
     if (!is_due) return std::nullopt;
     takePoses(stamp);
     const std::string hindrance = hindranceAt(stamp);
@@ -56,22 +56,25 @@ std::string PoseCollator::hindranceAt(Stamp stamp) const {
 }
 
 void PoseCollator::forgetOldest() {
-  while (!poses_.empty() && (poses_.size() >= kKept || motions_.size() >= kKept))
-    takePoses(poses_.front().stamp);
+  const auto& poses = poses_.items();
+  while (!poses.empty() && (poses.size() >= kKept || motions_.items().size() >= kKept))
+    takePoses(poses.front().stamp);
 }
 
 void PoseCollator::takePoses(Stamp up_to) {
-  while (!poses_.empty() && poses_.front().stamp <= up_to) pose_ = poses_.pop().value;
+  const auto& poses = poses_.items();
+  const auto& motions = motions_.items();
+  while (!poses.empty() && poses.front().stamp <= up_to) pose_ = poses_.pop().value;
   if (!pose_) return;
   poses_.goneTo(pose_->stamp);
   motions_.goneTo(pose_->stamp);
-  while (!motions_.empty() && motions_.front().stamp <= pose_->stamp) motions_.pop();
+  while (!motions.empty() && motions.front().stamp <= pose_->stamp) motions_.pop();
 }
 
 Pose2 PoseCollator::carriedTo(Stamp stamp) {
   auto pose = pose_->pose();
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    auto motion = motions_[i].value;
+  for (const auto& item : motions_.items()) {
+    auto motion = item.value;
     if (motion.start >= stamp) break;
     if (motion.start < pose_->stamp) motion = split(motion, pose_->stamp).second;
     if (motion.end > stamp) motion = split(motion, stamp).first;
@@ -82,11 +85,11 @@ Pose2 PoseCollator::carriedTo(Stamp stamp) {
 
 void PoseCollator::restartWhenAllWentBack() {
   const auto has_gone_back = [](const auto& source) {
-    return source.beganAnew() || !source.last();
+    return source.beganAnew() || !source.stamps().last();
   };
   if (!motions_.beganAnew() || !has_gone_back(poses_) || !has_gone_back(scans_)) return;
   motions_.restart();
-  begin_ = motions_.front().value.start;
+  begin_ = motions_.items().front().value.start;
   poses_.restart();
   scans_.restart();
   pose_.reset();

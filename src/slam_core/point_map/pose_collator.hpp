@@ -44,8 +44,8 @@ class PoseCollator {
   std::size_t setAside() const {
     return motions_.setAside() + poses_.setAside() + scans_.setAside();
   }
-  std::optional<Stamp> lastMotion() const { return motions_.last(); }
-  std::optional<Stamp> lastPose() const { return poses_.last(); }
+  std::optional<Stamp> lastMotion() const { return motions_.stamps().last(); }
+  std::optional<Stamp> lastPose() const { return poses_.stamps().last(); }
 
  private:
   static constexpr std::size_t kKept = 20000;  ///< minutes

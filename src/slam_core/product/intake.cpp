@@ -131,23 +131,24 @@ std::optional<Intake::Step> Intake::next() {
   return step;
 }
 
-std::vector<std::string> Intake::triggers() const {
-  std::vector<std::string> names;
-  for (const auto* port : triggers_) names.push_back(port->name);
-  return names;
-}
-
-std::optional<Stamp> Intake::lastOf(const std::string& input) const {
-  for (std::size_t source = 0; source < triggers_.size(); ++source)
-    if (triggers_[source]->name == input) return collator_.lastTrigger(source);
+std::optional<Stamp> Intake::Arrivals::lastOf(const std::string& input) const {
+  for (const auto& source : triggers)
+    if (source.input == input) return source.last;
   return std::nullopt;
 }
 
-Counters Intake::held() const {
+Counters Intake::Arrivals::held() const {
   Counters held;
-  for (std::size_t source = 0; source < triggers_.size(); ++source)
-    held.add(triggers_[source]->sentence, collator_.held(source));
+  for (const auto& source : triggers) held.add(source.sentence, source.held);
   return held;
+}
+
+Intake::Arrivals Intake::arrivals() const {
+  Arrivals arrivals{collator_.lastMotion(), {}, starving()};
+  for (std::size_t source = 0; source < triggers_.size(); ++source)
+    arrivals.triggers.push_back({triggers_[source]->name, triggers_[source]->sentence,
+                                 collator_.lastTrigger(source), collator_.held(source)});
+  return arrivals;
 }
 
 std::string Intake::starving() const {

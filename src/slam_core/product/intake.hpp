@@ -30,6 +30,24 @@ class Intake {
     std::shared_ptr<void> value;
   };
   using Step = Collator<Motion, Trigger>::Step;
+  /// What has come so far.
+  struct Arrivals {
+    struct Source {
+      std::string input, sentence;
+      std::optional<Stamp> last;  ///< the newest stamp
+      std::size_t held = 0;       ///< have come and have not been handed out
+    };
+    std::optional<Stamp> motion;   ///< the newest stamp
+    std::vector<Source> triggers;  ///< of each input that triggers steps
+    /// "landmarks and laser scans since 12.3 wait for motion", where they have gone on without it
+    /// for more than kPatience; else empty.
+    std::string starving;
+
+    /// The newest stamp of a trigger's input.
+    std::optional<Stamp> lastOf(const std::string& input) const;
+    /// By what comes in there.
+    Counters held() const;
+  };
 
   /// @param ports of the back-end; they outlive this @throw ConfigError
   void configure(Settings& settings, const Ports& ports);
@@ -48,16 +66,7 @@ class Intake {
   /// The motion that follows the last step, if it is here.
   const Motion* pending() const { return collator_.pending(); }
 
-  /// The names of the inputs that trigger steps.
-  std::vector<std::string> triggers() const;
-  std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
-  /// Of a trigger's input, the newest stamp that has come.
-  std::optional<Stamp> lastOf(const std::string& input) const;
-  /// Triggers that have come and have not been handed out, by input.
-  Counters held() const;
-  /// "landmarks and laser scans since 12.3 wait for motion", where they have gone on without it for
-  /// more than kPatience; else empty.
-  std::string starving() const;
+  Arrivals arrivals() const;
   static constexpr Duration kPatience = std::chrono::seconds(3);
 
   /// Of an input since the last call: a sentence, or empty.
@@ -71,6 +80,7 @@ class Intake {
   void take(const InputPort& port, const void* value);
   void takeMotion(Motion motion);
   void takeTrigger(const InputPort& port, const void* value);
+  std::string starving() const;
   void warnOfBaseFrame(const std::string& moved);
 
   FramesConfig frames_;

@@ -17,13 +17,11 @@ void MetaCoordinator::configure(Settings& settings, const ProductPart& part) {
   if (part.extent == Extent::kBackend) MetaCoordinator().configure(settings);
   FaultCollector faults;
   parts_ = makeComponents(settings, part, faults);
-  wiring_ = Wiring();
   const auto frames = parts_.frames;
   const auto fill_in = [frames](auto& data) {
     frames.complete(data.odometry_frame, data.base_frame);
   };
-  wiring_.complete<OdometrySample>(fill_in);
-  wiring_.complete<Motion>(fill_in);
+  wiring_ = Wiring(Completions().add<OdometrySample>(fill_in).add<Motion>(fill_in));
   const bool is_whole = part.extent == Extent::kWhole;
   connect(parts_, is_whole, wiring_);
   faults.attempt([&] { wiring_.connect(settings); });
@@ -38,7 +36,7 @@ void MetaCoordinator::configure(Settings& settings, const ProductPart& part) {
 /// Empty: nobody takes data of this kind.
 std::string MetaCoordinator::portOf(Kind kind) const {
   std::string name;
-  for (const auto& input : wiring_.inputs()) {
+  for (const auto& input : wiring_.ports().inputs()) {
     if (input.kind != kind || input.name == name) continue;
     if (!name.empty())
       throw std::logic_error("data of kind " + nameOf(kind) + " are taken in at '" + name +
@@ -53,11 +51,6 @@ Status MetaCoordinator::set(const MapState& map) {
   if (status.level != Status::Level::kError)
     for (const auto& [name, module] : parts_.modules) module->reset();
   return status;
-}
-
-Status MetaCoordinator::execute() {
-  const auto status = wiring_.step();
-  return moreUrgent(status, wiring_.takeStatus());
 }
 
 std::uint64_t MetaCoordinator::dropped() const {

@@ -45,7 +45,7 @@ class MetaCoordinator {
 
   /// One step of the estimator, as Estimator::execute(), where the part has one; a warning of the
   /// other components comes first.
-  Status execute();
+  Status execute() { return wiring_.step(); }
 
   const ProductComponents& components() const { return parts_; }
   /// Of a part with a back-end.

@@ -125,7 +125,7 @@ std::vector<InputPort> inputsOf(const ProductConfig& product, const ProductPart&
   auto parts = createComponents(product, part);
   Wiring wiring;
   connect(parts, true, wiring);
-  return wiring.inputs();
+  return wiring.ports().inputs();
 }
 
 }  // namespace slam

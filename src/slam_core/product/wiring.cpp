@@ -4,6 +4,7 @@
 #include "slam_core/product/wiring.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "slam_core/common/config_error.hpp"
 
@@ -20,34 +21,22 @@ std::unique_ptr<Gate> gateFor(const InputPort& input) {
 
 void Wiring::add(const std::string& prefix, Component& component, Turn turn,
                  const std::string& title) {
-  nodes_.push_back({prefix, &component, portsOf(component), turn, title});
+  nodes_.push_back({prefix, &component, &ports_.add(title, portsOf(component)), turn});
 }
 
 void Wiring::connect(Settings& settings) {
   FaultCollector faults;
-  for (auto& node : nodes_) faults.attempt([&] { requireOneMaker(node); });
+  faults.attempt([&] { ports_.requireOneMakerEach(); });
   faults.attempt([&] { placeGates(settings); });
   faults.raise();
   for (auto& node : nodes_)
-    for (const auto& input : node.ports.inputs())
+    for (const auto& input : node.ports->inputs())
       routes_[{input.name, input.kind}].consumers.push_back({&node, &input});
-}
-
-/// Refuses a node that makes what one before it makes.
-void Wiring::requireOneMaker(const Node& node) const {
-  for (const auto& output : node.ports.outputs())
-    for (const auto& other : nodes_) {
-      if (&other == &node) break;
-      if (other.ports.output(output.name, output.kind) != nullptr)
-        throw ConfigError("two components make '" + output.name + "' (" + nameOf(output.kind) +
-                          "): the " + other.title + " and the " + node.title +
-                          "; leave one of them out of the product");
-    }
 }
 
 /// Before each input that nobody makes and that a gate is registered for.
 void Wiring::placeGates(Settings& settings) {
-  for (const auto& input : open()) {
+  for (const auto& input : ports_.open()) {
     auto gate = gateFor(input);
     if (!gate) continue;
     gate->configure(settings);
@@ -56,60 +45,11 @@ void Wiring::placeGates(Settings& settings) {
   }
 }
 
-bool Wiring::isMade(const std::string& port, Kind kind) const {
-  return std::any_of(nodes_.begin(), nodes_.end(),
-                     [&](const Node& node) { return node.ports.output(port, kind) != nullptr; });
-}
-
-std::vector<InputPort> Wiring::inputs() const {
-  std::vector<InputPort> all;
-  for (const auto& node : nodes_)
-    for (const auto& input : node.ports.inputs()) {
-      const auto same = std::find_if(all.begin(), all.end(), [&](const InputPort& other) {
-        return other.name == input.name && other.kind == input.kind;
-      });
-      if (same == all.end())
-        all.push_back(input);
-      else
-        same->is_mandatory = same->is_mandatory || input.is_mandatory;
-    }
-  return all;
-}
-
-std::vector<InputPort> Wiring::open() const {
-  auto inputs = this->inputs();
-  inputs.erase(std::remove_if(inputs.begin(), inputs.end(),
-                              [this](const auto& input) { return isMade(input.name, input.kind); }),
-               inputs.end());
-  return inputs;
-}
-
-std::vector<OutputPort> Wiring::outputs() const {
-  std::vector<OutputPort> all;
-  for (const auto& node : nodes_)
-    all.insert(all.end(), node.ports.outputs().begin(), node.ports.outputs().end());
-  return all;
-}
-
-std::string Wiring::takersOf(const std::string& port, Kind kind) const {
-  std::vector<std::string> titles;
-  for (const auto& node : nodes_)
-    if (node.ports.input(port, kind) != nullptr) titles.push_back("the " + node.title);
-  return join(titles, " and ");
-}
-
-const void* Wiring::completed(Kind kind, const void* value, std::shared_ptr<void>& copy) const {
-  const auto completion = completions_.find(kind);
-  if (completion == completions_.end()) return value;
-  copy = completion->second(value);
-  return copy.get();
-}
-
 void Wiring::put(const std::string& port, Kind kind, const void* value) {
   const auto route = routes_.find({port, kind});
   if (route == routes_.end()) return;
   std::shared_ptr<void> copy;
-  pass(route->second, completed(kind, value, copy));
+  pass(route->second, completions_.complete(kind, value, copy));
 }
 
 void Wiring::pass(const Route& route, const void* value) {
@@ -132,12 +72,12 @@ void Wiring::run(Node& node) {
 }
 
 void Wiring::handOn(Node& node) {
-  for (const auto& output : node.ports.outputs()) {
+  for (const auto& output : node.ports->outputs()) {
     const auto* value = output.get();
     const auto route = routes_.find({output.name, output.kind});
     if (value == nullptr || route == routes_.end()) continue;
     std::shared_ptr<void> copy;
-    value = completed(output.kind, value, copy);
+    value = completions_.complete(output.kind, value, copy);
     pass(route->second, value);
     for (const auto& listener : route->second.listeners) listener(value);
   }
@@ -150,7 +90,7 @@ Status Wiring::step() {
     status = node.component->execute();
     handOn(node);
   }
-  return status;
+  return moreUrgent(status, std::exchange(status_, Status::ok()));
 }
 
 Counters Wiring::counters() const {

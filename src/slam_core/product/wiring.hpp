@@ -13,6 +13,8 @@
 
 #include "slam_core/contract/component.hpp"
 #include "slam_core/contract/gate.hpp"
+#include "slam_core/product/completions.hpp"
+#include "slam_core/product/wired_ports.hpp"
 
 namespace slam {
 
@@ -25,6 +27,8 @@ std::unique_ptr<Gate> gateFor(const InputPort& input);
 /// result.
 class Wiring {
  public:
+  explicit Wiring(Completions completions = {}) : completions_(std::move(completions)) {}
+
   /// Hands over a value of a kind that is known to whoever gets it.
   using Listener = std::function<void(const void*)>;
 
@@ -38,9 +42,6 @@ class Wiring {
   /// @param title what sentences call it: "back-end 'ekf'"
   void add(const std::string& prefix, Component& component, Turn turn = Turn::kAtOnce,
            const std::string& title = "component");
-  /// Fills in what data of a kind lack, before anyone gets them.
-  template <class T>
-  void complete(std::function<void(T&)> fill_in);
   /// Joins what was added, and places the gates. @throw ConfigError where two components make the
   /// same output, or a gate cannot be configured
   void connect(Settings& settings);
@@ -49,20 +50,11 @@ class Wiring {
   void put(const std::string& port, Kind kind, const void* value);
   /// Calls the listener with every value that a component or a gate makes at this output.
   void listen(const std::string& port, Kind kind, Listener listener);
-  /// One execute() of the component that waits for requests, its outputs handed on.
+  /// One execute() of the component that waits for requests, its outputs handed on. @return its
+  /// status, or the last warning of those that took their turn at once, where that is more urgent
   Status step();
-  /// The last warning since the last call of those that took their turn at once.
-  Status takeStatus() { return std::exchange(status_, Status::ok()); }
 
-  /// The inputs of components and gates, in their order; of the same name and kind one, mandatory
-  /// where it is so for anyone.
-  std::vector<InputPort> inputs() const;
-  /// Those of them that no component and no gate makes.
-  std::vector<InputPort> open() const;
-  /// The outputs of all components and gates.
-  std::vector<OutputPort> outputs() const;
-  /// Titles of the components and gates that take in an input: "the back-end 'ekf' and ...".
-  std::string takersOf(const std::string& port, Kind kind) const;
+  const WiredPorts& ports() const { return ports_; }
   /// Of all components and gates, with their prefixes.
   Counters counters() const;
   /// Of all components.
@@ -75,9 +67,8 @@ class Wiring {
   struct Node {
     std::string prefix;
     Component* component;
-    Ports ports;
+    const Ports* ports;
     Turn turn;
-    std::string title;
   };
   struct Consumer {
     Node* node;
@@ -88,14 +79,8 @@ class Wiring {
     std::vector<Listener> listeners;
   };
   using Address = std::pair<std::string, Kind>;
-  using Completion = std::function<std::shared_ptr<void>(const void*)>;
 
-  /// The value with what it lacks filled in; it lives as long as `copy`.
-  const void* completed(Kind kind, const void* value, std::shared_ptr<void>& copy) const;
-
-  void requireOneMaker(const Node& node) const;
   void placeGates(Settings& settings);
-  bool isMade(const std::string& port, Kind kind) const;
   void run(Node& node);
   void handOn(Node& node);
   void pass(const Route& route, const void* value);
@@ -103,17 +88,9 @@ class Wiring {
   std::deque<Node> nodes_;  // a deque: nodes are referred to
   std::vector<std::unique_ptr<Gate>> gates_;
   std::map<Address, Route> routes_;
-  std::map<Kind, Completion> completions_;
-  Status status_;
+  Completions completions_;
+  WiredPorts ports_;
+  Status status_;  ///< the last warning of those that took their turn at once
 };
-
-template <class T>
-void Wiring::complete(std::function<void(T&)> fill_in) {
-  completions_[kindOf<T>()] = [fill_in = std::move(fill_in)](const void* value) {
-    auto copy = std::make_shared<T>(*static_cast<const T*>(value));
-    fill_in(*copy);
-    return copy;
-  };
-}
 
 }  // namespace slam

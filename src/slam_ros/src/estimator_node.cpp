@@ -155,14 +155,14 @@ void EstimatorNode::tellOfSilence() {
 }
 
 std::string EstimatorNode::starving() const {
-  const auto what = estimator().intake().starving();
+  const auto what = estimator().intake().arrivals().starving;
   return what.empty() ? "" : "nothing steps: " + what + " on " + motion_topic_;
 }
 
 void EstimatorNode::takeSteps(const std::string& topic) {
   const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
   if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
-  const auto last_motion = estimator().intake().lastMotion();
+  const auto last_motion = estimator().intake().arrivals().motion;
   if (std::exchange(last_motion_, last_motion) != last_motion) motion_topic_ = topic;
   const auto& report = estimator().report();
   do {
@@ -189,15 +189,15 @@ void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Cloc
 
 void EstimatorNode::publishProgress() {
   if (!tells_progress_ || progress_.getNumSubscribers() == 0) return;
-  const auto& intake = estimator().intake();
+  const auto arrivals = estimator().intake().arrivals();
   slam_msgs::Progress message;
-  message.motion = toRos(intake.lastMotion().value_or(slam::Stamp()));
-  message.observations = toRos(intake.lastOf("observations").value_or(slam::Stamp()));
+  message.motion = toRos(arrivals.motion.value_or(slam::Stamp()));
+  message.observations = toRos(arrivals.lastOf("observations").value_or(slam::Stamp()));
   message.scans = toRos(last_scan_);
-  for (const auto& input : intake.triggers()) {
-    if (input == "observations" || input == "scan") continue;
-    message.inputs.push_back(input);
-    message.newest.push_back(toRos(intake.lastOf(input).value_or(slam::Stamp())));
+  for (const auto& source : arrivals.triggers) {
+    if (source.input == "observations" || source.input == "scan") continue;
+    message.inputs.push_back(source.input);
+    message.newest.push_back(toRos(source.last.value_or(slam::Stamp())));
   }
   message.step = toRos(recorder_->lastStamp());
   message.resets = resets_;
@@ -209,7 +209,7 @@ void EstimatorNode::checkClock() {
   // as stamps: ROS's durations hold 68 years, its times 136
   const auto from = fromRos(clock_.jump().from), to = fromRos(clock_.jump().to);
   const auto middle = to + (from - to) / 2;
-  if (estimator().intake().lastMotion().value_or(recorder_->lastStamp()) < middle)
+  if (estimator().intake().arrivals().motion.value_or(recorder_->lastStamp()) < middle)
     return;  // it has seen it
   diagnostics_->warn("/clock jumped back by " + std::to_string(slam::seconds(from - to)) +
                      " s: map and pose begin anew");
@@ -236,10 +236,10 @@ void EstimatorNode::beginAnew() {
 }
 
 std::string EstimatorNode::waiting() const {
-  const auto& intake = estimator().intake();
+  const auto arrivals = estimator().intake().arrivals();
   std::vector<std::string> needless;
-  if (intake.lastMotion()) needless = {"odom", "ceiling_camera"};
-  if (intake.lastOf("observations")) needless.push_back("camera");
+  if (arrivals.motion) needless = {"odom", "ceiling_camera"};
+  if (arrivals.lastOf("observations")) needless.push_back("camera");
   if (const auto wait = inputs_->waiting(needless); !wait.empty()) return wait;
   if (const auto starving = this->starving(); !starving.empty()) return starving;
   return silence_.sentence(SilenceWatch::Clock::now());

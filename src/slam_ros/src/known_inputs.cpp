@@ -38,7 +38,7 @@ std::string nearTo(const slam::InputPort& input, const std::vector<slam::OutputP
 }  // namespace
 
 void requireKnownInputs(const slam::Wiring& wiring) {
-  const auto open = wiring.open();
+  const auto open = wiring.ports().open();
   slam::FaultCollector faults;
   for (const auto& input : open)
     if (input.is_mandatory && !isBrought(input, open))
@@ -46,8 +46,8 @@ void requireKnownInputs(const slam::Wiring& wiring) {
           "{} needs '{}' ({}), which no component of the product makes and no topic brings{}; "
           "topics bring {}: choose a component that makes it, or name the library that has a "
           "binding for it in the product's `libraries`",
-          wiring.takersOf(input.name, input.kind), input.name, slam::nameOf(input.kind),
-          nearTo(input, wiring.outputs()), slam::join(InputBindings::instance().kinds())));
+          wiring.ports().takersOf(input.name, input.kind), input.name, slam::nameOf(input.kind),
+          nearTo(input, wiring.ports().outputs()), slam::join(InputBindings::instance().kinds())));
   faults.raise();
 }
 

@@ -152,14 +152,13 @@ void OfflineRun::tellOfDropped(std::size_t messages) {
 
 /// The last ones may well come after the last odometry; more are worth a word.
 void OfflineRun::tellOfHeld() {
-  const auto& intake = coordinator_.estimator().intake();
-  const auto starving = intake.starving();
-  if (starving.empty()) return;
+  const auto arrivals = coordinator_.estimator().intake().arrivals();
+  if (arrivals.starving.empty()) return;
   std::vector<std::string> held;
-  for (const auto& [what, count] : intake.held().all())
+  for (const auto& [what, count] : arrivals.held().all())
     held.push_back(fmt::format("{} messages of {}", count, what));
   warn(fmt::format("{} were never used: {} that does not come", slam::join(held, " and "),
-                   starving));
+                   arrivals.starving));
 }
 
 template <class Message, class Work>
@@ -241,7 +240,7 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
   auto counters = coordinator_.counters();
   counters.add("odometry_without_pose", odometry_faults_);
   counters.add(coordinator_.wiring().held());
-  for (const auto& [what, count] : coordinator_.estimator().intake().held().all())
+  for (const auto& [what, count] : coordinator_.estimator().intake().arrivals().held().all())
     counters.add("never_stepped", count);
   std::vector<std::string> counts;
   for (const auto& [reason, count] : counters.all())

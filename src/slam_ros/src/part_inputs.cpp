@@ -12,7 +12,7 @@ namespace slam_ros {
 PartInputs::PartInputs(const InputContext& context, const slam::Wiring& wiring,
                        const slam::Ports& also) {
   slam::FaultCollector faults;
-  for (const auto& port : wiring.open())
+  for (const auto& port : wiring.ports().open())
     if (port.time != slam::TimeRole::kLatched)  // which comes with the data that it is latched for
       faults.attempt([&] { bind(context, port); });
   faults.raise();

@@ -180,24 +180,24 @@ TEST_F(EstimatorScansTest, SaysWhatWaitsForMotionThatHasStopped) {
   const auto first = world.next();
   estimator.set(first.motion);
   for (std::uint64_t i = 0; i < 40; ++i) {
-    EXPECT_EQ(estimator.intake().starving(), "") << i;
+    EXPECT_EQ(estimator.intake().arrivals().starving, "") << i;
     estimator.set(
         scanAt(first.motion.end + std::chrono::milliseconds(100) * static_cast<int>(i), i));
     drain();
     if (i == 31) break;
   }
   EXPECT_EQ(text, "s");
-  EXPECT_EQ(estimator.intake().starving().find("laser scans since "), 0u)
-      << estimator.intake().starving();
-  EXPECT_NE(estimator.intake().starving().find(" wait for motion"), std::string::npos);
-  EXPECT_EQ(estimator.intake().held()["laser scans"], 31u);
+  EXPECT_EQ(estimator.intake().arrivals().starving.find("laser scans since "), 0u)
+      << estimator.intake().arrivals().starving;
+  EXPECT_NE(estimator.intake().arrivals().starving.find(" wait for motion"), std::string::npos);
+  EXPECT_EQ(estimator.intake().arrivals().held()["laser scans"], 31u);
   auto array = first.observations;
   array.stamp = first.motion.end + std::chrono::seconds(4);
   estimator.set(array);
-  EXPECT_EQ(estimator.intake().starving().find("landmarks and laser scans since "), 0u);
-  EXPECT_EQ(estimator.intake().held()["landmarks"], 1u);
+  EXPECT_EQ(estimator.intake().arrivals().starving.find("landmarks and laser scans since "), 0u);
+  EXPECT_EQ(estimator.intake().arrivals().held()["landmarks"], 1u);
   estimator.reset();
-  EXPECT_EQ(estimator.intake().starving(), "");
+  EXPECT_EQ(estimator.intake().arrivals().starving, "");
 }
 
 TEST_F(EstimatorScansTest, ABackEndThatUsesNoScansIsNotHeldBackByThem) {

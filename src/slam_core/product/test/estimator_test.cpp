@@ -275,7 +275,7 @@ TEST_F(EstimatorTest, IsFreshAfterReset) {
   const auto first = trajectory();
   estimator.reset();
   EXPECT_FALSE(estimator.report().has_value());
-  EXPECT_FALSE(estimator.intake().lastMotion().has_value());
+  EXPECT_FALSE(estimator.intake().arrivals().motion.has_value());
   EXPECT_TRUE(estimator.counters().all().empty());
   reports.clear();
   for (const auto& step : steps) take(step);

@@ -88,7 +88,7 @@ TEST_F(IntakeTest, CollatesItWithMotionWhateverTheOrderOfArrival) {
   take(Echo{at(50), 0, 1.0});
   take(Echo{at(130), 1, 2.0});
   EXPECT_TRUE(drain().empty()) << "motion has not come";
-  EXPECT_EQ(intake.held()["echoes"], 2u);
+  EXPECT_EQ(intake.arrivals().held()["echoes"], 2u);
   take(motion(0, 100, 0));
   auto steps = drain();
   ASSERT_EQ(steps.size(), 1u);
@@ -102,9 +102,9 @@ TEST_F(IntakeTest, CollatesItWithMotionWhateverTheOrderOfArrival) {
   ASSERT_EQ(steps.size(), 1u);
   EXPECT_EQ(rangeOf(steps[0]), 2.0);
   EXPECT_EQ(steps[0].motions.size(), 2u);
-  EXPECT_EQ(intake.held()["echoes"], 0u);
-  EXPECT_EQ(intake.lastOf("sonar"), at(130));
-  EXPECT_EQ(intake.lastMotion(), at(200));
+  EXPECT_EQ(intake.arrivals().held()["echoes"], 0u);
+  EXPECT_EQ(intake.arrivals().lastOf("sonar"), at(130));
+  EXPECT_EQ(intake.arrivals().motion, at(200));
 }
 
 TEST_F(IntakeTest, CountsWhatIsLateAndWhatIsLost) {
@@ -118,7 +118,7 @@ TEST_F(IntakeTest, CountsWhatIsLateAndWhatIsLost) {
   EXPECT_EQ(intake.dropped(), 3u);
   intake.reset();
   EXPECT_TRUE(intake.counters().all().empty());
-  EXPECT_FALSE(intake.lastOf("sonar"));
+  EXPECT_FALSE(intake.arrivals().lastOf("sonar"));
 }
 
 TEST_F(IntakeTest, WaitsForEachInputUnlessNothingIsExpectedThere) {
@@ -147,9 +147,9 @@ TEST_F(IntakeTest, NamesWhatWaitsForMotionThatHasStopped) {
   configureWithMotion();
   take(motion(0, 100, 0));
   take(Echo{at(200), 0, 1.0});
-  EXPECT_EQ(intake.starving(), "");
+  EXPECT_EQ(intake.arrivals().starving, "");
   take(Echo{at(3500), 1, 1.0});
-  EXPECT_EQ(intake.starving(), "echoes since 1.2 wait for motion");
+  EXPECT_EQ(intake.arrivals().starving, "echoes since 1.2 wait for motion");
 }
 
 TEST_F(IntakeTest, WithoutMotionTheTriggersAreTheClock) {
@@ -164,8 +164,8 @@ TEST_F(IntakeTest, WithoutMotionTheTriggersAreTheClock) {
     EXPECT_EQ(rangeOf(steps[0]), 1.0 + i);
     EXPECT_TRUE(steps[0].motions.empty());
   }
-  EXPECT_FALSE(intake.lastMotion()) << "nobody takes it";
-  EXPECT_EQ(intake.starving(), "");
+  EXPECT_FALSE(intake.arrivals().motion) << "nobody takes it";
+  EXPECT_EQ(intake.arrivals().starving, "");
   EXPECT_TRUE(intake.counters().all().empty());
 }
 

@@ -193,7 +193,7 @@ TEST_F(WiringTest, WhatNobodyMakesIsOpenAndMandatoryIfAnyoneSaysSo) {
   wiring.add("", others);
   wiring.add("", also_optional);
   connect();
-  const auto open = wiring.open();
+  const auto open = wiring.ports().open();
   EXPECT_EQ(open.size(), 3u) << "of the same name and kind one";
   EXPECT_EQ(find<Word>(open, "words"), nullptr) << "the speaker makes them";
   ASSERT_NE(find<Number>(open, "count"), nullptr);
@@ -201,15 +201,15 @@ TEST_F(WiringTest, WhatNobodyMakesIsOpenAndMandatoryIfAnyoneSaysSo) {
   EXPECT_TRUE(find<Word>(open, "other_words")->is_mandatory);
   ASSERT_NE(find<Word>(open, "whispers"), nullptr);
   EXPECT_FALSE(find<Word>(open, "whispers")->is_mandatory);
-  EXPECT_EQ(wiring.inputs().size(), 4u);
-  EXPECT_NE(find<Word>(wiring.inputs(), "words"), nullptr);
+  EXPECT_EQ(wiring.ports().inputs().size(), 4u);
+  EXPECT_NE(find<Word>(wiring.ports().inputs(), "words"), nullptr);
 }
 
 TEST_F(WiringTest, FillsInWhatDataLackBeforeAnyoneGetsThem) {
+  wiring = Wiring(Completions().add<Word>([](Word& word) { word.text += "!"; }));
   wiring.add("", speaker);
   wiring.add("", words);
   wiring.add("", more_words);
-  wiring.complete<Word>([](Word& word) { word.text += "!"; });
   connect();
   std::vector<Word> heard;
   wiring.listen("words", kindOf<Word>(),
@@ -236,7 +236,7 @@ TEST_F(WiringTest, WhoWaitsForRequestsExecutesOnlyThen) {
   EXPECT_EQ(textOf(words.got), "2 1 ");
   put("count", Number{-1});
   EXPECT_TRUE(oneSays({wiring.step().message}, {"below nought"}));
-  EXPECT_TRUE(wiring.takeStatus().isOk()) << "that is of the others";
+  EXPECT_TRUE(wiring.step().isOk()) << "reported once";
 }
 
 TEST_F(WiringTest, TellsOnceTheLastWarningOfThoseThatTakeTheirTurnAtOnce) {
@@ -244,8 +244,8 @@ TEST_F(WiringTest, TellsOnceTheLastWarningOfThoseThatTakeTheirTurnAtOnce) {
   connect();
   put("count", Number{-1});
   put("count", Number{1});
-  EXPECT_TRUE(oneSays({wiring.takeStatus().message}, {"below nought"}));
-  EXPECT_TRUE(wiring.takeStatus().isOk());
+  EXPECT_TRUE(oneSays({wiring.step().message}, {"below nought"}));
+  EXPECT_TRUE(wiring.step().isOk());
 }
 
 TEST_F(WiringTest, ResetsAllComponentsAndForgetsWhatWasWrong) {
@@ -257,7 +257,7 @@ TEST_F(WiringTest, ResetsAllComponentsAndForgetsWhatWasWrong) {
   wiring.reset();
   EXPECT_TRUE(wiring.counters().all().empty());
   EXPECT_TRUE(words.got.empty());
-  EXPECT_TRUE(wiring.takeStatus().isOk());
+  EXPECT_TRUE(wiring.step().isOk());
   put("count", Number{1});
   EXPECT_EQ(textOf(words.got), "1 ") << "it stays wired";
 }
@@ -282,7 +282,7 @@ TEST_F(WiringGateTest, AGateStandsOnceBeforeAllWhoNeedIt) {
   wiring.add("", scans);
   wiring.add("", more_scans);
   connect();
-  const auto open = wiring.open();
+  const auto open = wiring.ports().open();
   EXPECT_EQ(open.size(), 2u);
   EXPECT_EQ(find<LaserScan>(open, "scan"), nullptr) << "the gate makes them";
   ASSERT_NE(find<LaserSweep>(open, "scan"), nullptr);
@@ -307,7 +307,7 @@ TEST_F(WiringGateTest, AGateIsConfiguredAndItsCountersHaveItsName) {
   bad.angle_increment = -0.1f;  // leads away from angle_max
   put("scan", bad);
   EXPECT_EQ(wiring.counters()["laser_bad_scan"], 1u);
-  EXPECT_TRUE(oneSays({wiring.takeStatus().message}, {"a scan cannot be used"}));
+  EXPECT_TRUE(oneSays({wiring.step().message}, {"a scan cannot be used"}));
   put("scan", sweepAt(2));
   ASSERT_EQ(scans.got.size(), 2u);
   EXPECT_EQ(scans.got[1].sensor_pose.x(), 1.0);
@@ -344,8 +344,8 @@ TEST_F(WiringGateTest, NoGateStandsWhereAComponentMakesTheData) {
   wiring.add("", scans);
   wiring.add("", maker);
   connect();
-  EXPECT_EQ(find<LaserSweep>(wiring.open(), "scan"), nullptr);
-  EXPECT_EQ(wiring.open().size(), 1u);
+  EXPECT_EQ(find<LaserSweep>(wiring.ports().open(), "scan"), nullptr);
+  EXPECT_EQ(wiring.ports().open().size(), 1u);
 }
 
 }  // namespace
