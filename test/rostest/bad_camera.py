@@ -112,7 +112,7 @@ class BadCameraTest(unittest.TestCase):
 
     def count(self, reason):
         values = self.values()
-        return int(values.get(reason, values.get("detector_" + reason, 0)))
+        return int(values.get(reason, values.get("camera_" + reason, 0)))
 
     def test_1_images_without_camera_info(self):
         self.play(HELD + 15)

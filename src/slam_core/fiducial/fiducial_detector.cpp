@@ -4,7 +4,9 @@
 #include "slam_core/fiducial/fiducial_detector.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "slam_core/camera/camera_config.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/fiducial/drawing.hpp"
 #include "slam_core/fiducial/range_bearing.hpp"
@@ -15,7 +17,6 @@ namespace slam::fiducial {
 namespace {
 
 const SectionRegistrar<FiducialConfig> kFiducialSection;
-const SectionRegistrar<CameraConfig> kCameraSection;
 
 }  // namespace
 
@@ -23,21 +24,21 @@ FiducialDetector::FiducialDetector(std::unique_ptr<CornerDetector> corner_detect
     : corner_detector_(std::move(corner_detector)) {}
 
 void FiducialDetector::describe(Ports& ports) {
-  describeCamera(ports, "camera", "images", this);
+  ports.takes<CameraView>(CameraConfig::kSection, "images", this);
   ports.makes<LandmarkObservationArray>("observations", observations_);
 }
 
 void FiducialDetector::configure(Settings& settings) {
   FaultCollector faults;
   faults.attempt([&] { config_ = settings.read<FiducialConfig>(); });
-  faults.attempt([&] { gate_.configure(settings.read<CameraConfig>()); });
   faults.attempt([&] { corner_detector_->configure(settings); });
   faults.raise();
   reset();
 }
 
 void FiducialDetector::reset() {
-  gate_.reset();
+  next_view_.reset();
+  view_.reset();
   detections_.clear();
   observations_.reset();
   next_sequence_ = 0;
@@ -46,29 +47,30 @@ void FiducialDetector::reset() {
 
 Status FiducialDetector::execute() {
   observations_.reset();
-  const auto status = gate_.next(counters_);
-  if (!gate_.image()) return status;
+  view_ = std::exchange(next_view_, std::nullopt);
+  if (!view_) return Status::ok();
   detections_.clear();
   observations_ = emptyArray();
-  if (!gate_.isUsable()) return status;
+  if (!view_->isUsable()) return Status::ok();  // its gate has said why
 
-  corner_detector_->detect(gate_.image()->gray, detections_);
+  const auto& gray = view_->image.gray;
+  corner_detector_->detect(gray, detections_);
   sortById(detections_);
-  rejectByImage(config_, gate_.image()->gray.size(), detections_);
+  rejectByImage(config_, gray.size(), detections_);
   estimatePoses();
   rejectByPose(config_, detections_);
   observe();
   count();
-  return status.isOk() ? warningOf(detections_) : status;
+  return warningOf(detections_);
 }
 
 LandmarkObservationArray FiducialDetector::emptyArray() {
   LandmarkObservationArray array;
   array.sequence = next_sequence_++;
-  array.stamp = gate_.image()->stamp;
-  array.sensor_frame = gate_.image()->frame;
-  if (gate_.isUsable()) {
-    const auto& position = gate_.mount().T_base_camera.translation();
+  array.stamp = view_->stamp;
+  array.sensor_frame = view_->image.frame;
+  if (view_->isUsable()) {
+    const auto& position = view_->mount.T_base_camera.translation();
     array.sensor_pose = Pose2(position.x(), position.y(), 0.0);
   }
   return array;
@@ -77,7 +79,7 @@ LandmarkObservationArray FiducialDetector::emptyArray() {
 void FiducialDetector::estimatePoses() {
   for (auto& marker : detections_) {
     if (!marker.isAccepted()) continue;
-    const auto pose = estimatePose(gate_.camera(), marker.corners, config_.sizeOf(marker.id),
+    const auto pose = estimatePose(*view_->camera, marker.corners, config_.sizeOf(marker.id),
                                    config_.corner_sigma);
     if (!pose) {
       marker.rejection = "no_pose";
@@ -93,7 +95,7 @@ void FiducialDetector::observe() {
   for (auto& marker : detections_) {
     if (!marker.isAccepted()) continue;
     auto z = rangeAndBearing(marker.pose.position, marker.pose.covariance,
-                             gate_.mount().T_base_camera.linear(), config_.max_relative_sigma);
+                             view_->mount.T_base_camera.linear(), config_.max_relative_sigma);
     if (!z || !faultOf(*z).empty()) {
       marker.rejection = "ill_conditioned";
       continue;
@@ -110,7 +112,7 @@ void FiducialDetector::count() {
 }
 
 cv::Mat FiducialDetector::drawing() const {
-  return gate_.image() ? draw(gate_.image()->gray, detections_) : cv::Mat();
+  return view_ ? draw(view_->image.gray, detections_) : cv::Mat();
 }
 
 }  // namespace slam::fiducial

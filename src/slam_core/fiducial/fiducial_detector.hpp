@@ -7,8 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/camera/camera_ports.hpp"
-#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/camera_view.hpp"
 #include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/fiducial/corner_detector.hpp"
@@ -19,7 +18,7 @@ namespace slam::fiducial {
 /// Finds square markers in images and tells where they stand in the robot's plane (thesis 5.2).
 /// Only a marker's position is used: its orientation may flip (Collins and Bartoli 2014).
 ///
-/// Counted: the reasons of the gate and of rejections: "low_margin", "hamming", "unlisted_id",
+/// Counted: the reasons of rejections: "low_margin", "hamming", "unlisted_id",
 /// "duplicate_id", "image_border", "too_small", "too_oblique", "reprojection_error", "no_pose",
 /// "ill_conditioned".
 class FiducialDetector : public LandmarkDetector, public ViewDrawer {
@@ -28,18 +27,13 @@ class FiducialDetector : public LandmarkDetector, public ViewDrawer {
 
   void describe(Ports& ports) override;
   void configure(Settings& settings) override;
-  /// Calibration and mount are in force for all images that have not been processed; images wait,
-  /// bounded, until both are known.
-  void set(const CameraCalibration& calibration) { gate_.set(calibration); }
-  void set(const CameraMount& mount) { gate_.set(mount); }
-  void set(const Image& image) { gate_.set(image, counters_); }
+  void set(const CameraView& view) { next_view_ = view; }
   Status execute() override;
   const std::optional<LandmarkObservationArray>& observations() const override {
     return observations_;
   }
   cv::Mat drawing() const override;
   Counters counters() const override { return counters_; }
-  std::uint64_t dropped() const override { return counters_["late"]; }
   void reset() override;
 
   /// All that was found in the last image, accepted or not, sorted by id.
@@ -53,7 +47,7 @@ class FiducialDetector : public LandmarkDetector, public ViewDrawer {
 
   FiducialConfig config_;
   std::unique_ptr<CornerDetector> corner_detector_;
-  ImageGate gate_;
+  std::optional<CameraView> next_view_, view_;  ///< of the next step and of the last one
   std::vector<MarkerDetection> detections_;
   std::optional<LandmarkObservationArray> observations_;
   std::uint64_t next_sequence_ = 0;

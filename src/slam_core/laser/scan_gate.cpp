@@ -16,7 +16,7 @@ namespace {
 /// Scans that wait longer than this are worth a word: the first ones come before the transform.
 constexpr Duration kPatience = std::chrono::seconds(1);
 
-const GateRegistrar<LaserScan, ScanGate> kRegistrar;
+const GateRegistrar<ScanGate> kRegistrar(LaserConfig::kSection);
 const SectionRegistrar<LaserConfig> kSectionRegistrar;
 
 std::string unknownMount(const std::string& frame) {

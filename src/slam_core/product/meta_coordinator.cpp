@@ -58,6 +58,7 @@ std::uint64_t MetaCoordinator::dropped() const {
   if (parts_.odometry) sum += parts_.odometry->dropped();
   if (parts_.detector) sum += parts_.detector->dropped();
   if (parts_.estimator) sum += parts_.estimator->dropped();
+  for (const auto& gate : wiring_.gates()) sum += gate->dropped();
   return sum;
 }
 

@@ -12,11 +12,11 @@ namespace slam {
 
 std::unique_ptr<Gate> gateFor(const InputPort& input) {
   const auto& registry = Registry<Gate>::instance();
-  const auto kinds = registry.names();
-  const auto kind = nameOf(input.kind);
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) return nullptr;
-  auto gate = registry.create(kind);
-  return portsOf(*gate).output(input.name, input.kind) == nullptr ? nullptr : std::move(gate);
+  for (const auto& name : registry.names()) {
+    auto gate = registry.create(name);
+    if (portsOf(*gate).output(input.name, input.kind) != nullptr) return gate;
+  }
+  return nullptr;
 }
 
 void Wiring::add(const std::string& prefix, Component& component, Turn turn,
@@ -108,9 +108,9 @@ Component::Figures Wiring::figures() const {
   return all;
 }
 
-Counters Wiring::held() const {
+Counters heldAtGates(const Wiring& wiring) {
   Counters all;
-  for (const auto& gate : gates_) all.add(gate->held(), gate->name() + "_");
+  for (const auto& gate : wiring.gates()) all.add(gate->held(), gate->name() + "_");
   return all;
 }
 

@@ -59,8 +59,7 @@ class Wiring {
   Counters counters() const;
   /// Of all components.
   Component::Figures figures() const;
-  /// Data that wait at gates, with their prefixes.
-  Counters held() const;
+  const std::vector<std::unique_ptr<Gate>>& gates() const { return gates_; }
   void reset();
 
  private:
@@ -92,5 +91,8 @@ class Wiring {
   WiredPorts ports_;
   Status status_;  ///< the last warning of those that took their turn at once
 };
+
+/// Data that wait at gates, with the gates' prefixes.
+Counters heldAtGates(const Wiring& wiring);
 
 }  // namespace slam

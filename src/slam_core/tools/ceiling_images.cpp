@@ -12,6 +12,7 @@
 #include "log_rows.hpp"
 #include "motion_row.hpp"
 #include "slam_core/camera/calibration_file.hpp"
+#include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/common/input_file.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
 
@@ -45,13 +46,17 @@ void run(const std::string& calibration, const std::string& path,
   Settings settings({}, {}, overrides);
   visual_odometry::VisualOdometry odometry;
   odometry.configure(settings);
+  CeilingCameraGate gate;
+  gate.configure(settings);
   settings.requireAllRead();
-  odometry.set(loadCalibrationFile(calibration));
+  gate.set(loadCalibrationFile(calibration));
   LogRows row(path);
   const auto folder = std::filesystem::absolute(path).parent_path();
   while (row.next()) {
     if (row.kind() != "image") continue;
-    odometry.set(imageIn(row, folder));
+    gate.set(imageIn(row, folder));
+    if (const auto status = gate.execute(); !status.isOk()) row.tell(status.message);
+    if (gate.view()) odometry.set(*gate.view());
     if (const auto status = odometry.execute(); !status.isOk()) row.tell(status.message);
     if (odometry.motion()) fmt::print("{}", motionRow(*odometry.motion()));
   }

@@ -11,6 +11,7 @@
 
 #include "exit_code.hpp"
 #include "slam_core/camera/calibration_file.hpp"
+#include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/common/input_file.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/fiducial/fiducial_detector.hpp"
@@ -58,16 +59,20 @@ void run(const Arguments& arguments) {
   if (detector == nullptr)
     throw std::runtime_error(arguments.detector + " is no detector of fiducial markers");
   detector->configure(settings);
+  CameraGate gate;
+  gate.configure(settings);
   settings.requireAllRead();
-  detector->set(loadCalibrationFile(arguments.calibration));
+  gate.set(loadCalibrationFile(arguments.calibration));
   Stamp stamp{};
   for (const auto& path : arguments.images) {
     requireInputFile(path, "the image");
     const auto gray = cv::imread(path, cv::IMREAD_GRAYSCALE);
     if (gray.empty()) throw std::runtime_error("cannot read the image " + path);
     stamp += std::chrono::seconds(1);
-    detector->set(Image{stamp, "camera", gray, ""});
-    const auto status = detector->execute();
+    gate.set(Image{stamp, "camera", gray, ""});
+    auto status = gate.execute();
+    detector->set(gate.view().value());
+    status = moreUrgent(status, detector->execute());
     if (!status.isOk()) throw std::runtime_error(path + ": " + status.message);
     print(path, detector->detections());
   }

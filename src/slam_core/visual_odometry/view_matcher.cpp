@@ -36,10 +36,10 @@ void ViewMatcher::beginImage() {
   ++images_;
 }
 
-std::string ViewMatcher::take(const ImageGate& gate, View& now) {
-  ceiling_ = CeilingView(gate.camera(), gate.mount().T_base_camera, config_.ceiling_height);
+std::string ViewMatcher::take(const CameraView& view, View& now) {
+  ceiling_ = CeilingView(*view.camera, view.mount.T_base_camera, config_.ceiling_height);
   if (ceiling_.tilt() > kMaxTilt) return "camera_direction";
-  auto features = policy_->extract(gate.image()->gray, ceiling_);
+  auto features = policy_->extract(view.image.gray, ceiling_);
   features_ = features.size();
   now.features = std::make_shared<const Features>(std::move(features));
   const bool are_few = features_ < static_cast<std::size_t>(config_.min_inliers);

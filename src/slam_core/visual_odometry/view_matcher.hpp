@@ -8,7 +8,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/camera_view.hpp"
 #include "slam_core/visual_odometry/alignment.hpp"
 #include "slam_core/visual_odometry/features.hpp"
 #include "slam_core/visual_odometry/view.hpp"
@@ -28,9 +28,9 @@ class ViewMatcher {
 
   /// Forgets what was found in the image before.
   void beginImage();
-  /// The gate's image, which becomes `now`. Returns empty, or why it cannot be matched:
+  /// The camera's view, which becomes `now`. Returns empty, or why it cannot be matched:
   /// "camera_direction", "few_features".
-  std::string take(const ImageGate& gate, View& now);
+  std::string take(const CameraView& view, View& now);
   /// The same numbers in alignment(), its fault included.
   const Alignment& align(const View& reference, const View& now, const SearchWindow& window);
   /// To be called before a view is a reference.

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "slam_core/camera/camera_config.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/visual_odometry/drawing.hpp"
@@ -17,18 +19,15 @@ namespace {
 
 const Registrar<OdometrySource, VisualOdometry> kRegistrar("visual");
 const SectionRegistrar<VisualOdometryConfig> kSection;
-const SectionRegistrar<CeilingCameraConfig> kCameraSection;
 
 constexpr double kWorthAWord = 0.35;  // of the camera's tilt [rad]
 
 }  // namespace
 
-void VisualOdometry::configure(const VisualOdometryConfig& config,
-                               const CeilingCameraConfig& camera) {
+void VisualOdometry::configure(const VisualOdometryConfig& config) {
   FaultCollector faults;
   faults.attempt([&] { validate(config); });
   faults.attempt([&] { config.requireHeight(); });
-  faults.attempt([&] { gate_.configure(camera, CeilingCameraConfig::kSection); });
   faults.attempt([&] { matcher_.configure(config); });
   faults.raise();
   config_ = config;
@@ -37,22 +36,17 @@ void VisualOdometry::configure(const VisualOdometryConfig& config,
 }
 
 void VisualOdometry::configure(Settings& settings) {
-  VisualOdometryConfig config;
-  CeilingCameraConfig camera;
-  FaultCollector faults;
-  faults.attempt([&] { settings.read(config); });
-  faults.attempt([&] { settings.read(camera); });
-  faults.raise();
-  configure(config, camera);
+  configure(settings.read<VisualOdometryConfig>());
 }
 
 void VisualOdometry::describe(Ports& ports) {
-  describeCamera(ports, "ceiling_camera", "images of the ceiling", this);
+  ports.takes<CameraView>(CeilingCameraConfig::kSection, "images of the ceiling", this);
   ports.makes<Motion>("motion", motion_);
 }
 
 void VisualOdometry::reset() {
-  gate_.reset();
+  next_view_.reset();
+  view_.reset();
   matcher_.reset();
   views_ = {};
   increments_.reset();
@@ -67,10 +61,10 @@ void VisualOdometry::beginAnew() {
 
 Status VisualOdometry::execute() {
   motion_.reset();
-  const auto status = gate_.next(counters_);
-  if (!gate_.image()) return status;
+  view_ = std::exchange(next_view_, std::nullopt);
+  if (!view_) return Status::ok();
   auto& last = views_.last;
-  View now{gate_.image()->stamp, nullptr, last ? last->T_odom_base : Pose2()};
+  View now{view_->stamp, nullptr, last ? last->T_odom_base : Pose2()};
   if (last && now.stamp <= last->stamp) beginAnew();
   if (!views_.gap_begin) views_.gap_begin = now.stamp;
 
@@ -82,14 +76,14 @@ Status VisualOdometry::execute() {
     motion_ = increments_.bridge(*last, now, *views_.gap_begin);
   if (!chooseKeyframe(now, fault.empty())) counters_.add(fault = "few_features");
   last = std::move(now);
-  return explain(fault, status);
+  return explain(fault);
 }
 
 /// Empty, or why the image tells nothing.
 std::string VisualOdometry::look(View& now) {
   matcher_.beginImage();
-  if (!gate_.isUsable()) return "unusable";  // counted by the gate
-  auto fault = matcher_.take(gate_, now);
+  if (!view_->isUsable()) return "unusable";  // its gate has said why
+  auto fault = matcher_.take(*view_, now);
   if (fault.empty()) fault = locate(now);
   if (!fault.empty()) counters_.add(fault);
   return fault;
@@ -168,8 +162,8 @@ bool VisualOdometry::makeKeyframe(View view) {
   return true;
 }
 
-Status VisualOdometry::explain(const std::string& fault, const Status& gate_status) const {
-  if (!gate_status.isOk()) return gate_status;
+Status VisualOdometry::explain(const std::string& fault) const {
+  if (!view_->isUsable()) return Status::ok();
   if (fault.empty() && matcher_.ceiling().tilt() > kWorthAWord)
     return Status::warning(sentenceOf("camera_direction"));
   if (fault.empty()) return Status::ok();
@@ -199,8 +193,8 @@ std::string VisualOdometry::sentenceOf(const std::string& fault) const {
 }
 
 cv::Mat VisualOdometry::drawing() const {
-  return gate_.image() ? draw(gate_.image()->gray, matcher_.matches(), matcher_.alignment().inliers)
-                       : cv::Mat();
+  return view_ ? draw(view_->image.gray, matcher_.matches(), matcher_.alignment().inliers)
+               : cv::Mat();
 }
 
 Component::Figures VisualOdometry::figures() const {

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "slam_core/camera/camera_ports.hpp"
-#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/camera_view.hpp"
 #include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/contract/odometry_source.hpp"
 #include "slam_core/visual_odometry/increment_maker.hpp"
@@ -27,26 +26,22 @@ namespace slam::visual_odometry {
 /// assumed to hold, with a standard deviation of max_speed dt, or the gap source is asked; the next
 /// image that can be aligned puts the pose where it belongs again.
 ///
-/// Counted: the reasons of the gate, and of images that tell nothing "few_features" (dark, blurred,
+/// Counted: of images that tell nothing "few_features" (dark, blurred,
 /// bare), "few_inliers", "scale" (another surface is seen), "speed", "camera_direction";
 /// "keyframes".
 class VisualOdometry final : public OdometrySource, public ViewDrawer {
  public:
-  void configure(const VisualOdometryConfig& config, const CeilingCameraConfig& camera = {});
+  void configure(const VisualOdometryConfig& config);
   void configure(Settings& settings) override;
   void seed(std::uint64_t seed) override { matcher_.seed(seed); }
   void setGapSource(GapSource source) { increments_.setGapSource(std::move(source)); }
 
   void describe(Ports& ports) override;
-  void set(const CameraCalibration& calibration) { gate_.set(calibration); }
-  void set(const CameraMount& mount) { gate_.set(mount); }
-  void set(const Image& image) { gate_.set(image, counters_); }
+  void set(const CameraView& view) { next_view_ = view; }
   Status execute() override;
-  bool isBusy() const override { return gate_.image().has_value(); }
 
   const std::optional<Motion>& motion() const override { return motion_; }
   Counters counters() const override { return counters_; }
-  std::uint64_t dropped() const override { return counters_["late"]; }
   cv::Mat drawing() const override;
   Figures figures() const override;
   void reset() override;
@@ -73,11 +68,11 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   void beginAnew();
   bool chooseKeyframe(const View& now, bool is_good);
   bool makeKeyframe(View view);
-  Status explain(const std::string& fault, const Status& gate_status) const;
+  Status explain(const std::string& fault) const;
   std::string sentenceOf(const std::string& fault) const;
 
   VisualOdometryConfig config_;
-  ImageGate gate_;
+  std::optional<CameraView> next_view_, view_;  ///< of the next step and of the last one
   ViewMatcher matcher_;
   Views views_;
   IncrementMaker increments_;

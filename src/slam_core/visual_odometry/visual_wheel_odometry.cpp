@@ -3,6 +3,7 @@
 
 #include "slam_core/visual_odometry/visual_wheel_odometry.hpp"
 
+#include "slam_core/camera/camera_config.hpp"
 #include "slam_core/contract/registry.hpp"
 
 namespace slam::visual_odometry {
@@ -32,7 +33,7 @@ void VisualWheelOdometry::configure(Settings& settings) {
 }
 
 void VisualWheelOdometry::describe(Ports& ports) {
-  describeCamera(ports, "ceiling_camera", "images of the ceiling", this);
+  ports.takes<CameraView>(CeilingCameraConfig::kSection, "images of the ceiling", this);
   ports.takes<OdometrySample>("odom", "odometry", this);
   ports.makes<Motion>("motion", visual_.motion());
 }
@@ -51,8 +52,6 @@ void VisualWheelOdometry::set(const OdometrySample& sample) {
   has_sample_ = true;
 }
 
-void VisualWheelOdometry::set(const Image& image) { waiting_.push_back(image); }
-
 Status VisualWheelOdometry::execute() {
   Status wheel_status;
   if (has_sample_) {
@@ -60,23 +59,23 @@ Status VisualWheelOdometry::execute() {
     wheel_status = wheels_->execute();
     if (wheels_->motion()) track_.add(*wheels_->motion());
   }
-  is_handing_over_ = handOverImage();
+  is_handing_over_ = handOverView();
   const auto status = visual_.execute();
   return status.isOk() ? wheel_status : status;
 }
 
-/// Whether an image went on to the visual part.
-bool VisualWheelOdometry::handOverImage() {
+/// Whether a view went on to the visual part.
+bool VisualWheelOdometry::handOverView() {
   if (waiting_.empty()) return false;
-  const auto& image = waiting_.front();
-  const bool is_covered = track_.end() && *track_.end() >= image.stamp;
+  const auto& view = waiting_.front();
+  const bool is_covered = track_.end() && *track_.end() >= view.stamp;
   if (!is_covered) {
-    const bool is_patient = waiting_.back().stamp - image.stamp < kPatience &&
-                            waiting_.back().stamp >= image.stamp && waiting_.size() <= kCapacity;
+    const bool is_patient = waiting_.back().stamp - view.stamp < kPatience &&
+                            waiting_.back().stamp >= view.stamp && waiting_.size() <= kCapacity;
     if (is_patient) return false;
     own_counters_.add("wheels_missing");
   }
-  visual_.set(image);
+  visual_.set(view);
   waiting_.pop_front();
   return true;
 }
@@ -88,8 +87,6 @@ Counters VisualWheelOdometry::counters() const {
   return all;
 }
 
-std::uint64_t VisualWheelOdometry::dropped() const {
-  return visual_.dropped() + wheels_->dropped();
-}
+std::uint64_t VisualWheelOdometry::dropped() const { return wheels_->dropped(); }
 
 }  // namespace slam::visual_odometry

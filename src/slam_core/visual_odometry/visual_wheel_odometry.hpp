@@ -26,11 +26,9 @@ class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
 
   void describe(Ports& ports) override;
   void set(const OdometrySample& sample);
-  void set(const CameraCalibration& calibration) { visual_.set(calibration); }
-  void set(const CameraMount& mount) { visual_.set(mount); }
-  void set(const Image& image);
+  void set(const CameraView& view) { waiting_.push_back(view); }
   Status execute() override;
-  bool isBusy() const override { return visual_.isBusy() || is_handing_over_; }
+  bool isBusy() const override { return is_handing_over_; }
 
   const std::optional<Motion>& motion() const override { return visual_.motion(); }
   Counters counters() const override;
@@ -42,13 +40,13 @@ class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
   const VisualOdometry& visual() const { return visual_; }
 
  private:
-  bool handOverImage();
+  bool handOverView();
 
   std::unique_ptr<OdometrySource> wheels_;
   Ports wheel_ports_;
   bool has_sample_ = false, is_handing_over_ = false;
   MotionTrack track_;
-  std::deque<Image> waiting_;
+  std::deque<CameraView> waiting_;
   VisualOdometry visual_;
   Counters own_counters_;
 };

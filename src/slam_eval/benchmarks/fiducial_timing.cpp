@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fiducial_setup.hpp"
-#include "slam_core/camera/image.hpp"
+#include "slam_core/camera/camera_gate.hpp"
 #include "slam_sim/studio.hpp"
 
 namespace slam::eval {
@@ -55,17 +55,17 @@ struct Contest {
 nlohmann::json hold(const Contest& contest, const cv::Mat& gray, int repeats) {
   auto ours = makeDetector(contest.detector, contest.overrides);
   const auto ports = portsOf(*ours);
-  const auto give = [&ports](const auto& value) {
-    ports.input("camera", kindOf<std::decay_t<decltype(value)>>())->set(&value);
-  };
-  give(calibrationFor(gray));
-  give(CameraMount{"camera", Eigen::Isometry3d::Identity()});
+  CameraGate gate;
+  gate.configure(CameraConfig());
+  gate.set(calibrationFor(gray));
+  gate.set(CameraMount{"camera", Eigen::Isometry3d::Identity()});
   std::vector<double> ours_ms, bare_ms;
   int markers = 0;
   for (int i = 0; i <= repeats; ++i) {
-    const Image image{stampFromNanoseconds(i + 1), "camera", gray, ""};
     const double ours_time = timeOf([&] {
-      give(image);
+      gate.set({stampFromNanoseconds(i + 1), "camera", gray, ""});
+      gate.execute();
+      ports.input("camera", kindOf<CameraView>())->set(&gate.view().value());
       ours->execute();
     });
     const double bare_time = timeOf([&] { markers = contest.bare->detect(gray); });

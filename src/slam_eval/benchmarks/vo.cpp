@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
 #include "slam_sim/world_file.hpp"
@@ -49,12 +50,15 @@ double cpuMilliseconds() {
 /// One kind of features on its way.
 struct Contender {
   std::string features;
+  CeilingCameraGate gate;
   std::unique_ptr<visual_odometry::VisualOdometry> odometry;
   OdometryTrack track;
   std::vector<double> times;
 
   void look(const Image& image, const Pose2& truth) {
-    odometry->set(image);
+    gate.set(image);
+    gate.execute();
+    odometry->set(gate.view().value());
     const double begin = cpuMilliseconds();
     odometry->execute();
     times.push_back(cpuMilliseconds() - begin);
@@ -89,10 +93,11 @@ Contender makeContender(const std::string& features, const Options& options,
   contender.features = features;
   contender.odometry = std::make_unique<visual_odometry::VisualOdometry>();
   contender.odometry->configure(settings);
+  contender.gate.configure(settings);
   settings.requireAllRead();
   contender.odometry->seed(options.seed);
-  contender.odometry->set(camera.calibration);
-  contender.odometry->set(CameraMount{camera.optical_frame, camera.T_base_optical()});
+  contender.gate.set(camera.calibration);
+  contender.gate.set(CameraMount{camera.optical_frame, camera.T_base_optical()});
   return contender;
 }
 

@@ -42,7 +42,7 @@ const std::map<std::string, std::string>& sentences() {
        "steps saw most of the well known landmarks elsewhere than the map has them; it was left as "
        "it is"},
       {"odometry_late", "odometry messages were not newer than the one before; they were dropped"},
-      {"detector_late", "images were not newer than the one before; they were dropped"}};
+      {"camera_late", "images were not newer than the one before; they were dropped"}};
   return kSentences;
 }
 

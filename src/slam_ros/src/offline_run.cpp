@@ -239,7 +239,7 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
              writer.lines(), mapper ? mapper->landmarks().size() : 0, data_time, wall);
   auto counters = coordinator_.counters();
   counters.add("odometry_without_pose", odometry_faults_);
-  counters.add(coordinator_.wiring().held());
+  counters.add(slam::heldAtGates(coordinator_.wiring()));
   for (const auto& [what, count] : coordinator_.estimator().intake().arrivals().held().all())
     counters.add("never_stepped", count);
   std::vector<std::string> counts;

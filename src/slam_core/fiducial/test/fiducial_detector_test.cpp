@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "slam_core/camera/test/camera_feed.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/fiducial/test/marker_picture.hpp"
@@ -40,14 +41,16 @@ class FiducialDetectorTest : public testing::TestWithParam<const char*> {
     detector_->configure(settings);
     settings.requireAllRead();
     inputs_.emplace(*detector_);
-    inputs_->set(kCamera.calibration());
-    inputs_->set(mountAhead());
+    camera_.gate.set(kCamera.calibration());
+    camera_.gate.set(mountAhead());
   }
 
   Status look(const cv::Mat& image) {
     stamp_ += std::chrono::milliseconds(100);
-    inputs_->set(Image{stamp_, "camera", image, ""});
-    return detector_->execute();
+    return camera_.show({stamp_, "camera", image, ""}, [&](const CameraView& view) {
+      inputs_->set(view);
+      return detector_->execute();
+    });
   }
   Status look(const MarkerPicture& picture) { return look(picture.exposed(2.0)); }
 
@@ -58,6 +61,7 @@ class FiducialDetectorTest : public testing::TestWithParam<const char*> {
 
   std::unique_ptr<LandmarkDetector> detector_;
   std::optional<slam::test::ComponentDriver> inputs_;
+  slam::test::CameraFeed camera_;
   Stamp stamp_{};
 };
 
@@ -99,7 +103,6 @@ TEST_P(FiducialDetectorTest, GivesAnArrayForEveryImage) {
   EXPECT_FALSE(look(cv::Mat::zeros(240, 320, CV_8UC1)).isOk()) << "another resolution";
   ASSERT_TRUE(detector_->observations());
   EXPECT_TRUE(observations().empty());
-  EXPECT_EQ(count("image_size"), 1u);
 }
 
 TEST_P(FiducialDetectorTest, UsesTheSizesOfMarkersById) {
@@ -204,7 +207,7 @@ TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
   CameraMount up;
   up.camera_frame = "camera";
   up.T_base_camera.translation().z() = 0.5;
-  inputs_->set(up);
+  camera_.gate.set(up);
   MarkerPicture picture(kCamera);
   picture.add(printedMarker(1), facing({0.002, 0.0, 1.8}, 0.3));
   picture.add(printedMarker(2), facing({0.6, 0.0, 1.8}, 0.3));

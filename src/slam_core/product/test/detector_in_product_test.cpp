@@ -5,8 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "slam_core/camera/camera_ports.hpp"
-#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/camera_view.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
@@ -33,43 +32,35 @@ class LampDetector final : public LandmarkDetector {
  public:
   void configure(Settings& settings) override {
     config_ = settings.read<LampConfig>();
-    gate_.configure(settings.read<CameraConfig>());
     sequence_ = 0;
   }
   void describe(Ports& ports) override {
-    describeCamera(ports, "camera", "images", this);
+    ports.takes<CameraView>("camera", "images", this);
     ports.makes<LandmarkObservationArray>("observations", array_);
   }
-  void set(const CameraCalibration& calibration) { gate_.set(calibration); }
-  void set(const CameraMount& mount) { gate_.set(mount); }
-  void set(const Image& image) { gate_.set(image, counters_); }
+  void set(const CameraView& view) { view_ = view; }
 
   Status execute() override {
-    const auto status = gate_.next(counters_);
     array_.reset();
-    if (!gate_.image()) return status;
+    const auto view = std::exchange(view_, std::nullopt);
+    if (!view) return Status::ok();
     array_ = LandmarkObservationArray();
     array_->sequence = sequence_++;
-    array_->stamp = gate_.image()->stamp;
-    if (!gate_.isUsable()) return status;
+    array_->stamp = view->stamp;
+    if (!view->isUsable()) return Status::ok();
     cv::Point spot;
-    cv::minMaxLoc(gate_.image()->gray, nullptr, nullptr, nullptr, &spot);
+    cv::minMaxLoc(view->image.gray, nullptr, nullptr, nullptr, &spot);
     const double bearing = std::atan2(16 - spot.x, 16);
     array_->observations = {{1, config_.distance, bearing, Eigen::Matrix2d::Identity() * 1e-4}};
-    return status;
+    return Status::ok();
   }
   const std::optional<LandmarkObservationArray>& observations() const override { return array_; }
-  Counters counters() const override { return counters_; }
-  std::uint64_t dropped() const override { return counters_["late"]; }
-  void reset() override {
-    gate_.reset();
-    counters_.clear();
-  }
+  Counters counters() const override { return {}; }
+  void reset() override { view_.reset(); }
 
  private:
   LampConfig config_;
-  ImageGate gate_;
-  Counters counters_;
+  std::optional<CameraView> view_;
   std::optional<LandmarkObservationArray> array_;
   std::uint64_t sequence_ = 0;
 };
@@ -183,13 +174,13 @@ TEST_F(DetectorRun, TheOrderOfImagesCalibrationAndMountDoesNotMatter) {
   EXPECT_EQ(other.reports.back().pose.covariance, reports.back().pose.covariance);
 }
 
-TEST_F(DetectorRun, WarningsAndCountsOfTheDetectorComeOutAndLateImagesAreDropped) {
+TEST_F(DetectorRun, WarningsAndCountsOfTheCameraComeOutAndLateImagesAreDropped) {
   giveCalibrationAndMount();
   coordinator.set(lampAt(16, 100));
   coordinator.set(lampAt(16, 100));
   drain();
   EXPECT_TRUE(oneSays(sentences, {"image", "not newer"}));
-  EXPECT_EQ(coordinator.counters()["detector_late"], 1u);
+  EXPECT_EQ(coordinator.counters()["camera_late"], 1u);
   EXPECT_EQ(coordinator.dropped(), 1u);
   coordinator.reset();
   EXPECT_EQ(coordinator.dropped(), 0u);

@@ -290,10 +290,10 @@ TEST_F(WiringGateTest, AGateStandsOnceBeforeAllWhoNeedIt) {
   EXPECT_NE(find<LaserMount>(open, "scan"), nullptr);
   put("scan", sweepAt(1));
   put("scan", sweepAt(2));
-  EXPECT_EQ(wiring.held()["laser_no_mount"], 2u) << "of one gate";
+  EXPECT_EQ(heldAtGates(wiring)["laser_no_mount"], 2u) << "of one gate";
   EXPECT_TRUE(scans.got.empty());
   put("scan", LaserMount{"laser", Eigen::Isometry3d::Identity()});
-  EXPECT_EQ(wiring.held()["laser_no_mount"], 0u);
+  EXPECT_EQ(heldAtGates(wiring)["laser_no_mount"], 0u);
   ASSERT_EQ(scans.got.size(), 2u);
   EXPECT_EQ(more_scans.got.size(), 2u);
   EXPECT_EQ(scans.got[1].sequence, 1u) << "they went through one gate, once";

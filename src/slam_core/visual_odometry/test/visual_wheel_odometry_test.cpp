@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "slam_core/camera/test/camera_feed.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/product/product_config.hpp"
 #include "slam_core/product/test/component_driver.hpp"
@@ -55,8 +56,8 @@ class VisualWheelTest : public testing::Test {
     Settings settings({}, {}, {"visual_odometry.ceiling_height=1.7"});
     source_->configure(settings);
     inputs_.emplace(*source_);
-    inputs_->set(test::smallCamera());
-    inputs_->set(test::mountUp());
+    camera_.gate.set(test::smallCamera());
+    camera_.gate.set(test::mountUp());
   }
 
   void execute() {
@@ -77,12 +78,17 @@ class VisualWheelTest : public testing::Test {
     static const test::Ceiling kCeiling;
     const auto light = kCeiling.seenBy(test::mountUp(), Pose2(0.5 * t, 0.0, 0.0));
     const test::Exposure exposure{dark ? 0.0 : 1.0, 0.0, 2.0};
-    inputs_->set(Image{at(t), "ceiling_camera", test::exposed(light, exposure, ++images_), ""});
-    execute();
+    const Image image{at(t), "ceiling_camera", test::exposed(light, exposure, ++images_), ""};
+    camera_.show(image, [&](const CameraView& view) {
+      inputs_->set(view);
+      execute();
+      return Status::ok();
+    });
   }
 
   std::unique_ptr<OdometrySource> source_;
   std::optional<slam::test::ComponentDriver> inputs_;
+  slam::test::CameraFeed camera_;
   std::vector<Motion> motions_;
   std::string message_;
   std::uint64_t images_ = 0;

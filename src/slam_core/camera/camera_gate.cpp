@@ -1,14 +1,20 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/camera_gate.hpp"
 
 #include <utility>
+
+#include "slam_core/contract/known_sections.hpp"
 
 namespace slam {
 namespace {
 
-/// A stamp this much older than the last one is the beginning of a new run.
+const GateRegistrar<CameraGate> kCamera(CameraConfig::kSection);
+const GateRegistrar<CeilingCameraGate> kCeilingCamera(CeilingCameraConfig::kSection);
+const SectionRegistrar<CameraConfig> kCameraSection;
+const SectionRegistrar<CeilingCameraConfig> kCeilingCameraSection;
+
 /// Images that wait longer than this are worth a word: the first ones come before the calibration.
 constexpr Duration kPatience = std::chrono::seconds(1);
 
@@ -18,10 +24,16 @@ std::string sizeText(int width, int height) {
 
 }  // namespace
 
-void ImageGate::configure(const CameraConfig& config, const std::string& section) {
+void CameraGate::describe(Ports& ports) {
+  ports.takes<Image>(section_, sentence_, this);
+  ports.takes<CameraCalibration>(section_, "the camera's calibration", this).latched();
+  ports.takes<CameraMount>(section_, "the camera's mount", this).latched();
+  ports.makes<CameraView>(section_, view_);
+}
+
+void CameraGate::configure(const CameraConfig& config) {
   validate(config);
-  section_ = section;
-  configured_mount_ = config.mount(section);
+  configured_mount_ = config.mount(section_);
   calibration_.reset();
   calibration_fault_.clear();
   mount_.reset();
@@ -29,30 +41,30 @@ void ImageGate::configure(const CameraConfig& config, const std::string& section
   reset();
 }
 
-void ImageGate::reset() {
+void CameraGate::reset() {
   held_.clear();
   last_.reset();
-  image_.reset();
-  usable_ = false;
+  view_.reset();
   input_status_ = Status::ok();
+  counters_.clear();
 }
 
-void ImageGate::set(const CameraCalibration& calibration) {
+void CameraGate::set(const CameraCalibration& calibration) {
   if (calibration_ && *calibration_ == calibration) return;
   calibration_ = calibration;
-  calibration_fault_ = faultOf(calibration);
-  if (calibration_fault_.empty()) camera_ = CameraModel(calibration);
+  calibration_fault_ = slam::faultOf(calibration);
+  if (calibration_fault_.empty()) camera_ = std::make_shared<CameraModel>(calibration);
 }
 
-void ImageGate::set(const CameraMount& mount) {
+void CameraGate::set(const CameraMount& mount) {
   mount_ = mount;
   if (configured_mount_) mount_->T_base_camera = *configured_mount_;
-  mount_fault_ = faultOf(*mount_);
+  mount_fault_ = slam::faultOf(*mount_);
 }
 
-void ImageGate::set(const Image& image, Counters& counters) {
+void CameraGate::set(const Image& image) {
   if (last_ && image.stamp <= *last_ && image.stamp > *last_ - kStampJump) {
-    counters.add("late");
+    counters_.add("late");
     input_status_ = Status::warning("an image is not newer than the one before it; it is left out");
     return;
   }
@@ -60,26 +72,25 @@ void ImageGate::set(const Image& image, Counters& counters) {
   held_.push_back(image);
 }
 
-Status ImageGate::next(Counters& counters) {
-  image_.reset();
-  usable_ = false;
+Status CameraGate::execute() {
+  view_.reset();
   auto status = std::exchange(input_status_, Status::ok());
   if (held_.empty()) return status;
   if (const auto wanted = missing(held_.front()); wanted && held_.size() <= kCapacity) {
     const bool worth_a_word = held_.back().stamp - held_.front().stamp > kPatience;
     return status.isOk() && worth_a_word ? Status::warning(wanted->sentence) : status;
   }
-  image_ = std::move(held_.front());
+  auto image = std::move(held_.front());
   held_.pop_front();
-  if (const auto fault = faultOfImage()) {
-    counters.add(fault->reason);
-    return Status::warning(fault->sentence);
-  }
-  usable_ = true;
-  return status;
+  const auto fault = faultOf(image);
+  view_ = {image.stamp, std::move(image), mount_.value_or(CameraMount()),
+           fault ? nullptr : camera_};
+  if (!fault) return status;
+  counters_.add(fault->reason);
+  return Status::warning(fault->sentence);
 }
 
-std::optional<ImageGate::Fault> ImageGate::missing(const Image& image) const {
+std::optional<CameraGate::Fault> CameraGate::missing(const Image& image) const {
   if (!calibration_)
     return Fault{"no_calibration",
                  "images come without the camera's calibration; its driver must publish it as "
@@ -94,12 +105,12 @@ std::optional<ImageGate::Fault> ImageGate::missing(const Image& image) const {
   return std::nullopt;
 }
 
-std::optional<ImageGate::Fault> ImageGate::faultOfImage() const {
-  const auto& gray = image_->gray;
-  if (!image_->fault.empty()) return Fault{"unreadable", image_->fault};
+std::optional<CameraGate::Fault> CameraGate::faultOf(const Image& image) const {
+  const auto& gray = image.gray;
+  if (!image.fault.empty()) return Fault{"unreadable", image.fault};
   if (gray.empty() || gray.type() != CV_8UC1)
     return Fault{"unreadable", "an image is empty or is not of 8 bit gray"};
-  if (auto fault = missing(*image_)) return fault;
+  if (auto fault = missing(image)) return fault;
   if (!calibration_fault_.empty())
     return Fault{"bad_calibration", "the camera's calibration cannot be used: " +
                                         calibration_fault_ + "; correct its camera_info"};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/camera/image_gate.hpp"
+#include "slam_core/camera/camera_gate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 namespace slam {
 namespace {
 
-class ImageGateTest : public testing::Test {
+class CameraGateTest : public testing::Test {
  protected:
-  ImageGateTest() { gate_.configure(CameraConfig()); }
+  CameraGateTest() { gate_.configure(CameraConfig()); }
 
   static CameraCalibration calibration() { return {8, 6, "plumb_bob", 5, 5, 3.5, 2.5, {}}; }
   static CameraMount mount() {
@@ -27,45 +27,46 @@ class ImageGateTest : public testing::Test {
     gate_.set(calibration());
     gate_.set(mount());
   }
-  void send(const Image& image) { gate_.set(image, counters_); }
-  Status next() { return gate_.next(counters_); }
+  void send(const Image& image) { gate_.set(image); }
+  Status next() { return gate_.execute(); }
+  std::uint64_t count(const std::string& reason) const { return gate_.counters()[reason]; }
+  bool isUsable() const { return gate_.view() && gate_.view()->isUsable(); }
   /// The stamps [s] that come out, usable or not.
   std::vector<double> drain() {
     std::vector<double> stamps;
-    for (next(); gate_.image(); next()) stamps.push_back(seconds(gate_.image()->stamp - Stamp()));
+    for (next(); gate_.view(); next()) stamps.push_back(seconds(gate_.view()->stamp - Stamp()));
     return stamps;
   }
 
-  ImageGate gate_;
-  Counters counters_;
+  CameraGate gate_;
 };
 
 bool says(const Status& status, const std::string& words) {
   return status.message.find(words) != std::string::npos;
 }
 
-TEST_F(ImageGateTest, LetsImagesOutInTheirOrder) {
+TEST_F(CameraGateTest, LetsImagesOutInTheirOrder) {
   calibrate();
   for (const double s : {1.0, 2.0, 3.0}) send(imageAt(s));
   EXPECT_EQ(drain(), (std::vector<double>{1, 2, 3}));
-  EXPECT_TRUE(counters_.all().empty());
+  EXPECT_TRUE(gate_.counters().all().empty());
 }
 
-TEST_F(ImageGateTest, HoldsImagesUntilCalibrationAndMountAreKnown) {
+TEST_F(CameraGateTest, HoldsImagesUntilCalibrationAndMountAreKnown) {
   send(imageAt(1));
   EXPECT_TRUE(next().isOk()) << "the first image before the calibration is not worth a word";
-  EXPECT_FALSE(gate_.image());
+  EXPECT_FALSE(gate_.view());
   gate_.set(calibration());
   next();
-  EXPECT_FALSE(gate_.image()) << "an identity mount is never assumed";
+  EXPECT_FALSE(gate_.view()) << "an identity mount is never assumed";
   gate_.set(mount());
   next();
-  ASSERT_TRUE(gate_.image());
-  EXPECT_TRUE(gate_.isUsable());
-  EXPECT_EQ(gate_.mount().T_base_camera.translation().x(), 1.0);
+  ASSERT_TRUE(gate_.view());
+  EXPECT_TRUE(isUsable());
+  EXPECT_EQ(gate_.view()->mount.T_base_camera.translation().x(), 1.0);
 }
 
-TEST_F(ImageGateTest, SaysWhatItWaitsFor) {
+TEST_F(CameraGateTest, SaysWhatItWaitsFor) {
   send(imageAt(1));
   send(imageAt(2.5));
   EXPECT_TRUE(says(next(), "camera_info"));
@@ -75,45 +76,45 @@ TEST_F(ImageGateTest, SaysWhatItWaitsFor) {
   EXPECT_TRUE(says(status, "camera.sensor_pose")) << status.message;
 }
 
-TEST_F(ImageGateTest, LetsTheOldestOutAsUnusableWhenItHoldsTooMany) {
-  for (std::size_t i = 0; i < ImageGate::kCapacity + 2; ++i) send(imageAt(0.1 * i));
+TEST_F(CameraGateTest, LetsTheOldestOutAsUnusableWhenItHoldsTooMany) {
+  for (std::size_t i = 0; i < CameraGate::kCapacity + 2; ++i) send(imageAt(0.1 * i));
   EXPECT_TRUE(says(next(), "camera_info"));
-  ASSERT_TRUE(gate_.image());
-  EXPECT_EQ(gate_.image()->stamp, Stamp());
-  EXPECT_FALSE(gate_.isUsable());
+  ASSERT_TRUE(gate_.view());
+  EXPECT_EQ(gate_.view()->stamp, Stamp());
+  EXPECT_FALSE(isUsable());
   next();
-  EXPECT_TRUE(gate_.image());
+  EXPECT_TRUE(gate_.view());
   next();
-  EXPECT_FALSE(gate_.image()) << "the rest is held";
-  EXPECT_EQ(counters_["no_calibration"], 2u);
+  EXPECT_FALSE(gate_.view()) << "the rest is held";
+  EXPECT_EQ(count("no_calibration"), 2u);
   calibrate();
-  EXPECT_EQ(drain().size(), ImageGate::kCapacity);
+  EXPECT_EQ(drain().size(), CameraGate::kCapacity);
 }
 
-TEST_F(ImageGateTest, DropsImagesThatComeLate) {
+TEST_F(CameraGateTest, DropsImagesThatComeLate) {
   calibrate();
   for (const double s : {1.0, 2.0, 2.0, 1.5, 3.0}) send(imageAt(s));
   EXPECT_TRUE(says(next(), "not newer"));
   EXPECT_EQ(drain(), (std::vector<double>{2, 3}));
-  EXPECT_EQ(counters_["late"], 2u);
+  EXPECT_EQ(count("late"), 2u);
 }
 
-TEST_F(ImageGateTest, TakesAStepBackOfSecondsForANewBeginning) {
+TEST_F(CameraGateTest, TakesAStepBackOfSecondsForANewBeginning) {
   calibrate();
   for (const double s : {100.0, 95.5, 95.0, 95.1}) send(imageAt(s));
   EXPECT_EQ(drain(), (std::vector<double>{100, 95, 95.1}));
-  EXPECT_EQ(counters_["late"], 1u);
+  EXPECT_EQ(count("late"), 1u);
 }
 
-TEST_F(ImageGateTest, LetsImagesOutAsUnusableThatDoNotFit) {
+TEST_F(CameraGateTest, LetsImagesOutAsUnusableThatDoNotFit) {
   calibrate();
   const auto reasonOf = [&](const Image& image, const std::string& reason,
                             const std::string& words) {
     send(image);
     const auto status = next();
-    EXPECT_TRUE(gate_.image()) << "moves time on";
-    EXPECT_FALSE(gate_.isUsable());
-    EXPECT_EQ(counters_[reason], 1u) << reason;
+    EXPECT_TRUE(gate_.view()) << "moves time on";
+    EXPECT_FALSE(isUsable());
+    EXPECT_EQ(count(reason), 1u) << reason;
     EXPECT_TRUE(says(status, words)) << status.message;
   };
   reasonOf(imageAt(1, 4, 3), "image_size", "4x3 px does not fit the calibration for 8x6 px");
@@ -125,33 +126,33 @@ TEST_F(ImageGateTest, LetsImagesOutAsUnusableThatDoNotFit) {
   EXPECT_TRUE(says(next(), "8 bit gray"));
   send({Stamp(durationFromSeconds(4)), "camera", {}, ""});
   EXPECT_TRUE(says(next(), "empty"));
-  EXPECT_EQ(counters_["unreadable"], 3u);
+  EXPECT_EQ(count("unreadable"), 3u);
 }
 
-TEST_F(ImageGateTest, UsesNoCalibrationOrMountThatCannotBeRight) {
+TEST_F(CameraGateTest, UsesNoCalibrationOrMountThatCannotBeRight) {
   auto bad = calibration();
   bad.fx = bad.fy = 0;
   gate_.set(bad);
   gate_.set(mount());
   send(imageAt(1));
   EXPECT_TRUE(says(next(), "not calibrated"));
-  EXPECT_TRUE(gate_.image() && !gate_.isUsable());
+  EXPECT_TRUE(gate_.view() && !isUsable());
   gate_.set(calibration());
   auto torn = mount();
   torn.T_base_camera.translation().x() = NAN;
   gate_.set(torn);
   send(imageAt(2));
   EXPECT_TRUE(says(next(), "mount"));
-  EXPECT_TRUE(gate_.image() && !gate_.isUsable());
-  EXPECT_EQ(counters_["bad_calibration"], 1u);
-  EXPECT_EQ(counters_["bad_mount"], 1u);
+  EXPECT_TRUE(gate_.view() && !isUsable());
+  EXPECT_EQ(count("bad_calibration"), 1u);
+  EXPECT_EQ(count("bad_mount"), 1u);
   calibrate();
   send(imageAt(3));
   EXPECT_TRUE(next().isOk()) << "a corrected calibration counts at once";
-  EXPECT_TRUE(gate_.isUsable());
+  EXPECT_TRUE(isUsable());
 }
 
-TEST_F(ImageGateTest, PrefersTheConfiguredMount) {
+TEST_F(CameraGateTest, PrefersTheConfiguredMount) {
   CameraConfig config;
   config.sensor_pose = {0.1, 0.2, 0.3, -M_PI / 2, 0, -M_PI / 2};
   gate_.configure(config);
@@ -159,27 +160,27 @@ TEST_F(ImageGateTest, PrefersTheConfiguredMount) {
   gate_.set(mount());
   send(imageAt(1));
   next();
-  ASSERT_TRUE(gate_.isUsable());
-  const auto& T = gate_.mount().T_base_camera;
+  ASSERT_TRUE(isUsable());
+  const auto& T = gate_.view()->mount.T_base_camera;
   EXPECT_TRUE(T.translation().isApprox(Eigen::Vector3d(0.1, 0.2, 0.3)));
   EXPECT_TRUE(T.linear().col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-12)) << "looks ahead";
   EXPECT_TRUE(T.linear().col(0).isApprox(-Eigen::Vector3d::UnitY(), 1e-12)) << "x to the right";
 }
 
-TEST_F(ImageGateTest, KeepsCalibrationAndMountThroughAReset) {
+TEST_F(CameraGateTest, KeepsCalibrationAndMountThroughAReset) {
   calibrate();
   send(imageAt(10));
   gate_.reset();
   EXPECT_TRUE(drain().empty());
   send(imageAt(9));
   next();
-  EXPECT_TRUE(gate_.isUsable());
+  EXPECT_TRUE(isUsable());
 }
 
 TEST(CameraConfig, RefusesASensorPoseOfAnotherLength) {
   CameraConfig config;
   config.sensor_pose = {1, 2, 3};
-  EXPECT_TRUE(test::oneSays(test::faultsOf([&] { ImageGate().configure(config); }),
+  EXPECT_TRUE(test::oneSays(test::faultsOf([&] { CameraGate().configure(config); }),
                             {"camera.sensor_pose", "3 values", "6"}));
 }
 
