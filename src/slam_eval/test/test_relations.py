@@ -17,10 +17,10 @@ import run_maker  # noqa: E402
 from slam_eval.geometry import se2  # noqa: E402
 from slam_eval.io.errors import InputError  # noqa: E402
 from slam_eval.io.relations import (  # noqa: E402
-    read_relations, read_source_stamps, Relations)
+    read_relations, read_source_stamps, Relations, SourceStamps)
 from slam_eval.io.trajectory import NANOSECONDS, read_trajectory, Trajectory  # noqa: E402
 from slam_eval.metrics.relations import (  # noqa: E402
-    nearest_written, poses_at, relation_errors)
+    means_one_scan, nearest_written, poses_at, relation_errors)
 from slam_eval.report.cli import main  # noqa: E402
 
 
@@ -81,6 +81,12 @@ class Files(unittest.TestCase):
         self.assertEqual(written[valid].tolist(), seconds([1, 2, 2, 3]).tolist())
 
 
+    def test_a_stamp_is_ambiguous_where_several_scans_or_none_are_near(self):
+        table = read_source_stamps(self.write("a", "1.00,1\n1.015,2\n2.00,3\n3.00,4\n3.00,5\n"))
+        self.assertEqual(means_one_scan(table, seconds([1.0, 1.007, 2.01, 2.011, 3.0])).tolist(),
+                         [True, False, True, False, False])
+
+
 class Errors(unittest.TestCase):
 
     def setUp(self):
@@ -114,6 +120,21 @@ class Errors(unittest.TestCase):
         self.assertAlmostEqual(errors.translation[0], 0.0)
         self.assertAlmostEqual(errors.rotation[0], 0.0)
         self.assertIsNone(relation_errors(self.relation(3, 42), every_fifth, None))
+
+    def test_tell_unambiguous_relations_and_revisits_apart(self):
+        pairs = np.array([[0, 10], [10, 20], [20, 0]])
+        deltas = [se2.compose(self.relation(i, j).deltas[0], (0.1 * n, 0.0, 0.0))
+                  for n, (i, j) in enumerate(pairs, start=1)]
+        table = SourceStamps(self.stamps, self.stamps, 1 + (np.arange(50) == 20))
+        metrics = relation_errors(Relations(self.stamps[pairs], np.array(deltas)), self.final, None,
+                                  table).metrics
+        self.assertEqual((metrics["relations_unambiguous"], metrics["relations_revisit"]), (1, 1))
+        self.assertAlmostEqual(metrics["relations_unambiguous_trans_mean_m"], 0.1)
+        self.assertAlmostEqual(metrics["relations_revisit_trans_mean_m"], 0.3)
+        self.assertAlmostEqual(metrics["relations_revisit_rot_mean_deg"], 0.0)
+        metrics = relation_errors(self.relation(3, 4), self.final, None).metrics
+        self.assertEqual(metrics["relations_revisit"], 0)
+        self.assertNotIn("relations_revisit_trans_mean_m", metrics)
 
     def test_have_no_pose_before_the_first(self):
         late = Trajectory(self.stamps[10:], self.poses[10:])
@@ -185,6 +206,17 @@ class SlamEval(unittest.TestCase):
         elsewhere = self.run_folder.parent / "elsewhere.csv"
         code, _, err = self.evaluate("--relations", self.relations, "--stamps", elsewhere)
         self.assertEqual(code, 0, err)
+
+    def test_the_tolerance_of_stamps_can_be_set(self):
+        self.write_relations(shift=0.03)
+        self.assertEqual(self.evaluate("--relations", self.relations)[0], 1)
+        code, out, err = self.evaluate("--relations", self.relations, "--tolerance", "0.04")
+        self.assertEqual(code, 0, err)
+        for wrong in ("0", "-1", "nan", "11", "much"):
+            code, _, err = self.evaluate("--relations", self.relations, "--tolerance", wrong)
+            self.assertEqual(code, 2)
+            self.assertIn("--tolerance", err)
+        self.assertEqual(self.evaluate("--tolerance", "0.04")[0], 2)
 
     def test_refuses_relations_of_another_log(self):
         self.write_relations(shift=500.0)

@@ -4,6 +4,7 @@
 
 A relation says where the robot of one stamp stands in the frame of another.
 """
+import collections
 import dataclasses
 import decimal
 
@@ -33,6 +34,11 @@ class SourceStamps:
 
     source: np.ndarray
     written: np.ndarray
+    scans: np.ndarray = None  # scans of each source stamp; none given: one each
+
+    def __post_init__(self):
+        if self.scans is None:
+            self.scans = np.ones(len(self.source), dtype=np.int64)
 
 
 def _rows(path, separator, columns):
@@ -71,11 +77,13 @@ def read_relations(path):
 
 def read_source_stamps(path):
     """Read the table that an importer writes beside its bag. Raises InputError."""
-    last = {}
+    last, scans = {}, collections.Counter()
     for place, fields in _rows(path, ",", _STAMPS_HEADER):
         if ",".join(fields) != _STAMPS_HEADER:
             (source, written), _ = _parse(place, fields, [])
             last[source] = written
+            scans[source] += 1
     if not last:
         raise InputError(f"{path}: holds no stamps; import the log anew")
-    return SourceStamps(*np.array(sorted(last.items()), dtype=np.int64).T)
+    source, written = np.array(sorted(last.items()), dtype=np.int64).T
+    return SourceStamps(source, written, np.array([scans[stamp] for stamp in source.tolist()]))

@@ -9,10 +9,11 @@ import sys
 from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.errors import InputError
 from slam_eval.io.run_folder import read_run
+from slam_eval.io.trajectory import NANOSECONDS
 from slam_eval.io.world_plan import read_world
 from slam_eval.metrics.evaluation import evaluate
 from slam_eval.metrics.map_agreement import judge_map
-from slam_eval.metrics.relations import judge_run
+from slam_eval.metrics.relations import judge_run, TOLERANCE
 from slam_eval.plot.consistency import plot_consistency
 from slam_eval.plot.landmark_errors import plot_landmark_errors
 from slam_eval.plot.map import plot_map, plot_trajectory
@@ -20,6 +21,8 @@ from slam_eval.plot.odometry import plot_beside_wheels
 from slam_eval.plot.relations import plot_relations
 from slam_eval.report.metric_table import merge, terminal_table
 from slam_eval.report.run_report import render
+
+MOST_TOLERANCE = 10.0  # [s]; beyond it any scan would do
 
 
 def missing_parts(run, result):
@@ -48,7 +51,7 @@ def missing_relations(errors):
         return []
     total = len(errors.translation) + errors.missing
     return [f"{errors.missing} of {total} relations were left out: the run has no pose at their "
-            "stamps."]
+            "stamps, or no scan has them within the --tolerance."]
 
 
 def draw(run, result, reference, world):
@@ -71,12 +74,14 @@ def draw(run, result, reference, world):
     return pictures
 
 
-def evaluate_folder(folder, reference="ground truth", world_file=None, relations_file=None,
-                    stamps_file=None):
-    """Evaluate a run folder: metrics.json, pictures, report and a table on stdout."""
+def evaluate_folder(folder, reference="ground truth", world_file=None, judge_relations=None):
+    """Evaluate a run folder: metrics.json, pictures, report and a table on stdout.
+
+    judge_relations returns the RelationErrors of a run.
+    """
     run = read_run(folder)
     world = read_world(world_file) if world_file else None
-    relations = judge_run(run, relations_file, stamps_file) if relations_file else None
+    relations = judge_relations(run) if judge_relations else None
     result = evaluate(run, relations, judge_map(run, world, world_file))
     metrics = merge(run.metrics, result.metrics)
     notes = missing_parts(run, result) + missing_relations(relations)
@@ -88,6 +93,20 @@ def evaluate_folder(folder, reference="ground truth", world_file=None, relations
     for note in notes:
         print(f"  ({note})")
     print(f"report: {run.path / 'report.html'}")
+
+
+def seconds(text):
+    """The positive number [s] that an argument gives, in nanoseconds."""
+    value = float(text)
+    if not 0 < value <= MOST_TOLERANCE:
+        raise ValueError
+    return round(value * NANOSECONDS)
+
+
+def relation_judge(options):
+    """What holds a run against the relations that the options name."""
+    return lambda run: judge_run(run, options.relations, options.stamps,
+                                 options.tolerance or TOLERANCE)
 
 
 def main(arguments=None):
@@ -104,12 +123,16 @@ def main(arguments=None):
                         help="reference relations between poses of the log (Kuemmerle et al. 2009)")
     parser.add_argument("--stamps", metavar="FILE", type=pathlib.Path,
                         help="table of the stamps that the log had; default: stamps.csv of the run")
+    parser.add_argument("--tolerance", metavar="SECONDS", type=seconds,
+                        help="largest difference between a relation's stamp and its scan's; "
+                        "default: 0.01, as logs round")
     options = parser.parse_args(arguments)
-    if options.stamps and not options.relations:
-        parser.error("--stamps goes with --relations")
+    for option in ("stamps", "tolerance"):
+        if getattr(options, option) and not options.relations:
+            parser.error(f"--{option} goes with --relations")
     try:
-        evaluate_folder(options.folder, options.reference_title, options.world, options.relations,
-                        options.stamps)
+        evaluate_folder(options.folder, options.reference_title, options.world,
+                        relation_judge(options) if options.relations else None)
     except InputError as error:
         print(f"slam_eval: {error}", file=sys.stderr)
         return 1

@@ -77,6 +77,26 @@ KEYS = {
         "Relations, rotation", "deg", ".3f",
         "Mean absolute rotation error over the reference relations.",
         "Accuracy", True),
+    "relations_unambiguous": Key(
+        "Unambiguous relations", "", "d",
+        "Those of the relations whose two stamps can mean one scan each only: exactly one lies "
+        "within 10 ms.", "Accuracy", True),
+    "relations_unambiguous_trans_mean_m": Key(
+        "Unambiguous relations, translation", "m", ".4f",
+        "Mean absolute translation error over the unambiguous relations.", "Accuracy", True),
+    "relations_unambiguous_rot_mean_deg": Key(
+        "Unambiguous relations, rotation", "deg", ".3f",
+        "Mean absolute rotation error over the unambiguous relations.", "Accuracy", True),
+    "relations_revisit": Key(
+        "Revisit relations", "", "d",
+        "Those of the relations that do not join neighbouring stamps: the robot came back.",
+        "Accuracy", True),
+    "relations_revisit_trans_mean_m": Key(
+        "Revisit relations, translation", "m", ".4f",
+        "Mean absolute translation error over the revisit relations.", "Accuracy", True),
+    "relations_revisit_rot_mean_deg": Key(
+        "Revisit relations, rotation", "deg", ".3f",
+        "Mean absolute rotation error over the revisit relations.", "Accuracy", True),
     "map_area_m2": Key(
         "Area of the map", "m2", ".1f",
         "Area of the grid's cells that are free or occupied.", "Map", True),
