@@ -42,18 +42,19 @@ class Told(Ports):
             "scan": ("slam::LaserScan", "trigger", True, None, "laser")})
 
     def test_a_camera_comes_with_its_calibration_and_its_mount(self):
-        source = self.of("pf_visual").components[0]
-        self.assertEqual([(port.topic, port.time) for port in source.inputs],
+        told = self.of("pf_visual")
+        self.assertEqual([(port.topic, port.time, port.gate) for port in told.components[0].inputs],
+                         [("ceiling_camera/image_raw", "trigger", "ceiling_camera")])
+        gate = next(gate for gate in told.gates if gate.name == "ceiling_camera")
+        self.assertEqual([(port.topic, port.time) for port in gate.inputs],
                          [("ceiling_camera/image_raw", "trigger"),
                           ("ceiling_camera/camera_info", "latched"), ("tf_static", "latched")])
 
-    def test_the_gate_of_a_laser_is_there_once(self):
-        for name, count in (("ekf_wheel", 0), ("pf_wheel_grid", 1), ("ekf_wheel_pointmap", 1)):
-            gates = self.of(name).gates
-            self.assertEqual(len(gates), count, name)
-            for gate in gates:
-                self.assertEqual([port.kind for port in gate.inputs],
-                                 ["slam::LaserSweep", "slam::LaserMount"])
+    def test_each_sensor_has_its_gate_once(self):
+        for name, sensors in (("ekf_wheel", ["camera"]), ("pf_wheel_grid", ["laser"]),
+                              ("ekf_visual_wheel", ["ceiling_camera", "camera"]),
+                              ("ekf_wheel_pointmap", ["camera", "laser"])):
+            self.assertEqual([gate.name for gate in self.of(name).gates], sensors, name)
 
     def test_the_transform_of_the_odometry_follows_from_what_its_source_takes_in(self):
         for name, owns in (("ekf_wheel", False), ("pf_visual", True), ("pf_visual_wheel", True)):

@@ -82,6 +82,19 @@ def run_launch(*arguments):
         launch.kill()
 
 
+def record_launch(product, bag, record, topics, composition="pubsub"):
+    """Replays a bag through slam.launch and has topics recorded in the bag `record`; returns what
+    was printed."""
+    port = free_port()
+    folder = pathlib.Path(__file__).resolve().parents[1] / "launch_products"
+    return subprocess.run(["roslaunch", "-p", str(port), folder / "recorded.launch",
+                           f"product:={product}", f"bag:={bag}", f"record:={record}",
+                           f"composition:={composition}", f"topics:={' '.join(sorted(topics))}"],
+                          env={**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"},
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=100,
+                          check=False).stdout
+
+
 def stamp_of(landmarks):
     """Returns the line of a landmarks.yaml that tells its last step."""
     return next(line for line in landmarks.read_text(encoding="ascii").splitlines()

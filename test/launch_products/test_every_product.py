@@ -4,13 +4,12 @@
 publishes what its features promise."""
 
 from concurrent.futures import ThreadPoolExecutor
-import os
 import pathlib
 import subprocess
 import tempfile
 import unittest
 
-from launching import free_port, program
+from launching import program, record_launch
 import rosbag
 from slam_launch import products
 from slam_launch.feature_model import FeatureModel, text
@@ -27,24 +26,12 @@ PROMISED = {"backend=pf": {"/particlecloud"},
             "odometry=visual_wheel": {"/visual_odometry/odom"}}
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
-HERE = pathlib.Path(__file__).resolve().parent
 
 
 def promised(features, composition):
     named = [f"{key}={value}" for key, value in features.items()]
     own = ALWAYS.union(*(PROMISED.get(name, set()) for name in named))
     return own | BETWEEN if composition == "pubsub" else own
-
-
-def launch(product, bag, record, composition):
-    """Returns what a launch printed; what it published stands in the bag `record`."""
-    port = free_port()
-    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
-    return subprocess.run(["roslaunch", "-p", str(port), HERE / "recorded.launch",
-                           f"product:={product}", f"bag:={bag}", f"record:={record}",
-                           f"composition:={composition}", f"topics:={' '.join(sorted(RECORDED))}"],
-                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, timeout=100, check=False).stdout
 
 
 def published(record):
@@ -79,7 +66,7 @@ class EveryProductTest(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.root = pathlib.Path(folder.name)
         simulate(cls.root / "images.bag")
-        launch("ekf_wheel", cls.root / "images.bag", cls.root / "made.bag", "pubsub")
+        record_launch("ekf_wheel", cls.root / "images.bag", cls.root / "made.bag", RECORDED)
         cls.model = FeatureModel()
 
     def bag_for(self, number, features):
@@ -97,7 +84,8 @@ class EveryProductTest(unittest.TestCase):
         product.write_text(yaml.safe_dump(products.without_file(features, self.model).content),
                            encoding="utf-8")
         record = self.root / f"{number}.bag"
-        output = launch(product, self.bag_for(number, features), record, composition)
+        bag = self.bag_for(number, features)
+        output = record_launch(product, bag, record, RECORDED, composition)
         return composition, published(record) if record.exists() else set(), output
 
     def test_publishes_what_its_features_promise(self):

@@ -172,6 +172,7 @@ void Estimator::reportStep(const Intake::Step& step) {
     report.base_frame = motion->base_frame;
   }
   frames_.complete(report.odometry_frame, report.base_frame);
+  report.has_motion = carrier_ != nullptr;
   report.statistics = statistics();
   report.restarted = step.restart;
   pose_ = FilterPose::of(report.stamp, report.pose.pose);

@@ -17,6 +17,7 @@ struct StepReport {
   PoseEstimate pose;    ///< in the map frame
   Pose2 odometry_pose;  ///< T_odom_base at the same stamp; of a product without motion the identity
   std::string odometry_frame, base_frame;
+  bool has_motion = true;       ///< else nobody knows where the odometry has the robot
   UpdateStatistics statistics;  ///< of back-ends that map landmarks
   bool restarted = false;       ///< time began anew with this step
 

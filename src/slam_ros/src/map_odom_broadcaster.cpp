@@ -27,12 +27,14 @@ MapOdomBroadcaster::MapOdomBroadcaster(ros::NodeHandle handle, std::string map_f
 void MapOdomBroadcaster::update(const slam::StepReport& report) {
   T_map_odom_ = report.pose.pose * report.odometry_pose.inverse();
   odometry_frame_ = report.odometry_frame;
+  base_frame_ = report.has_motion ? "" : report.base_frame;
   send(report.stamp);
 }
 
 void MapOdomBroadcaster::reset() {
   odometry_frame_.clear();
   publisher_.reset();
+  base_publisher_.reset();
 }
 
 void MapOdomBroadcaster::sendIfDue(slam::Stamp now) {
@@ -43,8 +45,11 @@ void MapOdomBroadcaster::sendIfDue(slam::Stamp now) {
 }
 
 void MapOdomBroadcaster::send(slam::Stamp now) {
-  if (!odometry_frame_.empty())
-    publisher_.publish(toRos(now + tolerance_), map_frame_, odometry_frame_, T_map_odom_);
+  if (odometry_frame_.empty()) return;
+  const auto stamp = toRos(now + tolerance_);
+  publisher_.publish(stamp, map_frame_, odometry_frame_, T_map_odom_);
+  if (!base_frame_.empty())
+    base_publisher_.publish(stamp, odometry_frame_, base_frame_, slam::Pose2());
 }
 
 }  // namespace slam_ros

@@ -16,7 +16,8 @@
 namespace slam_ros {
 
 /// `map -> odom` from the estimate and the odometry pose of the same stamp: at every step, and in
-/// between at a constant rate of the ROS clock, stamped ahead by the tolerance.
+/// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product without
+/// motion nobody publishes `odom -> base`: then this does, as the identity.
 class MapOdomBroadcaster {
  public:
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config);
@@ -30,10 +31,11 @@ class MapOdomBroadcaster {
   void send(slam::Stamp now);
 
   std::string map_frame_, odometry_frame_;
+  std::string base_frame_;  ///< in a product without motion
   slam::Duration interval_, tolerance_;
   std::optional<slam::Stamp> due_;  ///< of the ROS clock
   slam::Pose2 T_map_odom_;
-  TransformPublisher publisher_;
+  TransformPublisher publisher_, base_publisher_;
   // A timer of the ROS clock ends the process where that clock nears its last second.
   ros::WallTimer poll_;
 };
