@@ -236,7 +236,6 @@ TEST_F(WiringTest, WhoWaitsForRequestsExecutesOnlyThen) {
   EXPECT_EQ(textOf(words.got), "2 1 ");
   put("count", Number{-1});
   EXPECT_TRUE(oneSays({wiring.step().message}, {"below nought"}));
-  EXPECT_TRUE(wiring.step().isOk()) << "reported once";
 }
 
 TEST_F(WiringTest, TellsOnceTheLastWarningOfThoseThatTakeTheirTurnAtOnce) {

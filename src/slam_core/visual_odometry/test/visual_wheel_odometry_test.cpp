@@ -115,6 +115,7 @@ TEST_F(VisualWheelTest, DoesNotDependOnTheOrderOfArrival) {
   std::vector<std::vector<Motion>> runs;
   for (const bool wheels_first : {true, false}) {
     source_->reset();
+    camera_.gate.reset();
     motions_.clear();
     images_ = 0;
     for (int i = 0; i < 8; ++i) {
