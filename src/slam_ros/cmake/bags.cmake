@@ -15,6 +15,7 @@ endfunction()
 
 add_library(slam_ros_bags
   src/bag_clock.cpp
+  src/bag_flow.cpp
   src/bag_file.cpp
   src/bag_inputs.cpp
   src/bag_process.cpp
@@ -22,10 +23,8 @@ add_library(slam_ros_bags
   src/bag_transforms.cpp
   src/flow_window.cpp
   src/ground_truth.cpp
-  src/input_publishers.cpp
   src/offline_run.cpp
   src/product_files.cpp
-  src/topic_matching.cpp
   src/tune_run.cpp
   src/warning_log.cpp
 )

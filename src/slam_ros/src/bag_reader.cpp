@@ -42,12 +42,6 @@ BagReader::BagReader(const std::string& path) : path_(path) {
   }
 }
 
-const BagTopic* BagReader::find(const std::string& topic) const {
-  const auto found = std::find_if(topics_.begin(), topics_.end(),
-                                  [&](const auto& entry) { return sameTopic(entry.name, topic); });
-  return found == topics_.end() ? nullptr : &*found;
-}
-
 std::size_t BagReader::messages(const BagHandlers& handlers) const {
   std::size_t sum = 0;
   for (const auto& topic : topics_)

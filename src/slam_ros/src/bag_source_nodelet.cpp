@@ -12,22 +12,20 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <map>
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/bag_clock.hpp"
+#include "slam_ros/bag_flow.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
-#include "slam_ros/flow_window.hpp"
-#include "slam_ros/input_publishers.hpp"
+#include "slam_ros/odometry_edge.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
@@ -36,13 +34,7 @@
 namespace slam_ros {
 namespace {
 
-constexpr FlowWindow::Timeout kPatience(5000);
 const ros::WallDuration kPoll(0.05);
-// what is acknowledged, beside "motion" and "observations"
-constexpr const char* kScans = "scans";
-constexpr const char* kPointMapScans = "scans for the point map";
-constexpr const char* kPointMapMotion = "motion for the point map";
-constexpr const char* kPointMapPose = "poses for the point map";
 
 }  // namespace
 
@@ -78,7 +70,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
   ~BagSourceNodelet() override {
     start_.reset();
     stop_ = true;
-    window_.stop();
+    if (flow_) flow_->stop();
     if (thread_.joinable()) thread_.join();
   }
 
@@ -89,21 +81,16 @@ class BagSourceNodelet : public nodelet::Nodelet {
       auto settings = settingsFromRos(getNodeHandle());
       const auto product = settings.read<slam::ProductConfig>();
       slam::loadLibraries(product.libraries);
-      auto needs = needsOf(product);
-      needs.topics = settings.read<TopicsConfig>();
-      needs.frames = settings.read<slam::FramesConfig>();
-      topics_ = needs.topics;
-      map_frame_ = frameId(needs.frames.map);
+      const BagContext context{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>()};
+      frames_ = context.frames;
       bag_ = std::make_unique<BagReader>(config_.bag);
-      std::vector<Remap> remaps;
-      for (const auto& text : config_.remaps) remaps.push_back(parseRemap(text));
-      inputs_ = findInputs(*bag_, needs, remaps);
-      setAnswers(needs);
-      const bool has_landmarks = inputs_.hasImages() || !inputs_.observations.empty();
-      if (needs.of_backend.count("scan") > 0 && has_landmarks)
-        max_ahead_ = slam::durationFromSeconds(product.source_timeout / 2);
-      for (const auto& note : inputs_.notes) NODELET_INFO_STREAM(note);
-      for (const auto& warning : inputs_.warnings) NODELET_WARN_STREAM(warning);
+      inputs_.emplace(*bag_, slam::createComponents(product), context, parseRemaps(config_.remaps));
+      for (const auto& note : inputs_->notes()) NODELET_INFO_STREAM(note);
+      for (const auto& warning : inputs_->warnings()) NODELET_WARN_STREAM(warning);
+      flow_.emplace(
+          *inputs_,
+          BagFlow::Options{config_.pointmap, slam::durationFromSeconds(product.source_timeout),
+                           [this](const auto& warning) { NODELET_WARN_STREAM(warning); }});
       clock_ = std::make_unique<BagClock>(getNodeHandle(), config_.rate, config_.publish_clock);
       connect(getNodeHandle());
     });
@@ -112,68 +99,19 @@ class BagSourceNodelet : public nodelet::Nodelet {
   }
 
   void connect(ros::NodeHandle handle) {
-    publishers_.emplace(handle, topics_, inputs_, [this](const std::string& input, auto stamp) {
-      const auto answers = answers_.find(input);
-      return answers == answers_.end() ? waitForRoom(input, stamp)
-                                       : waitForRoomOf(answers->second, stamp);
-    });
-    if (inputs_.hasImages()) inputs_of_few_.insert("observations");
-    if (inputs_.ceiling.hasImages()) inputs_of_few_.insert("motion");
-    for (const auto& input : inputs_of_few_) window_.limit(input, kImagesInFlight);
-    for (const auto* input : {kScans, kPointMapScans}) window_.limit(input, kScansInFlight);
-    if (hasAnswer(kScans, "motion")) window_.limit("motion", kScansInFlight);
+    senders_ = inputs_->senders(
+        handle, [this](const BagInputs::Found& input) { return flow_->gateOf(input); });
     tf_ = handle.advertise<tf2_msgs::TFMessage>("/tf", kInFlight);
-    progress_ = handle.subscribe("progress", 10 * kInFlight, &BagSourceNodelet::onProgress, this);
+    progress_ = subscribe(handle, "progress", &BagFlow::acknowledge);
     if (config_.pointmap)
-      point_map_progress_ = handle.subscribe("pointmap/progress", 10 * kInFlight,
-                                             &BagSourceNodelet::onPointMapProgress, this);
+      point_map_progress_ = subscribe(handle, "pointmap/progress", &BagFlow::acknowledgeOfPointMap);
   }
 
-  /// The back-end acknowledges what it takes itself; of what others take, what they make of it.
-  void setAnswers(const InputNeeds& needs) {
-    const auto set = [&](const std::string& port, const std::string& input) {
-      auto& answers = answers_[input];
-      if (needs.of_odometry.count(port) > 0) answers.push_back("motion");
-      if (needs.of_detector.count(port) > 0) answers.push_back("observations");
-      if (needs.of_backend.count(port) > 0) answers.push_back(input);
-    };
-    set("scan", kScans);
-    for (const auto& port : needs.others) set(port.name, port.name);
-    auto& of_scans = answers_[kScans];
-    // in one process with the point map it is the product's nodelet that takes them
-    if (of_scans.empty() && !config_.pointmap) of_scans.push_back(kScans);
-    if (config_.pointmap) of_scans.insert(of_scans.begin(), kPointMapScans);
-  }
-
-  bool hasAnswer(const std::string& input, const std::string& answer) const {
-    const auto& answers = answers_.at(input);
-    return std::find(answers.begin(), answers.end(), answer) != answers.end();
-  }
-
-  void onProgress(const slam_msgs::Progress& message) {
-    if (config_.pointmap) expectOfPointMap(message);
-    window_.acknowledged("motion", fromRos(message.motion));
-    window_.acknowledged("observations", fromRos(message.observations));
-    window_.acknowledged(kScans, fromRos(message.scans));
-    for (std::size_t i = 0; i < std::min(message.inputs.size(), message.newest.size()); ++i)
-      window_.acknowledged(message.inputs[i], fromRos(message.newest[i]));
-  }
-
-  /// What the back-end has had and has told must reach the point map as well.
-  void expectOfPointMap(const slam_msgs::Progress& message) {
-    // it may have been faster than this message
-    if (message.motion > told_.motion && message.motion > point_map_told_.motion)
-      window_.sent(kPointMapMotion, fromRos(message.motion));
-    if (message.step > told_.step && message.step > point_map_told_.step)
-      window_.sent(kPointMapPose, fromRos(message.step));
-    told_ = message;
-  }
-
-  void onPointMapProgress(const slam_msgs::Progress& message) {
-    point_map_told_ = message;
-    window_.acknowledged(kPointMapScans, fromRos(message.scans));
-    window_.acknowledged(kPointMapMotion, fromRos(message.motion));
-    window_.acknowledged(kPointMapPose, fromRos(message.step));
+  ros::Subscriber subscribe(ros::NodeHandle& handle, const std::string& topic,
+                            void (BagFlow::*take)(const slam_msgs::Progress&)) {
+    return handle.subscribe<slam_msgs::Progress>(
+        topic, 10 * kInFlight,
+        [this, take](const slam_msgs::ProgressConstPtr& message) { ((*flow_).*take)(*message); });
   }
 
   void play() {
@@ -187,15 +125,15 @@ class BagSourceNodelet : public nodelet::Nodelet {
       std::_Exit(EXIT_FAILURE);
     }
     if (stop_) return;
-    if (!window_.waitUntilEmpty(kPatience) && !stop_ && window_.inFlight() > 1)
-      NODELET_WARN_STREAM(window_.inFlight() << " messages at the bag's end were not acknowledged");
+    if (const auto lost = flow_->finish(); lost > 1)
+      NODELET_WARN_STREAM(lost << " messages at the bag's end were not acknowledged");
     NODELET_INFO_STREAM(bag_->path() << " is through");
     // as Ctrl-C does: the manager unloads the nodelets, which completes their files
     if (config_.exit_at_end && !stop_) ::kill(::getpid(), SIGINT);
   }
 
   void publishStaticTransforms() {
-    const auto transforms = staticTransforms(*bag_, map_frame_);
+    const auto transforms = staticTransforms(*bag_, frameId(frames_.map));
     if (transforms.transforms.empty()) return;
     tf_static_ = getNodeHandle().advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
     tf_static_.publish(boost::make_shared<const tf2_msgs::TFMessage>(transforms));
@@ -218,13 +156,13 @@ class BagSourceNodelet : public nodelet::Nodelet {
   }
 
   std::string missingPartner() const {
-    // without it images and scans would wait for their sensor's mount
-    const bool has_mounts =
-        inputs_.hasImages() || inputs_.ceiling.hasImages() || !inputs_.scan.empty();
-    if (has_mounts && tf_static_ && tf_static_.getNumSubscribers() == 0)
-      return "a subscriber of " + tf_static_.getTopic();
-    const auto subscriber = publishers_->missingSubscriber();
-    if (!subscriber.empty()) return subscriber;
+    for (const auto& found : inputs_->found()) {
+      // without it images and scans would wait for their sensor's mount
+      if (found.input->play().needs_transforms && isLonely(tf_static_))
+        return "a subscriber of " + tf_static_.getTopic();
+      for (const auto& publisher : found.input->publishers())
+        if (isLonely(publisher)) return "a subscriber of " + publisher.getTopic();
+    }
     if (progress_.getNumPublishers() == 0)
       return "a back-end that publishes " + progress_.getTopic();
     if (point_map_progress_ && point_map_progress_.getNumPublishers() == 0)
@@ -232,8 +170,12 @@ class BagSourceNodelet : public nodelet::Nodelet {
     return "";
   }
 
+  static bool isLonely(const ros::Publisher& publisher) {
+    return publisher && publisher.getNumSubscribers() == 0;
+  }
+
   BagHandlers handlers() {
-    auto handlers = handlersFor(inputs_, publishers_->sinks());
+    auto handlers = senders_;
     if (const auto* tf = bag_->find("tf"); tf != nullptr && holdsTransforms(*tf)) {
       handlers[tf->name] = [pass = passTransforms(),
                             odometry = handlers[tf->name]](const BagMessage& message) {
@@ -252,50 +194,23 @@ class BagSourceNodelet : public nodelet::Nodelet {
   /// All transforms but those that the product publishes itself.
   BagHandler passTransforms() {
     return onMessage<tf2_msgs::TFMessage>([this](const tf2_msgs::TFMessage& message) {
-      auto kept = withoutMap(message, map_frame_);
-      if (!config_.odometry_tf) kept = withoutEdge(kept, inputs_.odom_frame, inputs_.base_frame);
+      auto kept = withoutMap(message, frameId(frames_.map));
+      if (!config_.odometry_tf)
+        kept = withoutEdge(kept, frameId(frames_.odom), frameId(frames_.base));
       if (!kept.transforms.empty()) tf_.publish(kept);
     });
   }
 
-  /// For an input that several take. @return as waitForRoom()
-  bool waitForRoomOf(const std::vector<std::string>& answers, slam::Stamp stamp) {
-    return std::all_of(answers.begin(), answers.end(),
-                       [&](const auto& answer) { return waitForRoom(answer, stamp); });
-  }
-
-  /// @return false when the nodelet is being unloaded
-  bool waitForRoom(const std::string& input, slam::Stamp stamp) {
-    // else the source that takes longest would be taken for a silent one
-    if (max_ahead_ && !window_.waitForAllBefore(stamp - *max_ahead_, kPatience)) max_ahead_.reset();
-    if (!window_.waitForRoom(input, kPatience) && !stop_) {
-      if (inputs_of_few_.erase(input) > 0) {  // their calibration or mount may come later
-        window_.limit(input, kImagesHeld);
-        return waitForRoom(input, stamp);
-      }
-      NODELET_WARN_STREAM("nothing of the " << input << " sent was acknowledged for 5 s; going on");
-      window_.clear();
-    }
-    if (!stop_) window_.sent(input, stamp);
-    return !stop_;
-  }
-
   BagSourceConfig config_;
-  TopicsConfig topics_;
-  std::string map_frame_;
+  slam::FramesConfig frames_;
   std::unique_ptr<BagReader> bag_;
-  BagInputs inputs_;
+  std::optional<BagInputs> inputs_;
+  std::optional<BagFlow> flow_;
+  BagHandlers senders_;
   std::unique_ptr<BagClock> clock_;
-  FlowWindow window_{kInFlight};
-  std::optional<slam::Duration> max_ahead_;  ///< of stamps, where scans and landmarks wait together
-  /// What is acknowledged for an input, where that is not the input itself alone.
-  std::map<std::string, std::vector<std::string>> answers_;
-  std::set<std::string> inputs_of_few_;  ///< of images that have not been waited for in vain
   std::atomic<bool> stop_{false};
-  std::optional<InputPublishers> publishers_;
   ros::Publisher tf_, tf_static_;
   ros::Subscriber progress_, point_map_progress_;
-  slam_msgs::Progress told_, point_map_told_;  ///< by the back-end and the point map, last
   std::thread thread_;
   std::optional<AfterLoad> start_;
 };

@@ -3,8 +3,6 @@
 
 #include "slam_ros/bag_transforms.hpp"
 
-#include <ros/message_traits.h>
-
 #include <map>
 
 #include "slam_ros/conversions.hpp"
@@ -19,12 +17,6 @@ bool leads(const geometry_msgs::TransformStamped& edge, const std::string& paren
 }
 
 }  // namespace
-
-/// The old tf/tfMessage has the same layout, hence the same sum.
-bool holdsTransforms(const BagTopic& topic) {
-  return topic.messages > 0 &&
-         topic.md5sum == ros::message_traits::MD5Sum<tf2_msgs::TFMessage>::value();
-}
 
 tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame) {
   tf2_msgs::TFMessage kept;
@@ -53,29 +45,6 @@ tf2_msgs::TFMessage staticTransforms(const BagReader& bag, const std::string& ma
   bag.read({{topic->name, onMessage<tf2_msgs::TFMessage>(take)}});
   for (const auto& entry : newest) all.transforms.push_back(entry.second);
   return all;
-}
-
-std::string findOdometryEdge(const BagReader& bag, const std::string& odom_frame,
-                             const std::string& base_frame) {
-  for (const auto& topic : bag.topics()) {
-    if (!sameTopic(topic.name, "tf") || !holdsTransforms(topic)) continue;
-    bool found = false;
-    const OdometryEdge edge(odom_frame, base_frame);
-    const auto look = [&](const tf2_msgs::TFMessage& message) {
-      found = found || edge.isIn(message);
-    };
-    bag.read({{topic.name, onMessage<tf2_msgs::TFMessage>(look)}},
-             [&](std::size_t) { return !found; });
-    if (found) return topic.name;
-  }
-  return "";
-}
-
-BagHandler odometryOfEdge(const std::string& odom_frame, const std::string& base_frame,
-                          const std::function<void(const nav_msgs::Odometry&)>& sink) {
-  return onMessage<tf2_msgs::TFMessage>(
-      [edge = OdometryEdge(odom_frame, base_frame),
-       sink](const tf2_msgs::TFMessage& message) mutable { edge.take(message, sink); });
 }
 
 }  // namespace slam_ros

@@ -4,7 +4,6 @@
 #include "slam_ros/estimator_node.hpp"
 
 #include <fmt/core.h>
-#include <slam_msgs/Progress.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/known_inputs.hpp"
+#include "slam_ros/progress_message.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
@@ -26,6 +26,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   topics_ = settings.read<TopicsConfig>();
   coordinator_.configure(settings, part);
   requireKnownInputs(coordinator_.wiring());
+  flow_.emplace(coordinator_.components());
   silence_.mayPause(topics_.observations);
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
   const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;
@@ -119,10 +120,21 @@ void EstimatorNode::take(const std::string& port, slam::Kind kind, const void* v
   checkClock();
   if (kind == slam::kindOf<slam::Motion>())
     noteFrames(*static_cast<const slam::Motion*>(value), topic);
-  if (kind == slam::kindOf<slam::LaserSweep>())
-    last_scan_ = static_cast<const slam::LaserSweep*>(value)->stamp;
+  noteStamp(port, kind, value);
   coordinator_.put(port, kind, value);
   takeSteps(topic);
+}
+
+/// Of what reaches the back-end through a gate, and of what a module takes: nobody else
+/// acknowledges it.
+void EstimatorNode::noteStamp(const std::string& port, slam::Kind kind, const void* value) {
+  if (slam::portsOf(estimator()).input(port, kind) != nullptr) return;
+  for (const auto& part : flow_->parts()) {
+    const auto* input = part.is_maker ? nullptr : part.input(port, kind);
+    if (input == nullptr || input->traits.hold == nullptr) continue;
+    newest_[port] = input->traits.hold(value).stamp;
+    return;
+  }
 }
 
 void EstimatorNode::noteFrames(const slam::Motion& motion, const std::string& topic) {
@@ -192,13 +204,10 @@ void EstimatorNode::publishProgress() {
   const auto arrivals = estimator().intake().arrivals();
   slam_msgs::Progress message;
   message.motion = toRos(arrivals.motion.value_or(slam::Stamp()));
-  message.observations = toRos(arrivals.lastOf("observations").value_or(slam::Stamp()));
-  message.scans = toRos(last_scan_);
-  for (const auto& source : arrivals.triggers) {
-    if (source.input == "observations" || source.input == "scan") continue;
-    message.inputs.push_back(source.input);
-    message.newest.push_back(toRos(source.last.value_or(slam::Stamp())));
-  }
+  for (const auto& source : arrivals.triggers)
+    if (newest_.count(source.input) == 0)
+      setProgress(message, source.input, source.last.value_or(slam::Stamp()));
+  for (const auto& [input, stamp] : newest_) setProgress(message, input, stamp);
   message.step = toRos(recorder_->lastStamp());
   message.resets = resets_;
   progress_.publish(message);
@@ -236,13 +245,26 @@ void EstimatorNode::beginAnew() {
 }
 
 std::string EstimatorNode::waiting() const {
-  const auto arrivals = estimator().intake().arrivals();
-  std::vector<std::string> needless;
-  if (arrivals.motion) needless = {"odom", "ceiling_camera"};
-  if (arrivals.lastOf("observations")) needless.push_back("camera");
-  if (const auto wait = inputs_->waiting(needless); !wait.empty()) return wait;
+  if (const auto wait = inputs_->waiting(needlessInputs()); !wait.empty()) return wait;
   if (const auto starving = this->starving(); !starving.empty()) return starving;
   return silence_.sentence(SilenceWatch::Clock::now());
+}
+
+/// Inputs of components whose data have come: those of a component of another process, or of ours.
+std::vector<std::string> EstimatorNode::needlessInputs() const {
+  const auto arrivals = estimator().intake().arrivals();
+  std::vector<std::string> needless;
+  for (const auto& part : flow_->parts()) {
+    const bool has_come =
+        std::any_of(part.outputs.begin(), part.outputs.end(), [&](const slam::OutputPort& output) {
+          return output.kind == slam::kindOf<slam::Motion>()
+                     ? arrivals.motion.has_value()
+                     : arrivals.lastOf(output.name).has_value();
+        });
+    if (!part.is_maker || !has_come) continue;
+    for (const auto& input : flow_->inputsOfAlone(part)) needless.push_back(input.name);
+  }
+  return needless;
 }
 
 Diagnostics::Values EstimatorNode::figures() const {

@@ -5,7 +5,6 @@
 // ros.h comes first: nodelet.h only declares what it uses
 #include <nodelet/nodelet.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
@@ -59,16 +58,15 @@ class InprocessNodelet : public nodelet::Nodelet {
       auto settings = settingsFromRos(handle);
       const auto product = settings.read<slam::ProductConfig>();
       slam::loadLibraries(product.libraries);
-      const auto inputs = slam::inputsOf(product);
-      const bool looks_up = std::any_of(inputs.begin(), inputs.end(), [](const auto& input) {
-        return input.name == "ceiling_camera";
-      });
+      const auto source = slam::createComponents(product).odometry;
+      const bool has_own_frame = source && slam::ownsOdometryEdge(*source);
       node_ = std::make_unique<EstimatorNode>(
           EstimatorNode::Handles{handle, getPrivateNodeHandle(), getName()}, config.outputs,
           product_, slam::ProductPart(),
-          InputOptions{config.camera.transport, !config.publish_tf || looks_up, config.publish_tf});
+          InputOptions{config.camera.transport, !config.publish_tf || has_own_frame,
+                       config.publish_tf});
       showDetections();
-      showMotion(looks_up, config.publish_tf);
+      showMotion(config.publish_tf);
       for (const auto& [name, module] : product_.components().modules)
         showModule(*module, config.outputs.points_rate);
     });
@@ -83,22 +81,22 @@ class InprocessNodelet : public nodelet::Nodelet {
         [this, drawer](const auto& array) { detections_->publish(*drawer, array); });
   }
 
-  /// What an odometry source of our own makes is shown; of a driver's only its transform.
-  void showMotion(bool is_ours, bool with_tf) {
-    if (!is_ours && with_tf)
+  /// What an odometry source sees is shown, and what it makes of it; of others only the transform.
+  void showMotion(bool with_tf) {
+    const auto* drawer = drawerOf(product_.components().odometry.get());
+    if (drawer == nullptr && with_tf)
       node_->on_step = [this](const slam::StepReport& report) {
         odometry_transform_.publish(toRos(report.stamp), report.odometry_frame, report.base_frame,
                                     report.odometry_pose);
       };
-    if (!is_ours) return;
+    if (drawer == nullptr) return;
     visual_motion_.emplace(getNodeHandle());
-    const auto* drawer = drawerOf(product_.components().odometry.get());
     product_.listen<slam::Motion>("motion", [this, drawer, with_tf](const slam::Motion& motion) {
       if (with_tf)
         odometry_transform_.publish(toRos(motion.end), motion.odometry_frame, motion.base_frame,
                                     motion.odometry_end);
       visual_motion_->publish(motion);
-      if (drawer != nullptr) visual_motion_->show(*drawer, motion.end);
+      visual_motion_->show(*drawer, motion.end);
     });
   }
 

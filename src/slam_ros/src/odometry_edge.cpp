@@ -24,6 +24,11 @@ nav_msgs::Odometry toOdometry(const geometry_msgs::TransformStamped& edge) {
 
 }  // namespace
 
+bool holdsTransforms(const BagTopic& topic) {
+  return topic.messages > 0 &&
+         topic.md5sum == ros::message_traits::MD5Sum<tf2_msgs::TFMessage>::value();
+}
+
 OdometryEdge::OdometryEdge(std::string odom_frame, std::string base_frame)
     : odom_frame_(std::move(odom_frame)), base_frame_(std::move(base_frame)) {}
 

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <utility>
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
@@ -52,22 +51,11 @@ void OfflineRun::configure() {
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
   requireKnownInputs(coordinator_.wiring());
-  auto needs = needsOf(settings_.read<slam::ProductConfig>());
-  needs.topics = topics;
-  needs.frames = coordinator_.components().frames;
-  std::vector<Remap> remaps;
-  for (const auto& text : options_.remaps) remaps.push_back(parseRemap(text));
-  inputs_ = findInputs(bag_, needs, remaps);
-  const auto base = frameId(needs.frames.base);
-  const auto put_at = [this](const std::string& port) {
-    return [this, port](const auto& input) { coordinator_.put(port, input); };
-  };
-  const auto look = put_at("camera"), look_up = put_at("ceiling_camera"), scan = put_at("scan");
-  camera_.emplace(base, CameraInput::Sinks{look, look, look});
-  ceiling_camera_.emplace(base, CameraInput::Sinks{look_up, look_up, look_up});
-  laser_.emplace(base, LaserInput::Sinks{scan, scan});
-  if (inputs_.observations.empty() && !inputs_.hasImages())
-    coordinator_.estimator().intake().expectNothing("observations");
+  const auto& parts = coordinator_.components();
+  inputs_.emplace(bag_, parts, BagContext{topics, parts.frames}, parseRemaps(options_.remaps));
+  for (const auto& trigger : inputs_->flow().triggersOfBackend())
+    if (!inputs_->isSupplied(trigger))
+      coordinator_.estimator().intake().expectNothing(trigger.name);
 }
 
 std::string OfflineRun::mapFrame() const { return frameId(coordinator_.components().frames.map); }
@@ -86,13 +74,15 @@ void OfflineRun::loadMap() {
 }
 
 void OfflineRun::run() {
-  for (const auto& note : inputs_.notes) fmt::print("{}\n", note);
-  for (const auto& warning : inputs_.warnings) warn(warning);
+  for (const auto& note : inputs_->notes()) fmt::print("{}\n", note);
+  for (const auto& warning : inputs_->warnings()) warn(warning);
   slam::RunWriter writer(options_.folder);
   read(writer);
   requireSteps(writer);
   const auto truth = writeGroundTruth(bag_, writer.unfinished());
-  if (inputs_.ceiling.hasImages()) writeWheelOdometry(bag_, writer.unfinished());
+  if (const auto& source = coordinator_.components().odometry;
+      source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))
+    writeWheelOdometry(bag_, writer.unfinished());
   const auto& backend = coordinator_.estimator().capabilities();
   for (const auto& [name, module] : coordinator_.components().modules)
     module->save(writer.unfinished());
@@ -105,26 +95,7 @@ void OfflineRun::run() {
 }
 
 void OfflineRun::read(slam::RunWriter& writer) {
-  InputSinks sinks;
-  sinks.motion = [&](const auto& message) { coordinator_.put("motion", fromMsg(message)); };
-  sinks.odom = [&](const auto& message) { take(message); };
-  sinks.observations = [&](const auto& message) {
-    coordinator_.put("observations", fromMsg(message));
-  };
-  sinks.other = [&](const auto& input, auto kind, const auto& binding) {
-    return binding.reader(
-        [this, input, kind](const void* value) { coordinator_.put(input, kind, value); });
-  };
-  const auto look = [&](const auto& message) { timed(message, [&] { camera_->take(message); }); };
-  static_cast<CameraSinks&>(sinks) = {look, look, look};
-  const auto look_up = [&](const auto& message) { ceiling_camera_->take(message); };
-  sinks.ceiling = {look_up, look_up, look_up};
-  sinks.scan = [&](const auto& message) { timed(message, [&] { laser_->take(message); }); };
-  const auto transforms = staticTransforms(bag_, mapFrame());
-  if (inputs_.hasImages()) camera_->take(transforms);
-  if (inputs_.ceiling.hasImages()) look_up(transforms);
-  if (!inputs_.scan.empty()) laser_->take(transforms);
-  const auto handlers = handlersFor(inputs_, sinks);
+  const auto handlers = this->handlers();
   progress_.begin(bag_.path(), bag_.messages(handlers));
   bag_.read(handlers, [&](std::size_t done) {
     drain(writer);
@@ -134,6 +105,33 @@ void OfflineRun::read(slam::RunWriter& writer) {
   progress_.end();
   tellOfHeld();
   tellOfDropped(bag_.messages(handlers));
+}
+
+BagHandlers OfflineRun::handlers() {
+  const auto transforms = staticTransforms(bag_, mapFrame());
+  auto handlers = inputs_->readers([&](const BagInputs::Found& input) {
+    auto sinks = sinksOf(input);
+    sinks.static_transforms = transforms;
+    return sinks;
+  });
+  for (auto& entry : handlers)
+    entry.second = [this, handler = entry.second](const BagMessage& message) {
+      arrival_ = RunMetrics::Clock::now();
+      handler(message);
+    };
+  return handlers;
+}
+
+BagSinks OfflineRun::sinksOf(const BagInputs::Found& input) {
+  const bool is_for_steps = inputs_->flow().leadsToSteps(input.port, input.kind);
+  BagSinks sinks;
+  sinks.put = [this, &input, is_for_steps](const slam::Datum& value, slam::Stamp stamp) {
+    coordinator_.put(input.port, value.kind(), value.value());
+    if (is_for_steps) metrics_.addFrontEnd(stamp, RunMetrics::Clock::now() - arrival_);
+  };
+  sinks.warn = [this](const std::string& sentence) { warn(sentence); };
+  sinks.count = [this](const std::string& reason) { input_counters_.add(reason); };
+  return sinks;
 }
 
 /// Of a few in a hundred `counted:` tells enough.
@@ -161,26 +159,7 @@ void OfflineRun::tellOfHeld() {
                    arrivals.starving));
 }
 
-template <class Message, class Work>
-void OfflineRun::timed(const Message& message, const Work& work) {
-  const auto start = RunMetrics::Clock::now();
-  work();
-  metrics_.addFrontEnd(fromRos(message.header.stamp), RunMetrics::Clock::now() - start);
-}
-
-void OfflineRun::take(const nav_msgs::Odometry& message) {
-  if (!saysNoPose(message)) {
-    const auto fault = poseFault(message);
-    if (!fault.empty()) {
-      ++odometry_faults_;
-      odometry_fault_ = "odometry: " + fault + "; its twist is used";
-    }
-  }
-  coordinator_.put("odom", fromMsg(message));
-}
-
 void OfflineRun::drain(slam::RunWriter& writer) {
-  if (!odometry_fault_.empty()) warn(std::exchange(odometry_fault_, ""));
   while (true) {
     const auto start = RunMetrics::Clock::now();
     const auto status = coordinator_.execute();
@@ -209,26 +188,13 @@ void OfflineRun::warn(const std::string& sentence, bool is_urgent) {
 
 void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
   if (writer.lines() > 0) return;
-  requireCamera(inputs_, *camera_);
-  requireCamera(inputs_.ceiling, *ceiling_camera_);
-  requireTransform(laser_->missingTransform());
+  for (const auto& found : inputs_->found())
+    if (const auto lacking = found.input->lacking(); !lacking.empty())
+      throw std::runtime_error("no step could be taken: " + lacking);
   throw std::runtime_error(
       fmt::format("no step could be taken: no observation or scan of the bag {} has a stamp that "
                   "its odometry covers",
                   bag_.path()));
-}
-
-void OfflineRun::requireCamera(const BagCamera& topics, const CameraInput& camera) {
-  if (topics.hasImages() && !camera.hasCalibration())
-    throw std::runtime_error("no step could be taken: " + topics.image + topics.compressed_image +
-                             " came without the camera's calibration");
-  requireTransform(camera.missingTransform());
-}
-
-void OfflineRun::requireTransform(const std::string& missing) {
-  if (!missing.empty())
-    throw std::runtime_error(
-        "no step could be taken: the bag's /tf_static does not tell the transform " + missing);
 }
 
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {
@@ -238,7 +204,7 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
   fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s\n", writer.folder(),
              writer.lines(), mapper ? mapper->landmarks().size() : 0, data_time, wall);
   auto counters = coordinator_.counters();
-  counters.add("odometry_without_pose", odometry_faults_);
+  counters.add(input_counters_);
   counters.add(slam::heldAtGates(coordinator_.wiring()));
   for (const auto& [what, count] : coordinator_.estimator().intake().arrivals().held().all())
     counters.add("never_stepped", count);

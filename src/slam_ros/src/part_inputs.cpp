@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_ros/input_bindings.hpp"
 
 namespace slam_ros {
 

@@ -32,4 +32,8 @@ std::optional<Eigen::Isometry3d> StaticTransforms::mount(const std::string& base
   return fromMsg(tree_.lookupTransform(base_frame, sensor_frame, ros::Time()).transform);
 }
 
+std::string lackOfTransform(const std::string& missing) {
+  return missing.empty() ? "" : "the bag's /tf_static does not tell the transform " + missing;
+}
+
 }  // namespace slam_ros

@@ -25,12 +25,6 @@ bool isNameOf(const std::string& name, const Input& input) {
   return sameTopic(name, input.name) || sameTopic(name, input.topic);
 }
 
-const BagTopic* findTopic(const std::vector<BagTopic>& topics, const std::string& name) {
-  const auto found = std::find_if(topics.begin(), topics.end(),
-                                  [&](const auto& topic) { return sameTopic(topic.name, name); });
-  return found == topics.end() ? nullptr : &*found;
-}
-
 bool isInput(const std::string& name, const std::vector<Input>& inputs) {
   return std::any_of(inputs.begin(), inputs.end(),
                      [&](const auto& input) { return isNameOf(name, input); });
@@ -85,6 +79,12 @@ Remap parseRemap(const std::string& text) {
   return {from, text.substr(equals + 1)};
 }
 
+std::vector<Remap> parseRemaps(const std::vector<std::string>& texts) {
+  std::vector<Remap> remaps;
+  for (const auto& text : texts) remaps.push_back(parseRemap(text));
+  return remaps;
+}
+
 void checkRemaps(const std::vector<Remap>& remaps, const std::vector<Input>& inputs,
                  const std::vector<BagTopic>& topics) {
   std::vector<std::string> names;
@@ -128,6 +128,14 @@ std::optional<TopicMatch> matchTopic(const Input& input, const std::vector<Input
   if (candidates.empty()) return std::nullopt;
   return onlyOne(input, candidates);
 }
+
+const BagTopic* findTopic(const std::vector<BagTopic>& topics, const std::string& name) {
+  const auto found = std::find_if(topics.begin(), topics.end(),
+                                  [&](const auto& topic) { return sameTopic(topic.name, name); });
+  return found == topics.end() ? nullptr : &*found;
+}
+
+std::string needOf(const Input& input) { return fmt::format("'{}' ({})", input.topic, input.type); }
 
 std::string listTopics(const std::vector<BagTopic>& topics) {
   std::vector<std::string> texts;

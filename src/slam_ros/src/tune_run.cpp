@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "slam_core/common/atomic_file.hpp"
@@ -18,7 +19,6 @@
 #include "slam_core/tuning/robot_file_text.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/bag_transforms.hpp"
-#include "slam_ros/camera_input.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/product_files.hpp"
 
@@ -36,50 +36,63 @@ slam::Settings settingsFor(const TuneOptions& options, const std::vector<std::st
           slam::loadConfigFile(robotFile(options.robot)), overrides};
 }
 
+/// What the tuner's filter takes in, whatever the product's own takes: landmarks, which the
+/// product's detector may make, and the wheels' motion.
+slam::ProductComponents tunedComponents(const slam::ProductConfig& product) {
+  slam::ProductConfig tuned;
+  tuned.backend = "ekf";
+  tuned.odometry = "wheel";
+  tuned.detector = product.detector;
+  return slam::createComponents(tuned);
+}
+
 /// Collects what a bag holds; images go through the detector.
 class Recorder {
  public:
   Recorder(const TuneOptions& options, const std::string& bag)
       : bag_(bag), settings_(settingsFor(options, {})) {
-    needs_.topics = settings_.read<TopicsConfig>();
-    needs_.frames = settings_.read<slam::FramesConfig>();
+    const BagContext context{settings_.read<TopicsConfig>(), settings_.read<slam::FramesConfig>()};
+    map_frame_ = frameId(context.frames.map);
     front_end_.configure(settings_, {slam::ProductPart::Extent::kDetector, ""});
     front_end_.listen<slam::LandmarkObservationArray>(
         "observations", [this](const auto& array) { log_.inputs.emplace_back(array); });
-    needs_.images = front_end_.components().detector != nullptr;
-    std::vector<Remap> remaps;
-    for (const auto& text : options.remaps) remaps.push_back(parseRemap(text));
-    inputs_ = findInputs(bag_, needs_, remaps);
+    inputs_.emplace(bag_, tunedComponents(front_end_.components().product), context,
+                    parseRemaps(options.remaps));
   }
 
   RecordedLog record() {
     log_.name = bag_.path();
-    const auto look = [this](const auto& input) { front_end_.put("camera", input); };
-    CameraInput camera(frameId(needs_.frames.base), CameraInput::Sinks{look, look, look});
-    const auto take = [&](const auto& message) { camera.take(message); };
-    InputSinks sinks;
-    sinks.motion = [this](const auto& message) { log_.inputs.emplace_back(fromMsg(message)); };
-    sinks.odom = collect<nav_msgs::Odometry>();
-    sinks.observations = collect<slam_msgs::LandmarkObservationArray>();
-    sinks.image = take;
-    sinks.compressed_image = take;
-    sinks.camera_info = take;
-    if (inputs_.hasImages()) take(staticTransforms(bag_, frameId(needs_.frames.map)));
-    bag_.read(handlersFor(inputs_, sinks));
+    const auto transforms = staticTransforms(bag_, map_frame_);
+    bag_.read(inputs_->readers([&](const BagInputs::Found& found) {
+      BagSinks sinks;
+      sinks.put = [this, &port = found.port](const slam::Datum& value, slam::Stamp) {
+        take(port, value);
+      };
+      sinks.static_transforms = transforms;
+      return sinks;
+    }));
     return std::move(log_);
   }
 
  private:
-  template <class Message>
-  std::function<void(const Message&)> collect() {
-    return [this](const Message& message) { log_.inputs.emplace_back(fromMsg(message)); };
+  void take(const std::string& port, const slam::Datum& value) {
+    const bool is_recorded = record<slam::OdometrySample>(value) || record<slam::Motion>(value) ||
+                             record<slam::LandmarkObservationArray>(value);
+    if (!is_recorded) front_end_.put(port, value.kind(), value.value());
+  }
+
+  template <class Data>
+  bool record(const slam::Datum& value) {
+    const auto* data = value.as<Data>();
+    if (data != nullptr) log_.inputs.emplace_back(*data);
+    return data != nullptr;
   }
 
   BagReader bag_;
   slam::Settings settings_;
-  InputNeeds needs_;
+  std::string map_frame_;
   slam::MetaCoordinator front_end_;
-  BagInputs inputs_;
+  std::optional<BagInputs> inputs_;
   RecordedLog log_;
 };
 

@@ -3,106 +3,73 @@
 
 #pragma once
 
-#include <nav_msgs/Odometry.h>
-#include <sensor_msgs/CameraInfo.h>
-#include <sensor_msgs/CompressedImage.h>
-#include <sensor_msgs/Image.h>
-#include <sensor_msgs/LaserScan.h>
-#include <slam_msgs/LandmarkObservationArray.h>
-#include <slam_msgs/Motion.h>
-
-#include <functional>
-#include <map>
-#include <set>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "slam_core/contract/ports.hpp"
-#include "slam_core/product/product_config.hpp"
-#include "slam_ros/bag_binding.hpp"
+#include "slam_ros/bag_input.hpp"
 #include "slam_ros/bag_reader.hpp"
-#include "slam_ros/topics_config.hpp"
+#include "slam_ros/data_flow.hpp"
 
 namespace slam_ros {
 
-/// Where the images of a camera stand in a bag.
-struct BagCamera {
-  std::string image, compressed_image;  ///< one of them at most
-  std::string camera_info;
+/// The inputs of a product that a bag has, by the ports of the product's components.
+///
+/// Data that a component would make and that the bag carries take the component's place, unless the
+/// bag has an input of the component that others take as well, or a remapping asks for its input.
+class BagInputs {
+ public:
+  /// @throw TopicError when an input that the product needs is missing (with what the bag has) or
+  /// cannot be told; slam::ConfigError
+  BagInputs(const BagReader& bag, const slam::ProductComponents& product, const BagContext& context,
+            const std::vector<Remap>& remaps);
 
-  bool hasImages() const { return !image.empty() || !compressed_image.empty(); }
-};
-
-/// Where a product's inputs stand in a bag. An empty topic: that input does not come from the bag.
-struct BagInputs : BagCamera {
-  std::string motion, odom, observations, scan;
-  std::string tf;  ///< the odometry is an edge of this topic
-  std::string odom_frame, base_frame;
-  /// Where data of further kinds stand, by input.
-  struct Other {
-    std::string topic;
+  struct Found {
+    std::string port;
     slam::Kind kind;
+    std::unique_ptr<BagInput> input;
   };
-  std::map<std::string, Other> others;
-  BagCamera ceiling;                  ///< that looks at the ceiling
-  std::vector<std::string> notes;     ///< a sentence each: other names, components left out
-  std::vector<std::string> warnings;  ///< a sentence each: what the run will suffer from
+  const std::vector<Found>& found() const { return found_; }
+  /// The topics of the bag that an input was found on, that of its data first; none: it was not.
+  std::vector<std::string> topicsOf(const std::string& port) const;
+
+  const DataFlow& flow() const { return flow_; }
+  /// The components that are not left out.
+  std::vector<DataFlow::Part> parts() const;
+  bool isLeftOut(const std::string& key) const;
+  /// Whether the bag has the data, or all of what a component makes them of.
+  bool isSupplied(const slam::InputPort& input) const;
+
+  /// Handlers for BagReader::read() that give the sinks of each input what its messages hold.
+  /// @param sinksOf(const Found&) of an input
+  template <class SinksOf>
+  BagHandlers readers(SinksOf sinksOf) const {
+    BagHandlers handlers;
+    for (const auto& found : found_) add(found.input->readers(sinksOf(found)), handlers);
+    return handlers;
+  }
+  /// Handlers that publish the messages of each input. @param gateOf(const Found&) of an input
+  template <class GateOf>
+  BagHandlers senders(const ros::NodeHandle& handle, GateOf gateOf) const {
+    BagHandlers handlers;
+    for (const auto& found : found_) add(found.input->senders(handle, gateOf(found)), handlers);
+    return handlers;
+  }
+
+  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  class Search;
+
+  /// One topic may be several inputs.
+  static void add(BagHandlers more, BagHandlers& handlers);
+  const Found* find(const std::string& port, slam::Kind kind) const;
+
+  DataFlow flow_;
+  std::vector<Found> found_;
+  std::vector<std::string> left_out_;  ///< keys of components
+  std::vector<std::string> notes_, warnings_;
 };
-
-/// Takes what a camera's topics hold.
-struct CameraSinks {
-  std::function<void(const sensor_msgs::Image&)> image;
-  std::function<void(const sensor_msgs::CompressedImage&)> compressed_image;
-  std::function<void(const sensor_msgs::CameraInfo&)> camera_info;
-};
-
-/// Takes what the bag's inputs hold, in bag order.
-struct InputSinks : CameraSinks {
-  std::function<void(const slam_msgs::Motion&)> motion;
-  std::function<void(const nav_msgs::Odometry&)> odom;
-  std::function<void(const slam_msgs::LandmarkObservationArray&)> observations;
-  std::function<void(const sensor_msgs::LaserScan&)> scan;
-  CameraSinks ceiling;
-  /// Makes what takes the messages of an input of a further kind.
-  std::function<BagHandler(const std::string& input, slam::Kind kind, const BagBinding& binding)>
-      other;
-};
-
-/// What of a product tells which inputs it needs.
-struct InputNeeds {
-  TopicsConfig topics;
-  slam::FramesConfig frames;
-  bool images = false;                  ///< it makes observations of images
-  bool wheels = true;                   ///< its odometry takes in that of the wheels
-  bool ceiling = false;                 ///< its odometry looks at the ceiling
-  bool scans = false;                   ///< it cannot do without a laser
-  bool motion = true;                   ///< its back-end steps on motion
-  std::vector<slam::InputPort> others;  ///< inputs of further kinds that a message brings
-  bool landmarks = true;                ///< it cannot do without landmarks, else they are welcome
-  /// Names of inputs by who takes them: the back-end, the odometry source, the detector, modules.
-  std::set<std::string> of_backend, of_odometry, of_detector, of_modules;
-
-  /// Nobody but the odometry source takes it.
-  bool isOfOdometryAlone(const std::string& input) const;
-};
-
-/// All inputs that products have, and those of further kinds.
-std::vector<Input> inputsOf(const TopicsConfig& topics,
-                            const std::vector<slam::InputPort>& others = {});
-
-/// What a product needs by the ports of its components, but for the names of topics and frames.
-/// @throw slam::ConfigError
-InputNeeds needsOf(const slam::ProductConfig& product);
-
-/// Motion in the bag comes before what the odometry source takes, unless others take that as well;
-/// odometry comes before the edge odom -> base of /tf. Observations come before images, where both
-/// are of the name asked for raw ones before compressed ones.
-/// @throw TopicError when an input the product needs is missing (with what the bag has) or cannot
-/// be told
-BagInputs findInputs(const BagReader& bag, const InputNeeds& needs,
-                     const std::vector<Remap>& remaps);
-
-/// The handlers that feed the sinks; for BagReader::read().
-BagHandlers handlersFor(const BagInputs& inputs, const InputSinks& sinks);
 
 }  // namespace slam_ros

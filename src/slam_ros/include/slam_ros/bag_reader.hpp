@@ -24,7 +24,7 @@ class BagReader {
   const std::string& path() const { return path_; }
   /// Sorted by name.
   const std::vector<BagTopic>& topics() const { return topics_; }
-  const BagTopic* find(const std::string& topic) const;
+  const BagTopic* find(const std::string& topic) const { return findTopic(topics_, topic); }
   std::size_t messages(const BagHandlers& handlers) const;
 
   slam::Stamp begin() const { return begin_; }

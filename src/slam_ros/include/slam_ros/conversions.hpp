@@ -15,11 +15,11 @@
 
 #include <string>
 
-#include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 
 namespace slam_ros {
 

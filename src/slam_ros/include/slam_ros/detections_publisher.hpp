@@ -18,8 +18,7 @@ class DetectionsPublisher {
   explicit DetectionsPublisher(ros::NodeHandle handle);
 
   /// @param array what `detector` has made of its last image
-  void publish(const slam::ViewDrawer& detector,
-               const slam::LandmarkObservationArray& array) const;
+  void publish(const slam::ViewDrawer& detector, const slam::LandmarkObservationArray& array) const;
 
  private:
   ros::Publisher publisher_;

@@ -9,6 +9,7 @@
 #include <ros/wall_timer.h>
 
 #include <atomic>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "slam_ros/backend_services.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
+#include "slam_ros/data_flow.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/part_inputs.hpp"
 #include "slam_ros/run_recorder.hpp"
@@ -74,7 +76,9 @@ class EstimatorNode {
                const InputOptions& options);
   BackendActions actions();
   void tellOfSilence();
+  void noteStamp(const std::string& port, slam::Kind kind, const void* value);
   std::string waiting() const;
+  std::vector<std::string> needlessInputs() const;
   std::string starving() const;
   Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
@@ -101,7 +105,9 @@ class EstimatorNode {
   std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
   std::vector<ros::Subscriber> subscribers_;
   std::optional<PartInputs> inputs_;
-  slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
+  std::optional<DataFlow> flow_;
+  /// The newest of what the back-end does not get as it comes, whether or not it could be used.
+  std::map<std::string, slam::Stamp> newest_;
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
   std::optional<slam::Stamp> last_motion_;

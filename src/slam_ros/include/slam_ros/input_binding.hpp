@@ -6,10 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "slam_core/common/settings.hpp"
 #include "slam_core/contract/ports.hpp"
@@ -66,36 +63,6 @@ class InputBinding {
 
  private:
   LatencyWindow::Clock::time_point arrival_;
-};
-
-/// The bindings there are, by the kind of their data. A binding registers itself, so that a package
-/// brings one for a kind of its own.
-class InputBindings {
- public:
-  using Factory = std::function<std::unique_ptr<InputBinding>(const InputContext& context,
-                                                              const slam::InputPort& port)>;
-
-  static InputBindings& instance();
-  void add(slam::Kind kind, Factory factory) { factories_.emplace(kind, std::move(factory)); }
-  bool has(slam::Kind kind) const { return factories_.count(kind) > 0; }
-  /// The names of the kinds that there are bindings for, sorted.
-  std::vector<std::string> kinds() const;
-  /// @throw slam::ConfigError where no binding brings the kind, or several do
-  std::unique_ptr<InputBinding> create(const InputContext& context,
-                                       const slam::InputPort& port) const;
-
- private:
-  std::multimap<slam::Kind, Factory> factories_;
-};
-
-/// A static object of this type beside a binding with the constructor (context, port) registers it.
-template <class Data, class Binding>
-struct InputBindingRegistrar {
-  InputBindingRegistrar() {
-    InputBindings::instance().add(slam::kindOf<Data>(), [](const auto& context, const auto& port) {
-      return std::make_unique<Binding>(context, port);
-    });
-  }
 };
 
 }  // namespace slam_ros

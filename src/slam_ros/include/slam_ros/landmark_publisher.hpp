@@ -16,8 +16,8 @@ namespace slam_ros {
 /// `landmarks` and `landmark_markers`, at a bounded rate.
 class LandmarkPublisher {
  public:
-  LandmarkPublisher(ros::NodeHandle handle, const slam::LandmarkMapper& mapper, std::string map_frame,
-                    double rate);
+  LandmarkPublisher(ros::NodeHandle handle, const slam::LandmarkMapper& mapper,
+                    std::string map_frame, double rate);
 
   /// A step was taken: publishes when it is time.
   void update(slam::Stamp stamp);

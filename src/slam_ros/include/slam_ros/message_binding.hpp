@@ -7,8 +7,7 @@
 #include <string>
 
 #include "slam_ros/after_load.hpp"
-#include "slam_ros/bag_binding.hpp"
-#include "slam_ros/input_binding.hpp"
+#include "slam_ros/input_bindings.hpp"
 #include "slam_ros/queue_sizes.hpp"
 
 namespace slam_ros {
@@ -43,12 +42,28 @@ class MessageBinding final : public InputBinding {
   std::optional<AfterLoad> start_;
 };
 
+/// The same data in a bag.
+template <class Message, class Data, Data (*convert)(const Message&)>
+class MessageInBag final : public TopicInBag {
+ public:
+  MessageInBag(const BagContext& context, const std::string& port)
+      : TopicInBag(inputOf<Message>(port, context.topics.of(port))) {}
+
+  BagHandlers readers(const BagSinks& sinks) override {
+    const auto take = [sinks](const Message& message) { sinks.give(convert(message)); };
+    return {{topic_, onMessage<Message>(take)}};
+  }
+  BagHandlers senders(ros::NodeHandle handle, const Gate& gate) override {
+    const auto publisher = advertise<Message>(handle, input_.topic, kInFlight);
+    const auto stamp = [](const Message& message) { return stampOf(convert(message)); };
+    return {{topic_, sender<Message>(publisher, gate, stamp)}};
+  }
+};
+
 /// A static object of this type registers a message as what brings a kind of data, live and from a
 /// bag.
 template <class Message, class Data, Data (*convert)(const Message&)>
-struct MessageBindingRegistrar
-    : InputBindingRegistrar<Data, MessageBinding<Message, Data, convert>> {
-  MessageBindingRegistrar() { BagBindings::instance().add<Message, Data, convert>(); }
-};
+struct MessageBindingRegistrar : InputBindingRegistrar<Data, MessageBinding<Message, Data, convert>,
+                                                       MessageInBag<Message, Data, convert>> {};
 
 }  // namespace slam_ros

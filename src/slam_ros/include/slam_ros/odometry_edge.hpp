@@ -9,7 +9,12 @@
 #include <functional>
 #include <string>
 
+#include "slam_ros/topic_matching.hpp"
+
 namespace slam_ros {
+
+/// Whether a topic of a bag is a /tf. The old tf/tfMessage has the same layout, hence the same sum.
+bool holdsTransforms(const BagTopic& topic);
 
 /// The transform odom -> base of a /tf as odometry, where a robot tells its odometry only so. One
 /// that is sent again with the same stamp tells nothing new.

@@ -11,8 +11,6 @@
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
-#include "slam_ros/camera_input.hpp"
-#include "slam_ros/laser_input.hpp"
 #include "slam_ros/run_metrics.hpp"
 #include "slam_ros/warning_log.hpp"
 
@@ -42,17 +40,14 @@ class OfflineRun {
   void configure();
   void loadMap();
   void read(slam::RunWriter& writer);
-  template <class Message, class Work>
-  void timed(const Message& message, const Work& work);
-  void take(const nav_msgs::Odometry& message);
+  BagHandlers handlers();
+  BagSinks sinksOf(const BagInputs::Found& input);
   void drain(slam::RunWriter& writer);
   void tellOfHeld();
   void tellOfDropped(std::size_t messages);
   void warn(const std::string& sentence, bool is_urgent = false);
   std::string mapFrame() const;
   void requireSteps(const slam::RunWriter& writer) const;
-  static void requireCamera(const BagCamera& topics, const CameraInput& camera);
-  static void requireTransform(const std::string& missing);
   void printSummary(const slam::RunWriter& writer) const;
 
   OfflineOptions options_;
@@ -60,12 +55,10 @@ class OfflineRun {
   slam::Progress progress_;
   BagReader bag_;
   slam::Settings settings_;
-  BagInputs inputs_;
   slam::MetaCoordinator coordinator_;
-  std::optional<CameraInput> camera_, ceiling_camera_;
-  std::optional<LaserInput> laser_;
-  std::string odometry_fault_;
-  std::uint64_t odometry_faults_ = 0;
+  std::optional<BagInputs> inputs_;
+  slam::Counters input_counters_;            ///< of the messages before they are data
+  RunMetrics::Clock::time_point arrival_{};  ///< of the message that is handled
   WarningLog warnings_;
 };
 

@@ -29,4 +29,8 @@ class StaticTransforms {
   std::map<std::string, Eigen::Isometry3d> faulty_;  ///< by child frame
 };
 
+/// "the bag's /tf_static does not tell the transform base_link -> laser"; empty where none is
+/// missing.
+std::string lackOfTransform(const std::string& missing);
+
 }  // namespace slam_ros

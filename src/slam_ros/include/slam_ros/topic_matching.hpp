@@ -43,6 +43,7 @@ class TopicError : public std::runtime_error {
 
 /// "from:=to" or "from=to". @throw TopicError when it is neither
 Remap parseRemap(const std::string& text);
+std::vector<Remap> parseRemaps(const std::vector<std::string>& texts);
 
 /// @throw TopicError for a remapping that joins no input with a topic of the bag
 void checkRemaps(const std::vector<Remap>& remaps, const std::vector<Input>& inputs,
@@ -54,6 +55,12 @@ void checkRemaps(const std::vector<Remap>& remaps, const std::vector<Input>& inp
 std::optional<TopicMatch> matchTopic(const Input& input, const std::vector<Input>& all_inputs,
                                      const std::vector<BagTopic>& topics,
                                      const std::vector<Remap>& remaps);
+
+/// Null where there is none of this name.
+const BagTopic* findTopic(const std::vector<BagTopic>& topics, const std::string& name);
+
+/// "'scan' (sensor_msgs/LaserScan)"
+std::string needOf(const Input& input);
 
 /// "/odom (nav_msgs/Odometry, 61785 messages), ..."
 std::string listTopics(const std::vector<BagTopic>& topics);

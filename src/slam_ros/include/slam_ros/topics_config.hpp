@@ -4,8 +4,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "slam_core/common/config_fields.hpp"
+#include "slam_core/contract/data.hpp"
 
 namespace slam_ros {
 
@@ -19,6 +22,10 @@ struct TopicsConfig {
   std::string camera = "camera/image_raw";
   std::string ceiling_camera = "ceiling_camera/image_raw";
   std::string scan = "scan";
+
+  /// The inputs that have names here, with the kinds of their data, in the order that sentences
+  /// list them in.
+  static std::vector<std::pair<std::string, slam::Kind>> inputs();
 
   /// The topic of an input; one that has no name here is on the topic of its own name.
   std::string of(const std::string& input) const {

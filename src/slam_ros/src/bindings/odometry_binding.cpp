@@ -1,54 +1,182 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_ros/after_load.hpp"
-#include "slam_ros/conversions.hpp"
-#include "slam_ros/input_binding.hpp"
-#include "slam_ros/odometry_subscriber.hpp"
+#include "slam_ros/input_bindings.hpp"
+#include "slam_ros/odometry_edge.hpp"
+
+// A wheel driver's odometry: its topic or the transform odom -> base of /tf, which is all that some
+// robots tell.
 
 namespace slam_ros {
 namespace {
 
-/// A wheel driver's odometry: its topic, or the transform that is all that some robots tell.
+constexpr std::uint32_t kOdometryQueue = 1000;
+constexpr char kTransforms[] = "/tf";
+
+/// Empty, or a clause on the pose that could not be used.
+std::string faultOf(const nav_msgs::Odometry& message) {
+  const auto fault = saysNoPose(message) ? "" : poseFault(message);
+  return fault.empty() ? "" : fault + "; its twist is used";
+}
+
+/// The transform is taken as long as nobody publishes the topic. Once that has a message, /tf is
+/// left alone. Of odometry whose transform we publish ourselves only the topic counts, or what
+/// others publish.
 class OdometryBinding final : public InputBinding {
  public:
   OdometryBinding(const InputContext& context, const slam::InputPort& port)
       : name_(port.name),
-        put_(context.put),
-        warn_(context.warn),
-        odom_(
-            context.handle,
-            OdometrySubscriber::Options{context.topics.of(port.name), context.frames.odom,
-                                        context.frames.base, context.options.odometry_from_tf,
-                                        context.options.publishes_odometry_edge},
-            [this](const nav_msgs::Odometry& message) { take(message); }, context.pass) {
-    start_.emplace([this] { odom_.subscribe(); });
+        context_(context),
+        topic_(context.topics.of(port.name)),
+        edge_(frameId(context.frames.odom), frameId(context.frames.base)),
+        source_(topic_) {
+    context_.handle.resolveName(topic_);  // throws now what subscribing would throw later
+    start_.emplace([this] { subscribe(); });
   }
   ~OdometryBinding() override {
     start_.reset();
     odom_.shutdown();
+    tf_.shutdown();
   }
-  const std::string& topic() const override { return odom_.source(); }
-  std::string waiting() const override { return odom_.waiting(); }
+
+  /// Where the last message came from, or the topic that is waited for.
+  const std::string& topic() const override { return source_; }
+  std::string waiting() const override {
+    if (got_message_) return "";
+    const auto or_edge = context_.options.odometry_from_tf ? " or as the transform " + edge() : "";
+    return "waiting for odometry on " + topic_ + or_edge;
+  }
 
  private:
+  void subscribe() {
+    odom_ =
+        subscribeThrough<nav_msgs::Odometry>(context_.pass, context_.handle, topic_, kOdometryQueue,
+                                             [this](const auto& message) { onOdom(message); });
+    if (context_.options.odometry_from_tf)
+      tf_ = context_.handle.subscribe(kTransforms, kOdometryQueue, &OdometryBinding::onTransforms,
+                                      this);
+  }
+
+  void onOdom(const nav_msgs::Odometry& message) {
+    tf_.shutdown();
+    got_message_ = true;
+    source_ = topic_;
+    take(message);
+  }
+
+  void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+    const bool is_own = event.getPublisherName() == ros::this_node::getName();
+    if (context_.options.publishes_odometry_edge && is_own) return;
+    context_.pass(kTransforms, [&] { take(*event.getMessage()); });
+  }
+
+  void take(const tf2_msgs::TFMessage& message) {
+    if (odom_.getNumPublishers() > 0 || !edge_.isIn(message)) return;
+    if (!got_message_)
+      ROS_INFO_STREAM("nobody publishes " << odom_.getTopic()
+                                          << ": odometry is taken from the transform " << edge());
+    got_message_ = true;
+    source_ = kTransforms;
+    edge_.take(message, [this](const auto& odometry) { take(odometry); });
+  }
+
   void take(const nav_msgs::Odometry& message) {
     noteArrival();
-    const auto fault = saysNoPose(message) ? "" : poseFault(message);
-    if (!fault.empty()) warn_(topic() + ": " + fault + "; its twist is used");
+    if (const auto fault = faultOf(message); !fault.empty()) context_.warn(topic() + ": " + fault);
     const auto sample = fromMsg(message);
-    put_(name_, slam::kindOf<slam::OdometrySample>(), &sample, topic());
+    context_.put(name_, slam::kindOf<slam::OdometrySample>(), &sample, topic());
+  }
+
+  std::string edge() const {
+    return frameId(context_.frames.odom) + " -> " + frameId(context_.frames.base);
   }
 
   std::string name_;
-  InputContext::Put put_;
-  std::function<void(const std::string&)> warn_;
-  OdometrySubscriber odom_;
+  InputContext context_;
+  std::string topic_;
+  OdometryEdge edge_;
+  std::string source_;
+  bool got_message_ = false;
+  ros::Subscriber odom_, tf_;
   std::optional<AfterLoad> start_;
 };
 
-const InputBindingRegistrar<slam::OdometrySample, OdometryBinding> kOdometryBinding;
+/// The topic comes before the transform.
+class OdometryInBag final : public TopicInBag {
+ public:
+  OdometryInBag(const BagContext& context, const std::string& port)
+      : TopicInBag(inputOf<nav_msgs::Odometry>(port, context.topics.of(port))),
+        odom_frame_(frameId(context.frames.odom)),
+        base_frame_(frameId(context.frames.base)) {}
+
+  bool find(BagSearch& bag) override {
+    is_edge_ = !TopicInBag::find(bag) && findEdge(bag);
+    if (is_edge_)
+      bag.notes.push_back(fmt::format("odometry is taken from the transform {} -> {} of {}",
+                                      odom_frame_, base_frame_, topic_));
+    return !topic_.empty();
+  }
+  std::string need() const override {
+    return fmt::format("{}, or the transform {} -> {} in /tf", TopicInBag::need(), odom_frame_,
+                       base_frame_);
+  }
+
+  BagHandlers readers(const BagSinks& sinks) override {
+    return handlers([sinks](const nav_msgs::Odometry& message) {
+      if (const auto fault = faultOf(message); !fault.empty()) {
+        sinks.count("odometry_without_pose");
+        sinks.warn("odometry: " + fault);
+      }
+      sinks.give(fromMsg(message));
+    });
+  }
+  BagHandlers senders(ros::NodeHandle handle, const Gate& gate) override {
+    const auto publisher = advertise<nav_msgs::Odometry>(handle, input_.topic, kInFlight);
+    return handlers([publisher, gate](const nav_msgs::Odometry& message) {
+      if (gate(HeaderStamp()(message)))
+        publisher.publish(boost::make_shared<const nav_msgs::Odometry>(message));
+    });
+  }
+
+ private:
+  /// Whether one of the bag's /tf holds the transform.
+  bool findEdge(const BagSearch& bag) {
+    const OdometryEdge edge(odom_frame_, base_frame_);
+    for (const auto& topic : bag.topics()) {
+      if (!sameTopic(topic.name, "tf") || !holdsTransforms(topic)) continue;
+      bool found = false;
+      const auto look = [&](const tf2_msgs::TFMessage& message) {
+        found = found || edge.isIn(message);
+      };
+      bag.read({{topic.name, onMessage<tf2_msgs::TFMessage>(look)}},
+               [&](std::size_t) { return !found; });
+      if (found) return topic_ = topic.name, true;
+    }
+    return false;
+  }
+
+  template <class Take>
+  BagHandlers handlers(Take take) const {
+    if (!is_edge_) return {{topic_, onMessage<nav_msgs::Odometry>(take)}};
+    return {
+        {topic_, onMessage<tf2_msgs::TFMessage>([edge = OdometryEdge(odom_frame_, base_frame_),
+                                                 take](const tf2_msgs::TFMessage& message) mutable {
+           edge.take(message, take);
+         })}};
+  }
+
+  std::string odom_frame_, base_frame_;
+  bool is_edge_ = false;  ///< topic_ holds transforms
+};
+
+const InputBindingRegistrar<slam::OdometrySample, OdometryBinding, OdometryInBag> kOdometryBinding;
 
 }  // namespace
 }  // namespace slam_ros

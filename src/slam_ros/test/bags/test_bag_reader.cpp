@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bag_maker.hpp"
-#include "slam_ros/bag_inputs.hpp"
+#include "found_inputs.hpp"
 #include "slam_ros/bag_reader.hpp"
 #include "slam_ros/bag_transforms.hpp"
 
@@ -20,7 +20,7 @@ struct BagFile : ::testing::Test {
     return messageOf([&] { BagReader(folder / name); });
   }
   BagInputs find(const std::string& name) const {
-    return findInputs(BagReader(folder / name), {}, {});
+    return test::findInputs(BagReader(folder / name));
   }
   test::Folder folder;
 };
@@ -59,12 +59,11 @@ TEST_F(BagFile, ListsTopicsWithTypesAndCounts) {
 TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {
   BagMaker(folder / "x.bag").addOdometry().addObservations();
   const BagReader bag(folder / "x.bag");
-  std::vector<ros::Time> stamps;
-  const auto take = [&](const auto& message) { stamps.push_back(message.header.stamp); };
-  InputSinks sinks;
-  sinks.odom = take;
-  sinks.observations = take;
-  bag.read(handlersFor(find("x.bag"), sinks));
+  std::vector<slam::Stamp> stamps;
+  BagSinks sinks;
+  sinks.put = [&](const slam::Datum&, slam::Stamp stamp) { stamps.push_back(stamp); };
+  const auto inputs = find("x.bag");
+  bag.read(inputs.readers([&](const auto&) { return sinks; }));
   EXPECT_EQ(stamps.size(), 98u);
   EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
 }
@@ -85,10 +84,11 @@ TEST_F(BagFile, WithMotionLeavesOdometryOutAndSaysSo) {
       .addObservations()
       .add("/motion", 0, test::motion(0, 1, 0));
   const auto inputs = find("x.bag");
-  EXPECT_EQ(inputs.motion, "/motion");
-  EXPECT_EQ(inputs.odom, "");
-  ASSERT_EQ(inputs.notes.size(), 1u);
-  EXPECT_TRUE(contains(inputs.notes[0], "the odometry component is left out"));
+  EXPECT_EQ(inputs.topicsOf("motion"), test::Topics{"/motion"});
+  EXPECT_EQ(inputs.topicsOf("odom"), test::Topics{});
+  EXPECT_TRUE(inputs.isLeftOut("odometry"));
+  ASSERT_EQ(inputs.notes().size(), 1u);
+  EXPECT_EQ(inputs.notes()[0], "the bag carries motion: the odometry component is left out");
 }
 
 TEST_F(BagFile, WithOdometryOnlyAsTransformGivesEachStampOnce) {
@@ -99,12 +99,11 @@ TEST_F(BagFile, WithOdometryOnlyAsTransformGivesEachStampOnce) {
       .add("/tf", 1, test::transform("odom", "base_link", 1))
       .add("/tf", 2, test::transform("odom", "base_link", 2));
   const auto inputs = find("x.bag");
-  EXPECT_EQ(inputs.tf, "/tf");
+  EXPECT_EQ(inputs.topicsOf("odom"), test::Topics{"/tf"});
   std::vector<double> positions;
-  InputSinks sinks;
-  sinks.odom = [&](const auto& message) { positions.push_back(message.pose.pose.position.x); };
-  sinks.observations = [](const auto&) {};
-  BagReader(folder / "x.bag").read(handlersFor(inputs, sinks));
+  const auto sinks = test::sinksFor<slam::OdometrySample>(
+      [&](const auto& sample) { positions.push_back(sample.pose->x()); });
+  BagReader(folder / "x.bag").read(inputs.readers([&](const auto&) { return sinks; }));
   EXPECT_EQ(positions, (std::vector<double>{1, 2}));
 }
 

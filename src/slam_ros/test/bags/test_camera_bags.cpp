@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "camera_bag.hpp"
+#include "found_inputs.hpp"
 #include "slam_core/product/landmark_file.hpp"
-#include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/offline_run.hpp"
 
 namespace slam_ros {
@@ -17,6 +17,7 @@ using test::addCamera;
 using test::BagMaker;
 using test::contains;
 using test::messageOf;
+using test::Topics;
 
 constexpr const char* kRaw = "/camera/image_raw";
 constexpr const char* kCompressed = "/camera/image_raw/compressed";
@@ -24,9 +25,16 @@ constexpr const char* kInfo = "/camera/camera_info";
 
 struct CameraBag : ::testing::Test {
   BagInputs find(const std::vector<Remap>& remaps = {}) const {
-    InputNeeds needs;
-    needs.images = true;
-    return findInputs(BagReader(folder / "x.bag"), needs, remaps);
+    slam::ProductConfig product;
+    product.detector = "aruco";
+    return findOf(product, remaps);
+  }
+  BagInputs findOf(const slam::ProductConfig& product,
+                   const std::vector<Remap>& remaps = {}) const {
+    return test::findInputs(BagReader(folder / "x.bag"), product, remaps);
+  }
+  Topics camera(const std::vector<Remap>& remaps = {}) const {
+    return find(remaps).topicsOf("camera");
   }
   test::Folder folder;
 };
@@ -38,18 +46,15 @@ TEST_F(CameraBag, ImagesAreFoundByNameRawBeforeCompressed) {
     addCamera(bag, kCompressed, kInfo);
     addCamera(bag, "/rear/image_raw", "/rear/camera_info");
   }
-  EXPECT_EQ(find().compressed_image, kCompressed);
-  EXPECT_EQ(find().image, "");
-  EXPECT_EQ(find().camera_info, kInfo);
-  EXPECT_TRUE(find().notes.empty());
+  EXPECT_EQ(camera(), (Topics{kCompressed, kInfo}));
+  EXPECT_TRUE(find().notes().empty());
   {
     BagMaker bag(folder / "x.bag");
     bag.addOdometry();
     addCamera(bag, kCompressed, kInfo);
     addCamera(bag, kRaw, "");
   }
-  EXPECT_EQ(find().image, kRaw);
-  EXPECT_EQ(find().compressed_image, "");
+  EXPECT_EQ(camera(), (Topics{kRaw, kInfo}));
 }
 
 TEST_F(CameraBag, TheOnlyImagesThereAreAreFoundByTypeWithTheCalibrationBesideThem) {
@@ -60,11 +65,9 @@ TEST_F(CameraBag, TheOnlyImagesThereAreAreFoundByTypeWithTheCalibrationBesideThe
     bag.add("/other/camera_info", 1, test::cameraInfo(1));
     bag.add("/detections/image", 1, test::rawImage(1));
   }
-  EXPECT_EQ(find().compressed_image, "/eye/image/compressed");
-  EXPECT_EQ(find().image, "");
-  EXPECT_EQ(find().camera_info, "/eye/camera_info");
-  ASSERT_EQ(find().notes.size(), 1u);
-  EXPECT_TRUE(contains(find().notes[0], "the only one of type sensor_msgs/CompressedImage"));
+  EXPECT_EQ(camera(), (Topics{"/eye/image/compressed", "/eye/camera_info"}));
+  ASSERT_EQ(find().notes().size(), 1u);
+  EXPECT_TRUE(contains(find().notes()[0], "the only one of type sensor_msgs/CompressedImage"));
 }
 
 TEST_F(CameraBag, ACameraThatLooksUpIsFoundWhereTheOdometryNeedsItAndIsNoOtherCamera) {
@@ -75,16 +78,16 @@ TEST_F(CameraBag, ACameraThatLooksUpIsFoundWhereTheOdometryNeedsItAndIsNoOtherCa
     addCamera(bag, kCompressed, kInfo);
     bag.add("/visual_odometry/image", 1, test::rawImage(1));
   }
-  EXPECT_FALSE(find().ceiling.hasImages()) << "wheels need no ceiling";
-  EXPECT_EQ(find().compressed_image, kCompressed);
-  InputNeeds needs;
-  needs.images = needs.ceiling = true;
-  needs.wheels = false;
-  const auto inputs = findInputs(BagReader(folder / "x.bag"), needs, {});
-  EXPECT_EQ(inputs.ceiling.image, "/ceiling_camera/image_raw");
-  EXPECT_EQ(inputs.ceiling.camera_info, "/ceiling_camera/camera_info");
-  EXPECT_EQ(inputs.compressed_image, kCompressed);
-  EXPECT_EQ(inputs.odom, "") << "nobody takes it in";
+  EXPECT_EQ(find().topicsOf("ceiling_camera"), Topics{}) << "wheels need no ceiling";
+  EXPECT_EQ(camera(), (Topics{kCompressed, kInfo}));
+  slam::ProductConfig product;
+  product.detector = "aruco";
+  product.odometry = "visual";
+  const auto inputs = findOf(product);
+  EXPECT_EQ(inputs.topicsOf("ceiling_camera"),
+            (Topics{"/ceiling_camera/image_raw", "/ceiling_camera/camera_info"}));
+  EXPECT_EQ(inputs.topicsOf("camera"), (Topics{kCompressed, kInfo}));
+  EXPECT_EQ(inputs.topicsOf("odom"), Topics{}) << "nobody takes it in";
 }
 
 TEST_F(CameraBag, ABagWithoutTheCeilingLacksIt) {
@@ -93,9 +96,9 @@ TEST_F(CameraBag, ABagWithoutTheCeilingLacksIt) {
     bag.addOdometry();
     bag.addObservations();
   }
-  InputNeeds needs;
-  needs.ceiling = true;
-  EXPECT_TRUE(contains(messageOf([&] { findInputs(BagReader(folder / "x.bag"), needs, {}); }),
+  slam::ProductConfig product;
+  product.odometry = "visual_wheel";
+  EXPECT_TRUE(contains(messageOf([&] { findOf(product); }),
                        "images of the ceiling: 'ceiling_camera/image_raw'"));
 }
 
@@ -109,12 +112,11 @@ TEST_F(CameraBag, ARemappingMeansRawOrCompressedImages) {
     addCamera(bag, "/front/image", "/front/camera_info");
   }
   EXPECT_TRUE(contains(messageOf([&] { find(); }), "choose with --remap camera:="));
-  EXPECT_EQ(find({{"camera", "/left/image/compressed"}}).compressed_image,
-            "/left/image/compressed");
-  EXPECT_EQ(find({{"camera", "/right/image"}}).compressed_image, "/right/image/compressed");
-  const auto rear = find({{"camera", "/rear/image"}, {"camera_info", "/left/camera_info"}});
-  EXPECT_EQ(rear.image, "/rear/image");
-  EXPECT_EQ(rear.camera_info, "/left/camera_info");
+  EXPECT_EQ(camera({{"camera", "/left/image/compressed"}}),
+            (Topics{"/left/image/compressed", "/left/camera_info"}));
+  EXPECT_EQ(camera({{"camera", "/right/image"}}).front(), "/right/image/compressed");
+  EXPECT_EQ(camera({{"camera", "/rear/image"}, {"camera_info", "/left/camera_info"}}),
+            (Topics{"/rear/image", "/left/camera_info"}));
 }
 
 TEST_F(CameraBag, ObservationsInTheBagLeaveTheDetectorOut) {
@@ -123,13 +125,13 @@ TEST_F(CameraBag, ObservationsInTheBagLeaveTheDetectorOut) {
     bag.addOdometry().addObservations();
     addCamera(bag, kRaw, kInfo);
   }
-  EXPECT_FALSE(find().hasImages());
-  ASSERT_EQ(find().notes.size(), 1u);
-  EXPECT_EQ(find().notes[0],
+  EXPECT_EQ(camera(), Topics{});
+  ASSERT_EQ(find().notes().size(), 1u);
+  EXPECT_EQ(find().notes()[0],
             "the bag carries observations: the detector is left out; --remap camera:=TOPIC has it "
             "look at that camera's images instead");
-  EXPECT_TRUE(find({{"camera", kRaw}}).hasImages()) << "a camera that is named is asked for";
-  EXPECT_EQ(find({{"camera", kRaw}}).observations, "");
+  EXPECT_EQ(camera({{"camera", kRaw}}), (Topics{kRaw, kInfo})) << "what is named is asked for";
+  EXPECT_EQ(find({{"camera", kRaw}}).topicsOf("observations"), Topics{});
 }
 
 TEST_F(CameraBag, WithoutObservationsAndImagesSaysWhatIsMissingAndWhatThereIs) {
@@ -148,9 +150,9 @@ TEST_F(CameraBag, ImagesWithoutCalibrationAreAWarning) {
     addCamera(bag, kRaw, "");
     bag.add("/other/camera_info", 1, test::cameraInfo(1));
   }
-  EXPECT_EQ(find().camera_info, "");
-  ASSERT_EQ(find().warnings.size(), 1u);
-  EXPECT_TRUE(contains(find().warnings[0], "the bag has no /camera/camera_info"));
+  EXPECT_EQ(camera(), Topics{kRaw});
+  ASSERT_EQ(find().warnings().size(), 1u);
+  EXPECT_TRUE(contains(find().warnings()[0], "the bag has no /camera/camera_info"));
 }
 
 struct OfflineCamera : CameraBag {

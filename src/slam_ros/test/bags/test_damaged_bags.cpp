@@ -7,7 +7,6 @@
 
 #include "bag_maker.hpp"
 #include "slam_core/common/random.hpp"
-#include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/offline_run.hpp"
 
@@ -35,15 +34,11 @@ class DamagedBag : public ::testing::Test {
     folder.write("damaged.bag", damaged);
     return messageOf([&] {
       const BagReader bag(folder / "damaged.bag");
-      InputSinks sinks;
-      sinks.odom = [](const auto&) {};
-      sinks.observations = [](const auto&) {};
-      BagInputs inputs;
-      inputs.odom = "/odom";
-      inputs.observations = "/observations";
-      bag.read(handlersFor(inputs, sinks));
+      const auto ignore = [](const auto&) {};
+      bag.read({{"/odom", onMessage<nav_msgs::Odometry>(ignore)},
+                {"/observations", onMessage<slam_msgs::LandmarkObservationArray>(ignore)}});
       bag.robot();
-      findOdometryEdge(bag, "odom", "base_link");
+      bag.read({{"/tf", onMessage<tf2_msgs::TFMessage>(ignore)}});
     });
   }
   void expectOneSentence(const std::string& fault, const std::string& damage) const {

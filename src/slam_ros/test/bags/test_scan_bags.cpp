@@ -4,14 +4,18 @@
 #include <gtest/gtest.h>
 
 #include "bag_maker.hpp"
-#include "slam_ros/bag_inputs.hpp"
+#include "found_inputs.hpp"
+#include "slam_core/camera/image.hpp"
+#include "slam_core/models/laser_scan.hpp"
 
 namespace slam_ros {
 namespace {
 
 using test::BagMaker;
 using test::contains;
+using test::findInputs;
 using test::messageOf;
+using test::Topics;
 
 sensor_msgs::LaserScan scanAt(double t) {
   sensor_msgs::LaserScan scan;
@@ -19,6 +23,24 @@ sensor_msgs::LaserScan scanAt(double t) {
   scan.ranges = {1, 2, 3};
   return scan;
 }
+
+/// Makes motion of scans.
+class ScanSource final : public slam::OdometrySource {
+ public:
+  void describe(slam::Ports& ports) override {
+    ports.takes<slam::LaserScan>("scan", "laser scans", [](const slam::LaserScan&) {});
+    ports.makes<slam::Motion>("motion", motion_);
+  }
+  void configure(slam::Settings&) override {}
+  slam::Status execute() override { return slam::Status::ok(); }
+  const std::optional<slam::Motion>& motion() const override { return motion_; }
+  slam::Counters counters() const override { return {}; }
+  void reset() override {}
+
+ private:
+  std::optional<slam::Motion> motion_;
+};
+const slam::Registrar<slam::OdometrySource, ScanSource> kScanSource("test_scans");
 
 struct ScanBags : ::testing::Test {
   /// A bag with odometry and what `fill` adds.
@@ -29,50 +51,50 @@ struct ScanBags : ::testing::Test {
     fill(maker);
     return folder / "x.bag";
   }
-  static InputNeeds gridNeeds() {
-    InputNeeds needs;
-    needs.scans = true;
-    needs.landmarks = false;
-    return needs;
+  static slam::ProductConfig gridProduct() {
+    slam::ProductConfig product;
+    product.backend = "pf";
+    product.map = "grid";
+    return product;
   }
   test::Folder folder;
 };
 
 TEST_F(ScanBags, AGridNeedsScansAndCanDoWithoutLandmarks) {
   const BagReader reader(bag([](auto& maker) { maker.add("/base_scan", 1, scanAt(1)); }));
-  const auto inputs = findInputs(reader, gridNeeds(), {});
-  EXPECT_EQ(inputs.scan, "/base_scan");
-  EXPECT_EQ(inputs.observations, "");
-  ASSERT_EQ(inputs.notes.size(), 1u);
-  EXPECT_TRUE(contains(inputs.notes[0], "/base_scan is the input scan")) << inputs.notes[0];
+  const auto inputs = findInputs(reader, gridProduct());
+  EXPECT_EQ(inputs.topicsOf("scan"), Topics{"/base_scan"});
+  EXPECT_EQ(inputs.topicsOf("observations"), Topics{});
+  ASSERT_EQ(inputs.notes().size(), 1u);
+  EXPECT_TRUE(contains(inputs.notes()[0], "/base_scan is the input scan")) << inputs.notes()[0];
   std::size_t ranges = 0;
-  InputSinks sinks;
-  sinks.odom = [](const auto&) {};
-  sinks.scan = [&](const auto& scan) { ranges += scan.ranges.size(); };
-  reader.read(handlersFor(inputs, sinks));
+  const auto sinks =
+      test::sinksFor<slam::LaserSweep>([&](const auto& sweep) { ranges += sweep.ranges.size(); });
+  reader.read(inputs.readers([&](const auto&) { return sinks; }));
   EXPECT_EQ(ranges, 3u);
 }
 
 TEST_F(ScanBags, AGridTakesLandmarksWhereThereAreSome) {
   const BagReader reader(
       bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
-  const auto inputs = findInputs(reader, gridNeeds(), {});
-  EXPECT_EQ(inputs.scan, "/scan");
-  EXPECT_EQ(inputs.observations, "/observations");
+  const auto inputs = findInputs(reader, gridProduct());
+  EXPECT_EQ(inputs.topicsOf("scan"), Topics{"/scan"});
+  EXPECT_EQ(inputs.topicsOf("observations"), Topics{"/observations"});
 }
 
 TEST_F(ScanBags, SaysThatTheScansAreMissing) {
   const BagReader reader(bag([](auto& maker) { maker.addObservations(); }));
-  const auto message = messageOf([&] { findInputs(reader, gridNeeds(), {}); });
+  const auto message = messageOf([&] { findInputs(reader, gridProduct()); });
   EXPECT_TRUE(contains(message, "lacks laser scans: 'scan' (sensor_msgs/LaserScan)")) << message;
 }
 
 TEST_F(ScanBags, OneOfSeveralLasersMustBeChosen) {
   const BagReader reader(
       bag([](auto& maker) { maker.add("/front", 1, scanAt(1)).add("/back", 1, scanAt(1)); }));
-  const auto message = messageOf([&] { findInputs(reader, gridNeeds(), {}); });
+  const auto message = messageOf([&] { findInputs(reader, gridProduct()); });
   EXPECT_TRUE(contains(message, "--remap scan:=/back")) << message;
-  EXPECT_EQ(findInputs(reader, gridNeeds(), {{"scan", "/front"}}).scan, "/front");
+  EXPECT_EQ(findInputs(reader, gridProduct(), {{"scan", "/front"}}).topicsOf("scan"),
+            Topics{"/front"});
 }
 
 TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
@@ -98,14 +120,11 @@ TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
   EXPECT_TRUE(contains(folder.read("stdout"), "laser_no_mount 4")) << folder.read("stdout");
 }
 
-/// Of a product whose odometry source makes motion of scans.
-InputNeeds scanOdometryNeeds() {
-  InputNeeds needs;
-  needs.wheels = false;
-  needs.scans = true;
-  needs.of_odometry = {"scan"};
-  needs.of_backend = {"motion", "observations"};
-  return needs;
+/// Of which the odometry source makes motion of scans.
+slam::ProductConfig scanOdometryProduct() {
+  slam::ProductConfig product;
+  product.odometry = "test_scans";
+  return product;
 }
 
 slam_msgs::Motion motionAt(double t) {
@@ -123,53 +142,62 @@ TEST_F(ScanBags, MotionInTheBagTakesTheScansPlaceOfAnOdometrySource) {
     with_motion(maker);
     maker.add("/scan", 1, scanAt(1));
   });
-  const auto inputs = findInputs(BagReader(both), scanOdometryNeeds(), {});
-  EXPECT_EQ(inputs.motion, "/motion");
-  EXPECT_EQ(inputs.scan, "") << "motion would be made twice";
+  const auto inputs = findInputs(BagReader(both), scanOdometryProduct());
+  EXPECT_EQ(inputs.topicsOf("motion"), Topics{"/motion"});
+  EXPECT_EQ(inputs.topicsOf("scan"), Topics{}) << "motion would be made twice";
   const auto without_scans = bag(with_motion);
-  EXPECT_EQ(findInputs(BagReader(without_scans), scanOdometryNeeds(), {}).motion, "/motion");
+  EXPECT_EQ(findInputs(BagReader(without_scans), scanOdometryProduct()).topicsOf("motion"),
+            Topics{"/motion"});
 }
 
 TEST_F(ScanBags, AnOdometrySourceMakesMotionOfScansThatOthersTakeAsWell) {
   const auto path = bag([](auto& maker) {
     maker.add("/motion", 1, motionAt(1)).add("/scan", 1, scanAt(1)).addObservations();
   });
-  auto needs = scanOdometryNeeds();
-  needs.of_modules = {"scan", "motion", "pose"};
-  const auto inputs = findInputs(BagReader(path), needs, {});
-  EXPECT_EQ(inputs.scan, "/scan");
-  EXPECT_EQ(inputs.motion, "") << "motion would come twice";
-  ASSERT_EQ(inputs.notes.size(), 1u);
-  EXPECT_TRUE(contains(inputs.notes[0], "the motion that the bag carries is left out"));
+  auto product = scanOdometryProduct();
+  product.modules["pointmap"] = true;
+  const auto inputs = findInputs(BagReader(path), product);
+  EXPECT_EQ(inputs.topicsOf("scan"), Topics{"/scan"});
+  EXPECT_EQ(inputs.topicsOf("motion"), Topics{}) << "motion would come twice";
+  ASSERT_EQ(inputs.notes().size(), 1u);
+  EXPECT_EQ(inputs.notes()[0],
+            "the motion that the bag carries is left out: the odometry source makes it of the "
+            "input 'scan', which others take as well");
 }
 
 TEST_F(ScanBags, AnOdometrySourceThatTakesScansNeedsThem) {
   const auto path = bag([](auto& maker) { maker.addObservations(); });
-  const auto message = messageOf([&] { findInputs(BagReader(path), scanOdometryNeeds(), {}); });
+  const auto message = messageOf([&] { findInputs(BagReader(path), scanOdometryProduct()); });
   EXPECT_TRUE(contains(message, "lacks laser scans: 'scan'")) << message;
 }
 
-TEST_F(ScanBags, NeedsTellWhoTakesAnInput) {
-  slam::ProductConfig product;
-  product.backend = "pf";
-  product.map = "grid";
+TEST_F(ScanBags, TheFlowTellsWhoTakesAnInput) {
+  auto product = gridProduct();
   product.detector = "apriltag";
   product.modules["pointmap"] = true;
-  const auto needs = needsOf(product);
-  EXPECT_EQ(needs.of_odometry, std::set<std::string>{"odom"});
-  EXPECT_EQ(needs.of_detector, std::set<std::string>{"camera"});
-  EXPECT_EQ(needs.of_backend.count("scan"), 1u);
-  EXPECT_EQ(needs.of_modules.count("scan"), 1u);
-  EXPECT_TRUE(needs.isOfOdometryAlone("odom"));
-  EXPECT_FALSE(needs.isOfOdometryAlone("scan"));
-  product.map = "landmarks";
-  EXPECT_EQ(needsOf(product).of_backend.count("scan"), 0u);
+  const DataFlow flow(slam::createComponents(product));
+  ASSERT_EQ(flow.parts().size(), 4u);
+  const auto& odometry = flow.parts()[0];
+  const auto namesOf = [](const auto& inputs) {
+    std::vector<std::string> names;
+    for (const auto& input : inputs) names.push_back(input.name);
+    return names;
+  };
+  EXPECT_EQ(namesOf(odometry.inputs), std::vector<std::string>{"odom"});
+  EXPECT_EQ(namesOf(flow.parts()[1].inputs), std::vector<std::string>{"camera"});
+  for (const auto part : {2, 3})
+    EXPECT_NE(flow.parts()[part].input("scan", slam::kindOf<slam::LaserSweep>()), nullptr) << part;
+  EXPECT_EQ(namesOf(flow.inputsOfAlone(odometry)), std::vector<std::string>{"odom"});
+  EXPECT_TRUE(flow.inputsOfAlone(flow.parts()[2]).empty()) << "the point map takes scans as well";
+  EXPECT_FALSE(flow.leadsToSteps("odom", slam::kindOf<slam::OdometrySample>()));
+  EXPECT_TRUE(flow.leadsToSteps("camera", slam::kindOf<slam::Image>()));
+  EXPECT_TRUE(flow.leadsToSteps("scan", slam::kindOf<slam::LaserSweep>()));
 }
 
 TEST_F(ScanBags, AProductOfLandmarksDoesNotTouchTheScans) {
   const BagReader reader(
       bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
-  EXPECT_EQ(findInputs(reader, InputNeeds(), {}).scan, "");
+  EXPECT_EQ(findInputs(reader).topicsOf("scan"), Topics{});
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <slam_msgs/Progress.h>
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/flow_window.hpp"
+
+namespace slam_ros {
+
+/// Holds back the messages of a bag until those before them have been acknowledged, so that nothing
+/// is dropped however fast it goes. The back-end acknowledges what it takes itself; of what others
+/// take, what they make of it. One thread sends, another brings acknowledgements.
+class BagFlow {
+ public:
+  struct Options {
+    bool has_point_map = false;       ///< in a nodelet of its own, which acknowledges as well
+    slam::Duration source_timeout{};  ///< of the product
+    std::function<void(const std::string& sentence)> warn;
+  };
+
+  /// @param inputs outlive this
+  BagFlow(const BagInputs& inputs, Options options);
+
+  /// What a message of the input must pass; it waits there, and refuses once stop() was called.
+  BagInput::Gate gateOf(const BagInputs::Found& found);
+
+  void acknowledge(const slam_msgs::Progress& message);
+  void acknowledgeOfPointMap(const slam_msgs::Progress& message);
+
+  /// Waits until all has been acknowledged. @return how many messages were not
+  std::size_t finish();
+  /// Ends all waiting, now and later.
+  void stop();
+
+ private:
+  std::vector<std::string> answersTo(const BagInputs::Found& found) const;
+  bool isWaitedFor(const BagInputs::Found& found, const DataFlow::Part& maker) const;
+  void limit(const BagInputs::Found& found);
+  void expectOfPointMap(const slam_msgs::Progress& message);
+  bool waitForRoom(const std::string& answer, slam::Stamp stamp);
+
+  const BagInputs& inputs_;
+  Options options_;
+  FlowWindow window_{kInFlight};
+  std::map<std::string, std::size_t> limits_;  ///< of answers, where they are not the usual one
+  /// Of answers to what may wait for its sensor and has not been waited for in vain.
+  std::map<std::string, std::size_t> held_;
+  std::optional<slam::Duration> max_ahead_;  ///< of stamps, where several triggers wait together
+  std::atomic<bool> stopped_{false};
+  slam_msgs::Progress told_, point_map_told_;  ///< by the back-end and the point map, last
+};
+
+}  // namespace slam_ros

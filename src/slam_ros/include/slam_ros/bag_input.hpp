@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "slam_core/contract/data.hpp"
+#include "slam_core/product/product_config.hpp"
+#include "slam_ros/bag_search.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/queue_sizes.hpp"
+#include "slam_ros/topics_config.hpp"
+
+namespace slam_ros {
+
+/// What a robot calls its topics and frames.
+struct BagContext {
+  TopicsConfig topics;
+  slam::FramesConfig frames;
+};
+
+/// When data hold; what is latched has no stamp.
+template <class Data>
+slam::Stamp stampOf([[maybe_unused]] const Data& data) {
+  if constexpr (slam::detail::HasStamp<Data>::value) return data.stamp;
+  return {};
+}
+inline slam::Stamp stampOf(const slam::Motion& motion) { return motion.end; }
+
+/// Who gets what the messages of an input hold.
+struct BagSinks {
+  template <class Data>
+  void give(const Data& data) const {
+    put(slam::Datum::of(data), stampOf(data));
+  }
+
+  /// A value, and its stamp where data of its kind have one.
+  std::function<void(const slam::Datum& value, slam::Stamp stamp)> put;
+  std::function<void(const std::string& sentence)> warn = [](const auto&) {};
+  std::function<void(const std::string& reason)> count = [](const auto&) {};
+  tf2_msgs::TFMessage static_transforms;  ///< of the bag
+};
+
+/// How an input is played to other nodes.
+struct BagPlay {
+  std::size_t in_flight = kInFlight;  ///< messages that are sent before one is acknowledged
+  /// Messages that a component may hold until it knows its sensor; 0: it waits for nothing.
+  std::size_t held = 0;
+  bool needs_transforms = false;  ///< its sensor's mount is a transform
+};
+
+/// One input of a product as it stands in a bag: one object for each port. BagInputs finds it; then
+/// its owner asks once for readers() or for senders(). It needs no library of bags, so that a
+/// package can bring one for a kind of its own.
+class BagInput {
+ public:
+  /// Whether data of this stamp may be sent now; it may wait.
+  using Gate = std::function<bool(slam::Stamp stamp)>;
+
+  virtual ~BagInput() = default;
+
+  /// What remappings and sentences call it, with the robot's topics and their types.
+  virtual std::vector<Input> names() const = 0;
+  /// The remapping as it is meant, where it names one of several topics of this input.
+  virtual Remap meaningOf(Remap remap, const std::vector<BagTopic>& /*topics*/) const {
+    return remap;
+  }
+  /// Whether a remapping asks for it although the bag carries what is made of it.
+  virtual bool isAskedFor(const BagSearch& /*bag*/) const { return false; }
+  /// How to ask for it so: one clause; empty where one cannot.
+  virtual std::string howToAsk() const { return ""; }
+
+  /// @return whether the bag has it @throw TopicError where that cannot be told
+  virtual bool find(BagSearch& bag) = 0;
+  /// What a bag must have for it: "'scan' (sensor_msgs/LaserScan)".
+  virtual std::string need() const = 0;
+  /// The topics of the bag that it was found on, that of its data first.
+  virtual std::vector<std::string> topics() const = 0;
+
+  /// Handlers that give the sinks what the messages hold. They refer to this object.
+  virtual BagHandlers readers(const BagSinks& sinks) = 0;
+  /// Why nothing could be made of what was read: one clause; empty where it could.
+  virtual std::string lacking() const { return ""; }
+
+  virtual BagPlay play() const { return {}; }
+  /// Handlers that publish on the robot's topics what the gate lets through. They refer to this.
+  virtual BagHandlers senders(ros::NodeHandle handle, const Gate& gate) = 0;
+  /// What senders() publishes on.
+  const std::vector<ros::Publisher>& publishers() const { return publishers_; }
+
+ protected:
+  template <class Message>
+  ros::Publisher advertise(ros::NodeHandle& handle, const std::string& topic, std::size_t queue) {
+    publishers_.push_back(handle.advertise<Message>(topic, static_cast<std::uint32_t>(queue)));
+    return publishers_.back();
+  }
+
+ private:
+  std::vector<ros::Publisher> publishers_;
+};
+
+/// The input on topics of messages of one type.
+template <class Message>
+Input inputOf(const std::string& name, const std::string& topic) {
+  return {name, topic, ros::message_traits::DataType<Message>::value(),
+          ros::message_traits::MD5Sum<Message>::value()};
+}
+
+/// A handler that publishes each message that the gate lets through.
+/// @param stampOf of a message
+template <class Message, class StampOf>
+BagHandler sender(const ros::Publisher& publisher, BagInput::Gate gate, StampOf stampOf) {
+  return onMessage<Message>([publisher, gate = std::move(gate), stampOf](const Message& message) {
+    // By pointer, which is there at once for whoever is in the same manager; by reference it would
+    // go through a queue of its own and images overtake their calibration.
+    if (gate(stampOf(message))) publisher.publish(boost::make_shared<const Message>(message));
+  });
+}
+
+struct HeaderStamp {
+  template <class Message>
+  slam::Stamp operator()(const Message& message) const {
+    return fromRos(message.header.stamp);
+  }
+};
+
+/// An input that stands on one topic.
+class TopicInBag : public BagInput {
+ public:
+  explicit TopicInBag(Input input) : input_(std::move(input)) {}
+
+  std::vector<Input> names() const override { return {input_}; }
+  bool find(BagSearch& bag) override { return !(topic_ = bag.topic(input_)).empty(); }
+  std::string need() const override { return needOf(input_); }
+  std::vector<std::string> topics() const override { return {topic_}; }
+
+ protected:
+  Input input_;
+  std::string topic_;  ///< of the bag
+};
+
+}  // namespace slam_ros
