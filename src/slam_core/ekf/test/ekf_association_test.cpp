@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <algorithm>
 #include <set>
 
-#include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/test/toy_policies.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/ekf/candidates.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
@@ -18,45 +16,13 @@ namespace {
 
 using association::AssociationPolicy;
 using association::Candidate;
-using association::CandidateSource;
-using association::Decision;
+using association::test::removeIds;
+using association::test::ToyNearest;
+using association::test::ToyNonsense;
 using test::SimulatedStep;
 using test::SimulatedWorld;
 
-double distance(const Candidate& candidate) {
-  return candidate.nu.dot(candidate.S.llt().solve(candidate.nu));
-}
-
-/// A toy: each observation is of the nearest landmark, where that is near; where none is, it is of
-/// a new one. Ids are not looked at.
-class ToyNearest final : public AssociationPolicy {
- public:
-  bool usesPlaces() const override { return true; }
-  void decide(const LandmarkObservationArray& array, const CandidateSource& source,
-              bool map_is_fixed, std::vector<Decision>& decisions) override {
-    decisions.assign(array.observations.size(), Decision());
-    for (std::size_t i = 0; i < decisions.size(); ++i) {
-      candidates_.clear();
-      source.candidates(i, candidates_);
-      const auto nearest =
-          std::min_element(candidates_.begin(), candidates_.end(),
-                           [](const auto& a, const auto& b) { return distance(a) < distance(b); });
-      if (nearest != candidates_.end() && distance(*nearest) < 100.0)
-        decisions[i] = {Decision::Kind::kLandmark, nearest->landmark};
-      else
-        decisions[i].kind = map_is_fixed ? Decision::Kind::kNotInMap : Decision::Kind::kNew;
-    }
-  }
-
- private:
-  std::vector<Candidate> candidates_;
-};
-
 const Registrar<AssociationPolicy, ToyNearest> kRegistrar("toy_nearest");
-
-void removeIds(SimulatedStep& step) {
-  for (auto& z : step.observations.observations) z.id = kUnknownId;
-}
 
 /// The same drive with ids, and without them by distance.
 class EkfAssociationTest : public testing::Test {
@@ -75,7 +41,7 @@ class EkfAssociationTest : public testing::Test {
     for (int i = 0; i < steps; ++i) {
       auto step = world.next();
       take(with_ids, step);
-      removeIds(step);
+      removeIds(step.observations);
       take(by_distance, step);
       truth = step.truth;
       unknown += by_distance.statistics().unknown;
@@ -132,7 +98,7 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
   localizer.set(by_distance.state());
   for (int i = 0; i < 50; ++i) {
     auto step = world.next();
-    removeIds(step);
+    removeIds(step.observations);
     if (i == 10) {
       step.observations.observations.emplace_back(step.observations.observations.front());
       step.observations.observations.back().range = 80.0;
@@ -145,22 +111,6 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
   const auto pose = localizer.pose();
   EXPECT_LT(test::nees(truth, pose.pose, pose.covariance), 16.0);
 }
-
-/// Takes each observation for new, for a landmark that there is not, or says nothing at all.
-class ToyNonsense final : public AssociationPolicy {
- public:
-  bool usesPlaces() const override { return true; }
-  void decide(const LandmarkObservationArray& array, const CandidateSource&, bool,
-              std::vector<Decision>& decisions) override {
-    decisions.assign(array.observations.size(), {Decision::Kind::kLandmark, 1000000});
-    if (calls_ % 3 == 1) decisions.assign(array.observations.size(), {Decision::Kind::kNew, 0});
-    if (calls_ % 3 == 2) decisions.clear();
-    ++calls_;
-  }
-
- private:
-  int calls_ = 0;
-};
 
 TEST_F(EkfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   const Registrar<AssociationPolicy, ToyNonsense> registrar("toy_nonsense");

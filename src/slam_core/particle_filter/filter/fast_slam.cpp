@@ -192,7 +192,7 @@ PoseEstimate FastSlam::estimate(const Drafts& drafts, const Step& step) {
   const auto moments = momentsOf(drafts.proposals, weights.all());
   bound.genealogy().weigh(weights.effectiveSize(), weights.size());
   if (step.latest) bound.move(estimate.pose, *step.latest);
-  step.update->inform(moments, particles_->best(), bound);
+  step.update->inform(moments, *particles_, bound);
   estimate = {moments.pose, bound.told(moments.covariance)};
   return moments;
 }
@@ -231,7 +231,7 @@ Status FastSlam::draw(const Drafts& drafts, const Ancestors& ancestors,
 Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
   const auto lesson = step.update->learn(*particles_, ancestors, belief_, execution_, account_);
   particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), step.has_seen);
-  const auto* const grid = particles_->best().grid.identity();
+  const auto* const grid = best().grid.identity();
   const bool is_other = grid != std::exchange(shown_grid_.identity, grid);
   shown_grid_.revision += lesson.changes_grids || is_other;
   return lesson.status;
@@ -239,10 +239,10 @@ Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
 
 /// The first that has something to tell; else how it goes on the whole.
 Status FastSlam::summary(std::initializer_list<Status> of_steps) {
-  account_.statistics.landmarks = static_cast<int>(landmarks_.index().size());
+  account_.statistics.landmarks = static_cast<int>(best().map.size());
   for (const auto& status : of_steps)
     if (!status.isOk()) return status;
-  if (mapIsFixed() && landmarks_.index().size() == 0 && particles_->best().grid.isEmpty())
+  if (mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
   if (landmarks_.isLost() || (scans_ && scans_->isLost()))
     return Status::warning(

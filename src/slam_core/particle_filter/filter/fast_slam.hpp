@@ -63,9 +63,7 @@ class FastSlam final : public Backend,
   std::vector<StampedPose> path() const override;
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override { return shown_grid_.revision; }
-  Figures figures() const override {
-    return {account_.figures.begin(), account_.figures.end()};
-  }
+  Figures figures() const override { return {account_.figures.begin(), account_.figures.end()}; }
 
   void reset() override;
 
@@ -104,8 +102,10 @@ class FastSlam final : public Backend,
   Status learn(const Ancestors& ancestors, const Step& step);
   Status summary(std::initializer_list<Status> of_steps);
 
+  const Particle& best() const { return (*particles_)[particles_->best()]; }
   /// As the particles have it.
-  Landmark landmark(std::size_t slot) const;
+  Landmark landmark(std::size_t number) const;
+  std::vector<std::size_t> toldLandmarks() const;
   bool tellsBest() const {
     return config_.pose == "best" || (config_.pose == "auto" && usesScans());
   }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "slam_core/association/association_policy.hpp"
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/particle_filter/landmarks/proposal.hpp"
 #include "slam_core/particle_filter/landmarks/weighting.hpp"
@@ -30,6 +31,11 @@ void PfConfig::describe(Fields& fields) {
 }
 
 void PfConfig::describePolicies(Fields& fields) {
+  fields
+      .add("association", &association,
+           "how it is decided of which landmark an observation is, by each particle for itself "
+           "where that depends on its map")
+      .oneOf(association::policyNames());
   fields
       .add("proposal", &proposal,
            "where a particle's new pose is drawn from: motion alone (fastslam1), or motion and the "
@@ -142,8 +148,13 @@ void validatePf(const PfConfig& config) {
 }
 
 LandmarkUpdate::Config landmarksOf(const PfConfig& config) {
-  return {config.proposal, config.weighting, config.gate_probability, config.lost_nis,
-          config.mode == "localization"};
+  return {config.association,
+          config.proposal,
+          config.weighting,
+          config.gate_probability,
+          config.lost_nis,
+          config.mode == "localization",
+          static_cast<unsigned>(config.threads)};
 }
 
 Resampler::Config resamplingOf(const PfConfig& config) {

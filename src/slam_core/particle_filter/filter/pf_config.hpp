@@ -15,6 +15,7 @@ struct PfConfig {
   static constexpr const char* kSection = "pf";
 
   std::string mode = "slam";
+  std::string association = "known_ids";
   std::string proposal = "fastslam2";
   std::string weighting = "predictive";
   std::string resampling = "systematic";

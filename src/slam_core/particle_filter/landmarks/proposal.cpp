@@ -36,9 +36,15 @@ Prediction singularPrediction(const LandmarkObservation& z, double gate) {
   return prediction;
 }
 
-bool isDoubtful(const Prediction* predictions, std::size_t matches) {
+Prediction unmatchedPrediction(const LandmarkObservation& z, double gate) {
+  auto prediction = singularPrediction(z, gate);
+  prediction.matched = false;
+  return prediction;
+}
+
+bool isDoubtful(const Prediction* predictions, std::size_t count) {
   std::size_t established = 0, gated = 0;
-  for (std::size_t k = 0; k < matches; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     established += predictions[k].established;
     gated += predictions[k].established && predictions[k].gated;
   }
@@ -50,11 +56,12 @@ PoseGaussian MotionProposal::propose(const ObservationModel& model, const Sight&
                                      RandomStream& random, Prediction* predictions) const {
   const Pose2 pose = prior.sample(random);
   map.prefetch(sight.matches);
-  for (const auto& [slot, z] : sight.matches) {
+  for (const auto& [slot, column, z] : sight.matches) {
     const auto& landmark = map[slot];
     const auto e = expect(model, pose, sight.sensor, landmark, z);
-    *predictions = e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
-    predictions++->established = landmark.isEstablished();
+    auto& prediction = predictions[column];
+    prediction = e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
+    prediction.established = landmark.isEstablished();
   }
   return {pose};
 }

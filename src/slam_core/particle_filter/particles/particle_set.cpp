@@ -56,6 +56,7 @@ void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation,
   for (const auto& landmark : map) {
     LandmarkEstimate estimate(landmark.position, inflation * inflation * landmark.covariance);
     estimate.credit = LandmarkEstimate::kMostCredit;
+    estimate.number = static_cast<std::uint32_t>(shared.size());
     shared.push_back(estimate);
   }
   for (auto& particle : particles_) {

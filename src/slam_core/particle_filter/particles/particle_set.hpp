@@ -35,7 +35,7 @@ class ParticleSet {
   const Weights& weights() const { return weights_; }
   /// The most likely particle, or where particles have just been resampled the first one that
   /// descends from it.
-  const Particle& best() const { return particles_[best_]; }
+  std::size_t best() const { return best_; }
 
   /// Weights are multiplied with factors, see Weights. @return whether something was left of them
   bool weigh(const std::vector<double>& log_factors);

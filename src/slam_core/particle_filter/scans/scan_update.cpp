@@ -94,13 +94,14 @@ Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Mot
 }
 
 /// Nothing is known beyond the particles' spread.
-void ScanUpdate::inform(const PoseEstimate& moments, const Particle&, KnowledgeBound& bound) const {
+void ScanUpdate::inform(const PoseEstimate& moments, const ParticleSet&,
+                        KnowledgeBound& bound) const {
   bound.setPose(moments.covariance);
 }
 
 Lesson ScanUpdate::learn(ParticleSet& particles, const Ancestors&, PoseBelief&,
                          const Execution& execution, Account& account) {
-  const auto& best = particles.best();
+  const auto& best = particles[particles.best()];
   fit_.judge(best.grid, scan_, best.pose);
   account.figures["contradicting_ends"] = fit_.contradictingShare();
   trigger_.restart(stamp_);

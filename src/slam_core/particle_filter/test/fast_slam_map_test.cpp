@@ -109,7 +109,7 @@ TEST(FastSlamMap, IsSavedAsUnsureAsItsLandmarksAreToOneAnother) {
   }
   double spread = 0.0, own = 0.0;
   for (std::size_t slot = 0; slot < told.size(); ++slot)
-    own += particles.best().map[slot].covariance().trace();
+    own += particles[particles.best()].map[slot].covariance().trace();
   for (const auto& landmark : saved) spread += landmark.covariance.trace();
   EXPECT_GT(spread, own) << "the particles' disagreement belongs to it";
   EXPECT_EQ(filter->state().joint_covariance.size(), 0);
