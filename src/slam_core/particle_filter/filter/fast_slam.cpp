@@ -88,6 +88,7 @@ void FastSlam::set(const Motion& motion) { append(motion, inputs_.motion); }
 Status FastSlam::execute() {
   execution_.streams.nextStep();
   account_.statistics = {};
+  account_.statistics.gate_probability = config_.gate_probability;
   const auto replaced = replaceMap();
   relocate();
   const auto step = takeInputs();
@@ -237,15 +238,19 @@ Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
   return lesson.status;
 }
 
-/// The first that has something to tell; else how it goes on the whole.
+/// The most urgent of what the steps and the whole have to tell, of equally urgent ones the first.
 Status FastSlam::summary(std::initializer_list<Status> of_steps) {
   account_.statistics.landmarks = static_cast<int>(best().map.size());
-  for (const auto& status : of_steps)
-    if (!status.isOk()) return status;
+  auto told = Status::ok();
+  for (const auto& status : of_steps) told = moreUrgent(status, told);
+  return moreUrgent(onTheWhole(), told);
+}
+
+Status FastSlam::onTheWhole() const {
   if (mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
   if (landmarks_.isLost() || (scans_ && scans_->isLost()))
-    return Status::warning(
+    return Status::alarm(
         "the latest observations are far less likely than they should be: the pose may be lost; "
         "set an initial pose");
   return Status::ok();

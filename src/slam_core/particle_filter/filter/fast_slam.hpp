@@ -101,6 +101,7 @@ class FastSlam final : public Backend,
   Status draw(const Drafts& drafts, const Ancestors& ancestors, const SensorUpdate& update);
   Status learn(const Ancestors& ancestors, const Step& step);
   Status summary(std::initializer_list<Status> of_steps);
+  Status onTheWhole() const;
 
   const Particle& best() const { return (*particles_)[particles_->best()]; }
   /// As the particles have it.

@@ -167,6 +167,14 @@ TEST_F(PfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   EXPECT_GT(localizer->counters()["unknown_id"], 0u);
 }
 
+TEST_F(PfAssociationTest, TheStatisticsSayHowOftenARightObservationPasses) {
+  auto config = configOf("known_ids");
+  config.gate_probability = 0.995;
+  with_ids = filterOf(config);
+  drive(1);
+  EXPECT_EQ(with_ids->statistics().gate_probability, 0.995);
+}
+
 TEST_F(PfAssociationTest, APolicyThatIsNotKnownIsNamedWithThoseThereAre) {
   try {
     filterOf(configOf("known_idz"));
