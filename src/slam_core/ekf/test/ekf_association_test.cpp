@@ -44,7 +44,7 @@ class EkfAssociationTest : public testing::Test {
       removeIds(step.observations);
       take(by_distance, step);
       truth = step.truth;
-      unknown += by_distance.statistics().unknown;
+      unknown += as<LandmarkMapper>(by_distance).statistics().unknown;
     }
   }
 
@@ -58,7 +58,8 @@ TEST_F(EkfAssociationTest, APolicyThatPairsByDistanceNeedsNoIds) {
   configure();
   drive(300);
   const auto expected = with_ids.pose(), pose = by_distance.pose();
-  EXPECT_EQ(by_distance.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(by_distance).landmarks().size(),
+            as<LandmarkMapper>(with_ids).landmarks().size());
   EXPECT_EQ(unknown, 0);
   EXPECT_LT((pose.pose.vector() - expected.pose.vector()).norm(), 1e-6);
   EXPECT_LT((pose.covariance - expected.covariance).norm(), 1e-6 * expected.covariance.norm());
@@ -69,10 +70,10 @@ TEST_F(EkfAssociationTest, LandmarksWithoutIdsAreGivenSomeOfTheirOwn) {
   configure();
   drive(50);
   std::set<LandmarkId> ids;
-  for (const auto& landmark : by_distance.landmarks()) ids.insert(landmark.id);
-  EXPECT_EQ(ids.size(), by_distance.landmarks().size()) << "each has its own";
+  for (const auto& landmark : as<LandmarkMapper>(by_distance).landmarks()) ids.insert(landmark.id);
+  EXPECT_EQ(ids.size(), as<LandmarkMapper>(by_distance).landmarks().size()) << "each has its own";
   EXPECT_GE(*ids.begin(), 0);
-  for (const auto& innovation : by_distance.statistics().innovations)
+  for (const auto& innovation : as<LandmarkMapper>(by_distance).statistics().innovations)
     EXPECT_EQ(ids.count(innovation.id), 1u) << innovation.id;
 }
 
@@ -83,7 +84,8 @@ TEST_F(EkfAssociationTest, LandmarksComeIntoTheNeighbourhoodByPlace) {
   config.neighbourhood = 4;
   configure(config);
   drive(300);
-  EXPECT_EQ(by_distance.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(by_distance).landmarks().size(),
+            as<LandmarkMapper>(with_ids).landmarks().size());
   EXPECT_LT((by_distance.pose().pose.vector() - with_ids.pose().pose.vector()).norm(), 1e-6);
 }
 
@@ -95,7 +97,7 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
   config.association = "toy_nearest";
   EkfSlam localizer;
   localizer.configure(config);
-  localizer.set(by_distance.state());
+  as<MapKeeper>(localizer).set(as<MapKeeper>(by_distance).state());
   for (int i = 0; i < 50; ++i) {
     auto step = world.next();
     removeIds(step.observations);
@@ -106,7 +108,8 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
     take(localizer, step);
     truth = step.truth;
   }
-  EXPECT_EQ(localizer.landmarks().size(), by_distance.landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(localizer).landmarks().size(),
+            as<LandmarkMapper>(by_distance).landmarks().size());
   EXPECT_EQ(localizer.counters()["not_in_map"], 1u);
   const auto pose = localizer.pose();
   EXPECT_LT(test::nees(truth, pose.pose, pose.covariance), 16.0);
@@ -121,10 +124,11 @@ TEST_F(EkfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   config.association = "toy_nonsense";
   EkfSlam localizer;
   localizer.configure(config);
-  localizer.set(with_ids.state());
+  as<MapKeeper>(localizer).set(as<MapKeeper>(with_ids).state());
   for (int i = 0; i < 30; ++i) take(localizer, world.next());
-  EXPECT_EQ(localizer.landmarks().size(), with_ids.landmarks().size());
-  EXPECT_EQ(localizer.statistics().used, 0);
+  EXPECT_EQ(as<LandmarkMapper>(localizer).landmarks().size(),
+            as<LandmarkMapper>(with_ids).landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(localizer).statistics().used, 0);
   EXPECT_GT(localizer.counters()["not_in_map"], 0u);
   EXPECT_GT(localizer.counters()["unknown_id"], 0u);
 }

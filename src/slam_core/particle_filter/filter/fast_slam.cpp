@@ -22,10 +22,6 @@ const SectionRegistrar<ScanConfig> kScanRegistrar;
 
 using Purpose = RandomStreams::Purpose;
 
-void append(const Motion& motion, std::optional<Motion>& sum) {
-  sum = sum ? joined(*sum, motion) : motion;
-}
-
 Status statusOfWeights(bool are_left) {
   if (are_left) return Status::ok();
   return Status::warning(
@@ -80,8 +76,6 @@ void FastSlam::reset() {
   auto stream = execution_.streams.of(Purpose::kPlace);
   particles_->relocate(Pose2(), belief_.estimate, stream);
 }
-
-void FastSlam::set(const Motion& motion) { append(motion, inputs_.motion); }
 
 /// After Montemerlo 2003 and Grisetti, Stachniss, Burgard 2007, alg. 1, but that particles are
 /// weighed and resampled before their poses are drawn (Pitt, Shephard 1999).
@@ -141,7 +135,7 @@ FastSlam::Step FastSlam::takeInputs() {
   const auto scan = std::exchange(inputs_.scan, std::nullopt);
   if (step.latest) {
     step.stamp = step.latest->end;
-    append(*step.latest, belief_.carried);
+    belief_.carried = belief_.carried ? joined(*belief_.carried, *step.latest) : step.latest;
     if (scans_) scans_->move(*step.latest);
   }
   if (observations) step.stamp = observations->stamp;

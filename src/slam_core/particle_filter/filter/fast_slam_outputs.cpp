@@ -10,11 +10,11 @@
 namespace slam::particle_filter {
 
 void FastSlam::describe(Ports& ports) {
-  ports.takes<Motion>("motion", "motion", this).carrier();
-  auto& observations = ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+  ports.takes<Motion>("motion", "motion", &inputs_).carrier();
+  auto& observations = ports.takes<LandmarkObservationArray>("observations", "landmarks", &inputs_);
   if (!uses_grid_) return;
   observations.optional();
-  ports.takes<LaserScan>("scan", "laser scans", this);
+  ports.takes<LaserScan>("scan", "laser scans", &inputs_);
 }
 
 void FastSlam::describe(Capabilities& capabilities) {

@@ -20,27 +20,27 @@ Pose2 run(Filter& filter, SimulatedWorld world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
     truth = step.truth;
   }
   return truth;
 }
 
-std::vector<double> numbersOf(const FastSlam& filter) {
+std::vector<double> numbersOf(FastSlam& filter) {
   std::vector<double> numbers;
   const auto add = [&](const auto& matrix) {
     for (Eigen::Index i = 0; i < matrix.size(); ++i) numbers.push_back(matrix.data()[i]);
   };
   add(filter.pose().pose.vector());
   add(filter.pose().covariance);
-  for (const auto& landmark : filter.state().landmarks) {
+  for (const auto& landmark : as<MapKeeper>(filter).state().landmarks) {
     add(landmark.position);
     add(landmark.covariance);
   }
-  for (const auto& [stamp, pose] : filter.path()) add(pose.vector());
-  for (const auto& pose : filter.particles()) add(pose.vector());
+  for (const auto& [stamp, pose] : as<PathReviser>(filter).path()) add(pose.vector());
+  for (const auto& pose : as<PoseSampler>(filter).particles()) add(pose.vector());
   return numbers;
 }
 
@@ -90,7 +90,7 @@ TEST_P(FastSlamVariant, AgreesWithTheEkfWhereTheWorldIsNearlyLinear) {
     EXPECT_LT(std::abs(a.pose.vector()[i] - b.pose.vector()[i]), 0.6 * sigma[i]) << i;
     EXPECT_NEAR(std::sqrt(a.covariance(i, i)) / sigma[i], 1.0, 0.35) << i;
   }
-  const auto state = filter.state(), expected = reference.state();
+  const auto state = as<MapKeeper>(filter).state(), expected = as<MapKeeper>(reference).state();
   ASSERT_EQ(state.landmarks.size(), expected.landmarks.size());
   for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
     const auto& landmark = expected.landmarks[i];
@@ -108,8 +108,8 @@ TEST_P(FastSlamVariant, SurvivesNoiseThatIsClaimedFarTooSmall) {
   for (int i = 0; i < 125; ++i) {
     auto step = world.next();
     for (auto& z : step.observations.observations) z.covariance *= 0.01;  // a tenth of the sigma
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
     truth = step.truth;
     ASSERT_TRUE(isCovariance(filter.pose().covariance)) << "step " << i;
@@ -146,8 +146,8 @@ TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
     for (int i = 0; i < 60; ++i) {
       const auto before = filter.counters()["resampled"];
       const auto step = world.next();
-      filter.set(step.motion);
-      filter.set(step.observations);
+      give(step.motion, filter);
+      give(step.observations, filter);
       filter.execute();
       const bool below = test::figureOf(filter, "effective_sample_size") <
                          threshold * test::figureOf(filter, "particles");
@@ -176,7 +176,7 @@ TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
     FastSlam filter;
     filter.configure(config);
     run(filter, SimulatedWorld(8), 5);
-    return filter.particles().size();
+    return as<PoseSampler>(filter).particles().size();
   };
   EXPECT_GE(sizeWith(1e-4), 20u);
   EXPECT_LT(sizeWith(1e-4), 250u);
@@ -190,7 +190,7 @@ TEST(FastSlamTest, TellsThePathOfTheBestParticleAsItIsSeenNow) {
   FastSlam filter;
   filter.configure(config);
   run(filter, SimulatedWorld(9), 50);
-  const auto path = filter.path();
+  const auto path = as<PathReviser>(filter).path();
   ASSERT_EQ(path.size(), 50u);
   EXPECT_EQ(nanoseconds(path.back().stamp), 1005000000000);
   EXPECT_EQ(path.back().pose.vector(), filter.pose().pose.vector());
@@ -214,12 +214,12 @@ TEST(FastSlamTest, KeepsNoPosesOfStepsThatSawNothing) {
   for (int i = 0; i < 200; ++i) {
     auto step = world.next();
     step.observations.observations.clear();
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
   }
   EXPECT_EQ(filter.particleSet().memory().paths.posesInUse(), 0u);
-  const auto path = filter.path();
+  const auto path = as<PathReviser>(filter).path();
   ASSERT_EQ(path.size(), 200u);
   for (std::size_t i = 1; i < path.size(); ++i)
     EXPECT_NEAR(path[i - 1].pose.between(path[i].pose).position().norm(), 0.2, 0.05);
@@ -232,7 +232,7 @@ TEST(FastSlamTest, SpreadsTwoParticlesAsWellAsMany) {
   filter.configure(config);
   filter.set(PoseEstimate{Pose2(1, 2, 0), 0.25 * Eigen::Matrix3d::Identity()});
   filter.execute();
-  const auto particles = filter.particles();
+  const auto particles = as<PoseSampler>(filter).particles();
   EXPECT_GT((particles[0].position() - particles[1].position()).norm(), 0.01);
 }
 
@@ -243,7 +243,7 @@ TEST(FastSlamTest, HasNoMemoryOfTheMapBeforeReset) {
   filter.reset();
   EXPECT_EQ(filter.particleSet().memory().maps.leavesInUse(), 0u);
   EXPECT_EQ(filter.particleSet().memory().paths.posesInUse(), 0u);
-  EXPECT_TRUE(filter.path().empty());
+  EXPECT_TRUE(as<PathReviser>(filter).path().empty());
 }
 
 TEST(PfConfigTest, RefusesWhatMakesNoFilter) {

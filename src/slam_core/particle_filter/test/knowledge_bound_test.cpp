@@ -121,8 +121,8 @@ double meanNees(const PfConfig& config, const Start& start) {
     start(filter, world, drive);
     for (int i = 0; i < kSteps; ++i) {
       const auto step = world.next();
-      filter.set(step.motion);
-      filter.set(step.observations);
+      give(step.motion, filter);
+      give(step.observations, filter);
       filter.execute();
       const auto pose = filter.pose();
       sum += test::nees(step.truth, pose.pose, pose.covariance) / (kDrives * kSteps);
@@ -156,7 +156,7 @@ TEST(FastSlamConsistency, DoesNotLearnAnewAtEachStepHowFarALoadedMapIsOff) {
     map.robot.covariance = 1e-4 * Eigen::Matrix3d::Identity();
     const auto size = static_cast<Eigen::Index>(3 + 2 * map.landmarks.size());
     map.joint_covariance = kSigma * kSigma * Eigen::MatrixXd::Identity(size, size);
-    filter.set(map);
+    as<MapKeeper>(filter).set(map);
     filter.execute();
   };
   const double nees = meanNees(config, load);

@@ -49,8 +49,8 @@ class PfAssociationTest : public testing::Test {
     return filter;
   }
   static void take(FastSlam& filter, const SimulatedStep& step) {
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     EXPECT_TRUE(filter.execute().isOk());
   }
   void drive(int steps) {
@@ -60,7 +60,7 @@ class PfAssociationTest : public testing::Test {
       removeIds(step.observations);
       take(*by_place, step);
       truth = step.truth;
-      unknown += by_place->statistics().unknown;
+      unknown += as<LandmarkMapper>(*by_place).statistics().unknown;
     }
   }
   /// How far a landmark of the map is from the nearest there is [m].
@@ -80,22 +80,25 @@ class PfAssociationTest : public testing::Test {
 TEST_F(PfAssociationTest, APolicyThatPairsByDistanceNeedsNoIds) {
   drive(300);
   const auto pose = by_place->pose();
-  EXPECT_EQ(by_place->landmarks().size(), with_ids->landmarks().size());
-  EXPECT_EQ(by_place->statistics().landmarks, with_ids->statistics().landmarks);
+  EXPECT_EQ(as<LandmarkMapper>(*by_place).landmarks().size(),
+            as<LandmarkMapper>(*with_ids).landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(*by_place).statistics().landmarks,
+            as<LandmarkMapper>(*with_ids).statistics().landmarks);
   EXPECT_EQ(unknown, 0);
   EXPECT_LT((pose.pose.vector() - with_ids->pose().pose.vector()).norm(), 0.1);
   EXPECT_LT(slam::test::nees(truth, pose.pose, pose.covariance), 16.0);
-  for (const auto& landmark : by_place->landmarks()) EXPECT_LT(error(landmark), 0.3);
+  for (const auto& landmark : as<LandmarkMapper>(*by_place).landmarks())
+    EXPECT_LT(error(landmark), 0.3);
 }
 
 TEST_F(PfAssociationTest, LandmarksWithoutIdsAreGivenSomeOfTheirOwn) {
   drive(50);
   std::set<LandmarkId> ids;
-  for (const auto& landmark : by_place->landmarks()) ids.insert(landmark.id);
-  EXPECT_EQ(ids.size(), by_place->landmarks().size()) << "each has its own";
+  for (const auto& landmark : as<LandmarkMapper>(*by_place).landmarks()) ids.insert(landmark.id);
+  EXPECT_EQ(ids.size(), as<LandmarkMapper>(*by_place).landmarks().size()) << "each has its own";
   EXPECT_GE(*ids.begin(), 0);
-  EXPECT_FALSE(by_place->statistics().innovations.empty());
-  for (const auto& innovation : by_place->statistics().innovations)
+  EXPECT_FALSE(as<LandmarkMapper>(*by_place).statistics().innovations.empty());
+  for (const auto& innovation : as<LandmarkMapper>(*by_place).statistics().innovations)
     EXPECT_EQ(ids.count(innovation.id), 1u) << innovation.id;
 }
 
@@ -106,7 +109,7 @@ TEST_F(PfAssociationTest, EachParticleHasItsOwnLandmarks) {
     drive(1);
     const auto& particles = by_place->particleSet();
     for (std::size_t k = 0; k < particles.size(); ++k) sizes.insert(particles[k].map.size());
-    const auto told = by_place->landmarks();
+    const auto told = as<LandmarkMapper>(*by_place).landmarks();
     EXPECT_EQ(told.size(), particles[particles.best()].map.size());
     for (const auto& landmark : told) EXPECT_LT(error(landmark), 1.0);
   }
@@ -128,7 +131,8 @@ TEST_F(PfAssociationTest, ParticlesThatDisagreeHaveTheSameBitsWithAnyNumberOfThr
   }
   EXPECT_EQ(by_place->pose().pose.vector(), with_ids->pose().pose.vector());
   EXPECT_EQ(by_place->pose().covariance, with_ids->pose().covariance);
-  const auto one = by_place->landmarks(), three = with_ids->landmarks();
+  const auto one = as<LandmarkMapper>(*by_place).landmarks(),
+             three = as<LandmarkMapper>(*with_ids).landmarks();
   ASSERT_EQ(one.size(), three.size());
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].position, three[i].position);
 }
@@ -138,7 +142,7 @@ TEST_F(PfAssociationTest, AFixedMapStaysAsItIs) {
   auto config = configOf("toy_nearest");
   config.mode = "localization";
   const auto localizer = filterOf(config);
-  localizer->set(by_place->state());
+  as<MapKeeper>(*localizer).set(as<MapKeeper>(*by_place).state());
   for (int i = 0; i < 50; ++i) {
     auto step = world.next();
     removeIds(step.observations);
@@ -149,7 +153,8 @@ TEST_F(PfAssociationTest, AFixedMapStaysAsItIs) {
     take(*localizer, step);
     truth = step.truth;
   }
-  EXPECT_EQ(localizer->landmarks().size(), by_place->landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(*localizer).landmarks().size(),
+            as<LandmarkMapper>(*by_place).landmarks().size());
   EXPECT_EQ(localizer->counters()["not_in_map"], 1u);
   EXPECT_LT((localizer->pose().pose.vector() - truth.vector()).norm(), 0.5);
 }
@@ -159,10 +164,11 @@ TEST_F(PfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   auto config = configOf("toy_nonsense");
   config.mode = "localization";
   const auto localizer = filterOf(config);
-  localizer->set(with_ids->state());
+  as<MapKeeper>(*localizer).set(as<MapKeeper>(*with_ids).state());
   for (int i = 0; i < 30; ++i) take(*localizer, world.next());
-  EXPECT_EQ(localizer->landmarks().size(), with_ids->landmarks().size());
-  EXPECT_EQ(localizer->statistics().used, 0);
+  EXPECT_EQ(as<LandmarkMapper>(*localizer).landmarks().size(),
+            as<LandmarkMapper>(*with_ids).landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(*localizer).statistics().used, 0);
   EXPECT_GT(localizer->counters()["not_in_map"], 0u);
   EXPECT_GT(localizer->counters()["unknown_id"], 0u);
 }
@@ -172,7 +178,7 @@ TEST_F(PfAssociationTest, TheStatisticsSayHowOftenARightObservationPasses) {
   config.gate_probability = 0.995;
   with_ids = filterOf(config);
   drive(1);
-  EXPECT_EQ(with_ids->statistics().gate_probability, 0.995);
+  EXPECT_EQ(as<LandmarkMapper>(*with_ids).statistics().gate_probability, 0.995);
 }
 
 TEST_F(PfAssociationTest, APolicyThatIsNotKnownIsNamedWithThoseThereAre) {
