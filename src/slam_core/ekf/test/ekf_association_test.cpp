@@ -93,7 +93,7 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
   configure();
   drive(200);
   EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   config.association = "toy_nearest";
   EkfSlam localizer;
   localizer.configure(config);
@@ -120,7 +120,7 @@ TEST_F(EkfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   configure();
   drive(50);
   EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   config.association = "toy_nonsense";
   EkfSlam localizer;
   localizer.configure(config);

@@ -31,7 +31,7 @@ MapState mappedWorld() {
 
 EkfConfig localization() {
   EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   return config;
 }
 

@@ -53,7 +53,7 @@ class WideWorld {
   Pose2 truth_;
 };
 
-EkfConfig configOf(const std::string& linearization, const std::string& update, int neighbourhood) {
+EkfConfig configOf(const std::string& linearization, UpdateExtent update, int neighbourhood) {
   EkfConfig config;
   config.linearization = linearization;
   config.update = update;
@@ -83,8 +83,8 @@ class Compression : public testing::TestWithParam<std::tuple<std::string, int>> 
  protected:
   void SetUp() override {
     const auto [linearization, neighbourhood] = GetParam();
-    compressed.configure(configOf(linearization, "compressed", neighbourhood));
-    dense.configure(configOf(linearization, "dense", neighbourhood));
+    compressed.configure(configOf(linearization, UpdateExtent::kCompressed, neighbourhood));
+    dense.configure(configOf(linearization, UpdateExtent::kDense, neighbourhood));
   }
   void step(WideWorld& world) {
     const auto motion = world.drive();
@@ -133,7 +133,7 @@ TEST_P(Compression, GoesOnWithTheSameBitsWhoeverLooks) {
   WideWorld world(5, 60);
   EkfSlam undisturbed;
   const auto [linearization, neighbourhood] = GetParam();
-  undisturbed.configure(configOf(linearization, "compressed", neighbourhood));
+  undisturbed.configure(configOf(linearization, UpdateExtent::kCompressed, neighbourhood));
   for (int i = 1; i <= 100; ++i) {
     const auto motion = world.drive();
     const auto array = world.look();
@@ -191,10 +191,10 @@ TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
   for (int i = 0; i < 150; ++i) step(world);
   const auto map = as<MapKeeper>(dense).state();
   const auto [linearization, neighbourhood] = GetParam();
-  auto config = configOf(linearization, "compressed", neighbourhood);
-  config.mode = "localization";
+  auto config = configOf(linearization, UpdateExtent::kCompressed, neighbourhood);
+  config.mode = BackendMode::kLocalization;
   compressed.configure(config);
-  config.update = "dense";
+  config.update = UpdateExtent::kDense;
   dense.configure(config);
   for (auto* ekf : {&compressed, &dense}) as<MapKeeper>(*ekf).set(map);
   auto half = world.look();  // then more comes into view

@@ -72,7 +72,7 @@ TEST_F(SightingsTest, AConfirmedLandmarkStaysAndIsWarnedOf) {
 TEST_F(SightingsTest, ALandmarkOfALoadedMapIsConfirmed) {
   for (const bool localizes : {false, true}) {
     EkfConfig config;
-    config.mode = localizes ? "localization" : "slam";
+    config.mode = localizes ? BackendMode::kLocalization : BackendMode::kSlam;
     ekf.configure(config);
     MapState map;
     map.robot.covariance = 1e-6 * Eigen::Matrix3d::Identity();

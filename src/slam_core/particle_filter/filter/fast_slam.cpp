@@ -40,7 +40,7 @@ void FastSlam::configure(const PfConfig& config, const grid_map::GridMapConfig& 
   faults.raise();
   config_ = config;
   scans_.reset();
-  if (uses_grid_) scans_.emplace(grid, scan, mapIsFixed());
+  if (uses_grid_) scans_.emplace(grid, scan, config_.mapIsFixed());
   resampler_ = Resampler(resamplingOf(config));
   execution_.workers = std::make_unique<Workers>(static_cast<unsigned>(config.threads));
   reset();
@@ -241,7 +241,7 @@ Status FastSlam::summary(std::initializer_list<Status> of_steps) {
 }
 
 Status FastSlam::onTheWhole() const {
-  if (mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
+  if (config_.mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
   if (landmarks_.isLost() || (scans_ && scans_->isLost()))
     return Status::alarm(

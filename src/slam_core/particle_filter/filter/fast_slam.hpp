@@ -105,10 +105,11 @@ class FastSlam final : public Backend,
   /// As the particles have it.
   Landmark landmark(std::size_t number) const;
   std::vector<std::size_t> toldLandmarks() const;
-  bool tellsBest() const { return config_.pose == "best" || (config_.pose == "auto" && scans_); }
+  bool tellsBest() const {
+    return config_.pose == ToldPose::kBest || (config_.pose == ToldPose::kAuto && scans_);
+  }
   /// Motion that has not been applied to the particles yet.
   Pose2 carriedIncrement() const { return belief_.carried ? belief_.carried->increment : Pose2(); }
-  bool mapIsFixed() const { return config_.mode == "localization"; }
 
   PfConfig config_;
   bool uses_grid_ = false;

@@ -33,7 +33,7 @@ PoseEstimate FastSlam::pose() const {
 
 Landmark FastSlam::landmark(std::size_t number) const {
   const auto id = landmarks_.index().id(number);
-  if (config_.map != "best") return mixtureOf(*particles_, number, id);
+  if (config_.map == ToldMap::kMixture) return mixtureOf(*particles_, number, id);
   return mixtureAbout(find(number, best().map)->mean(), *particles_, number, id);
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "slam_core/common/policy_table.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
@@ -66,14 +67,21 @@ PoseGaussian MotionProposal::propose(const ObservationModel& model, const Sight&
   return {pose};
 }
 
-const std::vector<std::string>& proposalNames() {
-  static const std::vector<std::string> kNames = {"fastslam1", "fastslam2"};
-  return kNames;
+namespace {
+
+const PolicyTable<Proposal>& proposalTable() {
+  static const PolicyTable<Proposal> kTable(
+      {{"fastslam1", makePolicyOf<Proposal, MotionProposal>},
+       {"fastslam2", makePolicyOf<Proposal, ConditionedProposal>}});
+  return kTable;
 }
 
+}  // namespace
+
+const std::vector<std::string>& proposalNames() { return proposalTable().names(); }
+
 std::unique_ptr<Proposal> makeProposal(const std::string& name) {
-  if (name == "fastslam1") return std::make_unique<MotionProposal>();
-  return std::make_unique<ConditionedProposal>();
+  return proposalTable().make(name);
 }
 
 }  // namespace slam::particle_filter

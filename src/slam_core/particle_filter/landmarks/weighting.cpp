@@ -3,6 +3,7 @@
 
 #include "slam_core/particle_filter/landmarks/weighting.hpp"
 
+#include "slam_core/common/policy_table.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
@@ -29,14 +30,21 @@ double ImportanceWeighting::logCorrection(const ObservationModel& model, const S
   return sum;
 }
 
-const std::vector<std::string>& weightingNames() {
-  static const std::vector<std::string> kNames = {"predictive", "importance"};
-  return kNames;
+namespace {
+
+const PolicyTable<Weighting>& weightingTable() {
+  static const PolicyTable<Weighting> kTable(
+      {{"predictive", makePolicyOf<Weighting, PredictiveWeighting>},
+       {"importance", makePolicyOf<Weighting, ImportanceWeighting>}});
+  return kTable;
 }
 
+}  // namespace
+
+const std::vector<std::string>& weightingNames() { return weightingTable().names(); }
+
 std::unique_ptr<Weighting> makeWeighting(const std::string& name) {
-  if (name == "importance") return std::make_unique<ImportanceWeighting>();
-  return std::make_unique<PredictiveWeighting>();
+  return weightingTable().make(name);
 }
 
 }  // namespace slam::particle_filter

@@ -37,7 +37,7 @@ std::unique_ptr<Component> made(const Config& config) {
 
 PfConfig localization() {
   PfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   return config;
 }
 
@@ -74,7 +74,7 @@ TEST(FastSlamMap, OfTheEkfIsOneToLocaliseIn) {
 TEST(FastSlamMap, IsOneForTheEkfToLocaliseIn) {
   const auto map = savedBy(*made<FastSlam>(PfConfig()));
   ekf::EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   const auto filter = made<ekf::EkfSlam>(config);
   as<MapKeeper>(*filter).set(map);
   filter->set(kStart);

@@ -63,7 +63,7 @@ class FastSlamVariant : public testing::TestWithParam<std::string> {
 
 TEST_P(FastSlamVariant, GivesTheSameBitsOnAnyNumberOfThreads) {
   auto one = config(), two = config(), seven = config();
-  one.size = two.size = seven.size = "kld";
+  one.size = two.size = seven.size = SetSize::kKld;
   two.threads = 2;
   seven.threads = 7;
   const auto numbers = numbersAfter(one, 5);
@@ -126,7 +126,7 @@ TEST(FastSlamTest, WorksWithEveryPolicy) {
       PfConfig config;
       config.weighting = weighting;
       config.resampling = resampling;
-      config.map = "mixture";
+      config.map = ToldMap::kMixture;
       FastSlam filter;
       filter.configure(config);
       const auto truth = run(filter, SimulatedWorld(6), 150);
@@ -167,7 +167,7 @@ TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
 
 TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
   PfConfig config;
-  config.size = "kld";
+  config.size = SetSize::kKld;
   config.min_particles = 20;
   config.max_particles = 300;
   config.resampling_threshold = 1.0;
@@ -185,7 +185,7 @@ TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
 
 TEST(FastSlamTest, TellsThePathOfTheBestParticleAsItIsSeenNow) {
   PfConfig config;
-  config.pose = "best";
+  config.pose = ToldPose::kBest;
   config.resampling_threshold = 0.0;
   FastSlam filter;
   filter.configure(config);
@@ -268,7 +268,7 @@ TEST(PfConfigTest, RefusesToStartWithANumberOfParticlesOutsideItsBounds) {
   config.particles = 10;
   config.min_particles = 30;
   EXPECT_NO_THROW(FastSlam().configure(config)) << "a fixed number has no bounds";
-  config.size = "kld";
+  config.size = SetSize::kKld;
   const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
   EXPECT_TRUE(test::oneSays(faults, {"pf.particles", "pf.min_particles, 30", "not at 10"}));
 }
@@ -278,6 +278,14 @@ TEST(PfConfigTest, RefusesAThresholdOfBeingLostThatIsNeverReached) {
   config.gate_probability = 0.99;
   const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
   EXPECT_TRUE(test::oneSays(faults, {"pf.lost_nis", "never reached", "pf.gate_probability"}));
+}
+
+TEST(PfConfigTest, RefusesAMatcherThatIsNotKnown) {
+  FastSlam filter;
+  as<MapChooser>(filter).useMap("grid");
+  Settings settings({}, {}, {"scan_matching.matcher=guessing"});
+  const auto faults = test::faultsOf([&] { filter.configure(settings); });
+  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.matcher", "'guessing'", "correlative"}));
 }
 
 }  // namespace

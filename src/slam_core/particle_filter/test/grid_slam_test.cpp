@@ -50,7 +50,8 @@ double run(FastSlam& filter, RoomDrive& drive, int steps) {
 }
 
 TEST(GridSlam, MapsARoomAndStaysOnIt) {
-  for (const std::string matcher : {"hill_climbing", "correlative"}) {
+  for (const auto matcher :
+       {ScanConfig::Matcher::kHillClimbing, ScanConfig::Matcher::kCorrelative}) {
     ScanConfig scan;
     scan.matcher = matcher;
     const auto filter = made(gridConfig(), scan);
@@ -63,8 +64,8 @@ TEST(GridSlam, MapsARoomAndStaysOnIt) {
 
 TEST(GridSlam, TheThesissProposalFromTheMotionAloneWorksToo) {
   ScanConfig scan;
-  scan.proposal = "motion";
-  scan.weighting = "likelihood";
+  scan.proposal = ScanConfig::Proposal::kMotion;
+  scan.weighting = ScanConfig::Weighting::kLikelihood;
   PfConfig config = gridConfig();
   config.particles = 200;
   const auto filter = made(config, scan);
@@ -235,7 +236,7 @@ TEST(GridSlam, LocalisesInALoadedGridOfAnotherResolution) {
   ASSERT_TRUE(map.grid);
 
   auto config = gridConfig();
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   config.particles = 50;
   const auto filter = made(config);
   RoomDrive drive(13);
@@ -256,7 +257,7 @@ TEST(GridSlam, WhatIsToldOfThePoseCountsOnce) {
   auto config = gridConfig();
   config.particles = 2000;
   ScanConfig scan;
-  scan.proposal = "motion";
+  scan.proposal = ScanConfig::Proposal::kMotion;
   const auto filter = made(config, scan);
   const Eigen::Matrix3d told = Eigen::Vector3d(0.04, 0.01, 0.01).asDiagonal();
   filter->set(PoseEstimate{Pose2(1, 2, 0.5), told});
@@ -306,7 +307,7 @@ TEST(GridSlam, ARobotCarriedAwayInAFixedMapIsToldLostUntilItGetsANewPose) {
   RoomDrive first(21);
   run(*mapper, first, kLap);
   auto config = gridConfig();
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   const auto filter = made(config);
   as<MapKeeper>(*filter).set(as<MapKeeper>(*mapper).state());
   RoomDrive drive(22);
@@ -384,12 +385,11 @@ TEST(GridSlam, RefusesParametersThatMakeNoGrid) {
   ScanConfig scan;
   grid.resolution = 0.0;
   grid.hit_probability = 0.4;
-  scan.matcher = "guessing";
   scan.outlier = 0.0;
   const auto faults = test::faultsOf([&] { filter.configure(gridConfig(), grid, scan); });
-  EXPECT_EQ(faults.size(), 4u);
+  EXPECT_EQ(faults.size(), 3u);
   EXPECT_TRUE(test::oneSays(faults, {"grid_map.resolution", "0 is not allowed"}));
-  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.matcher", "correlative"}));
+  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.outlier", "0 is not allowed"}));
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(FastSlamConsistency, IsNotMoreCertainThanItShouldBe) {
 
 TEST(FastSlamConsistency, DoesNotLearnAnewAtEachStepHowFarALoadedMapIsOff) {
   PfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   const auto load = [](FastSlam& filter, const test::SimulatedWorld& world, int drive) {
     constexpr double kSigma = 0.1;
     RandomStream random(77, static_cast<std::uint64_t>(drive));

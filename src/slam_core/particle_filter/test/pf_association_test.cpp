@@ -140,7 +140,7 @@ TEST_F(PfAssociationTest, ParticlesThatDisagreeHaveTheSameBitsWithAnyNumberOfThr
 TEST_F(PfAssociationTest, AFixedMapStaysAsItIs) {
   drive(200);
   auto config = configOf("toy_nearest");
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   const auto localizer = filterOf(config);
   as<MapKeeper>(*localizer).set(as<MapKeeper>(*by_place).state());
   for (int i = 0; i < 50; ++i) {
@@ -162,7 +162,7 @@ TEST_F(PfAssociationTest, AFixedMapStaysAsItIs) {
 TEST_F(PfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   drive(50);
   auto config = configOf("toy_nonsense");
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   const auto localizer = filterOf(config);
   as<MapKeeper>(*localizer).set(as<MapKeeper>(*with_ids).state());
   for (int i = 0; i < 30; ++i) take(*localizer, world.next());
