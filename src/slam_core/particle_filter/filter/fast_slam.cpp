@@ -74,7 +74,7 @@ void FastSlam::reset() {
   belief_.estimate = {Pose2(), sigma.cwiseAbs2().asDiagonal()};
   belief_.bound.restart(belief_.estimate.covariance);
   auto stream = execution_.streams.of(Purpose::kPlace);
-  particles_->relocate(Pose2(), belief_.estimate, stream);
+  particle_filter::relocate(*particles_, Pose2(), belief_.estimate, stream);
 }
 
 /// After Montemerlo 2003 and Grisetti, Stachniss, Burgard 2007, alg. 1, but that particles are
@@ -121,7 +121,7 @@ void FastSlam::relocate() {
   if (scans_) scans_->relocate(drawn);
   landmarks_.relocate();
   auto stream = execution_.streams.of(Purpose::kPlace);
-  particles_->relocate(carriedIncrement(), drawn, stream);
+  particle_filter::relocate(*particles_, carriedIncrement(), drawn, stream);
   belief_.carried.reset();
   belief_.estimate = place;
   belief_.bound.setPose(place.covariance);
@@ -161,7 +161,7 @@ Status FastSlam::carry(const Step& step) {
     covariance = J_pose * covariance * J_pose.transpose() + J_u * Q * J_u.transpose();
   }
   if (step.stamp != Stamp())
-    particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), false);
+    record(*particles_, step.stamp, step.latest ? step.latest->increment : Pose2(), false);
   return Status::ok();
 }
 
@@ -225,7 +225,7 @@ Status FastSlam::draw(const Drafts& drafts, const Ancestors& ancestors,
 
 Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
   const auto lesson = step.update->learn(*particles_, ancestors, belief_, execution_, account_);
-  particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), step.has_seen);
+  record(*particles_, step.stamp, step.latest ? step.latest->increment : Pose2(), step.has_seen);
   const auto* const grid = best().grid.identity();
   const bool is_other = grid != std::exchange(shown_grid_.identity, grid);
   shown_grid_.revision += lesson.changes_grids || is_other;

@@ -48,9 +48,6 @@ class KnowledgeBound {
              std::size_t number, const LandmarkObservation& z);
 
   const Eigen::Matrix3d& pose() const { return pose_; }
-  const Eigen::Matrix2d& landmark(std::size_t number) const {
-    return landmarks_[number].covariance;
-  }
 
   /// What to tell where the particles say `covariance`.
   Eigen::Matrix3d told(const Eigen::Matrix3d& covariance) const;
