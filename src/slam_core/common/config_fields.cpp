@@ -25,6 +25,7 @@ std::string scalarText(int value) { return std::to_string(value); }
 std::string scalarText(std::int64_t value) { return std::to_string(value); }
 std::string scalarText(std::uint64_t value) { return std::to_string(value); }
 std::string scalarText(const std::string& value) { return value; }
+std::string scalarText(const Choice& value) { return value.text(); }
 
 /// One value of a field, which may be one of many, against the field's range or choices.
 std::string faultOfValue(const Field& field, double value, const std::string& text) {
@@ -38,6 +39,10 @@ std::string faultOfValue(const Field& field, const std::string& value, const std
   const auto& choices = field.choices;
   if (choices.empty() || std::count(choices.begin(), choices.end(), value) > 0) return "";
   return "'" + value + "' is not one of: " + join(choices) + didYouMean(value, choices);
+}
+
+std::string faultOfValue(const Field& field, const Choice& value, const std::string&) {
+  return faultOfValue(field, value.text(), "");
 }
 
 template <class T>
@@ -117,18 +122,21 @@ std::string Field::typeName() const {
                                        "list of integers",
                                        "list of numbers",
                                        "map of integers to numbers",
-                                       "map of texts to integers"};
+                                       "map of texts to integers",
+                                       "text"};
   static_assert(std::size(kNames) == std::variant_size_v<Target>);
   return kNames[target.index()];
 }
 
+bool Field::isText() const {
+  return std::holds_alternative<std::string*>(target) || std::holds_alternative<Choice*>(target);
+}
+
 bool Field::isListOrMap() const {
-  return !std::visit(
-      [](const auto* value) {
-        using Value = std::decay_t<decltype(*value)>;
-        return std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string>;
-      },
-      target);
+  return !isText() &&
+         !std::visit(
+             [](const auto* value) { return std::is_arithmetic_v<std::decay_t<decltype(*value)>>; },
+             target);
 }
 
 std::string Field::valueText() const { return std::visit(TextOfTarget{}, target); }

@@ -7,9 +7,12 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "slam_core/common/choice.hpp"
 
 namespace slam {
 
@@ -40,7 +43,7 @@ struct Field {
   using Target =
       std::variant<bool*, int*, std::uint64_t*, double*, std::string*, std::vector<std::string>*,
                    std::vector<std::int64_t>*, std::vector<double>*,
-                   std::map<std::int64_t, double>*, std::map<std::string, std::int64_t>*>;
+                   std::map<std::int64_t, double>*, std::map<std::string, std::int64_t>*, Choice*>;
 
   std::string name;
   Target target;
@@ -56,6 +59,7 @@ struct Field {
   Field& ofRobot() { return scope = Scope::kRobot, *this; }
 
   std::string typeName() const;
+  bool isText() const;
   bool isListOrMap() const;
   std::string valueText() const;  ///< as YAML would have it, texts unquoted
   /// Empty when the value in force is allowed, else what is wrong with it.
@@ -68,12 +72,20 @@ class Fields {
   Field& add(const std::string& name, Field::Target target, const std::string& sentence) {
     return fields_.emplace_back(Field{name, target, sentence, "", {}, {}, Scope::kProduct});
   }
+  /// One of an enumeration's values, by these names.
+  template <class Enum>
+  Field& add(const std::string& name, Enum* value, const Names<Enum>& names,
+             const std::string& sentence) {
+    choices_.push_back(std::make_shared<Choice>(value, names));
+    return add(name, choices_.back().get(), sentence).oneOf(choices_.back()->names());
+  }
   const std::deque<Field>& all() const { return fields_; }
   const Field* find(const std::string& name) const;
   std::vector<std::string> names() const;
 
  private:
   std::deque<Field> fields_;  // a deque: add() hands out references that must stay valid
+  std::vector<std::shared_ptr<Choice>> choices_;
 };
 
 /// @throw ConfigError listing every field of `config` outside its range

@@ -31,6 +31,17 @@ std::string quoted(const std::string& value) {
   return yaml.c_str();
 }
 
+template <class Value>
+bool decode(const YAML::Node& node, Value& value) {
+  return YAML::convert<Value>::decode(node, value);
+}
+bool decode(const YAML::Node& node, Choice& choice) {
+  std::string text;
+  const bool is_text = YAML::convert<std::string>::decode(node, text);
+  if (is_text) choice.assign(text);
+  return is_text;
+}
+
 /// Empty when the node was of the field's type, else the fault.
 std::string assign(const Field& field, const YAML::Node& node) {
   const auto convert = [&](auto* target) {
@@ -38,7 +49,7 @@ std::string assign(const Field& field, const YAML::Node& node) {
     // yaml-cpp reads "-1" into an unsigned number without complaint
     const bool negative = std::is_unsigned_v<Value> && node.IsScalar() && node.Scalar()[0] == '-';
     try {
-      return !negative && YAML::convert<Value>::decode(node, *target);
+      return !negative && decode(node, *target);
     } catch (const YAML::Exception&) {  // of an entry of a list or map
       return false;
     }
@@ -134,8 +145,7 @@ void Settings::readSection(const std::string& section, const Fields& fields) {
     std::string values;
     const std::string indent = section.empty() ? "" : "  ";
     for (const auto& field : fields.all()) {
-      const bool is_text = std::holds_alternative<std::string*>(field.target);
-      const auto value = is_text ? quoted(field.valueText()) : field.valueText();
+      const auto value = field.isText() ? quoted(field.valueText()) : field.valueText();
       values += indent + field.name + ": " + value + "\n";
     }
     in_force_.emplace_back(section, values);

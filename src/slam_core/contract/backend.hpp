@@ -11,8 +11,8 @@
 
 namespace slam {
 
-/// The role of a SLAM back-end (thesis 3.4.2): data come in by its ports, a pose in a map comes out.
-/// What else it can do it offers as capabilities.
+/// The role of a SLAM back-end (thesis 3.4.2): data come in by its ports, a pose in a map comes
+/// out. What else it can do it offers as capabilities.
 ///
 /// Who calls: the Estimator, from one thread, in the order configure(), then for each step the
 /// inputs since the last one, a trigger last, and execute(). It owns the back-end. Inputs come in
@@ -43,6 +43,12 @@ inline Capabilities capabilitiesOf(Backend& backend) {
   Capabilities capabilities;
   backend.describe(capabilities);
   return capabilities;
+}
+
+/// A capability that the back-end is known to offer.
+template <class Capability>
+Capability& as(Backend& backend) {
+  return *capabilitiesOf(backend).find<Capability>();
 }
 
 }  // namespace slam

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,16 @@ inline Ports portsOf(Component& component) {
   Ports ports;
   component.describe(ports);
   return ports;
+}
+
+/// Sets the first input that takes this kind of data.
+/// @throw std::logic_error where no input does
+template <class T>
+void give(const T& value, Component& component) {
+  const auto ports = portsOf(component);
+  for (const auto& input : ports.inputs())
+    if (input.kind == kindOf<T>()) return input.set(&value);
+  throw std::logic_error("no input takes " + nameOf(kindOf<T>()));
 }
 
 }  // namespace slam

@@ -18,7 +18,7 @@ Associator::Associator(const EkfConfig& config)
     : policy_(association::makePolicy(config.association)),
       gate_(-2.0 * std::log(1.0 - config.gate_probability)),
       linearizations_(config.iterations),
-      map_is_fixed_(config.mode == "localization") {}
+      map_is_fixed_(config.mapIsFixed()) {}
 
 Association Associator::associate(const LandmarkObservationArray& array, EkfState& state,
                                   const ObservationModel& model, Counters& counters) {

@@ -18,28 +18,10 @@ Eigen::Matrix3d DenseCovariance::robot() const {
   return P_.topLeftCorner<3, 3>().selfadjointView<Eigen::Lower>();
 }
 
-Eigen::Matrix2d DenseCovariance::landmark(Eigen::Index slot) const {
-  return P_.block<2, 2>(row(slot), row(slot)).selfadjointView<Eigen::Lower>();
-}
-
-double DenseCovariance::relativeHeadingVariance() const {
-  return P_(2, 2) + P_(kHeadingRow, kHeadingRow) - 2.0 * P_(kHeadingRow, 2);
-}
-
-Eigen::MatrixXd DenseCovariance::joint() const {
-  return P_.topLeftCorner(size_, size_).selfadjointView<Eigen::Lower>();
-}
-
 void DenseCovariance::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q) {
   P_.topLeftCorner<3, 3>() = (F * robot() * F.transpose() + Q).eval();
   auto others_robot = P_.block(kRobotSize, 0, size_ - kRobotSize, kRobotSize);
   others_robot = (others_robot * F.transpose()).eval();
-}
-
-void DenseCovariance::transportRobot(const Eigen::Vector2d& c) {
-  Eigen::Matrix3d T = Eigen::Matrix3d::Identity();
-  T.topRightCorner<2, 1>() = c;
-  predict(T, Eigen::Matrix3d::Zero());
 }
 
 Eigen::MatrixXd DenseCovariance::timesTransposed(const std::vector<Innovation>& innovations) const {
@@ -62,7 +44,7 @@ Eigen::MatrixXd DenseCovariance::timesTransposed(const std::vector<Innovation>& 
         P_.col(kHeadingRow).segment(kHeadingRow, below_heading) * H_h.transpose();
     out.topRows(m) +=
         P_.block<2, Eigen::Dynamic>(m, 0, 2, m).transpose().lazyProduct(H_m.transpose());
-    out.middleRows<2>(m) += landmark(innovation.slot) * H_m.transpose();
+    out.middleRows<2>(m) += landmarkOf(*this, innovation.slot) * H_m.transpose();
     out.bottomRows(below) +=
         P_.block<Eigen::Dynamic, 2>(m + 2, m, below, 2).lazyProduct(H_m.transpose());
     column += 2;
@@ -101,6 +83,22 @@ void DenseCovariance::reserve(Eigen::Index size) {
   Eigen::MatrixXd grown = Eigen::MatrixXd::Zero(capacity, capacity);
   grown.topLeftCorner(size_, size_) = P_.topLeftCorner(size_, size_);
   P_.swap(grown);
+}
+
+void transportRobot(const Eigen::Vector2d& c, DenseCovariance& P) {
+  Eigen::Matrix3d T = Eigen::Matrix3d::Identity();
+  T.topRightCorner<2, 1>() = c;
+  P.predict(T, Eigen::Matrix3d::Zero());
+}
+
+Eigen::Matrix2d landmarkOf(const DenseCovariance& P, Eigen::Index slot) {
+  const Eigen::Index x = DenseCovariance::row(slot), y = x + 1;
+  return (Eigen::Matrix2d() << P(x, x), P(x, y), P(y, x), P(y, y)).finished();
+}
+
+double relativeHeadingVariance(const DenseCovariance& P) {
+  constexpr Eigen::Index kRobot = 2, kReference = DenseCovariance::kHeadingRow;
+  return P(kRobot, kRobot) + P(kReference, kReference) - 2.0 * P(kReference, kRobot);
 }
 
 }  // namespace slam::ekf

@@ -28,18 +28,12 @@ class DenseCovariance {
   Eigen::Index size() const { return size_; }
 
   Eigen::Matrix3d robot() const;
-  Eigen::Matrix2d landmark(Eigen::Index slot) const;
-  /// Of the robot's heading relative to the reference's.
-  double relativeHeadingVariance() const;
   double operator()(Eigen::Index row, Eigen::Index column) const {
     return row >= column ? P_(row, column) : P_(column, row);
   }
-  Eigen::MatrixXd joint() const;  ///< the whole matrix, both triangles
 
   /// P <- F P F^T + Q, where F differs from the identity in the robot's block only.
   void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q);
-  /// The robot's error e_xy becomes e_xy + c e_theta.
-  void transportRobot(const Eigen::Vector2d& c);
   /// P H^T, one pair of columns for each innovation.
   Eigen::MatrixXd timesTransposed(const std::vector<Innovation>& innovations) const;
   /// P <- P - W W^T
@@ -59,5 +53,11 @@ class DenseCovariance {
   Eigen::MatrixXd P_;  ///< capacity x capacity, lower triangle
   Eigen::Index size_ = kHeadSize;
 };
+
+/// The robot's error e_xy becomes e_xy + c e_theta.
+void transportRobot(const Eigen::Vector2d& c, DenseCovariance& P);
+Eigen::Matrix2d landmarkOf(const DenseCovariance& P, Eigen::Index slot);
+/// Of the robot's heading relative to the reference's.
+double relativeHeadingVariance(const DenseCovariance& P);
 
 }  // namespace slam::ekf

@@ -9,8 +9,8 @@
 namespace slam::ekf {
 
 void EkfConfig::describe(Fields& fields) {
-  fields.add("mode", &mode, "build the map, or keep a loaded one fixed and only localise in it")
-      .oneOf({"slam", "localization"});
+  fields.add("mode", &mode, backendModeNames(),
+             "build the map, or keep a loaded one fixed and only localise in it");
   fields
       .add("linearization", &linearization,
            "where the Jacobians are evaluated and which error the covariance describes")
@@ -21,10 +21,9 @@ void EkfConfig::describe(Fields& fields) {
            "correction")
       .unit("1")
       .in(Range::closed(1, 50));
-  fields
-      .add("update", &update,
-           "compressed: an update touches only the landmarks of the neighbourhood; dense: all")
-      .oneOf({"compressed", "dense"});
+  fields.add("update", &update,
+             {{"compressed", UpdateExtent::kCompressed}, {"dense", UpdateExtent::kDense}},
+             "compressed: an update touches only the landmarks of the neighbourhood; dense: all");
   fields
       .add("neighbourhood", &neighbourhood,
            "after so many different landmarks, or twice as many as are in view, the whole map is "

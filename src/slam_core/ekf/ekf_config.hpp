@@ -7,6 +7,7 @@
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
+#include "slam_core/contract/backend_mode.hpp"
 
 namespace slam::ekf {
 
@@ -14,13 +15,16 @@ namespace slam::ekf {
 /// that are too large for them.
 constexpr double kLargestSigmaPosition = 1000.0, kLargestSigmaHeading = M_PI;
 
+/// Which landmarks an update touches: those of the neighbourhood, or all.
+enum class UpdateExtent { kCompressed, kDense };
+
 struct EkfConfig {
   static constexpr const char* kSection = "ekf";
 
-  std::string mode = "slam";
+  BackendMode mode = BackendMode::kSlam;
   std::string linearization = "right_invariant";
   int iterations = 5;
-  std::string update = "compressed";
+  UpdateExtent update = UpdateExtent::kCompressed;
   int neighbourhood = 64;
   std::string association = "known_ids";
   double gate_probability = 0.9999;
@@ -29,6 +33,7 @@ struct EkfConfig {
   double load_inflation = 2.0;
   int joint_limit = 2000;
 
+  bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
   void describe(Fields& fields);
 };
 

@@ -111,14 +111,16 @@ Status EkfSlam::execute() {
 Status EkfSlam::summary(const Association& association, const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mode == "localization" && state_.landmarks() == 0)
+  if (config_.mapIsFixed() && state_.landmarks() == 0)
     return Status::warning("there is no map to localise in; load one");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
   return fault == of_steps.end() ? Status::ok() : *fault;
 }
 
-StretchLimits EkfSlam::limits() const { return {config_.neighbourhood, config_.update == "dense"}; }
+StretchLimits EkfSlam::limits() const {
+  return {config_.neighbourhood, config_.update == UpdateExtent::kDense};
+}
 
 void EkfSlam::replaceMap() {
   if (!map_) return;
@@ -165,7 +167,7 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
   statistics_.used = static_cast<int>(matches.size());
   statistics_.log_likelihood += step->logLikelihood();
   statistics_.joint = step->joint();
-  if (config_.mode == "localization")
+  if (config_.mapIsFixed())
     state_.updateRobot(dx, W);
   else
     state_.update(dx, W);
@@ -177,7 +179,7 @@ Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) 
   std::string ids;
   for (const auto& z : verdict.doubtful) {
     const auto m = initialized(z, sensor);
-    if (!m.isFinite() || config_.mode == "localization") continue;
+    if (!m.isFinite() || config_.mapIsFixed()) continue;
     state_.beginAnew(z.id, m.position, m.J_robot, m.R);
     counters_.add("begun_anew");
     ids += (ids.empty() ? "" : ", ") + std::to_string(z.id);

@@ -21,7 +21,7 @@ namespace slam::ekf {
 /// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
 /// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
 /// robot instead of the map's is the state's doing (neighbourhood.hpp).
-class EkfSlam final : public Backend, public LandmarkMapper, public MapKeeper {
+class EkfSlam final : public Backend, LandmarkMapper, MapKeeper {
  public:
   /// @throw ConfigError
   void configure(const EkfConfig& config);
@@ -32,19 +32,21 @@ class EkfSlam final : public Backend, public LandmarkMapper, public MapKeeper {
   void set(const Motion& motion);
   void set(const LandmarkObservationArray& observations) { observations_ = observations; }
   void set(const PoseEstimate& initial_pose) override { initial_pose_ = initial_pose; }
-  void set(const MapState& map) override { map_ = map; }
 
   Status execute() override;
 
   PoseEstimate pose() const override { return state_.pose(); }
-  LandmarkMap landmarks() const override { return state_.map(); }
-  MapState state() const override;
-  UpdateStatistics statistics() const override { return statistics_; }
   Counters counters() const override { return counters_; }
 
   void reset() override;
 
  private:
+  // what it offers as capabilities
+  LandmarkMap landmarks() const override { return state_.map(); }
+  UpdateStatistics statistics() const override { return statistics_; }
+  MapState state() const override;
+  void set(const MapState& map) override { map_ = map; }
+
   /// Where an observation puts a landmark, its Jacobian by the robot, and the observation's noise.
   struct NewLandmark {
     Eigen::Vector2d position;

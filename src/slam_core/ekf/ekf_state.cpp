@@ -102,7 +102,7 @@ void EkfState::take(const LandmarksInView& view) {
   const auto limit = std::max(limits_.landmarks, 2 * view.observations);
   const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limit;
   if (is_full ||
-      linearization_->isStale(turn(), neighbourhood_.covariance().relativeHeadingVariance())) {
+      linearization_->isStale(turn(), relativeHeadingVariance(neighbourhood_.covariance()))) {
     renew();
     take(view);
     return;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "slam_core/common/policy_table.hpp"
+
 // Symbols: p position of the robot, m landmark, J the rotation by a right angle (d R(a) v / da =
 // J R(a) v), w correction of a heading.
 
@@ -138,17 +140,23 @@ bool RightInvariantLinearization::isTooLarge(double heading_correction) const {
   return std::abs(heading_correction) > kLargeTurn;
 }
 
-const std::vector<std::string>& linearizationNames() {
-  static const std::vector<std::string> kNames = {"textbook", "first_estimates",
-                                                  "observability_constrained", "right_invariant"};
-  return kNames;
+namespace {
+
+const PolicyTable<Linearization>& linearizationTable() {
+  static const PolicyTable<Linearization> kTable(
+      {{"textbook", makePolicyOf<Linearization, TextbookLinearization>},
+       {"first_estimates", makePolicyOf<Linearization, FirstEstimatesLinearization>},
+       {"observability_constrained", makePolicyOf<Linearization, ConstrainedLinearization>},
+       {"right_invariant", makePolicyOf<Linearization, RightInvariantLinearization>}});
+  return kTable;
 }
 
+}  // namespace
+
+const std::vector<std::string>& linearizationNames() { return linearizationTable().names(); }
+
 std::unique_ptr<Linearization> makeLinearization(const std::string& name) {
-  if (name == "first_estimates") return std::make_unique<FirstEstimatesLinearization>();
-  if (name == "observability_constrained") return std::make_unique<ConstrainedLinearization>();
-  if (name == "right_invariant") return std::make_unique<RightInvariantLinearization>();
-  return std::make_unique<TextbookLinearization>();
+  return linearizationTable().make(name);
 }
 
 }  // namespace slam::ekf

@@ -242,7 +242,7 @@ std::vector<Eigen::Matrix2d> Neighbourhood::marginals(const Eigen::Matrix2Xd& c)
   };
   for (Index i = 0; i < size(); ++i) {
     const Index row = DenseCovariance::row(i);
-    put(taken_[at(i)], local_.landmark(i), {local_(row, kHeading), local_(row + 1, kHeading)});
+    put(taken_[at(i)], landmarkOf(local_, i), {local_(row, kHeading), local_(row + 1, kHeading)});
   }
   const auto others = rest();
   MatrixXd W, change;

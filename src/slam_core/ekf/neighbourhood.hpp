@@ -45,7 +45,7 @@ class Neighbourhood {
   /// A new landmark, see DenseCovariance.
   void append(const DenseCovariance::Matrix23& J_m_robot, const Eigen::Matrix2d& R);
   void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q);
-  void transportRobot(const Eigen::Vector2d& c) { local_.transportRobot(c); }
+  void transportRobot(const Eigen::Vector2d& c) { ekf::transportRobot(c, local_); }
   /// P <- P - W W^T after a correction dx = W y.
   void update(const Eigen::MatrixXd& W, const Eigen::VectorXd& dx);
   /// The same for the robot only.

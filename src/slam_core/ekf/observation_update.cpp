@@ -156,7 +156,7 @@ double ObservationUpdate::referenceEffect() const {
   double largest = 0.0;
   for (const auto& h : innovations_)
     largest = std::max(largest, h.H_heading.cwiseAbs2().cwiseQuotient(h.R.diagonal()).maxCoeff());
-  return std::sqrt(largest * std::max(0.0, state_.covariance().relativeHeadingVariance()));
+  return std::sqrt(largest * std::max(0.0, relativeHeadingVariance(state_.covariance())));
 }
 
 Eigen::MatrixXd ObservationUpdate::gain() const {

@@ -29,7 +29,6 @@ class ObservationUpdate {
 
   /// Whether S is positive definite; nothing else holds where it is not.
   bool isSolved() const { return is_solved_; }
-  const std::vector<Innovation>& innovations() const { return innovations_; }
   /// Normalised innovation squared; over the iterations, what remains of it.
   double nis() const { return whitened_.squaredNorm(); }
   /// log N(nu; 0, S)

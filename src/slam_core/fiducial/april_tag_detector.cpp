@@ -78,11 +78,12 @@ void AprilTagConfig::describe(Fields& fields) {
   fields.add("decode_sharpening", &decode_sharpening, "of the bits of small tags")
       .unit("1")
       .in(Range::closed(0, 10));
-  fields
-      .add(
-          "corner_refinement", &corner_refinement,
-          "how corners are found within a pixel: as ArUco's, by the library's refine_edges, or not")
-      .oneOf({"edges", "library", "none"});
+  fields.add(
+      "corner_refinement", &corner_refinement,
+      {{"edges", Refinement::kEdges},
+       {"library", Refinement::kLibrary},
+       {"none", Refinement::kNone}},
+      "how corners are found within a pixel: as ArUco's, by the library's refine_edges, or not");
   fields.add("threads", &threads, "threads of the detector").in(Range::closed(1, 64));
   fields.add("max_hamming", &max_hamming, "tags with more wrong bits are rejected")
       .in(Range::closed(0, 2));
@@ -135,7 +136,7 @@ void AprilTagDetector::configure(const AprilTagConfig& config) {
   detector.quad_decimate = static_cast<float>(config.quad_decimate);
   detector.quad_sigma = static_cast<float>(config.quad_sigma);
   detector.decode_sharpening = config.decode_sharpening;
-  detector.refine_edges = config.corner_refinement == "library";
+  detector.refine_edges = config.corner_refinement == AprilTagConfig::Refinement::kLibrary;
   detector.nthreads = config.threads;
   config_ = config;
   library_ = std::move(library);
@@ -157,7 +158,7 @@ void AprilTagDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>&
     marker.corners = cornersOf(*detection);
     marker.hamming = detection->hamming;
     marker.margin = static_cast<double>(detection->decision_margin);
-    if (config_.corner_refinement == "edges") {
+    if (config_.corner_refinement == AprilTagConfig::Refinement::kEdges) {
       const bool is_reversed = detection->family->reversed_border;
       refineByEdges(gray, marker.corners, kAprilTagCornerError * config_.quad_decimate,
                     is_reversed ? Contrast::kWhiteOnBlack : Contrast::kBlackOnWhite);

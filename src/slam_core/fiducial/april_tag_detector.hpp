@@ -16,13 +16,15 @@ namespace slam::fiducial {
 struct AprilTagConfig {
   static constexpr const char* kSection = "apriltag";
 
+  enum class Refinement { kEdges, kLibrary, kNone };
+
   std::vector<std::string> families = {"36h11"};
   std::map<std::string, std::int64_t> id_offsets;
 
   double quad_decimate = 1.0;
   double quad_sigma = 0.0;
   double decode_sharpening = 0.25;
-  std::string corner_refinement = "edges";
+  Refinement corner_refinement = Refinement::kEdges;
   int threads = 1;
   int max_hamming = 1;
   double min_margin = 20.0;

@@ -45,11 +45,12 @@ const std::map<std::string, cv::aruco::PREDEFINED_DICTIONARY_NAME> kDictionaries
     {"DICT_APRILTAG_36h10", cv::aruco::DICT_APRILTAG_36h10},
     {"DICT_APRILTAG_36h11", cv::aruco::DICT_APRILTAG_36h11}};
 
-const std::map<std::string, cv::aruco::CornerRefineMethod> kRefinements = {
-    {"none", cv::aruco::CORNER_REFINE_NONE},
-    {"subpix", cv::aruco::CORNER_REFINE_SUBPIX},
-    {"contour", cv::aruco::CORNER_REFINE_CONTOUR},
-    {"edges", cv::aruco::CORNER_REFINE_NONE}};
+cv::aruco::CornerRefineMethod methodOf(ArucoConfig::Refinement refinement) {
+  using Refinement = ArucoConfig::Refinement;
+  if (refinement == Refinement::kSubpix) return cv::aruco::CORNER_REFINE_SUBPIX;
+  if (refinement == Refinement::kContour) return cv::aruco::CORNER_REFINE_CONTOUR;
+  return cv::aruco::CORNER_REFINE_NONE;
+}
 
 template <class Value>
 std::vector<std::string> namesOf(const std::map<std::string, Value>& map) {
@@ -86,8 +87,12 @@ void ArucoConfig::describe(Fields& fields) {
   fields.add("id_offsets", &id_offsets, "by dictionary, what is added to the ids of its markers")
       .in(Range::atLeast(0))
       .ofRobot();
-  fields.add("corner_refinement", &corner_refinement, "how corners are found within a pixel")
-      .oneOf(namesOf(kRefinements));
+  fields.add("corner_refinement", &corner_refinement,
+             {{"contour", Refinement::kContour},
+              {"edges", Refinement::kEdges},
+              {"none", Refinement::kNone},
+              {"subpix", Refinement::kSubpix}},
+             "how corners are found within a pixel");
   fields
       .add("min_distance_rate", &min_distance_rate,
            "of two squares whose corners are nearer than this share of their perimeter only the "
@@ -148,9 +153,9 @@ void ArucoDetector::configure(const ArucoConfig& config) {
                           " hold the same markers, which would count twice; name the larger only");
   }
   requireUniqueIds(ArucoConfig::kSection, ranges, config.id_offsets);
-  library->parameters->cornerRefinementMethod = kRefinements.at(config.corner_refinement);
+  library->parameters->cornerRefinementMethod = methodOf(config.corner_refinement);
   library->parameters->minMarkerDistanceRate = config.min_distance_rate;
-  library->refine_by_edges = config.corner_refinement == "edges";
+  library->refine_by_edges = config.corner_refinement == ArucoConfig::Refinement::kEdges;
   library->parameters->errorCorrectionRate = config.error_correction_rate;
   library_ = std::move(library);
 }

@@ -16,10 +16,12 @@ namespace slam::fiducial {
 struct ArucoConfig {
   static constexpr const char* kSection = "aruco";
 
+  enum class Refinement { kContour, kEdges, kNone, kSubpix };
+
   std::vector<std::string> dictionaries = {"DICT_APRILTAG_36h11"};
   std::map<std::string, std::int64_t> id_offsets;
 
-  std::string corner_refinement = "edges";
+  Refinement corner_refinement = Refinement::kEdges;
   double min_distance_rate = 0.02;
   double error_correction_rate = 0.6;
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "slam_core/common/policy_table.hpp"
+
 namespace slam {
 namespace {
 
@@ -59,14 +61,21 @@ Eigen::Matrix3d LinearMotionModel::covariance(const Pose2& increment) const {
   return Q;
 }
 
-const std::vector<std::string>& motionModelNames() {
-  static const std::vector<std::string> kNames = {"linear", "quadratic"};
-  return kNames;
+namespace {
+
+const PolicyTable<MotionModel, OdometryNoise>& motionModelTable() {
+  static const PolicyTable<MotionModel, OdometryNoise> kTable(
+      {{"linear", makePolicyOf<MotionModel, LinearMotionModel, OdometryNoise>},
+       {"quadratic", makePolicyOf<MotionModel, QuadraticMotionModel, OdometryNoise>}});
+  return kTable;
 }
 
+}  // namespace
+
+const std::vector<std::string>& motionModelNames() { return motionModelTable().names(); }
+
 std::unique_ptr<MotionModel> makeMotionModel(const std::string& name, const OdometryNoise& noise) {
-  if (name == "quadratic") return std::make_unique<QuadraticMotionModel>(noise);
-  return std::make_unique<LinearMotionModel>(noise);
+  return motionModelTable().make(name, noise);
 }
 
 }  // namespace slam

@@ -5,10 +5,9 @@
 
 namespace slam::point_map {
 
-std::vector<std::string> fusionNames() { return {"euclidean", "aligned"}; }
-
 std::unique_ptr<FusionPolicy> makeFusion(const PointMapConfig& config) {
-  return config.fusion == "aligned" ? makeAlignedFusion(config) : makeEuclideanFusion(config);
+  const bool is_aligned = config.fusion == PointMapConfig::Fusion::kAligned;
+  return is_aligned ? makeAlignedFusion(config) : makeEuclideanFusion(config);
 }
 
 }  // namespace slam::point_map

@@ -34,7 +34,6 @@ std::unique_ptr<FusionPolicy> makeEuclideanFusion(const PointMapConfig& config);
 /// from farther.
 std::unique_ptr<FusionPolicy> makeAlignedFusion(const PointMapConfig& config);
 
-std::vector<std::string> fusionNames();
 /// @param config checked
 std::unique_ptr<FusionPolicy> makeFusion(const PointMapConfig& config);
 

@@ -3,15 +3,11 @@
 
 #include "slam_core/point_map/point_map_config.hpp"
 
-#include "slam_core/point_map/fusion_policy.hpp"
-
 namespace slam::point_map {
 
 void PointMapConfig::describe(Fields& fields) {
-  fields
-      .add("fusion", &fusion,
-           "euclidean: at the filter's pose; aligned: the scan is aligned to the map first")
-      .oneOf(fusionNames());
+  fields.add("fusion", &fusion, {{"euclidean", Fusion::kEuclidean}, {"aligned", Fusion::kAligned}},
+             "euclidean: at the filter's pose; aligned: the scan is aligned to the map first");
   fields
       .add("fusion_distance", &fusion_distance,
            "an end point so near to a point of the map is fused with it, else appended")

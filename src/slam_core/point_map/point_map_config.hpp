@@ -13,7 +13,9 @@ namespace slam::point_map {
 struct PointMapConfig {
   static constexpr const char* kSection = "point_map";
 
-  std::string fusion = "euclidean";
+  enum class Fusion { kEuclidean, kAligned };
+
+  Fusion fusion = Fusion::kEuclidean;
   double fusion_distance = 0.05;
   std::uint64_t max_points = 1000000;
   double alignment_distance = 0.3;

@@ -53,7 +53,7 @@ void run(const std::string& path, std::vector<std::string> overrides) {
     if (const auto status = filter.execute(); !status.isOk()) row.tell(status.message);
     fmt::print("{}", poseRow(array.stamp, filter.pose().pose));
   }
-  print(filter.landmarks());
+  print(as<LandmarkMapper>(filter).landmarks());
 }
 
 }  // namespace

@@ -32,21 +32,21 @@ constexpr const char* kUsage =
 void run(const std::string& path, const std::string& map, std::vector<std::string> overrides) {
   Settings settings({}, {}, std::move(overrides));
   particle_filter::FastSlam filter;
-  filter.useMap("grid");
+  as<MapChooser>(filter).useMap("grid");
   filter.seed(1);
   filter.configure(settings);
   ScanRows scans(settings);
   settings.requireAllRead();
   LogRows row(path);
   while (row.next()) {
-    if (row.kind() == "motion") filter.set(motionIn(row));
+    if (row.kind() == "motion") give(motionIn(row), filter);
     if (row.kind() != "scan") continue;
     const auto scan = scans.scanIn(row);
-    filter.set(scan);
+    give(scan, filter);
     if (const auto status = filter.execute(); !status.isOk()) row.tell(status.message);
     fmt::print("{}", poseRow(scan.stamp, filter.pose().pose));
   }
-  const auto grid = filter.grid().value();
+  const auto grid = as<GridMapper>(filter).grid().value();
   if (grid.cells.empty())
     throw std::runtime_error("the log " + path + " holds no scan that tells anything");
   grid_map::saveGrid(map, grid);

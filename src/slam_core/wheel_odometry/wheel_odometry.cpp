@@ -30,8 +30,9 @@ bool isFar(const OdometrySample& sample) {
 void WheelOdometry::configure(const WheelOdometryConfig& config) {
   validate(config);
   config_ = config;
-  model_ = makeMotionModel(config.motion_model, {config.alpha1, config.alpha2, config.alpha3,
-                                                 config.alpha4, config.drive == "omnidirectional"});
+  model_ = makeMotionModel(config.motion_model,
+                           {config.alpha1, config.alpha2, config.alpha3, config.alpha4,
+                            config.drive == WheelOdometryConfig::Drive::kOmnidirectional});
   limit_ = {config.max_speed, config.max_turn_rate};
   reset();
 }
@@ -84,7 +85,7 @@ Status WheelOdometry::execute() {
 }
 
 bool WheelOdometry::followsPoses(const OdometrySample& sample) const {
-  return config_.increment == "pose" && sample.pose && last_->pose;
+  return config_.increment == WheelOdometryConfig::Increment::kPose && sample.pose && last_->pose;
 }
 
 Status WheelOdometry::changeFrames() {
@@ -215,8 +216,8 @@ Eigen::Matrix3d WheelOdometry::covarianceOf(const Pose2& increment, const Odomet
   const double heading = config_.floor_heading * config_.floor_heading * dt;
   const Eigen::Matrix3d floor = Eigen::Vector3d(position, position, heading).asDiagonal();
   const auto& twist = from.twist_covariance;
-  const bool given = config_.covariance == "twist" && isCovariance(twist) &&
-                     twist.cwiseAbs().maxCoeff() <= kLargestVariance;
+  const bool given = config_.covariance == WheelOdometryConfig::Covariance::kTwist &&
+                     isCovariance(twist) && twist.cwiseAbs().maxCoeff() <= kLargestVariance;
   return floor + (given ? dt * dt * twist : model_->covariance(increment));
 }
 

@@ -17,10 +17,14 @@ namespace slam::wheel_odometry {
 struct WheelOdometryConfig {
   static constexpr const char* kSection = "wheel_odometry";
 
-  std::string increment = "pose";
-  std::string covariance = "model";
+  enum class Increment { kPose, kTwist };
+  enum class Covariance { kModel, kTwist };
+  enum class Drive { kDifferential, kOmnidirectional };
+
+  Increment increment = Increment::kPose;
+  Covariance covariance = Covariance::kModel;
   std::string motion_model = "linear";
-  std::string drive = "differential";
+  Drive drive = Drive::kDifferential;
   double translation_scale = 1.0;
   double rotation_scale = 1.0;
   double alpha1 = 0.002;

@@ -6,19 +6,24 @@
 namespace slam::wheel_odometry {
 
 void WheelOdometryConfig::describe(Fields& fields) {
-  fields.add("increment", &increment, "what the increment is made of; twist where there is no pose")
-      .oneOf({"pose", "twist"})
+  fields
+      .add("increment", &increment, {{"pose", Increment::kPose}, {"twist", Increment::kTwist}},
+           "what the increment is made of; twist where there is no pose")
       .ofRobot();
-  fields.add("covariance", &covariance, "the motion model's, or the message's twist covariance")
-      .oneOf({"model", "twist"})
+  fields
+      .add("covariance", &covariance,
+           {{"model", Covariance::kModel}, {"twist", Covariance::kTwist}},
+           "the motion model's, or the message's twist covariance")
       .ofRobot();
   fields
       .add("motion_model", &motion_model,
            "variance proportional to way and angle (linear), or to their squares (Eq. 5.2)")
       .oneOf(motionModelNames())
       .ofRobot();
-  fields.add("drive", &drive, "an omnidirectional base slips across its way as much as along it")
-      .oneOf({"differential", "omnidirectional"})
+  fields
+      .add("drive", &drive,
+           {{"differential", Drive::kDifferential}, {"omnidirectional", Drive::kOmnidirectional}},
+           "an omnidirectional base slips across its way as much as along it")
       .ofRobot();
   fields
       .add("translation_scale", &translation_scale,

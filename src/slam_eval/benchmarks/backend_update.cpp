@@ -54,7 +54,7 @@ class Filter {
  public:
   explicit Filter(std::int64_t landmarks) : world_(landmarks) {
     ekf_.configure(slam::ekf::EkfConfig());
-    ekf_.set(world_.map());
+    slam::as<slam::MapKeeper>(ekf_).set(world_.map());
     ekf_.execute();
   }
   void step(std::int64_t first, std::int64_t count) {
@@ -69,7 +69,7 @@ class Filter {
     ekf_.set(ekf_.pose());
     benchmark::DoNotOptimize(ekf_.execute());
   }
-  const slam::ekf::EkfSlam& ekf() const { return ekf_; }
+  slam::LandmarkMapper& map() { return slam::as<slam::LandmarkMapper>(ekf_); }
 
  private:
   GridWorld world_;
@@ -103,7 +103,7 @@ void marginalsOfEkf(benchmark::State& state) {
   Filter filter(state.range(0));
   filter.step(0, kNeighbourhood);
   filter.step(0, kNeighbourhood);
-  for (auto _ : state) benchmark::DoNotOptimize(filter.ekf().landmarks());
+  for (auto _ : state) benchmark::DoNotOptimize(filter.map().landmarks());
 }
 
 const std::vector<std::int64_t> kSizes = {100, 300, 1000, 3000, 10000};

@@ -29,7 +29,7 @@ class MappedCorridor {
   explicit MappedCorridor(const benchmark::State& state)
       : drive_(static_cast<int>(state.range(2))) {
     auto settings = settingsFor(state);
-    filter_.useMap("grid");
+    slam::as<slam::MapChooser>(filter_).useMap("grid");
     filter_.configure(settings);
     const auto length = static_cast<double>(state.range(3));
     for (double way = 0.0; way < length; way += kBuild) take(drive_.step(kBuild));
@@ -38,9 +38,9 @@ class MappedCorridor {
   slam::eval::CorridorDrive::Step next() { return drive_.step(kStep); }
 
   void take(const slam::eval::CorridorDrive::Step& step) {
-    filter_.set(step.motion);
+    slam::give(step.motion, filter_);
     benchmark::DoNotOptimize(filter_.execute());
-    filter_.set(step.scan);
+    slam::give(step.scan, filter_);
     benchmark::DoNotOptimize(filter_.execute());
   }
 

@@ -70,8 +70,8 @@ void updateOfPf(benchmark::State& state) {
                       kSigmaHeading * kSigmaHeading)
           .asDiagonal();
   const auto step = [&](const slam::LandmarkObservationArray& observations) {
-    filter.set(motion);
-    filter.set(observations);
+    slam::give(motion, filter);
+    slam::give(observations, filter);
     benchmark::DoNotOptimize(filter.execute());
   };
   step(world.all());  // every particle builds a map of its own: nothing is shared

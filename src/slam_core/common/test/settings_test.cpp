@@ -195,6 +195,52 @@ TEST(Settings, TellTextsInForceWhateverTheyHold) {
   EXPECT_EQ(YAML::Load(settings.inForce())["note"]["text"].as<std::string>(), NoteConfig().text);
 }
 
+enum class Shade { kLight, kDark };
+
+struct ShadeConfig {
+  static constexpr const char* kSection = "shades";
+  Shade wall = Shade::kLight, floor = Shade::kDark;
+
+  void describe(Fields& fields) {
+    const Names<Shade> names = {{"light", Shade::kLight}, {"dark", Shade::kDark}};
+    fields.add("wall", &wall, names, "an enumeration");
+    fields.add("floor", &floor, names, "another one");
+  }
+};
+
+TEST(Settings, ReadAnEnumerationByTheNamesOfItsValues) {
+  auto settings = settingsOf("{version: 1, shades: {wall: dark}}", "", {"shades.floor=light"});
+  const auto config = settings.read<ShadeConfig>();
+  EXPECT_EQ(config.wall, Shade::kDark);
+  EXPECT_EQ(config.floor, Shade::kLight);
+  auto again = settingsOf("version: 1\n" + settings.inForce());
+  EXPECT_EQ(again.read<ShadeConfig>().wall, Shade::kDark);
+}
+
+TEST(Settings, RefuseWhatIsNoNameOfAnEnumeration) {
+  const auto faultsOfShades = [](const std::string& values) {
+    return faultsOf(
+        [&] { settingsOf("{version: 1, shades: {" + values + "}}").read<ShadeConfig>(); });
+  };
+  EXPECT_TRUE(oneSays(faultsOfShades("wall: drk"),
+                      {"shades.wall", "'drk' is not one of: light, dark", "did you mean 'dark'"}));
+  EXPECT_TRUE(oneSays(faultsOfShades("floor: [dark]"), {"shades.floor", "is not of type text"}));
+  EXPECT_TRUE(oneSays(faultsOfShades("floor: ''"), {"shades.floor", "'' is not one of"}));
+}
+
+TEST(Settings, DescribeAnEnumerationAsATextWithChoices) {
+  ShadeConfig config;
+  Fields fields;
+  config.describe(fields);
+  const auto& field = *fields.find("floor");
+  EXPECT_EQ(field.typeName(), "text");
+  EXPECT_EQ(field.valueText(), "dark");
+  EXPECT_EQ(field.choices, (std::vector<std::string>{"light", "dark"}));
+  EXPECT_TRUE(field.isText());
+  EXPECT_FALSE(field.isListOrMap());
+  EXPECT_EQ(field.fault(), "");
+}
+
 struct ListsConfig {
   static constexpr const char* kSection = "lists";
   std::vector<double> pose;

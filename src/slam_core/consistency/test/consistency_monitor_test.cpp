@@ -38,10 +38,10 @@ class ConsistencyMonitorTest : public testing::Test {
           z.covariance(1, 1) *= claims.bearing;
         }
       }
-      ekf.set(step.motion);
-      ekf.set(step.observations);
+      give(step.motion, ekf);
+      give(step.observations, ekf);
       ekf.execute();
-      monitor.add(ekf.statistics());
+      monitor.add(as<LandmarkMapper>(ekf).statistics());
       if (!monitor.finding().empty()) return i;
     }
     return -1;
@@ -116,10 +116,10 @@ TEST_F(ConsistencyMonitorTest, TellsTheFactorOnceTheWindowIsFull) {
     auto step = world.next();
     if (i >= 200)
       for (auto& z : step.observations.observations) z.covariance(0, 0) /= 9.0;
-    ekf.set(step.motion);
-    ekf.set(step.observations);
+    give(step.motion, ekf);
+    give(step.observations, ekf);
     ekf.execute();
-    monitor.add(ekf.statistics());
+    monitor.add(as<LandmarkMapper>(ekf).statistics());
   }
   EXPECT_EQ(monitor.updates(), 50);
   EXPECT_NEAR(sigma(ConsistencyMonitor::kRange), 3.0, 0.6);
@@ -146,10 +146,10 @@ class ConsistencyOfParticles : public testing::TestWithParam<std::string> {
     for (int i = 0; i < updates && monitor.finding().empty(); ++i) {
       auto step = world.next();
       for (auto& z : step.observations.observations) z.covariance(0, 0) *= range_claim;
-      filter.set(step.motion);
-      filter.set(step.observations);
+      give(step.motion, filter);
+      give(step.observations, filter);
       filter.execute();
-      monitor.add(filter.statistics());
+      monitor.add(as<LandmarkMapper>(filter).statistics());
     }
     return monitor.finding();
   }

@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <algorithm>
 #include <set>
 
-#include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/test/toy_policies.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/ekf/candidates.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
@@ -18,45 +16,13 @@ namespace {
 
 using association::AssociationPolicy;
 using association::Candidate;
-using association::CandidateSource;
-using association::Decision;
+using association::test::removeIds;
+using association::test::ToyNearest;
+using association::test::ToyNonsense;
 using test::SimulatedStep;
 using test::SimulatedWorld;
 
-double distance(const Candidate& candidate) {
-  return candidate.nu.dot(candidate.S.llt().solve(candidate.nu));
-}
-
-/// A toy: each observation is of the nearest landmark, where that is near; where none is, it is of
-/// a new one. Ids are not looked at.
-class ToyNearest final : public AssociationPolicy {
- public:
-  bool usesPlaces() const override { return true; }
-  void decide(const LandmarkObservationArray& array, const CandidateSource& source,
-              bool map_is_fixed, std::vector<Decision>& decisions) override {
-    decisions.assign(array.observations.size(), Decision());
-    for (std::size_t i = 0; i < decisions.size(); ++i) {
-      candidates_.clear();
-      source.candidates(i, candidates_);
-      const auto nearest =
-          std::min_element(candidates_.begin(), candidates_.end(),
-                           [](const auto& a, const auto& b) { return distance(a) < distance(b); });
-      if (nearest != candidates_.end() && distance(*nearest) < 100.0)
-        decisions[i] = {Decision::Kind::kLandmark, nearest->landmark};
-      else
-        decisions[i].kind = map_is_fixed ? Decision::Kind::kNotInMap : Decision::Kind::kNew;
-    }
-  }
-
- private:
-  std::vector<Candidate> candidates_;
-};
-
 const Registrar<AssociationPolicy, ToyNearest> kRegistrar("toy_nearest");
-
-void removeIds(SimulatedStep& step) {
-  for (auto& z : step.observations.observations) z.id = kUnknownId;
-}
 
 /// The same drive with ids, and without them by distance.
 class EkfAssociationTest : public testing::Test {
@@ -75,10 +41,10 @@ class EkfAssociationTest : public testing::Test {
     for (int i = 0; i < steps; ++i) {
       auto step = world.next();
       take(with_ids, step);
-      removeIds(step);
+      removeIds(step.observations);
       take(by_distance, step);
       truth = step.truth;
-      unknown += by_distance.statistics().unknown;
+      unknown += as<LandmarkMapper>(by_distance).statistics().unknown;
     }
   }
 
@@ -92,7 +58,8 @@ TEST_F(EkfAssociationTest, APolicyThatPairsByDistanceNeedsNoIds) {
   configure();
   drive(300);
   const auto expected = with_ids.pose(), pose = by_distance.pose();
-  EXPECT_EQ(by_distance.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(by_distance).landmarks().size(),
+            as<LandmarkMapper>(with_ids).landmarks().size());
   EXPECT_EQ(unknown, 0);
   EXPECT_LT((pose.pose.vector() - expected.pose.vector()).norm(), 1e-6);
   EXPECT_LT((pose.covariance - expected.covariance).norm(), 1e-6 * expected.covariance.norm());
@@ -103,10 +70,10 @@ TEST_F(EkfAssociationTest, LandmarksWithoutIdsAreGivenSomeOfTheirOwn) {
   configure();
   drive(50);
   std::set<LandmarkId> ids;
-  for (const auto& landmark : by_distance.landmarks()) ids.insert(landmark.id);
-  EXPECT_EQ(ids.size(), by_distance.landmarks().size()) << "each has its own";
+  for (const auto& landmark : as<LandmarkMapper>(by_distance).landmarks()) ids.insert(landmark.id);
+  EXPECT_EQ(ids.size(), as<LandmarkMapper>(by_distance).landmarks().size()) << "each has its own";
   EXPECT_GE(*ids.begin(), 0);
-  for (const auto& innovation : by_distance.statistics().innovations)
+  for (const auto& innovation : as<LandmarkMapper>(by_distance).statistics().innovations)
     EXPECT_EQ(ids.count(innovation.id), 1u) << innovation.id;
 }
 
@@ -117,7 +84,8 @@ TEST_F(EkfAssociationTest, LandmarksComeIntoTheNeighbourhoodByPlace) {
   config.neighbourhood = 4;
   configure(config);
   drive(300);
-  EXPECT_EQ(by_distance.landmarks().size(), with_ids.landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(by_distance).landmarks().size(),
+            as<LandmarkMapper>(with_ids).landmarks().size());
   EXPECT_LT((by_distance.pose().pose.vector() - with_ids.pose().pose.vector()).norm(), 1e-6);
 }
 
@@ -125,14 +93,14 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
   configure();
   drive(200);
   EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   config.association = "toy_nearest";
   EkfSlam localizer;
   localizer.configure(config);
-  localizer.set(by_distance.state());
+  as<MapKeeper>(localizer).set(as<MapKeeper>(by_distance).state());
   for (int i = 0; i < 50; ++i) {
     auto step = world.next();
-    removeIds(step);
+    removeIds(step.observations);
     if (i == 10) {
       step.observations.observations.emplace_back(step.observations.observations.front());
       step.observations.observations.back().range = 80.0;
@@ -140,41 +108,27 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
     take(localizer, step);
     truth = step.truth;
   }
-  EXPECT_EQ(localizer.landmarks().size(), by_distance.landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(localizer).landmarks().size(),
+            as<LandmarkMapper>(by_distance).landmarks().size());
   EXPECT_EQ(localizer.counters()["not_in_map"], 1u);
   const auto pose = localizer.pose();
   EXPECT_LT(test::nees(truth, pose.pose, pose.covariance), 16.0);
 }
-
-/// Takes each observation for new, for a landmark that there is not, or says nothing at all.
-class ToyNonsense final : public AssociationPolicy {
- public:
-  bool usesPlaces() const override { return true; }
-  void decide(const LandmarkObservationArray& array, const CandidateSource&, bool,
-              std::vector<Decision>& decisions) override {
-    decisions.assign(array.observations.size(), {Decision::Kind::kLandmark, 1000000});
-    if (calls_ % 3 == 1) decisions.assign(array.observations.size(), {Decision::Kind::kNew, 0});
-    if (calls_ % 3 == 2) decisions.clear();
-    ++calls_;
-  }
-
- private:
-  int calls_ = 0;
-};
 
 TEST_F(EkfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   const Registrar<AssociationPolicy, ToyNonsense> registrar("toy_nonsense");
   configure();
   drive(50);
   EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   config.association = "toy_nonsense";
   EkfSlam localizer;
   localizer.configure(config);
-  localizer.set(with_ids.state());
+  as<MapKeeper>(localizer).set(as<MapKeeper>(with_ids).state());
   for (int i = 0; i < 30; ++i) take(localizer, world.next());
-  EXPECT_EQ(localizer.landmarks().size(), with_ids.landmarks().size());
-  EXPECT_EQ(localizer.statistics().used, 0);
+  EXPECT_EQ(as<LandmarkMapper>(localizer).landmarks().size(),
+            as<LandmarkMapper>(with_ids).landmarks().size());
+  EXPECT_EQ(as<LandmarkMapper>(localizer).statistics().used, 0);
   EXPECT_GT(localizer.counters()["not_in_map"], 0u);
   EXPECT_GT(localizer.counters()["unknown_id"], 0u);
 }

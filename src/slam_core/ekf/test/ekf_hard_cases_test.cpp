@@ -17,12 +17,12 @@ using test::SimulatedWorld;
 
 constexpr int kHour = 36000;  ///< steps of 0.1 s
 
-void expectSound(const EkfSlam& ekf) {
+void expectSound(EkfSlam& ekf) {
   EXPECT_TRUE(ekf.pose().pose.isFinite());
-  const auto joint = ekf.state().joint_covariance;
+  const auto joint = as<MapKeeper>(ekf).state().joint_covariance;
   EXPECT_TRUE(joint.allFinite());
   EXPECT_EQ(joint.llt().info(), Eigen::Success);
-  for (const auto& landmark : ekf.landmarks()) {
+  for (const auto& landmark : as<LandmarkMapper>(ekf).landmarks()) {
     EXPECT_TRUE(landmark.position.allFinite());
     EXPECT_EQ(landmark.covariance.llt().info(), Eigen::Success);
   }
@@ -90,7 +90,7 @@ TEST(EkfLargeMap, OfTenThousandLandmarksIsLoadedUpdatedAndTold) {
   for (int id = 0; id < kLandmarks; ++id)
     map.landmarks.push_back(
         {id, {id % 100 - 50.5, id / 100 - 50.5}, 0.01 * Eigen::Matrix2d::Identity()});
-  ekf.set(map);
+  as<MapKeeper>(ekf).set(map);
   LandmarkObservationArray seen;
   for (const int id : {4950, 5051, 5150}) {
     LandmarkObservation z;
@@ -108,8 +108,8 @@ TEST(EkfLargeMap, OfTenThousandLandmarksIsLoadedUpdatedAndTold) {
     ekf.set(seen);
     EXPECT_TRUE(ekf.execute().isOk());
   }
-  EXPECT_EQ(ekf.statistics().used, 3);
-  const auto told = ekf.state();
+  EXPECT_EQ(as<LandmarkMapper>(ekf).statistics().used, 3);
+  const auto told = as<MapKeeper>(ekf).state();
   ASSERT_EQ(told.landmarks.size(), std::size_t(kLandmarks));
   EXPECT_EQ(told.joint_covariance.size(), 0) << "it would fill a disk";
   EXPECT_LT(told.landmarks[4950].covariance.trace(), map.landmarks[4950].covariance.trace());

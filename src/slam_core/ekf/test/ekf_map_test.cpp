@@ -26,12 +26,12 @@ MapState mappedWorld() {
   ekf.configure(EkfConfig());
   SimulatedWorld world(8);
   run(ekf, world, 150);
-  return ekf.state();
+  return as<MapKeeper>(ekf).state();
 }
 
 EkfConfig localization() {
   EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   return config;
 }
 
@@ -56,13 +56,13 @@ TEST(EkfMap, IsKeptBitForBitInLocalization) {
   const auto map = mappedWorld();
   EkfSlam ekf;
   ekf.configure(localization());
-  ekf.set(map);
+  as<MapKeeper>(ekf).set(map);
   SimulatedWorld world(9);
   PoseEstimate start{Pose2(), 1e-4 * Eigen::Matrix3d::Identity()};
   ekf.set(start);
   run(ekf, world, 60);
-  EXPECT_GT(ekf.statistics().used, 0);
-  const auto after = ekf.state();
+  EXPECT_GT(as<LandmarkMapper>(ekf).statistics().used, 0);
+  const auto after = as<MapKeeper>(ekf).state();
   ASSERT_EQ(after.landmarks.size(), map.landmarks.size());
   for (std::size_t i = 0; i < map.landmarks.size(); ++i)
     EXPECT_EQ(after.landmarks[i].position, map.landmarks[i].position);
@@ -74,9 +74,10 @@ TEST(EkfMap, LeavesOutAndCountsStrangersInLocalization) {
   ekf.configure(localization());
   SimulatedWorld world(9);
   run(ekf, world, 1);
-  EXPECT_TRUE(ekf.landmarks().empty());
-  EXPECT_GT(ekf.statistics().unknown, 0);
-  EXPECT_EQ(ekf.counters()["not_in_map"], std::uint64_t(ekf.statistics().unknown));
+  EXPECT_TRUE(as<LandmarkMapper>(ekf).landmarks().empty());
+  EXPECT_GT(as<LandmarkMapper>(ekf).statistics().unknown, 0);
+  EXPECT_EQ(ekf.counters()["not_in_map"],
+            std::uint64_t(as<LandmarkMapper>(ekf).statistics().unknown));
 }
 
 TEST(EkfMap, IsAskedForWhereThereIsNoneToLocalizeIn) {
@@ -97,7 +98,7 @@ TEST(EkfMap, LocalizesAsWellAsItsCovarianceSays) {
     EkfSlam ekf;
     ekf.configure(config);
     SimulatedWorld world(100 + seed);
-    ekf.set(surveyedMap(world, 0.05, RandomStream(7, seed)));
+    as<MapKeeper>(ekf).set(surveyedMap(world, 0.05, RandomStream(7, seed)));
     Pose2 truth;
     for (int i = 0; i < 80; ++i) {
       const auto step = world.next();
@@ -118,12 +119,12 @@ TEST(EkfMap, LosesItsCorrelationsToTheRobotWhenThatIsRedrawn) {
   ekf.configure(EkfConfig());
   SimulatedWorld world(8);
   run(ekf, world, 50);
-  const auto before = ekf.state();
+  const auto before = as<MapKeeper>(ekf).state();
   ASSERT_GT(before.joint_covariance.topRightCorner(3, 4).norm(), 0.0);
   const PoseEstimate there{Pose2(1, 2, 3), Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()};
   ekf.set(there);
   ekf.execute();
-  const auto after = ekf.state();
+  const auto after = as<MapKeeper>(ekf).state();
   EXPECT_EQ(after.robot.pose.vector(), there.pose.vector());
   EXPECT_EQ(after.robot.covariance, there.covariance);
   const auto columns = after.joint_covariance.cols() - 3;
@@ -140,9 +141,9 @@ TEST(EkfMap, StaysFiniteWhateverTheSigmaOfAnInitialPose) {
     SimulatedWorld world(3);
     run(ekf, world, 200);
     EXPECT_TRUE(ekf.pose().pose.isFinite()) << sigma;
-    EXPECT_TRUE(ekf.state().joint_covariance.allFinite()) << sigma;
-    EXPECT_EQ(ekf.landmarks().size(), world.landmarks().size());
-    EXPECT_GT(ekf.statistics().used, 0) << sigma;
+    EXPECT_TRUE(as<MapKeeper>(ekf).state().joint_covariance.allFinite()) << sigma;
+    EXPECT_EQ(as<LandmarkMapper>(ekf).landmarks().size(), world.landmarks().size());
+    EXPECT_GT(as<LandmarkMapper>(ekf).statistics().used, 0) << sigma;
   }
 }
 
@@ -150,9 +151,9 @@ TEST(EkfMap, ComesBackWholeFromItsState) {
   const auto map = mappedWorld();
   EkfSlam ekf;
   ekf.configure(EkfConfig());
-  ekf.set(map);
+  as<MapKeeper>(ekf).set(map);
   ekf.execute();
-  EXPECT_EQ(ekf.state().joint_covariance, map.joint_covariance);
+  EXPECT_EQ(as<MapKeeper>(ekf).state().joint_covariance, map.joint_covariance);
   EXPECT_EQ(ekf.pose().pose.vector(), map.robot.pose.vector());
 }
 
@@ -163,9 +164,9 @@ TEST(EkfMap, IsInflatedWhereItHasNoJointCovariance) {
   config.load_inflation = 3.0;
   EkfSlam ekf;
   ekf.configure(config);
-  ekf.set(map);
+  as<MapKeeper>(ekf).set(map);
   ekf.execute();
-  const auto loaded = ekf.landmarks();
+  const auto loaded = as<LandmarkMapper>(ekf).landmarks();
   for (std::size_t i = 0; i < loaded.size(); ++i)
     EXPECT_TRUE(loaded[i].covariance.isApprox(9 * map.landmarks[i].covariance, 1e-12));
   EXPECT_EQ(ekf.pose().covariance, map.robot.covariance);
@@ -177,9 +178,9 @@ TEST(EkfMap, IsSavedWithoutItsJointCovarianceWhereThatWouldBeTooLarge) {
   config.joint_limit = int(map.landmarks.size()) - 1;
   EkfSlam ekf;
   ekf.configure(config);
-  ekf.set(map);
+  as<MapKeeper>(ekf).set(map);
   ekf.execute();
-  const auto state = ekf.state();
+  const auto state = as<MapKeeper>(ekf).state();
   EXPECT_EQ(state.joint_covariance.size(), 0);
   ASSERT_EQ(state.landmarks.size(), map.landmarks.size());
   EXPECT_EQ(state.landmarks[0].covariance, map.landmarks[0].covariance);
@@ -188,11 +189,11 @@ TEST(EkfMap, IsSavedWithoutItsJointCovarianceWhereThatWouldBeTooLarge) {
 TEST(EkfMap, IsEmptyAgainAfterReset) {
   EkfSlam ekf;
   ekf.configure(EkfConfig());
-  ekf.set(mappedWorld());
+  as<MapKeeper>(ekf).set(mappedWorld());
   ekf.execute();
   ekf.reset();
   ekf.execute();
-  EXPECT_TRUE(ekf.landmarks().empty());
+  EXPECT_TRUE(as<LandmarkMapper>(ekf).landmarks().empty());
   EXPECT_EQ(ekf.pose().pose.vector(), Eigen::Vector3d::Zero());
 }
 

@@ -43,7 +43,7 @@ class EkfUpdate : public testing::Test {
   UpdateStatistics see(std::vector<LandmarkObservation> observations) {
     ekf.set(arrayOf(std::move(observations)));
     EXPECT_TRUE(ekf.execute().isOk());
-    return ekf.statistics();
+    return as<LandmarkMapper>(ekf).statistics();
   }
   void drive(double way) {
     ekf.set(ahead(way));
@@ -69,15 +69,15 @@ TEST_F(EkfUpdate, EqualsTheTextbookWithFullMatrices) {
     ekf.set(step.motion);
     ekf.set(step.observations);
     ASSERT_TRUE(ekf.execute().isOk());
-    ASSERT_EQ(ekf.statistics().gated, 0);
+    ASSERT_EQ(as<LandmarkMapper>(ekf).statistics().gated, 0);
     reference.predict(step.motion);
     reference.update(step.observations);
     const Pose2 expected = Pose2::fromVector(reference.x.head<3>());
     ASSERT_LT(expected.between(ekf.pose().pose).vector().norm(), 1e-9) << "step " << i;
-    ASSERT_TRUE(ekf.statistics().used == 0 ||
-                std::abs(ekf.statistics().nis - reference.nis) < 1e-6);
+    ASSERT_TRUE(as<LandmarkMapper>(ekf).statistics().used == 0 ||
+                std::abs(as<LandmarkMapper>(ekf).statistics().nis - reference.nis) < 1e-6);
   }
-  const auto state = ekf.state();
+  const auto state = as<MapKeeper>(ekf).state();
   ASSERT_EQ(state.landmarks.size(), world.landmarks().size());
   Eigen::VectorXi rows(reference.x.size());
   rows.head<3>() << 0, 1, 2;
@@ -107,25 +107,25 @@ TEST_F(EkfUpdate, AddsUpMotionsAsIfTheyWereOneStepEach) {
 
 TEST_F(EkfUpdate, ShrinksCovarianceWhenALandmarkIsSeenAgain) {
   EXPECT_EQ(see({observation(1, 2, 0.1)}).added, 1);
-  const auto first = ekf.landmarks()[0].covariance;
+  const auto first = as<LandmarkMapper>(ekf).landmarks()[0].covariance;
   drive(0.5);
   const auto robot = ekf.pose().covariance;
   const auto statistics = see({observation(1, 1.51, 0.13)});
   EXPECT_EQ(statistics.used, 1);
   EXPECT_EQ(statistics.added, 0);
   EXPECT_EQ(statistics.nis_dof, 2);
-  EXPECT_LT(ekf.landmarks()[0].covariance.trace(), 0.9 * first.trace());
+  EXPECT_LT(as<LandmarkMapper>(ekf).landmarks()[0].covariance.trace(), 0.9 * first.trace());
   EXPECT_LT(ekf.pose().covariance.trace(), robot.trace());
 }
 
 TEST_F(EkfUpdate, GrowsCovarianceWithMotionAndNothingSeen) {
   see({observation(1, 2, 0.1)});
   const auto robot = ekf.pose().covariance;
-  const auto landmark = ekf.landmarks()[0].covariance;
+  const auto landmark = as<LandmarkMapper>(ekf).landmarks()[0].covariance;
   drive(0.5);
   EXPECT_GT(ekf.pose().covariance.trace(), robot.trace());
-  EXPECT_EQ(ekf.landmarks()[0].covariance, landmark);
-  EXPECT_EQ(ekf.statistics().landmarks, 1);
+  EXPECT_EQ(as<LandmarkMapper>(ekf).landmarks()[0].covariance, landmark);
+  EXPECT_EQ(as<LandmarkMapper>(ekf).statistics().landmarks, 1);
 }
 
 TEST_F(EkfUpdate, GatesAndCountsAnOutlier) {
@@ -159,7 +159,7 @@ TEST_F(EkfUpdate, GatesAtTheQuantileOfItsProbability) {
     MapState map;
     map.robot.covariance = 1e-18 * Eigen::Matrix3d::Identity();
     map.landmarks = {{1, {2, 0}, 1e-18 * Eigen::Matrix2d::Identity()}};
-    ekf.set(map);
+    as<MapKeeper>(ekf).set(map);
     EXPECT_EQ(see({observation(1, 2 + sigmas * 0.1, 0)}).gated, sigmas < 2.146 ? 0 : 1);
   }
 }
@@ -200,14 +200,14 @@ TEST_F(EkfUpdate, LeavesOutObservationsWithoutIdAndCountsThem) {
   EXPECT_EQ(statistics.unknown, 2);
   EXPECT_EQ(statistics.added, 1);
   EXPECT_EQ(ekf.counters()["unknown_id"], 2u);
-  EXPECT_EQ(ekf.landmarks().size(), 1u);
+  EXPECT_EQ(as<LandmarkMapper>(ekf).landmarks().size(), 1u);
 }
 
 TEST_F(EkfUpdate, TakesTheFirstOfTwoObservationsOfOneId) {
   const auto statistics = see({observation(3, 2, 0), observation(3, 5, 1)});
   EXPECT_EQ(statistics.added, 1);
   EXPECT_EQ(ekf.counters()["duplicate"], 1u);
-  EXPECT_LT((ekf.landmarks()[0].position - Eigen::Vector2d(2, 0)).norm(), 1e-9);
+  EXPECT_LT((as<LandmarkMapper>(ekf).landmarks()[0].position - Eigen::Vector2d(2, 0)).norm(), 1e-9);
 }
 
 TEST_F(EkfUpdate, LeavesOutALandmarkItStandsOn) {
@@ -223,31 +223,31 @@ TEST_F(EkfUpdate, RefusesALandmarkThatWouldNotLieAtAFinitePlace) {
   ekf.set(arrayOf({observation(1, 2, 0.1), z}));
   const auto status = ekf.execute();
   EXPECT_TRUE(test::oneSays({status.message}, {"landmark 77", "not finite", "left out"}));
-  EXPECT_EQ(ekf.statistics().added, 1);
+  EXPECT_EQ(as<LandmarkMapper>(ekf).statistics().added, 1);
   EXPECT_EQ(ekf.counters()["not_finite"], 1u);
-  EXPECT_TRUE(ekf.state().joint_covariance.allFinite());
+  EXPECT_TRUE(as<MapKeeper>(ekf).state().joint_covariance.allFinite());
 }
 
 TEST_F(EkfUpdate, RefusesACorrectionThatIsNotFinite) {
   MapState map;
   map.robot.covariance = 1e-6 * Eigen::Matrix3d::Identity();
   map.landmarks = {{1, {2, 0}, 1e306 * Eigen::Matrix2d::Identity()}};
-  ekf.set(map);
+  as<MapKeeper>(ekf).set(map);
   auto z = observation(1, 1e160, 3.0);
   ekf.set(arrayOf({z}));
   ekf.execute();
   EXPECT_TRUE(ekf.pose().pose.isFinite());
-  EXPECT_TRUE(ekf.landmarks()[0].position.allFinite());
+  EXPECT_TRUE(as<LandmarkMapper>(ekf).landmarks()[0].position.allFinite());
   EXPECT_TRUE(ekf.pose().covariance.allFinite());
 }
 
 TEST_F(EkfUpdate, TellsLandmarksSortedById) {
   see({observation(30, 2, 0), observation(7, 3, 1), observation(12, 1, -1)});
-  const auto map = ekf.landmarks();
+  const auto map = as<LandmarkMapper>(ekf).landmarks();
   EXPECT_EQ(map[0].id, 7);
   EXPECT_EQ(map[1].id, 12);
   EXPECT_EQ(map[2].id, 30);
-  const auto P = ekf.state().joint_covariance;
+  const auto P = as<MapKeeper>(ekf).state().joint_covariance;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = 3 + 2 * Eigen::Index(i);
     EXPECT_EQ(Eigen::Matrix2d(P.block<2, 2>(row, row)), map[i].covariance);

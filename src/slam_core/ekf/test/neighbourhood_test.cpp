@@ -53,7 +53,7 @@ class WideWorld {
   Pose2 truth_;
 };
 
-EkfConfig configOf(const std::string& linearization, const std::string& update, int neighbourhood) {
+EkfConfig configOf(const std::string& linearization, UpdateExtent update, int neighbourhood) {
   EkfConfig config;
   config.linearization = linearization;
   config.update = update;
@@ -83,8 +83,8 @@ class Compression : public testing::TestWithParam<std::tuple<std::string, int>> 
  protected:
   void SetUp() override {
     const auto [linearization, neighbourhood] = GetParam();
-    compressed.configure(configOf(linearization, "compressed", neighbourhood));
-    dense.configure(configOf(linearization, "dense", neighbourhood));
+    compressed.configure(configOf(linearization, UpdateExtent::kCompressed, neighbourhood));
+    dense.configure(configOf(linearization, UpdateExtent::kDense, neighbourhood));
   }
   void step(WideWorld& world) {
     const auto motion = world.drive();
@@ -94,8 +94,10 @@ class Compression : public testing::TestWithParam<std::tuple<std::string, int>> 
       ekf->set(array);
       ASSERT_NE(ekf->execute().level, Status::Level::kError);
     }
-    ASSERT_EQ(compressed.statistics().used, dense.statistics().used);
-    ASSERT_NEAR(compressed.statistics().nis, dense.statistics().nis, 1e-6);
+    ASSERT_EQ(as<LandmarkMapper>(compressed).statistics().used,
+              as<LandmarkMapper>(dense).statistics().used);
+    ASSERT_NEAR(as<LandmarkMapper>(compressed).statistics().nis,
+                as<LandmarkMapper>(dense).statistics().nis, 1e-6);
   }
   EkfSlam compressed, dense;
 };
@@ -105,9 +107,10 @@ TEST_P(Compression, EqualsTheDenseFilterAtEveryLookAtTheWholeMap) {
   for (int i = 1; i <= 240; ++i) {
     step(world);
     if (HasFatalFailure()) return;
-    if (i % 40 == 0) expectSameState(compressed.state(), dense.state());
+    if (i % 40 == 0)
+      expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
   }
-  EXPECT_GT(compressed.landmarks().size(), 20u);
+  EXPECT_GT(as<LandmarkMapper>(compressed).landmarks().size(), 20u);
 }
 
 TEST_P(Compression, TellsTheMarginalsOfTheWholeMapWithoutBringingItUpToDate) {
@@ -115,8 +118,8 @@ TEST_P(Compression, TellsTheMarginalsOfTheWholeMapWithoutBringingItUpToDate) {
   for (int i = 1; i <= 120; ++i) {
     step(world);
     if (i % 10 != 0) continue;
-    const auto map = compressed.landmarks();
-    const auto state = compressed.state();
+    const auto map = as<LandmarkMapper>(compressed).landmarks();
+    const auto state = as<MapKeeper>(compressed).state();
     for (std::size_t k = 0; k < map.size(); ++k) {
       const auto row = 3 + 2 * Eigen::Index(k);
       const Eigen::Matrix2d P = state.joint_covariance.block<2, 2>(row, row);
@@ -130,7 +133,7 @@ TEST_P(Compression, GoesOnWithTheSameBitsWhoeverLooks) {
   WideWorld world(5, 60);
   EkfSlam undisturbed;
   const auto [linearization, neighbourhood] = GetParam();
-  undisturbed.configure(configOf(linearization, "compressed", neighbourhood));
+  undisturbed.configure(configOf(linearization, UpdateExtent::kCompressed, neighbourhood));
   for (int i = 1; i <= 100; ++i) {
     const auto motion = world.drive();
     const auto array = world.look();
@@ -139,25 +142,26 @@ TEST_P(Compression, GoesOnWithTheSameBitsWhoeverLooks) {
       ekf->set(array);
       ekf->execute();
     }
-    compressed.landmarks();
-    compressed.state();
+    as<LandmarkMapper>(compressed).landmarks();
+    as<MapKeeper>(compressed).state();
     ASSERT_EQ(compressed.pose().pose.vector(), undisturbed.pose().pose.vector()) << i;
     ASSERT_EQ(compressed.pose().covariance, undisturbed.pose().covariance) << i;
   }
-  EXPECT_EQ(compressed.state().joint_covariance, undisturbed.state().joint_covariance);
+  EXPECT_EQ(as<MapKeeper>(compressed).state().joint_covariance,
+            as<MapKeeper>(undisturbed).state().joint_covariance);
 }
 
 TEST_P(Compression, TakesALoadedMapAndANewPoseInTheMiddleOfAStretch) {
   WideWorld world(11, 60);
   for (int i = 0; i < 60; ++i) step(world);
-  const auto map = dense.state();
+  const auto map = as<MapKeeper>(dense).state();
   for (int i = 0; i < 7; ++i) step(world);
-  for (auto* ekf : {&compressed, &dense}) ekf->set(map);
+  for (auto* ekf : {&compressed, &dense}) as<MapKeeper>(*ekf).set(map);
   for (int i = 0; i < 3; ++i) step(world);
   const PoseEstimate there{compressed.pose().pose, Eigen::Vector3d(0.5, 0.5, 0.1).asDiagonal()};
   for (auto* ekf : {&compressed, &dense}) ekf->set(there);
   for (int i = 0; i < 40; ++i) step(world);
-  expectSameState(compressed.state(), dense.state());
+  expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
 }
 
 /// The first reading of some landmarks, and single ones later on, are far off.
@@ -176,7 +180,8 @@ TEST_P(Compression, BeginsWronglySeenLandmarksAnewAsTheDenseFilterDoes) {
       ekf->execute();
     }
     ASSERT_EQ(compressed.counters()["begun_anew"], dense.counters()["begun_anew"]);
-    if (i % 40 == 0) expectSameState(compressed.state(), dense.state());
+    if (i % 40 == 0)
+      expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
   }
   EXPECT_GT(dense.counters()["begun_anew"], 0u);
 }
@@ -184,14 +189,14 @@ TEST_P(Compression, BeginsWronglySeenLandmarksAnewAsTheDenseFilterDoes) {
 TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
   WideWorld world(13, 60);
   for (int i = 0; i < 150; ++i) step(world);
-  const auto map = dense.state();
+  const auto map = as<MapKeeper>(dense).state();
   const auto [linearization, neighbourhood] = GetParam();
-  auto config = configOf(linearization, "compressed", neighbourhood);
-  config.mode = "localization";
+  auto config = configOf(linearization, UpdateExtent::kCompressed, neighbourhood);
+  config.mode = BackendMode::kLocalization;
   compressed.configure(config);
-  config.update = "dense";
+  config.update = UpdateExtent::kDense;
   dense.configure(config);
-  for (auto* ekf : {&compressed, &dense}) ekf->set(map);
+  for (auto* ekf : {&compressed, &dense}) as<MapKeeper>(*ekf).set(map);
   auto half = world.look();  // then more comes into view
   ASSERT_GT(half.observations.size(), 3u);
   half.observations.resize(half.observations.size() / 2);
@@ -200,11 +205,11 @@ TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
       ekf->set(array);
       ekf->execute();
     }
-    EXPECT_GT(dense.statistics().used, 0);
-    expectSameState(compressed.state(), dense.state());
+    EXPECT_GT(as<LandmarkMapper>(dense).statistics().used, 0);
+    expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
   }
   for (int i = 0; i < 40; ++i) step(world);
-  expectSameState(compressed.state(), dense.state());
+  expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Compression,

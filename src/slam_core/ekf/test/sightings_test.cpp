@@ -37,7 +37,7 @@ class SightingsTest : public testing::Test {
     ekf.set(array);
     return ekf.execute();
   }
-  Eigen::Vector2d placeOfOdd() const { return ekf.landmarks().back().position; }
+  Eigen::Vector2d placeOfOdd() { return as<LandmarkMapper>(ekf).landmarks().back().position; }
   std::uint64_t begunAnew() const { return ekf.counters()["begun_anew"]; }
 
   EkfSlam ekf;
@@ -53,9 +53,9 @@ TEST_F(SightingsTest, ALandmarkSeenOnceByChanceFarAwayIsBegunAnewWhereItIs) {
   EXPECT_LT((placeOfOdd() - kPlace).norm(), 0.01);
   EXPECT_EQ(begunAnew(), 1u);
   EXPECT_TRUE(test::oneSays({warning}, {"landmark 77", "begun anew"})) << warning;
-  EXPECT_EQ(ekf.statistics().used, 4);
-  EXPECT_EQ(ekf.landmarks().size(), 4u);
-  EXPECT_EQ(ekf.state().joint_covariance.llt().info(), Eigen::Success);
+  EXPECT_EQ(as<LandmarkMapper>(ekf).statistics().used, 4);
+  EXPECT_EQ(as<LandmarkMapper>(ekf).landmarks().size(), 4u);
+  EXPECT_EQ(as<MapKeeper>(ekf).state().joint_covariance.llt().info(), Eigen::Success);
 }
 
 TEST_F(SightingsTest, AConfirmedLandmarkStaysAndIsWarnedOf) {
@@ -72,13 +72,13 @@ TEST_F(SightingsTest, AConfirmedLandmarkStaysAndIsWarnedOf) {
 TEST_F(SightingsTest, ALandmarkOfALoadedMapIsConfirmed) {
   for (const bool localizes : {false, true}) {
     EkfConfig config;
-    config.mode = localizes ? "localization" : "slam";
+    config.mode = localizes ? BackendMode::kLocalization : BackendMode::kSlam;
     ekf.configure(config);
     MapState map;
     map.robot.covariance = 1e-6 * Eigen::Matrix3d::Identity();
     const Eigen::Matrix2d P = 1e-4 * Eigen::Matrix2d::Identity();
     map.landmarks = {{1, {3, 0}, P}, {2, {2, 2}, P}, {3, {4, -1}, P}, {kOdd, kPlace, P}};
-    ekf.set(map);
+    as<MapKeeper>(ekf).set(map);
     Status status;
     for (int i = 0; i < 12; ++i) status = look({2, 5});
     EXPECT_TRUE(test::oneSays({status.message}, {"landmark 77", "12 times in a row", "moved"}));

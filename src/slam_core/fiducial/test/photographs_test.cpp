@@ -95,7 +95,7 @@ TEST_P(Photograph, HasTheExpectedTagsWithinAPixel) {
 
 TEST_P(Photograph, HasTheExpectedTagsExactlyAsTheyWereMade) {
   AprilTagConfig config;
-  config.corner_refinement = "none";
+  config.corner_refinement = AprilTagConfig::Refinement::kNone;
   AprilTagDetector detector;
   detector.configure(config);
   std::vector<MarkerDetection> found;

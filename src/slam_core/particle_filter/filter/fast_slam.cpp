@@ -22,10 +22,6 @@ const SectionRegistrar<ScanConfig> kScanRegistrar;
 
 using Purpose = RandomStreams::Purpose;
 
-void append(const Motion& motion, std::optional<Motion>& sum) {
-  sum = sum ? joined(*sum, motion) : motion;
-}
-
 Status statusOfWeights(bool are_left) {
   if (are_left) return Status::ok();
   return Status::warning(
@@ -44,7 +40,7 @@ void FastSlam::configure(const PfConfig& config, const grid_map::GridMapConfig& 
   faults.raise();
   config_ = config;
   scans_.reset();
-  if (uses_grid_) scans_.emplace(grid, scan, mapIsFixed());
+  if (uses_grid_) scans_.emplace(grid, scan, config_.mapIsFixed());
   resampler_ = Resampler(resamplingOf(config));
   execution_.workers = std::make_unique<Workers>(static_cast<unsigned>(config.threads));
   reset();
@@ -78,16 +74,15 @@ void FastSlam::reset() {
   belief_.estimate = {Pose2(), sigma.cwiseAbs2().asDiagonal()};
   belief_.bound.restart(belief_.estimate.covariance);
   auto stream = execution_.streams.of(Purpose::kPlace);
-  particles_->relocate(Pose2(), belief_.estimate, stream);
+  particle_filter::relocate(*particles_, Pose2(), belief_.estimate, stream);
 }
-
-void FastSlam::set(const Motion& motion) { append(motion, inputs_.motion); }
 
 /// After Montemerlo 2003 and Grisetti, Stachniss, Burgard 2007, alg. 1, but that particles are
 /// weighed and resampled before their poses are drawn (Pitt, Shephard 1999).
 Status FastSlam::execute() {
   execution_.streams.nextStep();
   account_.statistics = {};
+  account_.statistics.gate_probability = config_.gate_probability;
   const auto replaced = replaceMap();
   relocate();
   const auto step = takeInputs();
@@ -126,7 +121,7 @@ void FastSlam::relocate() {
   if (scans_) scans_->relocate(drawn);
   landmarks_.relocate();
   auto stream = execution_.streams.of(Purpose::kPlace);
-  particles_->relocate(carriedIncrement(), drawn, stream);
+  particle_filter::relocate(*particles_, carriedIncrement(), drawn, stream);
   belief_.carried.reset();
   belief_.estimate = place;
   belief_.bound.setPose(place.covariance);
@@ -140,7 +135,7 @@ FastSlam::Step FastSlam::takeInputs() {
   const auto scan = std::exchange(inputs_.scan, std::nullopt);
   if (step.latest) {
     step.stamp = step.latest->end;
-    append(*step.latest, belief_.carried);
+    belief_.carried = belief_.carried ? joined(*belief_.carried, *step.latest) : step.latest;
     if (scans_) scans_->move(*step.latest);
   }
   if (observations) step.stamp = observations->stamp;
@@ -166,7 +161,7 @@ Status FastSlam::carry(const Step& step) {
     covariance = J_pose * covariance * J_pose.transpose() + J_u * Q * J_u.transpose();
   }
   if (step.stamp != Stamp())
-    particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), false);
+    record(*particles_, step.stamp, step.latest ? step.latest->increment : Pose2(), false);
   return Status::ok();
 }
 
@@ -192,7 +187,7 @@ PoseEstimate FastSlam::estimate(const Drafts& drafts, const Step& step) {
   const auto moments = momentsOf(drafts.proposals, weights.all());
   bound.genealogy().weigh(weights.effectiveSize(), weights.size());
   if (step.latest) bound.move(estimate.pose, *step.latest);
-  step.update->inform(moments, particles_->best(), bound);
+  step.update->inform(moments, *particles_, bound);
   estimate = {moments.pose, bound.told(moments.covariance)};
   return moments;
 }
@@ -230,22 +225,26 @@ Status FastSlam::draw(const Drafts& drafts, const Ancestors& ancestors,
 
 Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
   const auto lesson = step.update->learn(*particles_, ancestors, belief_, execution_, account_);
-  particles_->record(step.stamp, step.latest ? step.latest->increment : Pose2(), step.has_seen);
-  const auto* const grid = particles_->best().grid.identity();
+  record(*particles_, step.stamp, step.latest ? step.latest->increment : Pose2(), step.has_seen);
+  const auto* const grid = best().grid.identity();
   const bool is_other = grid != std::exchange(shown_grid_.identity, grid);
   shown_grid_.revision += lesson.changes_grids || is_other;
   return lesson.status;
 }
 
-/// The first that has something to tell; else how it goes on the whole.
+/// The most urgent of what the steps and the whole have to tell, of equally urgent ones the first.
 Status FastSlam::summary(std::initializer_list<Status> of_steps) {
-  account_.statistics.landmarks = static_cast<int>(landmarks_.index().size());
-  for (const auto& status : of_steps)
-    if (!status.isOk()) return status;
-  if (mapIsFixed() && landmarks_.index().size() == 0 && particles_->best().grid.isEmpty())
+  account_.statistics.landmarks = static_cast<int>(best().map.size());
+  auto told = Status::ok();
+  for (const auto& status : of_steps) told = moreUrgent(status, told);
+  return moreUrgent(onTheWhole(), told);
+}
+
+Status FastSlam::onTheWhole() const {
+  if (config_.mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
   if (landmarks_.isLost() || (scans_ && scans_->isLost()))
-    return Status::warning(
+    return Status::alarm(
         "the latest observations are far less likely than they should be: the pose may be lost; "
         "set an initial pose");
   return Status::ok();

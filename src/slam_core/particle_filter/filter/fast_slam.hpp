@@ -26,15 +26,13 @@ namespace slam::particle_filter {
 /// with grid maps; with both, observations and scans come in turn. Beside a grid, steps that see
 /// nothing do not touch the particles: the motion is carried until something is seen.
 class FastSlam final : public Backend,
-                       public LandmarkMapper,
-                       public GridMapper,
-                       public PoseSampler,
-                       public PathReviser,
-                       public MapKeeper,
-                       public MapChooser {
+                       LandmarkMapper,
+                       GridMapper,
+                       PoseSampler,
+                       PathReviser,
+                       MapKeeper,
+                       MapChooser {
  public:
-  std::vector<std::string> maps() const override { return {"landmarks", "grid"}; }
-  void useMap(const std::string& map) override { uses_grid_ = map == "grid"; }
   /// The grid's parameters count only where one is used. @throw ConfigError
   void configure(const PfConfig& config, const grid_map::GridMapConfig& grid = {},
                  const ScanConfig& scan = {});
@@ -44,29 +42,11 @@ class FastSlam final : public Backend,
   void describe(Ports& ports) override;
   void describe(Capabilities& capabilities) override;
 
-  void set(const Motion& motion);
-  void set(const LandmarkObservationArray& observations) { inputs_.observations = observations; }
-  void set(const LaserScan& scan) { inputs_.scan = scan; }
   void set(const PoseEstimate& initial_pose) override { inputs_.initial_pose = initial_pose; }
-  void set(const MapState& map) override { inputs_.map = map; }
-
-  bool usesScans() const { return scans_.has_value(); }
-
   Status execute() override;
-
   PoseEstimate pose() const override;
-  LandmarkMap landmarks() const override;
-  MapState state() const override;
-  UpdateStatistics statistics() const override { return account_.statistics; }
   Counters counters() const override { return account_.counters; }
-  std::vector<Pose2> particles() const override;
-  std::vector<StampedPose> path() const override;
-  std::optional<OccupancyGrid> grid() const override;
-  std::uint64_t gridRevision() const override { return shown_grid_.revision; }
-  Figures figures() const override {
-    return {account_.figures.begin(), account_.figures.end()};
-  }
-
+  Figures figures() const override { return {account_.figures.begin(), account_.figures.end()}; }
   void reset() override;
 
   const ParticleSet& particleSet() const { return *particles_; }
@@ -79,6 +59,10 @@ class FastSlam final : public Backend,
     std::optional<Motion> motion;  ///< all motions as one
     std::optional<LandmarkObservationArray> observations;
     std::optional<LaserScan> scan;
+
+    void set(const Motion& next) { motion = motion ? joined(*motion, next) : next; }
+    void set(const LandmarkObservationArray& array) { observations = array; }
+    void set(const LaserScan& latest) { scan = latest; }
   };
   /// What a step begins with.
   struct Step {
@@ -92,6 +76,18 @@ class FastSlam final : public Backend,
     std::uint64_t revision = 0;
   };
 
+  // what it offers as capabilities
+  LandmarkMap landmarks() const override;
+  UpdateStatistics statistics() const override { return account_.statistics; }
+  std::optional<OccupancyGrid> grid() const override;
+  std::uint64_t gridRevision() const override { return shown_grid_.revision; }
+  std::vector<Pose2> particles() const override;
+  std::vector<StampedPose> path() const override;
+  MapState state() const override;
+  void set(const MapState& map) override { inputs_.map = map; }
+  std::vector<std::string> maps() const override { return {"landmarks", "grid"}; }
+  void useMap(const std::string& map) override { uses_grid_ = map == "grid"; }
+
   Status replaceMap();
   void relocate();
   Step takeInputs();
@@ -103,15 +99,17 @@ class FastSlam final : public Backend,
   Status draw(const Drafts& drafts, const Ancestors& ancestors, const SensorUpdate& update);
   Status learn(const Ancestors& ancestors, const Step& step);
   Status summary(std::initializer_list<Status> of_steps);
+  Status onTheWhole() const;
 
+  const Particle& best() const { return (*particles_)[particles_->best()]; }
   /// As the particles have it.
-  Landmark landmark(std::size_t slot) const;
+  Landmark landmark(std::size_t number) const;
+  std::vector<std::size_t> toldLandmarks() const;
   bool tellsBest() const {
-    return config_.pose == "best" || (config_.pose == "auto" && usesScans());
+    return config_.pose == ToldPose::kBest || (config_.pose == ToldPose::kAuto && scans_);
   }
   /// Motion that has not been applied to the particles yet.
   Pose2 carriedIncrement() const { return belief_.carried ? belief_.carried->increment : Pose2(); }
-  bool mapIsFixed() const { return config_.mode == "localization"; }
 
   PfConfig config_;
   bool uses_grid_ = false;

@@ -10,11 +10,11 @@
 namespace slam::particle_filter {
 
 void FastSlam::describe(Ports& ports) {
-  ports.takes<Motion>("motion", "motion", this).carrier();
-  auto& observations = ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+  ports.takes<Motion>("motion", "motion", &inputs_).carrier();
+  auto& observations = ports.takes<LandmarkObservationArray>("observations", "landmarks", &inputs_);
   if (!uses_grid_) return;
   observations.optional();
-  ports.takes<LaserScan>("scan", "laser scans", this);
+  ports.takes<LaserScan>("scan", "laser scans", &inputs_);
 }
 
 void FastSlam::describe(Capabilities& capabilities) {
@@ -28,21 +28,29 @@ void FastSlam::describe(Capabilities& capabilities) {
 
 PoseEstimate FastSlam::pose() const {
   const auto& estimate = belief_.estimate;
-  return tellsBest() ? about(particles_->best().pose * carriedIncrement(), estimate) : estimate;
+  return tellsBest() ? about(best().pose * carriedIncrement(), estimate) : estimate;
 }
 
-Landmark FastSlam::landmark(std::size_t slot) const {
-  if (config_.map != "best") return mixtureOf(*particles_, slot, landmarks_.index().id(slot));
-  const auto& best = particles_->best().map;
-  return mixtureAbout(best[slot].mean(), *particles_, slot, landmarks_.index().id(slot));
+Landmark FastSlam::landmark(std::size_t number) const {
+  const auto id = landmarks_.index().id(number);
+  if (config_.map == ToldMap::kMixture) return mixtureOf(*particles_, number, id);
+  return mixtureAbout(find(number, best().map)->mean(), *particles_, number, id);
+}
+
+/// The landmarks that the most likely particle has.
+std::vector<std::size_t> FastSlam::toldLandmarks() const {
+  auto numbers = landmarks_.index().numbersById();
+  const auto is_unknown = [&](std::size_t number) { return find(number, best().map) == nullptr; };
+  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), is_unknown), numbers.end());
+  return numbers;
 }
 
 LandmarkMap FastSlam::landmarks() const {
   LandmarkMap map;
-  map.reserve(landmarks_.index().size());
-  for (const auto slot : landmarks_.index().slotsById()) {
-    map.push_back(landmark(slot));
-    map.back().covariance = belief_.bound.told(map.back().covariance, slot);
+  map.reserve(best().map.size());
+  for (const auto number : toldLandmarks()) {
+    map.push_back(landmark(number));
+    map.back().covariance = belief_.bound.told(map.back().covariance, number);
   }
   return map;
 }
@@ -51,18 +59,17 @@ LandmarkMap FastSlam::landmarks() const {
 /// in common, which the bound holds and nobody could tell apart any more.
 MapState FastSlam::state() const {
   MapState state{pose(), {}, {}, grid()};
-  for (const auto slot : landmarks_.index().slotsById()) state.landmarks.push_back(landmark(slot));
+  for (const auto number : toldLandmarks()) state.landmarks.push_back(landmark(number));
   return state;
 }
 
 std::optional<OccupancyGrid> FastSlam::grid() const {
   if (!scans_) return std::nullopt;
-  return occupancyGridOf(particles_->best().grid, scans_->model().resolution());
+  return occupancyGridOf(best().grid, scans_->model().resolution());
 }
 
 std::vector<StampedPose> FastSlam::path() const {
-  const auto& best = particles_->best();
-  auto poses = best.path.poses(best.pose * carriedIncrement());
+  auto poses = best().path.poses(best().pose * carriedIncrement());
   // landmarks and a scan of the same stamp are two steps, of which the second knows more
   const auto is_outdone = [](const StampedPose& later, const StampedPose& earlier) {
     return later.stamp == earlier.stamp;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "slam_core/association/association_policy.hpp"
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/particle_filter/landmarks/proposal.hpp"
 #include "slam_core/particle_filter/landmarks/weighting.hpp"
@@ -18,8 +19,8 @@ constexpr double kMostParticles = 100000, kMostThreads = 64;
 }  // namespace
 
 void PfConfig::describe(Fields& fields) {
-  fields.add("mode", &mode, "build the map, or keep a loaded one fixed and only localise in it")
-      .oneOf({"slam", "localization"});
+  fields.add("mode", &mode, backendModeNames(),
+             "build the map, or keep a loaded one fixed and only localise in it");
   describePolicies(fields);
   describeSize(fields);
   describeOutput(fields);
@@ -30,6 +31,11 @@ void PfConfig::describe(Fields& fields) {
 }
 
 void PfConfig::describePolicies(Fields& fields) {
+  fields
+      .add("association", &association,
+           "how it is decided of which landmark an observation is, by each particle for itself "
+           "where that depends on its map")
+      .oneOf(association::policyNames());
   fields
       .add("proposal", &proposal,
            "where a particle's new pose is drawn from: motion alone (fastslam1), or motion and the "
@@ -60,10 +66,9 @@ void PfConfig::describeSize(Fields& fields) {
   fields.add("particles", &particles, "number of particles, at the start or all the time")
       .unit("1")
       .in(count);
-  fields
-      .add("size", &size,
-           "whether the number stays, or follows the spread of the poses at each resampling (KLD)")
-      .oneOf({"fixed", "kld"});
+  fields.add(
+      "size", &size, {{"fixed", SetSize::kFixed}, {"kld", SetSize::kKld}},
+      "whether the number stays, or follows the spread of the poses at each resampling (KLD)");
   fields.add("min_particles", &min_particles, "fewest, where the number is adapted")
       .unit("1")
       .in(count);
@@ -87,13 +92,13 @@ void PfConfig::describeSize(Fields& fields) {
 }
 
 void PfConfig::describeOutput(Fields& fields) {
-  fields
-      .add("pose", &pose,
-           "the pose told: the weighted mean, that of the most likely particle, or (auto) the mean "
-           "beside landmarks and the most likely one beside a grid, whose map is shown")
-      .oneOf({"auto", "mean", "best"});
-  fields.add("map", &map, "the map told: that of the most likely particle, or the weighted mixture")
-      .oneOf({"best", "mixture"});
+  fields.add(
+      "pose", &pose,
+      {{"auto", ToldPose::kAuto}, {"mean", ToldPose::kMean}, {"best", ToldPose::kBest}},
+      "the pose told: the weighted mean, that of the most likely particle, or (auto) the mean "
+      "beside landmarks and the most likely one beside a grid, whose map is shown");
+  fields.add("map", &map, {{"best", ToldMap::kBest}, {"mixture", ToldMap::kMixture}},
+             "the map told: that of the most likely particle, or the weighted mixture");
   fields
       .add("lost_nis", &lost_nis,
            "the robot is told lost when the latest observations' normalised innovation squared "
@@ -126,7 +131,7 @@ void validatePf(const PfConfig& config) {
   if (config.min_particles > config.max_particles)
     faults.add("pf.min_particles: " + std::to_string(config.min_particles) +
                " is more than pf.max_particles, " + std::to_string(config.max_particles));
-  if (config.size == "kld" &&
+  if (config.size == SetSize::kKld &&
       (config.particles < config.min_particles || config.particles > config.max_particles))
     faults.add("pf.particles: with pf.size: kld the number starts between pf.min_particles, " +
                std::to_string(config.min_particles) + ", and pf.max_particles, " +
@@ -142,13 +147,18 @@ void validatePf(const PfConfig& config) {
 }
 
 LandmarkUpdate::Config landmarksOf(const PfConfig& config) {
-  return {config.proposal, config.weighting, config.gate_probability, config.lost_nis,
-          config.mode == "localization"};
+  return {config.association,
+          config.proposal,
+          config.weighting,
+          config.gate_probability,
+          config.lost_nis,
+          config.mapIsFixed(),
+          static_cast<unsigned>(config.threads)};
 }
 
 Resampler::Config resamplingOf(const PfConfig& config) {
   Resampler::Config resampling{config.resampling, config.resampling_threshold, std::nullopt};
-  if (config.size != "kld") return resampling;
+  if (config.size != SetSize::kKld) return resampling;
   auto& limits = resampling.sizes.emplace();
   limits.min = static_cast<std::size_t>(config.min_particles);
   limits.max = static_cast<std::size_t>(config.max_particles);

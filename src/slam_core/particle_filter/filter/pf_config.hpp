@@ -6,21 +6,30 @@
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
+#include "slam_core/contract/backend_mode.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_update.hpp"
 #include "slam_core/particle_filter/particles/resampler.hpp"
 
 namespace slam::particle_filter {
 
+/// Whether the number of particles stays, or follows the spread of the poses (Fox 2003).
+enum class SetSize { kFixed, kKld };
+/// The pose told: the weighted mean, the most likely particle's, or which the map asks for.
+enum class ToldPose { kAuto, kMean, kBest };
+/// The map told: the most likely particle's, or the weighted mixture.
+enum class ToldMap { kBest, kMixture };
+
 struct PfConfig {
   static constexpr const char* kSection = "pf";
 
-  std::string mode = "slam";
+  BackendMode mode = BackendMode::kSlam;
+  std::string association = "known_ids";
   std::string proposal = "fastslam2";
   std::string weighting = "predictive";
   std::string resampling = "systematic";
   double resampling_threshold = 0.75;
   int particles = 100;
-  std::string size = "fixed";
+  SetSize size = SetSize::kFixed;
   int min_particles = 30;
   int max_particles = 500;
   double kld_error = 0.05;
@@ -29,13 +38,14 @@ struct PfConfig {
   double kld_bin_heading = 0.05;
   double gate_probability = 0.9999;
   double lost_nis = 5.0;
-  std::string pose = "auto";
-  std::string map = "best";
+  ToldPose pose = ToldPose::kAuto;
+  ToldMap map = ToldMap::kBest;
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;
   double load_inflation = 2.0;
   int threads = 1;
 
+  bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
   void describe(Fields& fields);
 
  private:

@@ -37,8 +37,8 @@ PoseGaussian refined(const ObservationModel& model, const Sight& sight, const Pa
                      Prediction* predictions) {
   PoseGaussian refined = prior;
   auto& [mu, P] = refined;
-  for (const auto& [slot, z] : sight.matches) {
-    auto& prediction = *predictions++;
+  for (const auto& [slot, column, z] : sight.matches) {
+    auto& prediction = predictions[column];
     const auto& landmark = map[slot];
     const Pose2 at = point.value_or(mu);
     const auto e = expect(model, at, sight.sensor, landmark, z);

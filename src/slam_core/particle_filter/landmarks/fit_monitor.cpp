@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace slam::particle_filter {
 namespace {
@@ -32,14 +33,16 @@ struct Mixture {
 };
 
 /// What the particles on the heavier side, of those that gate the observation and those that do
-/// not, make of it together.
-ObservationInnovation innovationOf(const LandmarkObservation& z, const Prediction* prediction,
-                                   std::size_t stride, const std::vector<double>& weights) {
+/// not, make of it together; nothing where most take it for no landmark of their map.
+std::optional<ObservationInnovation> innovationOf(const LandmarkObservation& z,
+                                                  const Prediction* prediction, std::size_t stride,
+                                                  const std::vector<double>& weights) {
   Mixture fitting, gating;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const auto& of_particle = prediction[i * stride];
-    (of_particle.gated ? gating : fitting).add(of_particle, weights[i]);
+    if (of_particle.matched) (of_particle.gated ? gating : fitting).add(of_particle, weights[i]);
   }
+  if (fitting.weight + gating.weight < 0.5) return std::nullopt;
   ObservationInnovation innovation;
   innovation.id = z.id;
   innovation.used = fitting.weight > gating.weight;
@@ -95,32 +98,43 @@ double condition(std::vector<double>& weights, const Prediction* prediction, std
 
 }  // namespace
 
-void FitMonitor::judge(const std::vector<Prediction>& predictions, const Sight& sight,
-                       std::vector<double> weights, UpdateStatistics& statistics) {
-  const auto matches = sight.matches.size();
+std::vector<bool> FitMonitor::judge(const std::vector<Prediction>& predictions,
+                                    const std::vector<LandmarkObservation>& seen,
+                                    std::vector<double> weights, UpdateStatistics& statistics) {
+  std::vector<bool> is_used(seen.size());
   Established established;
-  for (std::size_t k = 0; k < matches; ++k) {
+  for (std::size_t k = 0; k < seen.size(); ++k) {
     const auto* const prediction = predictions.data() + k;
-    const auto innovation = innovationOf(sight.matches[k].z, prediction, matches, weights);
-    const bool is_established = isEstablished(prediction, matches, weights);
-    statistics.log_likelihood += condition(weights, prediction, matches);
-    double nis = sight.gate;
-    if (!innovation.used) {
-      ++statistics.gated;
-    } else {
-      nis = innovation.nu.dot(innovation.S.inverse() * innovation.nu);
-      ++statistics.used;
-      statistics.nis += nis;
-      statistics.nis_dof += 2;
-    }
-    statistics.innovations.push_back(innovation);
+    const auto innovation = innovationOf(seen[k], prediction, seen.size(), weights);
+    const bool is_established = isEstablished(prediction, seen.size(), weights);
+    const double log_likelihood = condition(weights, prediction, seen.size());
+    if (!innovation) continue;
+    statistics.log_likelihood += log_likelihood;
+    statistics.innovations.push_back(*innovation);
+    const double nis = count(*innovation, statistics);
+    is_used[k] = innovation->used;
     if (!is_established) continue;
     ++established.seen;
-    established.gated += !innovation.used;
-    remember(std::min(nis, sight.gate));
+    established.gated += !innovation->used;
+    remember(std::min(nis, gate_));
   }
   statistics.joint = stacked(statistics.innovations);
   conclude(established);
+  return is_used;
+}
+
+/// @return its normalised innovation squared; on the edge of the gate where it was gated
+double FitMonitor::count(const ObservationInnovation& innovation,
+                         UpdateStatistics& statistics) const {
+  if (!innovation.used) {
+    ++statistics.gated;
+    return gate_;
+  }
+  const double nis = innovation.nu.dot(innovation.S.inverse() * innovation.nu);
+  ++statistics.used;
+  statistics.nis += nis;
+  statistics.nis_dof += 2;
+  return nis;
 }
 
 void FitMonitor::remember(double nis) {

@@ -17,15 +17,19 @@ namespace slam::particle_filter {
 /// where it should be. Landmarks that are not established yet say nothing of that.
 class FitMonitor {
  public:
-  explicit FitMonitor(double lost_nis = 5.0) : lost_nis_(lost_nis) {}
+  /// @param gate largest squared Mahalanobis distance of an observation that counts
+  FitMonitor(double lost_nis, double gate) : lost_nis_(lost_nis), gate_(gate) {}
 
   /// To be called for each step. Fills in nis, nis_dof, used, gated, log_likelihood and the
   /// innovations. An observation counts as gated when the particles of more than half of the weight
-  /// gate it.
-  /// @param predictions of particle 0 for all matches, then of particle 1, ...
+  /// of those that take it for a landmark of their map gate it; where most of all do not, it is no
+  /// observation of a known landmark.
+  /// @param predictions of particle 0 for all observations, then of particle 1, ...
   /// @param weights before the step
-  void judge(const std::vector<Prediction>& predictions, const Sight& sight,
-             std::vector<double> weights, UpdateStatistics& statistics);
+  /// @return which observations were used
+  std::vector<bool> judge(const std::vector<Prediction>& predictions,
+                          const std::vector<LandmarkObservation>& seen, std::vector<double> weights,
+                          UpdateStatistics& statistics);
 
   /// Whether the map had better be left as it is: most of the established landmarks of this step
   /// are off, or so were several and none has been seen in its place since.
@@ -43,10 +47,11 @@ class FitMonitor {
     int seen = 0, gated = 0;
   };
   bool hasGoneAstray() const;
+  double count(const ObservationInnovation& innovation, UpdateStatistics& statistics) const;
   void remember(double nis);
   void conclude(const Established& established);
 
-  double lost_nis_;
+  double lost_nis_, gate_;
   double nis_ = 0.0, dof_ = 0.0;  ///< sums in which older observations count less
   bool is_step_doubtful_ = false;
   int gated_in_a_row_ = 0;  ///< of established landmarks, until most of a step's fit

@@ -30,6 +30,7 @@ LandmarkEstimate updated(const ObservationModel& model, const Pose2& robot, cons
   LandmarkEstimate after(landmark.mean() + K * e->nu,
                          I_KH * P * I_KH.transpose() + K * z.covariance * K.transpose());
   after.credit = landmark.credit;
+  after.number = landmark.number;
   return after;
 }
 
@@ -39,7 +40,9 @@ void takeSighting(const ObservationModel& model, const Pose2& robot, const Pose2
     landmark = updated(model, robot, sensor, landmark, z);
     landmark.credit = std::min(landmark.credit + 1, LandmarkEstimate::kMostCredit);
   } else if (--landmark.credit < 0) {
+    const auto number = landmark.number;
     landmark = initialized(model, robot, sensor, z);
+    landmark.number = number;
   }
 }
 

@@ -9,27 +9,31 @@
 namespace slam::particle_filter {
 
 std::optional<std::size_t> LandmarkIndex::find(LandmarkId id) const {
-  const auto found = slots_.find(id);
-  if (found == slots_.end()) return std::nullopt;
+  const auto found = numbers_.find(id);
+  if (found == numbers_.end()) return std::nullopt;
   return found->second;
 }
 
 void LandmarkIndex::append(LandmarkId id) {
-  slots_[id] = ids_.size();
-  ids_.push_back(id);
+  const bool is_own = id != kUnknownId && !find(id);
+  const auto given = is_own ? id : largest_id_ + 1;
+  largest_id_ = std::max(largest_id_, given);
+  numbers_[given] = ids_.size();
+  ids_.push_back(given);
 }
 
 void LandmarkIndex::clear() {
   ids_.clear();
-  slots_.clear();
+  numbers_.clear();
+  largest_id_ = kUnknownId;
 }
 
-std::vector<std::size_t> LandmarkIndex::slotsById() const {
-  std::vector<std::size_t> slots(ids_.size());
-  std::iota(slots.begin(), slots.end(), std::size_t{0});
-  std::sort(slots.begin(), slots.end(),
+std::vector<std::size_t> LandmarkIndex::numbersById() const {
+  std::vector<std::size_t> numbers(ids_.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  std::sort(numbers.begin(), numbers.end(),
             [this](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
-  return slots;
+  return numbers;
 }
 
 }  // namespace slam::particle_filter

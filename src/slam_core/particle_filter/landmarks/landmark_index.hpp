@@ -12,22 +12,26 @@
 
 namespace slam::particle_filter {
 
-/// Which slot of the particles' maps holds which landmark. One for all particles: what is seen by
-/// its own id is new to all of them at once.
+/// The landmarks' numbers, in the order in which they were first seen, and their ids. One for all
+/// particles, of which each may have other landmarks: what several of them begin with the same
+/// observation is the same landmark, what they begin with different ones is not. A number is never
+/// given twice, also where no particle has its landmark any more.
 class LandmarkIndex {
  public:
   std::size_t size() const { return ids_.size(); }
   std::optional<std::size_t> find(LandmarkId id) const;
+  /// With this id, or where that is unknown or another landmark's with a free one.
   void append(LandmarkId id);
   void clear();
 
-  LandmarkId id(std::size_t slot) const { return ids_[slot]; }
-  /// The slots in the order of their ids.
-  std::vector<std::size_t> slotsById() const;
+  LandmarkId id(std::size_t number) const { return ids_[number]; }
+  /// The numbers in the order of the ids.
+  std::vector<std::size_t> numbersById() const;
 
  private:
   std::vector<LandmarkId> ids_;
-  std::unordered_map<LandmarkId, std::size_t> slots_;  // looked up only, never iterated
+  std::unordered_map<LandmarkId, std::size_t> numbers_;  // looked up only, never iterated
+  LandmarkId largest_id_ = kUnknownId;
 };
 
 }  // namespace slam::particle_filter

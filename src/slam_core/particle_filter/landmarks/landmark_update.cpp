@@ -4,20 +4,37 @@
 #include "slam_core/particle_filter/landmarks/landmark_update.hpp"
 
 #include <cmath>
-#include <set>
 
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
 
+namespace {
+
 // the quantile of the chi-square distribution with two degrees of freedom has a closed form
+double gateOf(double probability) { return -2.0 * std::log(1.0 - probability); }
+
+void count(const Sight& sight, Account& account) {
+  account.statistics.unknown += sight.unknown + sight.not_in_map;
+  account.counters.add("duplicate", static_cast<std::uint64_t>(sight.duplicate));
+  account.counters.add("unknown_id", static_cast<std::uint64_t>(sight.unknown));
+  account.counters.add("not_in_map", static_cast<std::uint64_t>(sight.not_in_map));
+}
+
+PoseGaussian priorOf(const Particle& particle, const std::optional<Motion>& motion) {
+  const PoseGaussian before{particle.pose};
+  return motion ? before.moved(*motion) : before;
+}
+
+}  // namespace
+
 LandmarkUpdate::LandmarkUpdate(const Config& config)
     : map_is_fixed_(config.map_is_fixed),
+      associator_(
+          {config.association, config.lanes, gateOf(config.gate_probability), config.map_is_fixed}),
       proposal_(makeProposal(config.proposal)),
       weighting_(makeWeighting(config.weighting)),
-      fit_(config.lost_nis) {
-  sight_.gate = -2.0 * std::log(1.0 - config.gate_probability);
-}
+      fit_(config.lost_nis, gateOf(config.gate_probability)) {}
 
 void LandmarkUpdate::load(const LandmarkMap& map) {
   index_.clear();
@@ -25,120 +42,133 @@ void LandmarkUpdate::load(const LandmarkMap& map) {
 }
 
 bool LandmarkUpdate::take(const std::optional<LandmarkObservationArray>& array, Account& account) {
-  sight_.matches.clear();
-  unseen_.clear();
-  if (!array) return false;
-  sight_.sensor = array->sensor_pose;
-  std::set<LandmarkId> seen;
-  for (const auto& z : array->observations) {
-    if (z.id != kUnknownId && !seen.insert(z.id).second)
-      account.counters.add("duplicate");
-    else
-      sort(z, account);
-  }
-  return hasSeen();
-}
-
-void LandmarkUpdate::sort(const LandmarkObservation& z, Account& account) {
-  if (z.id == kUnknownId) {
-    ++account.statistics.unknown;
-    account.counters.add("unknown_id");
-  } else if (const auto slot = index_.find(z.id)) {
-    sight_.matches.push_back({*slot, z});
-  } else if (map_is_fixed_) {
-    ++account.statistics.unknown;
-    account.counters.add("not_in_map");
-  } else {
-    unseen_.push_back(z);
-  }
+  array_ = array.value_or(LandmarkObservationArray());
+  association_ = {};
+  if (associator_.asksEach()) return has_seen_ = !array_.observations.empty();
+  association_ = associator_.forAll(array_, index_);
+  count(association_.of(0), account);
+  return has_seen_ = !association_.of(0).isEmpty();
 }
 
 Drafts LandmarkUpdate::propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                                const PoseBelief& belief, const Execution& execution) {
-  const auto matches = sight_.matches.size();
   Drafts drafts(particles.size());
-  predictions_.resize(particles.size() * matches);
-  execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned) {
-    auto& prior = drafts.priors[i];
-    prior.mean = particles[i].pose;
-    if (motion) prior = prior.moved(*motion);
-    if (belief.told_place && matches > 0) prior = *belief.told_place;
+  auto& workers = *execution.workers;
+  const auto* const place = belief.told_place && mayMatch() ? &*belief.told_place : nullptr;
+  workers.forEach(particles.size(), [&](std::size_t i, unsigned) {
+    drafts.priors[i] = place ? *place : priorOf(particles[i], motion);
+  });
+  if (associator_.asksEach() && has_seen_)
+    association_ = associator_.forEach(array_, index_, model_, particles, drafts.priors, workers);
+  predictions_.resize(particles.size() * association_.seen.size());
+  workers.forEach(particles.size(), [&](std::size_t i, unsigned) {
     auto stream = execution.streams.of(RandomStreams::Purpose::kPropose, i);
-    auto* const predictions = predictions_.data() + i * matches;
-    drafts.proposals[i] =
-        proposal_->propose(model_, sight_, particles[i].map, prior, stream, predictions);
-    drafts.log_factors[i] = weighting_->logFactor(predictions, matches);
+    auto* const predictions = predictions_.data() + i * association_.seen.size();
+    expectNothing(association_.of(i), predictions);
+    drafts.proposals[i] = proposal_->propose(model_, association_.of(i), particles[i].map,
+                                             drafts.priors[i], stream, predictions);
+    drafts.log_factors[i] = weighting_->logFactor(predictions, association_.seen.size());
   });
   return drafts;
 }
 
+bool LandmarkUpdate::mayMatch() const {
+  return associator_.asksEach() ? has_seen_ : !association_.of(0).matches.empty();
+}
+
+/// Of what the particle takes for no landmark of its map.
+void LandmarkUpdate::expectNothing(const Sight& sight, Prediction* predictions) const {
+  const auto& seen = association_.seen;
+  if (sight.matches.size() == seen.size()) return;
+  for (std::size_t column = 0; column < seen.size(); ++column)
+    predictions[column] = unmatchedPrediction(seen[column], sight.gate);
+}
+
 void LandmarkUpdate::judge(const Weights& weights, Account& account) {
   auto& statistics = account.statistics;
-  fit_.judge(predictions_, sight_, weights.all(), statistics);
-  is_used_.clear();
-  for (const auto& innovation : statistics.innovations) is_used_.push_back(innovation.used);
+  is_used_ = fit_.judge(predictions_, association_.seen, weights.all(), statistics);
   account.counters.add("gated", static_cast<std::uint64_t>(statistics.gated));
   account.counters.add("doubtful", isDoubtful());
   account.figures["recent_nis"] = fit_.recentNis();
 }
 
-void LandmarkUpdate::inform(const PoseEstimate& moments, const Particle& best,
+void LandmarkUpdate::inform(const PoseEstimate& moments, const ParticleSet& particles,
                             KnowledgeBound& bound) const {
-  const auto& [sensor, matches, gate] = sight_;
-  for (std::size_t k = 0; k < matches.size(); ++k) {
-    const auto& [slot, z] = matches[k];
-    if (is_used_[k])
-      bound.observe(model_, moments.pose, sensor, best.map[slot].mean(), slot, z, map_is_fixed_);
+  const auto best = particles.best();
+  const auto& sight = association_.of(best);
+  for (const auto& [slot, column, z] : sight.matches) {
+    if (!is_used_[column]) continue;
+    const auto& landmark = particles[best].map[slot];
+    bound.observe(model_, moments.pose, sight.sensor, landmark.mean(), landmark.number, z,
+                  map_is_fixed_);
   }
 }
 
 double LandmarkUpdate::logCorrection(const Drafts& drafts, std::size_t ancestor,
                                      const Particle& drawn) const {
-  return weighting_->logCorrection(model_, sight_, drawn.map, drafts.priors[ancestor],
-                                   drafts.proposals[ancestor], drawn.pose, predictionsOf(ancestor));
+  return weighting_->logCorrection(model_, association_.of(ancestor), drawn.map,
+                                   drafts.priors[ancestor], drafts.proposals[ancestor], drawn.pose,
+                                   predictionsOf(ancestor));
 }
 
 Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors, PoseBelief& belief,
                              const Execution& execution, Account& account) {
-  if (map_is_fixed_ || !hasSeen() || isDoubtful()) return {};
+  const auto best = particles.best();
+  const auto& sight = association_.of(ancestors[best]);
+  if (associator_.asksEach()) count(sight, account);
+  if (map_is_fixed_ || !has_seen_ || isDoubtful()) return {};
+  begin(ancestors, belief);
   execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned lane) {
-    updateMap(particles[i], predictionsOf(ancestors[i]), lane);
+    updateMap(particles[i], ancestors[i], lane);
   });
-  beginAnew(particles.best(), belief);
-  for (const auto& z : unseen_) {
-    belief.bound.begin(model_, belief.estimate.pose, sight_.sensor, index_.size(), z);
-    index_.append(z.id);
-  }
-  account.statistics.added = static_cast<int>(unseen_.size());
+  beginAnew(particles[best], sight, belief);
+  account.statistics.added = static_cast<int>(sight.unseen.size());
   return {};
+}
+
+/// What is new to any of the particles that are left.
+void LandmarkUpdate::begin(const Ancestors& ancestors, PoseBelief& belief) {
+  const auto& observations = array_.observations;
+  std::vector<bool> is_new(observations.size());
+  for (const auto ancestor : ancestors)
+    for (const auto i : association_.of(ancestor).unseen) is_new[i] = true;
+  begun_.resize(observations.size());
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    if (!is_new[i]) continue;
+    const auto number = index_.size();
+    begun_[i] = static_cast<std::uint32_t>(number);
+    belief.bound.begin(model_, belief.estimate.pose, array_.sensor_pose, number, observations[i]);
+    index_.append(observations[i].id);
+  }
 }
 
 /// A landmark that does not fit loses credit only where the particle, and the filter as a whole,
 /// can be trusted instead of it.
-void LandmarkUpdate::updateMap(Particle& particle, const Prediction* predictions,
-                               unsigned lane) const {
+void LandmarkUpdate::updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const {
   auto& [pose, map, grid, path] = particle;
-  const auto& [sensor, matches, gate] = sight_;
+  const auto& sight = association_.of(ancestor);
+  const auto* const predictions = predictionsOf(ancestor);
   const bool is_trusted =
-      !fit_.isLost() && !particle_filter::isDoubtful(predictions, matches.size());
-  map.prefetch(matches);
-  for (std::size_t k = 0; k < matches.size(); ++k) {
-    const auto& [slot, z] = matches[k];
-    const bool fits = !predictions[k].gated;
-    if (fits || is_trusted) takeSighting(model_, pose, sensor, z, fits, map.edit(slot, lane));
+      !fit_.isLost() && !particle_filter::isDoubtful(predictions, association_.seen.size());
+  map.prefetch(sight.matches);
+  for (const auto& [slot, column, z] : sight.matches) {
+    const bool fits = !predictions[column].gated;
+    if (fits || is_trusted) takeSighting(model_, pose, sight.sensor, z, fits, map.edit(slot, lane));
   }
-  for (const auto& z : unseen_) map.push_back(initialized(model_, pose, sensor, z), lane);
+  for (const auto i : sight.unseen) {
+    auto landmark = initialized(model_, pose, sight.sensor, array_.observations[i]);
+    landmark.number = begun_[i];
+    map.push_back(landmark, lane);
+  }
 }
 
 /// Where the best particle has.
-void LandmarkUpdate::beginAnew(const Particle& best, PoseBelief& belief) const {
-  const auto& [sensor, matches, gate] = sight_;
-  for (std::size_t k = 0; k < matches.size(); ++k) {
-    if (is_used_[k]) continue;
-    const auto& [slot, z] = matches[k];
-    const auto anew = initialized(model_, best.pose, sensor, z);
-    if (best.map[slot].mean() == anew.mean())
-      belief.bound.begin(model_, belief.estimate.pose, sensor, slot, z);
+void LandmarkUpdate::beginAnew(const Particle& best, const Sight& sight, PoseBelief& belief) const {
+  for (const auto& [slot, column, z] : sight.matches) {
+    if (is_used_[column]) continue;
+    const auto& landmark = best.map[slot];
+    if (landmark.mean() == initialized(model_, best.pose, sight.sensor, z).mean())
+      belief.bound.begin(model_, belief.estimate.pose, sight.sensor, landmark.number, z);
   }
 }
 

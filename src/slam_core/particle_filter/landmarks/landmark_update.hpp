@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "slam_core/particle_filter/landmarks/associator.hpp"
 #include "slam_core/particle_filter/landmarks/fit_monitor.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_index.hpp"
 #include "slam_core/particle_filter/landmarks/proposal.hpp"
@@ -20,10 +22,12 @@ namespace slam::particle_filter {
 class LandmarkUpdate final : public SensorUpdate {
  public:
   struct Config {
+    std::string association = "known_ids";
     std::string proposal = "fastslam2", weighting = "predictive";
     double gate_probability = 0.9999;
     double lost_nis = 5.0;
     bool map_is_fixed = false;
+    unsigned lanes = 1;  ///< of the workers, at most
   };
 
   /// Without any landmarks. @param config is valid
@@ -36,14 +40,14 @@ class LandmarkUpdate final : public SensorUpdate {
   void relocate() { fit_.forget(); }
 
   /// The observations of a step, or none; what is left out is counted as "unknown_id", "duplicate",
-  /// "not_in_map".
-  /// @return whether there is a landmark among them
+  /// "not_in_map", by the most likely particle where each decides for itself.
+  /// @return whether there may be a landmark among them
   bool take(const std::optional<LandmarkObservationArray>& array, Account& account);
 
   Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                  const PoseBelief& belief, const Execution& execution) override;
   void judge(const Weights& weights, Account& account) override;
-  void inform(const PoseEstimate& moments, const Particle& best,
+  void inform(const PoseEstimate& moments, const ParticleSet& particles,
               KnowledgeBound& bound) const override;
   double logCorrection(const Drafts& drafts, std::size_t ancestor,
                        const Particle& drawn) const override;
@@ -54,27 +58,31 @@ class LandmarkUpdate final : public SensorUpdate {
   bool isLost() const { return fit_.isLost(); }
 
  private:
-  void sort(const LandmarkObservation& z, Account& account);
-  bool isDoubtful() const { return hasSeen() && fit_.isDoubtful(); }
-  bool hasSeen() const { return !sight_.matches.empty() || !unseen_.empty(); }
+  bool isDoubtful() const { return has_seen_ && fit_.isDoubtful(); }
   const Prediction* predictionsOf(std::size_t particle) const {
-    return predictions_.data() + particle * sight_.matches.size();
+    return predictions_.data() + particle * association_.seen.size();
   }
-  void updateMap(Particle& particle, const Prediction* predictions, unsigned lane) const;
-  void beginAnew(const Particle& best, PoseBelief& belief) const;
+  bool mayMatch() const;
+  void expectNothing(const Sight& sight, Prediction* predictions) const;
+  void begin(const Ancestors& ancestors, PoseBelief& belief);
+  void updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const;
+  void beginAnew(const Particle& best, const Sight& sight, PoseBelief& belief) const;
 
   bool map_is_fixed_;
   RangeBearingModel model_;
+  Associator associator_;
   std::unique_ptr<Proposal> proposal_;
   std::unique_ptr<Weighting> weighting_;
   LandmarkIndex index_;
   FitMonitor fit_;
 
   // of the step
-  Sight sight_;
-  std::vector<LandmarkObservation> unseen_;  ///< of landmarks that are in no map yet
-  std::vector<Prediction> predictions_;      ///< all of particle 0, then of particle 1, ...
-  std::vector<bool> is_used_;                ///< matches that most particles did not gate
+  LandmarkObservationArray array_;
+  bool has_seen_ = false;  ///< there may be a landmark among the observations
+  Association association_;
+  std::vector<Prediction> predictions_;  ///< a row of columns for each particle
+  std::vector<bool> is_used_;            ///< columns that most particles did not gate
+  std::vector<std::uint32_t> begun_;     ///< numbers of the landmarks begun, by observation
 };
 
 }  // namespace slam::particle_filter

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "slam_core/common/policy_table.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
@@ -36,9 +37,15 @@ Prediction singularPrediction(const LandmarkObservation& z, double gate) {
   return prediction;
 }
 
-bool isDoubtful(const Prediction* predictions, std::size_t matches) {
+Prediction unmatchedPrediction(const LandmarkObservation& z, double gate) {
+  auto prediction = singularPrediction(z, gate);
+  prediction.matched = false;
+  return prediction;
+}
+
+bool isDoubtful(const Prediction* predictions, std::size_t count) {
   std::size_t established = 0, gated = 0;
-  for (std::size_t k = 0; k < matches; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     established += predictions[k].established;
     gated += predictions[k].established && predictions[k].gated;
   }
@@ -50,23 +57,31 @@ PoseGaussian MotionProposal::propose(const ObservationModel& model, const Sight&
                                      RandomStream& random, Prediction* predictions) const {
   const Pose2 pose = prior.sample(random);
   map.prefetch(sight.matches);
-  for (const auto& [slot, z] : sight.matches) {
+  for (const auto& [slot, column, z] : sight.matches) {
     const auto& landmark = map[slot];
     const auto e = expect(model, pose, sight.sensor, landmark, z);
-    *predictions = e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
-    predictions++->established = landmark.isEstablished();
+    auto& prediction = predictions[column];
+    prediction = e ? predictionOf(e->nu, e->R, sight.gate) : singularPrediction(z, sight.gate);
+    prediction.established = landmark.isEstablished();
   }
   return {pose};
 }
 
-const std::vector<std::string>& proposalNames() {
-  static const std::vector<std::string> kNames = {"fastslam1", "fastslam2"};
-  return kNames;
+namespace {
+
+const PolicyTable<Proposal>& proposalTable() {
+  static const PolicyTable<Proposal> kTable(
+      {{"fastslam1", makePolicyOf<Proposal, MotionProposal>},
+       {"fastslam2", makePolicyOf<Proposal, ConditionedProposal>}});
+  return kTable;
 }
 
+}  // namespace
+
+const std::vector<std::string>& proposalNames() { return proposalTable().names(); }
+
 std::unique_ptr<Proposal> makeProposal(const std::string& name) {
-  if (name == "fastslam1") return std::make_unique<MotionProposal>();
-  return std::make_unique<ConditionedProposal>();
+  return proposalTable().make(name);
 }
 
 }  // namespace slam::particle_filter

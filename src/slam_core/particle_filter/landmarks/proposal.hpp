@@ -11,21 +11,11 @@
 #include "slam_core/common/random.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/observation_model.hpp"
-#include "slam_core/particle_filter/particles/particle.hpp"
+#include "slam_core/particle_filter/landmarks/sight.hpp"
+#include "slam_core/particle_filter/particles/particle_map.hpp"
 #include "slam_core/particle_filter/particles/pose_gaussian.hpp"
 
 namespace slam::particle_filter {
-
-/// What the robot saw at one stamp of landmarks that are in the map.
-struct Sight {
-  struct Match {
-    std::size_t slot;  ///< of the landmark in every particle's map
-    LandmarkObservation z;
-  };
-  Pose2 sensor;  ///< T_base_sensor
-  std::vector<Match> matches;
-  double gate = 0.0;  ///< largest squared Mahalanobis distance of a match that counts
-};
 
 /// How well a particle foresaw one observation, knowing those before it in the array.
 struct Prediction {
@@ -35,13 +25,14 @@ struct Prediction {
   /// By how much S would have to be larger for the observation to lie on the edge of the gate; 1
   /// where it lies within.
   double excess = 1.0;
+  bool matched = true;       ///< the particle takes it for a landmark of its map
   bool gated = false;        ///< outside the gate: the landmark is not updated by it
   bool established = false;  ///< the landmark has been seen often enough where it should be
 };
 
 /// What a particle's predictions say of the particle: whether most of the established landmarks
 /// that it sees are not where its map has them.
-bool isDoubtful(const Prediction* predictions, std::size_t matches);
+bool isDoubtful(const Prediction* predictions, std::size_t count);
 
 /// The density from which the new pose of a particle is drawn, and with it what the particle's
 /// weight rests on: how it foresaw the observations.
@@ -51,7 +42,7 @@ class Proposal {
 
   /// For several threads at once.
   /// @param prior where motion alone puts this particle
-  /// @param predictions one for each match, written
+  /// @param predictions of all observations; those of the matches are written
   /// @return what the pose is to be drawn from; without covariance where it has been drawn already
   virtual PoseGaussian propose(const ObservationModel& model, const Sight& sight,
                                const ParticleMap& map, const PoseGaussian& prior,
@@ -81,6 +72,10 @@ class ConditionedProposal final : public Proposal {
 /// against a particle, but only so much, and of two particles that it does not fit the nearer one
 /// still counts for more.
 Prediction predictionOf(const Eigen::Vector2d& nu, const Eigen::Matrix2d& S, double gate);
+
+/// Of an observation that a particle takes for no landmark of its map: as unlikely as on the edge
+/// of the gate, so that a particle neither gains nor loses much where others know the landmark.
+Prediction unmatchedPrediction(const LandmarkObservation& z, double gate);
 
 /// Of a landmark that the particle stands on: as unlikely as on the edge of the gate.
 Prediction singularPrediction(const LandmarkObservation& z, double gate);

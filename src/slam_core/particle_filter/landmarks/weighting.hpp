@@ -18,7 +18,8 @@ class Weighting {
  public:
   virtual ~Weighting() = default;
 
-  virtual double logFactor(const Prediction* predictions, std::size_t matches) const;
+  /// @param predictions so many, of all observations
+  virtual double logFactor(const Prediction* predictions, std::size_t count) const;
 
   /// @param map before the step's observations went into it
   /// @param predictions those that logFactor() had

@@ -101,8 +101,8 @@ Eigen::Matrix3d KnowledgeBound::told(const Eigen::Matrix3d& covariance) const {
   return (1.0 - share) * covariance + share * atLeast<3>(pose_, covariance);
 }
 
-Eigen::Matrix2d KnowledgeBound::told(const Eigen::Matrix2d& covariance, std::size_t slot) const {
-  const auto& landmark = landmarks_[slot];
+Eigen::Matrix2d KnowledgeBound::told(const Eigen::Matrix2d& covariance, std::size_t number) const {
+  const auto& landmark = landmarks_[number];
   const double share = genealogy_.forgottenSince(landmark.since);
   return (1.0 - share) * covariance + share * atLeast<2>(landmark.covariance, covariance);
 }
@@ -115,13 +115,13 @@ void KnowledgeBound::move(const Pose2& from, const Motion& motion) {
 }
 
 void KnowledgeBound::observe(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
-                             const Eigen::Vector2d& landmark, std::size_t slot,
+                             const Eigen::Vector2d& landmark, std::size_t number,
                              const LandmarkObservation& z, bool map_is_fixed) {
   Eigen::Matrix<double, 2, 3> H_robot;
   Eigen::Matrix2d H_landmark;
   const auto z_predicted = model.predict(robot, sensor, landmark, &H_robot, &H_landmark);
   if (model.isSingular(z_predicted)) return;
-  auto& m = landmarks_[slot].covariance;
+  auto& m = landmarks_[number].covariance;
   const Eigen::Matrix2d of_pose = H_robot * pose_ * H_robot.transpose();
   const Eigen::Matrix2d of_landmark = H_landmark * m * H_landmark.transpose();
   pose_ = intersected<3>(pose_, H_robot, of_landmark, z.covariance);
@@ -129,15 +129,15 @@ void KnowledgeBound::observe(const ObservationModel& model, const Pose2& robot, 
 }
 
 void KnowledgeBound::begin(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
-                           std::size_t slot, const LandmarkObservation& z) {
+                           std::size_t number, const LandmarkObservation& z) {
   Eigen::Matrix<double, 2, 3> J_robot;
   Eigen::Matrix2d J_z;
   model.invert(robot, sensor, z.vector(), &J_robot, &J_z);
   const Eigen::Matrix2d covariance =
       J_robot * pose_ * J_robot.transpose() + J_z * z.covariance * J_z.transpose();
-  if (slot == landmarks_.size()) landmarks_.emplace_back();
+  if (number == landmarks_.size()) landmarks_.emplace_back();
   // what the pose's error has in common with it was forgotten as far as the pose's own
-  landmarks_[slot] = {symmetric(covariance), pose_since_};
+  landmarks_[number] = {symmetric(covariance), pose_since_};
 }
 
 }  // namespace slam::particle_filter

@@ -40,19 +40,18 @@ class KnowledgeBound {
   /// An observation of a landmark that fits.
   /// @param map_is_fixed what is known of the landmark stays
   void observe(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
-               const Eigen::Vector2d& landmark, std::size_t slot, const LandmarkObservation& z,
+               const Eigen::Vector2d& landmark, std::size_t number, const LandmarkObservation& z,
                bool map_is_fixed);
 
   /// A landmark that an observation puts into the map, the next one or one of it anew.
   void begin(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
-             std::size_t slot, const LandmarkObservation& z);
+             std::size_t number, const LandmarkObservation& z);
 
   const Eigen::Matrix3d& pose() const { return pose_; }
-  const Eigen::Matrix2d& landmark(std::size_t slot) const { return landmarks_[slot].covariance; }
 
   /// What to tell where the particles say `covariance`.
   Eigen::Matrix3d told(const Eigen::Matrix3d& covariance) const;
-  Eigen::Matrix2d told(const Eigen::Matrix2d& covariance, std::size_t slot) const;
+  Eigen::Matrix2d told(const Eigen::Matrix2d& covariance, std::size_t number) const;
 
  private:
   struct Landmark {
@@ -63,7 +62,7 @@ class KnowledgeBound {
   Eigen::Matrix3d pose_ = Eigen::Matrix3d::Zero();
   double pose_since_ = 0.0;
   Genealogy genealogy_;
-  std::vector<Landmark> landmarks_;  ///< by slot
+  std::vector<Landmark> landmarks_;  ///< by number
 };
 
 /// The covariance after an observation with the Jacobian H whose noise has the covariance

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 
 namespace slam::particle_filter {
 
@@ -14,6 +15,7 @@ struct LandmarkEstimate {
   /// How often it was seen where it should be, less how often elsewhere: what a wrong reading put
   /// into the map loses it.
   int credit = 0;
+  std::uint32_t number = 0;  ///< of the landmark, see LandmarkIndex
 
   LandmarkEstimate() = default;
   LandmarkEstimate(const Eigen::Vector2d& mean, const Eigen::Matrix2d& P)

@@ -11,6 +11,22 @@ namespace {
 /// Few or equal particles have no spread in some direction; a covariance needs one [m^2, rad^2].
 constexpr double kSmallestVariance = 1e-12;
 
+/// Calls use(weight, estimate) for each particle that has the landmark.
+/// @return their share of the weight
+template <class Use>
+double forEachEstimate(const ParticleSet& particles, std::size_t number, const Use& use) {
+  double share = 0.0;
+  bool have_all = true;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const auto* const landmark = find(number, particles[i].map);
+    have_all &= landmark != nullptr;
+    if (landmark == nullptr) continue;
+    share += particles.weights()[i];
+    use(particles.weights()[i], *landmark);
+  }
+  return have_all ? 1.0 : share;
+}
+
 }  // namespace
 
 PoseEstimate momentsOf(const std::vector<PoseGaussian>& parts, const std::vector<double>& weights) {
@@ -34,22 +50,23 @@ PoseEstimate about(const Pose2& pose, const PoseEstimate& estimate) {
   return {pose, estimate.covariance + d * d.transpose()};
 }
 
-Landmark mixtureOf(const ParticleSet& particles, std::size_t slot, LandmarkId id) {
+Landmark mixtureOf(const ParticleSet& particles, std::size_t number, LandmarkId id) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    mean += particles.weights()[i] * particles[i].map[slot].mean();
-  return mixtureAbout(mean, particles, slot, id);
+  const double share = forEachEstimate(
+      particles, number,
+      [&](double weight, const LandmarkEstimate& landmark) { mean += weight * landmark.mean(); });
+  return mixtureAbout(mean / share, particles, number, id);
 }
 
-Landmark mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles, std::size_t slot,
-                      LandmarkId id) {
+Landmark mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles,
+                      std::size_t number, LandmarkId id) {
   Eigen::Matrix2d P = Eigen::Matrix2d::Zero();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const auto& landmark = particles[i].map[slot];
-    const Eigen::Vector2d d = landmark.mean() - point;
-    P += particles.weights()[i] * (landmark.covariance() + d * d.transpose());
-  }
-  return {id, point, P};
+  const double share =
+      forEachEstimate(particles, number, [&](double weight, const LandmarkEstimate& landmark) {
+        const Eigen::Vector2d d = landmark.mean() - point;
+        P += weight * (landmark.covariance() + d * d.transpose());
+      });
+  return {id, point, P / share};
 }
 
 }  // namespace slam::particle_filter

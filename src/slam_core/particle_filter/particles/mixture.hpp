@@ -19,10 +19,10 @@ PoseEstimate momentsOf(const std::vector<PoseGaussian>& parts, const std::vector
 /// The second moment of an estimate about another pose than its mean.
 PoseEstimate about(const Pose2& pose, const PoseEstimate& estimate);
 
-/// Mean and covariance of one landmark over all particles.
-Landmark mixtureOf(const ParticleSet& particles, std::size_t slot, LandmarkId id);
+/// Mean and covariance of one landmark over all particles that have it.
+Landmark mixtureOf(const ParticleSet& particles, std::size_t number, LandmarkId id);
 /// A point and the second moment about it.
-Landmark mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles, std::size_t slot,
-                      LandmarkId id);
+Landmark mixtureAbout(const Eigen::Vector2d& point, const ParticleSet& particles,
+                      std::size_t number, LandmarkId id);
 
 }  // namespace slam::particle_filter

@@ -4,15 +4,10 @@
 #pragma once
 
 #include "slam_core/grid_map/grid_map.hpp"
-#include "slam_core/particle_filter/memory/persistent_array.hpp"
 #include "slam_core/particle_filter/memory/shared_path.hpp"
-#include "slam_core/particle_filter/particles/landmark_estimate.hpp"
+#include "slam_core/particle_filter/particles/particle_map.hpp"
 
 namespace slam::particle_filter {
-
-/// The landmarks by slot: their number in the order in which they were first seen, which is the
-/// same in every particle.
-using ParticleMap = PersistentArray<LandmarkEstimate>;
 
 /// One hypothesis of where the robot has been, and the map that follows from it (Eq. 5.5). Copying
 /// one copies pointers.

@@ -21,41 +21,13 @@ bool ParticleSet::weigh(const std::vector<double>& log_factors) {
   return are_left;
 }
 
-void ParticleSet::relocate(const Pose2& increment, const PoseEstimate& around,
-                           RandomStream& random) {
-  const Eigen::Matrix3d L = around.covariance.llt().matrixL();
-  std::vector<Eigen::Vector3d> deviations(size(), Eigen::Vector3d::Zero());
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (std::size_t i = 1; i < size(); ++i) {
-    const double x = random.gaussian(), y = random.gaussian(), theta = random.gaussian();
-    deviations[i] = L * Eigen::Vector3d(x, y, theta);
-    mean += weights_[i] * deviations[i];
-  }
-  const double others = 1.0 - weights_[0];
-  const bool is_centred = size() > 2 && others > 0.0;  // a single other one would be no deviation
-  for (auto& particle : particles_) {
-    particle.pose = particle.pose * increment;
-    particle.path.append(particle.pose);
-  }
-  for (std::size_t i = 1; i < size(); ++i) {
-    if (is_centred) deviations[i] -= mean / others;
-    particles_[i].pose = Pose2::fromVector(around.pose.vector() + deviations[i]);
-  }
-  particles_[0].pose = around.pose;
-}
-
-void ParticleSet::record(Stamp stamp, const Pose2& odometry, bool has_learned) {
-  memory_.paths.addStep(stamp, odometry);
-  if (!has_learned) return;
-  for (auto& particle : particles_) particle.path.append(particle.pose);
-}
-
 void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation,
                               const grid_map::GridMap& grid) {
   ParticleMap shared(memory_.maps);
   for (const auto& landmark : map) {
     LandmarkEstimate estimate(landmark.position, inflation * inflation * landmark.covariance);
     estimate.credit = LandmarkEstimate::kMostCredit;
+    estimate.number = static_cast<std::uint32_t>(shared.size());
     shared.push_back(estimate);
   }
   for (auto& particle : particles_) {
@@ -76,6 +48,38 @@ void ParticleSet::resample(const std::vector<std::uint32_t>& ancestors) {
   best_ = best == ancestors.end() ? 0 : static_cast<std::size_t>(best - ancestors.begin());
   particles_ = std::move(next);
   weights_.reset(size());
+}
+
+void relocate(ParticleSet& particles, const Pose2& increment, const PoseEstimate& around,
+              RandomStream& random) {
+  const auto size = particles.size();
+  const auto& weights = particles.weights();
+  const Eigen::Matrix3d L = around.covariance.llt().matrixL();
+  std::vector<Eigen::Vector3d> deviations(size, Eigen::Vector3d::Zero());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < size; ++i) {
+    const double x = random.gaussian(), y = random.gaussian(), theta = random.gaussian();
+    deviations[i] = L * Eigen::Vector3d(x, y, theta);
+    mean += weights[i] * deviations[i];
+  }
+  const double others = 1.0 - weights[0];
+  const bool is_centred = size > 2 && others > 0.0;  // a single other one would be no deviation
+  for (std::size_t i = 0; i < size; ++i) {
+    auto& [pose, map, grid, path] = particles[i];
+    pose = pose * increment;
+    path.append(pose);
+  }
+  for (std::size_t i = 1; i < size; ++i) {
+    if (is_centred) deviations[i] -= mean / others;
+    particles[i].pose = Pose2::fromVector(around.pose.vector() + deviations[i]);
+  }
+  particles[0].pose = around.pose;
+}
+
+void record(ParticleSet& particles, Stamp stamp, const Pose2& odometry, bool has_learned) {
+  particles.memory().paths.addStep(stamp, odometry);
+  if (!has_learned) return;
+  for (std::size_t i = 0; i < particles.size(); ++i) particles[i].path.append(particles[i].pose);
 }
 
 }  // namespace slam::particle_filter

@@ -35,20 +35,12 @@ class ParticleSet {
   const Weights& weights() const { return weights_; }
   /// The most likely particle, or where particles have just been resampled the first one that
   /// descends from it.
-  const Particle& best() const { return particles_[best_]; }
+  std::size_t best() const { return best_; }
 
   /// Weights are multiplied with factors, see Weights. @return whether something was left of them
   bool weigh(const std::vector<double>& log_factors);
   /// Particle i is replaced by a copy of particle ancestors[i]; weights become equal.
   void resample(const std::vector<std::uint32_t>& ancestors);
-  /// All particles are moved by the same, where their paths end; then the poses are drawn anew
-  /// around one. Paths, maps and weights stay. The weighted mean of the poses is the one given,
-  /// where there are more than two, and the first particle's is exactly that.
-  void relocate(const Pose2& increment, const PoseEstimate& around, RandomStream& random);
-  /// The poses become the end of the paths.
-  /// @param odometry since the last call
-  /// @param has_learned the particles' poses are more than the last ones and the odometry
-  void record(Stamp stamp, const Pose2& odometry, bool has_learned);
   /// All particles get these maps, equal weights and an empty path.
   void replaceMaps(const LandmarkMap& map, double inflation, const grid_map::GridMap& grid);
 
@@ -61,5 +53,15 @@ class ParticleSet {
   Weights weights_;
   std::size_t best_ = 0;
 };
+
+/// All particles are moved by the same, where their paths end; then the poses are drawn anew around
+/// one. Paths, maps and weights stay. The weighted mean of the poses is the one given, where there
+/// are more than two, and the first particle's is exactly that.
+void relocate(ParticleSet& particles, const Pose2& increment, const PoseEstimate& around,
+              RandomStream& random);
+/// The poses become the end of the paths.
+/// @param odometry since the last call
+/// @param has_learned the particles' poses are more than the last ones and the odometry
+void record(ParticleSet& particles, Stamp stamp, const Pose2& odometry, bool has_learned);
 
 }  // namespace slam::particle_filter

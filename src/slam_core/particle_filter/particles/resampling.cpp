@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/common/policy_table.hpp"
+
 namespace slam::particle_filter {
 
 std::vector<std::uint32_t> particlesAt(const std::vector<double>& positions,
@@ -86,17 +88,23 @@ std::vector<std::uint32_t> MultinomialResampling::draw(const std::vector<double>
   return particlesAt(positions, weights);
 }
 
-const std::vector<std::string>& resamplingNames() {
-  static const std::vector<std::string> kNames = {"systematic", "stratified", "residual",
-                                                  "multinomial"};
-  return kNames;
+namespace {
+
+const PolicyTable<Resampling>& resamplingTable() {
+  static const PolicyTable<Resampling> kTable(
+      {{"systematic", makePolicyOf<Resampling, SystematicResampling>},
+       {"stratified", makePolicyOf<Resampling, StratifiedResampling>},
+       {"residual", makePolicyOf<Resampling, ResidualResampling>},
+       {"multinomial", makePolicyOf<Resampling, MultinomialResampling>}});
+  return kTable;
 }
 
+}  // namespace
+
+const std::vector<std::string>& resamplingNames() { return resamplingTable().names(); }
+
 std::unique_ptr<Resampling> makeResampling(const std::string& name) {
-  if (name == "multinomial") return std::make_unique<MultinomialResampling>();
-  if (name == "residual") return std::make_unique<ResidualResampling>();
-  if (name == "stratified") return std::make_unique<StratifiedResampling>();
-  return std::make_unique<SystematicResampling>();
+  return resamplingTable().make(name);
 }
 
 }  // namespace slam::particle_filter

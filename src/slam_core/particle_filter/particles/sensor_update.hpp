@@ -80,7 +80,7 @@ class SensorUpdate {
   virtual void judge(const Weights& /*weights*/, Account& /*account*/) {}
   /// What can be known now of pose and landmarks at best.
   /// @param moments of the pose, from all proposals by the new weights
-  virtual void inform(const PoseEstimate& moments, const Particle& best,
+  virtual void inform(const PoseEstimate& moments, const ParticleSet& particles,
                       KnowledgeBound& bound) const = 0;
   /// The logarithm of the factor that the pose drawn makes necessary; for several threads at once.
   virtual double logCorrection(const Drafts& /*drafts*/, std::size_t /*ancestor*/,

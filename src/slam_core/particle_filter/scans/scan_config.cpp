@@ -3,9 +3,6 @@
 
 #include "slam_core/particle_filter/scans/scan_config.hpp"
 
-#include "slam_core/particle_filter/scans/scan_proposal.hpp"
-#include "slam_core/particle_filter/scans/scan_weighting.hpp"
-
 namespace slam::particle_filter {
 
 void ScanConfig::describe(Fields& fields) {
@@ -16,21 +13,18 @@ void ScanConfig::describe(Fields& fields) {
 }
 
 void ScanConfig::describePolicies(Fields& fields) {
-  fields
-      .add("proposal", &proposal,
-           "where a particle's new pose is drawn from: about the place where the scan fits its map "
-           "best (matched), or from the motion alone (motion)")
-      .oneOf(scanProposalNames());
-  fields
-      .add("weighting", &weighting,
-           "a particle's weight: the scan's likelihood over all poses that the motion may have led "
-           "to (integral), or at the middle of the proposal (likelihood)")
-      .oneOf(scanWeightingNames());
-  fields
-      .add("matcher", &matcher,
-           "how that place is found: in steps from where the motion leads, or by searching a whole "
-           "window around that (correlative), slower, for odometry that slips")
-      .oneOf(scanMatcherNames());
+  fields.add("proposal", &proposal,
+             {{"matched", Proposal::kMatched}, {"motion", Proposal::kMotion}},
+             "where a particle's new pose is drawn from: about the place where the scan fits its "
+             "map best (matched), or from the motion alone (motion)");
+  fields.add("weighting", &weighting,
+             {{"integral", Weighting::kIntegral}, {"likelihood", Weighting::kLikelihood}},
+             "a particle's weight: the scan's likelihood over all poses that the motion may have "
+             "led to (integral), or at the middle of the proposal (likelihood)");
+  fields.add("matcher", &matcher,
+             {{"hill_climbing", Matcher::kHillClimbing}, {"correlative", Matcher::kCorrelative}},
+             "how that place is found: in steps from where the motion leads, or by searching a "
+             "whole window around that (correlative), slower, for odometry that slips");
 }
 
 void ScanConfig::describeUpdates(Fields& fields) {

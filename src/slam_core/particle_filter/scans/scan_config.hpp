@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <string>
-
 #include "slam_core/common/config_fields.hpp"
 
 namespace slam::particle_filter {
@@ -13,9 +11,13 @@ namespace slam::particle_filter {
 struct ScanConfig {
   static constexpr const char* kSection = "scan_matching";
 
-  std::string proposal = "matched";
-  std::string weighting = "integral";
-  std::string matcher = "hill_climbing";
+  enum class Proposal { kMatched, kMotion };
+  enum class Weighting { kIntegral, kLikelihood };
+  enum class Matcher { kHillClimbing, kCorrelative };
+
+  Proposal proposal = Proposal::kMatched;
+  Weighting weighting = Weighting::kIntegral;
+  Matcher matcher = Matcher::kHillClimbing;
   double update_distance = 0.3;
   double update_angle = 0.25;
   double update_interval = 0.0;

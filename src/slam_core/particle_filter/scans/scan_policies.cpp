@@ -13,24 +13,4 @@ ScanDraft MotionScanProposal::propose(const grid_map::ScanLikelihood& likelihood
   return {{pose}, likelihood.log(map, scan, pose)};
 }
 
-const std::vector<std::string>& scanProposalNames() {
-  static const std::vector<std::string> kNames = {"matched", "motion"};
-  return kNames;
-}
-
-const std::vector<std::string>& scanMatcherNames() {
-  static const std::vector<std::string> kNames = {"hill_climbing", "correlative"};
-  return kNames;
-}
-
-const std::vector<std::string>& scanWeightingNames() {
-  static const std::vector<std::string> kNames = {"integral", "likelihood"};
-  return kNames;
-}
-
-std::unique_ptr<ScanWeighting> makeScanWeighting(const std::string& name) {
-  if (name == "likelihood") return std::make_unique<LikelihoodScanWeighting>();
-  return std::make_unique<IntegralScanWeighting>();
-}
-
 }  // namespace slam::particle_filter

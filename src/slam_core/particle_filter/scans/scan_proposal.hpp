@@ -59,7 +59,4 @@ class MatchedScanProposal final : public ScanProposal {
   std::unique_ptr<grid_map::ScanMatcher> matcher_;
 };
 
-const std::vector<std::string>& scanProposalNames();
-const std::vector<std::string>& scanMatcherNames();
-
 }  // namespace slam::particle_filter

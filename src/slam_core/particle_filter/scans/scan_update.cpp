@@ -20,14 +20,22 @@ UpdateTrigger triggerOf(const ScanConfig& config) {
 
 std::unique_ptr<grid_map::ScanMatcher> matcherOf(const ScanConfig& config) {
   const HillClimbing::Steps steps{config.step_position, config.step_heading, config.step_halvings};
-  if (config.matcher == "hill_climbing") return std::make_unique<HillClimbing>(steps);
+  if (config.matcher == ScanConfig::Matcher::kHillClimbing)
+    return std::make_unique<HillClimbing>(steps);
   return std::make_unique<CorrelativeMatching>(
       CorrelativeMatching::Window{config.window_position, config.window_heading}, steps);
 }
 
 std::unique_ptr<ScanProposal> proposalOf(const ScanConfig& config) {
-  if (config.proposal == "motion") return std::make_unique<MotionScanProposal>();
+  if (config.proposal == ScanConfig::Proposal::kMotion)
+    return std::make_unique<MotionScanProposal>();
   return std::make_unique<MatchedScanProposal>(matcherOf(config));
+}
+
+std::unique_ptr<ScanWeighting> weightingOf(const ScanConfig& config) {
+  if (config.weighting == ScanConfig::Weighting::kLikelihood)
+    return std::make_unique<LikelihoodScanWeighting>();
+  return std::make_unique<IntegralScanWeighting>();
 }
 
 }  // namespace
@@ -40,7 +48,7 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
       model_(map),
       likelihood_(scan.outlier, scan.beam_information),
       proposal_(proposalOf(scan)),
-      weighting_(makeScanWeighting(scan.weighting)),
+      weighting_(weightingOf(scan)),
       trigger_(triggerOf(scan)),
       fit_(model_, scan.lost_share) {
   relocate({});
@@ -94,13 +102,14 @@ Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Mot
 }
 
 /// Nothing is known beyond the particles' spread.
-void ScanUpdate::inform(const PoseEstimate& moments, const Particle&, KnowledgeBound& bound) const {
+void ScanUpdate::inform(const PoseEstimate& moments, const ParticleSet&,
+                        KnowledgeBound& bound) const {
   bound.setPose(moments.covariance);
 }
 
 Lesson ScanUpdate::learn(ParticleSet& particles, const Ancestors&, PoseBelief&,
                          const Execution& execution, Account& account) {
-  const auto& best = particles.best();
+  const auto& best = particles[particles.best()];
   fit_.judge(best.grid, scan_, best.pose);
   account.figures["contradicting_ends"] = fit_.contradictingShare();
   trigger_.restart(stamp_);

@@ -34,7 +34,7 @@ class ScanUpdate final : public SensorUpdate {
 
   Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                  const PoseBelief& belief, const Execution& execution) override;
-  void inform(const PoseEstimate& moments, const Particle& best,
+  void inform(const PoseEstimate& moments, const ParticleSet& particles,
               KnowledgeBound& bound) const override;
   Lesson learn(ParticleSet& particles, const Ancestors& ancestors, PoseBelief& belief,
                const Execution& execution, Account& account) override;

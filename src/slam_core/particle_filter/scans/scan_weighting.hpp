@@ -40,8 +40,4 @@ class IntegralScanWeighting final : public ScanWeighting {
   }
 };
 
-const std::vector<std::string>& scanWeightingNames();
-/// `name` is one of scanWeightingNames().
-std::unique_ptr<ScanWeighting> makeScanWeighting(const std::string& name);
-
 }  // namespace slam::particle_filter

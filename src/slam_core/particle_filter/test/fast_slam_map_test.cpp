@@ -20,8 +20,8 @@ Pose2 run(Filter& filter, SimulatedWorld& world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
     truth = step.truth;
   }
@@ -37,7 +37,7 @@ std::unique_ptr<Component> made(const Config& config) {
 
 PfConfig localization() {
   PfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   return config;
 }
 
@@ -47,7 +47,7 @@ MapState savedBy(Filter& filter) {
   SimulatedWorld world(8);
   run(filter, world, 150);
   const test::TemporaryFolder folder;
-  saveLandmarks(folder / "landmarks.yaml", {"map", {}, filter.state()});
+  saveLandmarks(folder / "landmarks.yaml", {"map", {}, as<MapKeeper>(filter).state()});
   return loadLandmarks(folder / "landmarks.yaml", "map").map;
 }
 
@@ -56,13 +56,13 @@ const PoseEstimate kStart{Pose2(), 1e-4 * Eigen::Matrix3d::Identity()};
 TEST(FastSlamMap, OfTheEkfIsOneToLocaliseIn) {
   const auto map = savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig()));
   const auto filter = made<FastSlam>(localization());
-  filter->set(map);
+  as<MapKeeper>(*filter).set(map);
   filter->set(kStart);
   SimulatedWorld world(9);
   const auto truth = run(*filter, world, 60);
-  EXPECT_GT(filter->statistics().used, 0);
+  EXPECT_GT(as<LandmarkMapper>(*filter).statistics().used, 0);
   EXPECT_LT((filter->pose().pose.position() - truth.position()).norm(), 0.2);
-  const auto after = filter->landmarks();
+  const auto after = as<LandmarkMapper>(*filter).landmarks();
   ASSERT_EQ(after.size(), map.landmarks.size());
   for (std::size_t i = 0; i < after.size(); ++i) {
     EXPECT_EQ(after[i].position, map.landmarks[i].position);
@@ -74,13 +74,13 @@ TEST(FastSlamMap, OfTheEkfIsOneToLocaliseIn) {
 TEST(FastSlamMap, IsOneForTheEkfToLocaliseIn) {
   const auto map = savedBy(*made<FastSlam>(PfConfig()));
   ekf::EkfConfig config;
-  config.mode = "localization";
+  config.mode = BackendMode::kLocalization;
   const auto filter = made<ekf::EkfSlam>(config);
-  filter->set(map);
+  as<MapKeeper>(*filter).set(map);
   filter->set(kStart);
   SimulatedWorld world(9);
   const auto truth = run(*filter, world, 60);
-  EXPECT_GT(filter->statistics().used, 0);
+  EXPECT_GT(as<LandmarkMapper>(*filter).statistics().used, 0);
   EXPECT_LT((filter->pose().pose.position() - truth.position()).norm(), 0.2);
 }
 
@@ -89,9 +89,9 @@ TEST(FastSlamMap, IsInflatedWhereItHasNoJointCovariance) {
   PfConfig config;
   config.load_inflation = 3.0;
   const auto filter = made<FastSlam>(config);
-  filter->set(map);
+  as<MapKeeper>(*filter).set(map);
   filter->execute();
-  const auto loaded = filter->landmarks();
+  const auto loaded = as<LandmarkMapper>(*filter).landmarks();
   for (std::size_t i = 0; i < loaded.size(); ++i)
     EXPECT_TRUE(loaded[i].covariance.isApprox(9 * map.landmarks[i].covariance, 1e-12));
   EXPECT_EQ(filter->pose().covariance, map.robot.covariance);
@@ -101,7 +101,8 @@ TEST(FastSlamMap, IsSavedAsUnsureAsItsLandmarksAreToOneAnother) {
   const auto filter = made<FastSlam>(PfConfig());
   SimulatedWorld world(8);
   run(*filter, world, 100);
-  const auto told = filter->landmarks(), saved = filter->state().landmarks;
+  const auto told = as<LandmarkMapper>(*filter).landmarks(),
+             saved = as<MapKeeper>(*filter).state().landmarks;
   const auto& particles = filter->particleSet();
   for (std::size_t i = 0; i < told.size(); ++i) {
     EXPECT_EQ(saved[i].position, told[i].position);
@@ -109,15 +110,15 @@ TEST(FastSlamMap, IsSavedAsUnsureAsItsLandmarksAreToOneAnother) {
   }
   double spread = 0.0, own = 0.0;
   for (std::size_t slot = 0; slot < told.size(); ++slot)
-    own += particles.best().map[slot].covariance().trace();
+    own += particles[particles.best()].map[slot].covariance().trace();
   for (const auto& landmark : saved) spread += landmark.covariance.trace();
   EXPECT_GT(spread, own) << "the particles' disagreement belongs to it";
-  EXPECT_EQ(filter->state().joint_covariance.size(), 0);
+  EXPECT_EQ(as<MapKeeper>(*filter).state().joint_covariance.size(), 0);
 }
 
 TEST(FastSlamMap, OfOneCopyIsSharedByAllParticlesThatOnlyLocalise) {
   const auto filter = made<FastSlam>(localization());
-  filter->set(savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig())));
+  as<MapKeeper>(*filter).set(savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig())));
   SimulatedWorld world(9);
   run(*filter, world, 60);
   EXPECT_EQ(filter->particleSet().memory().maps.leavesInUse(), 4u) << "16 landmarks, 4 a leaf";
@@ -125,13 +126,14 @@ TEST(FastSlamMap, OfOneCopyIsSharedByAllParticlesThatOnlyLocalise) {
 
 TEST(FastSlamMap, LeavesOutAndCountsStrangersInLocalization) {
   const auto filter = made<FastSlam>(localization());
-  filter->set(LandmarkObservationArray{});
+  give(LandmarkObservationArray{}, *filter);
   EXPECT_TRUE(test::oneSays({filter->execute().message}, {"no map", "load one"}));
   SimulatedWorld world(9);
   run(*filter, world, 1);
-  EXPECT_TRUE(filter->landmarks().empty());
-  EXPECT_GT(filter->statistics().unknown, 0);
-  EXPECT_EQ(filter->counters()["not_in_map"], std::uint64_t(filter->statistics().unknown));
+  EXPECT_TRUE(as<LandmarkMapper>(*filter).landmarks().empty());
+  EXPECT_GT(as<LandmarkMapper>(*filter).statistics().unknown, 0);
+  EXPECT_EQ(filter->counters()["not_in_map"],
+            std::uint64_t(as<LandmarkMapper>(*filter).statistics().unknown));
 }
 
 TEST(FastSlamMap, IsKeptWhenTheRobotIsRedrawnExactlyThere) {
@@ -144,7 +146,7 @@ TEST(FastSlamMap, IsKeptWhenTheRobotIsRedrawnExactlyThere) {
   EXPECT_EQ(filter->pose().pose.vector(), there.pose.vector());
   EXPECT_EQ(filter->pose().covariance, there.covariance);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  const auto particles = filter->particles();
+  const auto particles = as<PoseSampler>(*filter).particles();
   for (const auto& pose : particles)
     mean += there.pose.between(pose).vector() / double(particles.size());
   EXPECT_LT(mean.norm(), 0.15);

@@ -20,27 +20,27 @@ Pose2 run(Filter& filter, SimulatedWorld world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
     truth = step.truth;
   }
   return truth;
 }
 
-std::vector<double> numbersOf(const FastSlam& filter) {
+std::vector<double> numbersOf(FastSlam& filter) {
   std::vector<double> numbers;
   const auto add = [&](const auto& matrix) {
     for (Eigen::Index i = 0; i < matrix.size(); ++i) numbers.push_back(matrix.data()[i]);
   };
   add(filter.pose().pose.vector());
   add(filter.pose().covariance);
-  for (const auto& landmark : filter.state().landmarks) {
+  for (const auto& landmark : as<MapKeeper>(filter).state().landmarks) {
     add(landmark.position);
     add(landmark.covariance);
   }
-  for (const auto& [stamp, pose] : filter.path()) add(pose.vector());
-  for (const auto& pose : filter.particles()) add(pose.vector());
+  for (const auto& [stamp, pose] : as<PathReviser>(filter).path()) add(pose.vector());
+  for (const auto& pose : as<PoseSampler>(filter).particles()) add(pose.vector());
   return numbers;
 }
 
@@ -63,7 +63,7 @@ class FastSlamVariant : public testing::TestWithParam<std::string> {
 
 TEST_P(FastSlamVariant, GivesTheSameBitsOnAnyNumberOfThreads) {
   auto one = config(), two = config(), seven = config();
-  one.size = two.size = seven.size = "kld";
+  one.size = two.size = seven.size = SetSize::kKld;
   two.threads = 2;
   seven.threads = 7;
   const auto numbers = numbersAfter(one, 5);
@@ -90,7 +90,7 @@ TEST_P(FastSlamVariant, AgreesWithTheEkfWhereTheWorldIsNearlyLinear) {
     EXPECT_LT(std::abs(a.pose.vector()[i] - b.pose.vector()[i]), 0.6 * sigma[i]) << i;
     EXPECT_NEAR(std::sqrt(a.covariance(i, i)) / sigma[i], 1.0, 0.35) << i;
   }
-  const auto state = filter.state(), expected = reference.state();
+  const auto state = as<MapKeeper>(filter).state(), expected = as<MapKeeper>(reference).state();
   ASSERT_EQ(state.landmarks.size(), expected.landmarks.size());
   for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
     const auto& landmark = expected.landmarks[i];
@@ -108,8 +108,8 @@ TEST_P(FastSlamVariant, SurvivesNoiseThatIsClaimedFarTooSmall) {
   for (int i = 0; i < 125; ++i) {
     auto step = world.next();
     for (auto& z : step.observations.observations) z.covariance *= 0.01;  // a tenth of the sigma
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
     truth = step.truth;
     ASSERT_TRUE(isCovariance(filter.pose().covariance)) << "step " << i;
@@ -126,7 +126,7 @@ TEST(FastSlamTest, WorksWithEveryPolicy) {
       PfConfig config;
       config.weighting = weighting;
       config.resampling = resampling;
-      config.map = "mixture";
+      config.map = ToldMap::kMixture;
       FastSlam filter;
       filter.configure(config);
       const auto truth = run(filter, SimulatedWorld(6), 150);
@@ -146,8 +146,8 @@ TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
     for (int i = 0; i < 60; ++i) {
       const auto before = filter.counters()["resampled"];
       const auto step = world.next();
-      filter.set(step.motion);
-      filter.set(step.observations);
+      give(step.motion, filter);
+      give(step.observations, filter);
       filter.execute();
       const bool below = test::figureOf(filter, "effective_sample_size") <
                          threshold * test::figureOf(filter, "particles");
@@ -167,7 +167,7 @@ TEST(FastSlamTest, ResamplesOnlyBelowItsThreshold) {
 
 TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
   PfConfig config;
-  config.size = "kld";
+  config.size = SetSize::kKld;
   config.min_particles = 20;
   config.max_particles = 300;
   config.resampling_threshold = 1.0;
@@ -176,7 +176,7 @@ TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
     FastSlam filter;
     filter.configure(config);
     run(filter, SimulatedWorld(8), 5);
-    return filter.particles().size();
+    return as<PoseSampler>(filter).particles().size();
   };
   EXPECT_GE(sizeWith(1e-4), 20u);
   EXPECT_LT(sizeWith(1e-4), 250u);
@@ -185,12 +185,12 @@ TEST(FastSlamTest, AdaptsItsNumberOfParticlesBetweenTheBounds) {
 
 TEST(FastSlamTest, TellsThePathOfTheBestParticleAsItIsSeenNow) {
   PfConfig config;
-  config.pose = "best";
+  config.pose = ToldPose::kBest;
   config.resampling_threshold = 0.0;
   FastSlam filter;
   filter.configure(config);
   run(filter, SimulatedWorld(9), 50);
-  const auto path = filter.path();
+  const auto path = as<PathReviser>(filter).path();
   ASSERT_EQ(path.size(), 50u);
   EXPECT_EQ(nanoseconds(path.back().stamp), 1005000000000);
   EXPECT_EQ(path.back().pose.vector(), filter.pose().pose.vector());
@@ -214,12 +214,12 @@ TEST(FastSlamTest, KeepsNoPosesOfStepsThatSawNothing) {
   for (int i = 0; i < 200; ++i) {
     auto step = world.next();
     step.observations.observations.clear();
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
   }
   EXPECT_EQ(filter.particleSet().memory().paths.posesInUse(), 0u);
-  const auto path = filter.path();
+  const auto path = as<PathReviser>(filter).path();
   ASSERT_EQ(path.size(), 200u);
   for (std::size_t i = 1; i < path.size(); ++i)
     EXPECT_NEAR(path[i - 1].pose.between(path[i].pose).position().norm(), 0.2, 0.05);
@@ -232,7 +232,7 @@ TEST(FastSlamTest, SpreadsTwoParticlesAsWellAsMany) {
   filter.configure(config);
   filter.set(PoseEstimate{Pose2(1, 2, 0), 0.25 * Eigen::Matrix3d::Identity()});
   filter.execute();
-  const auto particles = filter.particles();
+  const auto particles = as<PoseSampler>(filter).particles();
   EXPECT_GT((particles[0].position() - particles[1].position()).norm(), 0.01);
 }
 
@@ -243,7 +243,7 @@ TEST(FastSlamTest, HasNoMemoryOfTheMapBeforeReset) {
   filter.reset();
   EXPECT_EQ(filter.particleSet().memory().maps.leavesInUse(), 0u);
   EXPECT_EQ(filter.particleSet().memory().paths.posesInUse(), 0u);
-  EXPECT_TRUE(filter.path().empty());
+  EXPECT_TRUE(as<PathReviser>(filter).path().empty());
 }
 
 TEST(PfConfigTest, RefusesWhatMakesNoFilter) {
@@ -268,7 +268,7 @@ TEST(PfConfigTest, RefusesToStartWithANumberOfParticlesOutsideItsBounds) {
   config.particles = 10;
   config.min_particles = 30;
   EXPECT_NO_THROW(FastSlam().configure(config)) << "a fixed number has no bounds";
-  config.size = "kld";
+  config.size = SetSize::kKld;
   const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
   EXPECT_TRUE(test::oneSays(faults, {"pf.particles", "pf.min_particles, 30", "not at 10"}));
 }
@@ -278,6 +278,14 @@ TEST(PfConfigTest, RefusesAThresholdOfBeingLostThatIsNeverReached) {
   config.gate_probability = 0.99;
   const auto faults = test::faultsOf([&] { FastSlam().configure(config); });
   EXPECT_TRUE(test::oneSays(faults, {"pf.lost_nis", "never reached", "pf.gate_probability"}));
+}
+
+TEST(PfConfigTest, RefusesAMatcherThatIsNotKnown) {
+  FastSlam filter;
+  as<MapChooser>(filter).useMap("grid");
+  Settings settings({}, {}, {"scan_matching.matcher=guessing"});
+  const auto faults = test::faultsOf([&] { filter.configure(settings); });
+  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.matcher", "'guessing'", "correlative"}));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ Pose2 run(FastSlam& filter, SimulatedWorld& world, int steps) {
   Pose2 truth;
   for (int i = 0; i < steps; ++i) {
     const auto step = world.next();
-    filter.set(step.motion);
-    filter.set(step.observations);
+    give(step.motion, filter);
+    give(step.observations, filter);
     filter.execute();
     truth = step.truth;
   }
@@ -39,8 +39,8 @@ TEST(FastSlamTrouble, ARobotPutElsewhereIsReportedLostAndFoundWithANewPose) {
   Pose2 truth;
   for (int i = 0; i < 60; ++i) {
     const auto step = world.next();
-    if (i >= 40) filter->set(step.motion);  // carried for 8 m before that
-    if (i >= 40) filter->set(step.observations);
+    if (i >= 40) give(step.motion, *filter);  // carried for 8 m before that
+    if (i >= 40) give(step.observations, *filter);
     if (i < 40) continue;
     const auto status = filter->execute();
     if (!status.isOk()) sentences.push_back(status.message);
@@ -52,8 +52,8 @@ TEST(FastSlamTrouble, ARobotPutElsewhereIsReportedLostAndFoundWithANewPose) {
   filter->execute();
   for (int i = 0; i < 20; ++i) {
     const auto step = world.next();
-    filter->set(step.motion);
-    filter->set(step.observations);
+    give(step.motion, *filter);
+    give(step.observations, *filter);
     EXPECT_TRUE(filter->execute().isOk()) << "step " << i;
     truth = step.truth;
   }
@@ -77,19 +77,19 @@ TEST(FastSlamTrouble, AnIdSeenByChanceOnceFarAwayDoesNoHarm) {
       stray.range = 80.0;
       step.observations.observations.push_back(stray);
     }
-    with->set(step.motion);
-    with->set(step.observations);
+    give(step.motion, *with);
+    give(step.observations, *with);
     EXPECT_TRUE(with->execute().isOk());
     if (i == 20) {
-      EXPECT_EQ(with->statistics().gated, 1);
+      EXPECT_EQ(as<LandmarkMapper>(*with).statistics().gated, 1);
     } else {
-      gated_by_chance += with->statistics().gated;
+      gated_by_chance += as<LandmarkMapper>(*with).statistics().gated;
     }
     truth = step.truth;
   }
   EXPECT_LE(gated_by_chance, 2);
   EXPECT_LT((with->pose().pose.position() - truth.position()).norm(), 0.2);
-  for (const auto& landmark : with->landmarks()) {
+  for (const auto& landmark : as<LandmarkMapper>(*with).landmarks()) {
     if (landmark.id == 999) continue;
     EXPECT_LT((landmark.position - world.landmarks().at(landmark.id)).norm(), 0.3) << landmark.id;
   }
@@ -102,8 +102,8 @@ TEST(FastSlamTrouble, WeightsThatAllVanishAreMadeEqualAndReported) {
   auto step = world.next();
   for (auto& z : step.observations.observations)  // as good as infinite: no number comes of it
     z.covariance = 1e308 * Eigen::Matrix2d::Identity();
-  filter->set(step.motion);
-  filter->set(step.observations);
+  give(step.motion, *filter);
+  give(step.observations, *filter);
   EXPECT_TRUE(test::oneSays({filter->execute().message}, {"all weights vanished", "goes on"}));
   EXPECT_EQ(filter->counters()["weight_underflow"], 1u);
   const auto truth = run(*filter, world, 20);

@@ -37,7 +37,7 @@ class ProposalTest : public testing::Test {
       P << 0.004, 0.001, 0.001, 0.006;
       map.push_back({places[slot], P});
       const Eigen::Vector2d z = model.predict(truth, sight.sensor, places[slot]);
-      sight.matches.push_back({slot, observation(z.x() + 0.02, z.y() - 0.01)});
+      sight.matches.push_back({slot, slot, observation(z.x() + 0.02, z.y() - 0.01)});
     }
     predictions.resize(places.size());
   }
@@ -208,7 +208,7 @@ TEST_F(ProposalTest, ImportanceCorrectsNothingWhereNothingBends) {
   prior.covariance *= 1e-6;
   for (std::size_t slot = 0; slot < 3; ++slot)
     map.edit(slot) = {map[slot].mean(), 1e-6 * map[slot].covariance()};
-  for (auto& [slot, z] : sight.matches) {
+  for (auto& [slot, column, z] : sight.matches) {
     const Eigen::Vector2d expected = model.predict(prior.mean, sight.sensor, map[slot].mean());
     z = observation(expected.x() + 1e-4, expected.y());
     z.covariance *= 1e-6;

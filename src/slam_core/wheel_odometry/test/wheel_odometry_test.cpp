@@ -85,7 +85,7 @@ TEST_F(WheelOdometryTest, HoldsATwistUntilTheNextMessage) {
 }
 
 TEST_F(WheelOdometryTest, UsesTheTwistBesideAPoseWhenToldSo) {
-  config.increment = "twist";
+  config.increment = WheelOdometryConfig::Increment::kTwist;
   odometry.configure(config);
   auto first = poseSample(0, Pose2(1, 1, 0)), second = poseSample(1, Pose2(5, 5, 1));
   first.twist = {0.5, 0, 0};
@@ -178,7 +178,7 @@ TEST_F(WheelOdometryTest, AddsTheModelsCovarianceToTheFloor) {
 }
 
 TEST_F(WheelOdometryTest, TakesTheTwistsCovarianceWhenToldSo) {
-  config.covariance = "twist";
+  config.covariance = WheelOdometryConfig::Covariance::kTwist;
   odometry.configure(config);
   auto sample = twistSample(0, {1, 0, 0});
   sample.twist_covariance = Eigen::Vector3d(0.04, 0.01, 0.09).asDiagonal();

@@ -21,8 +21,8 @@ const slam::SectionRegistrar<ToyConfig> kSectionRegistrar;
 }  // namespace
 
 void ToyConfig::describe(slam::Fields& fields) {
-  fields.add("mode", &mode, "build the map, or keep a loaded one fixed and only localise in it")
-      .oneOf({"slam", "localization"});
+  fields.add("mode", &mode, slam::backendModeNames(),
+             "build the map, or keep a loaded one fixed and only localise in it");
   fields.add("gate", &gate, "an observation is left out whose normalised innovation is larger")
       .unit("1")
       .in(slam::Range::above(0));
@@ -100,7 +100,7 @@ void ToyBackend::take(const slam::LandmarkObservation& z, const slam::Pose2& sen
   const auto known = at_.find(z.id);
   if (known != at_.end()) {
     correct(z, sensor, known->second);
-  } else if (z.id == slam::kUnknownId || config_.mode == "localization") {
+  } else if (z.id == slam::kUnknownId || config_.mode == slam::BackendMode::kLocalization) {
     ++statistics_.unknown;
     counters_.add("unknown");
   } else {
@@ -127,7 +127,7 @@ void ToyBackend::correct(const slam::LandmarkObservation& z, const slam::Pose2& 
     return;
   }
   Eigen::MatrixXd W = P_ * H.transpose() * S.inverse();
-  if (config_.mode == "localization") W.bottomRows(W.rows() - 3).setZero();
+  if (config_.mode == slam::BackendMode::kLocalization) W.bottomRows(W.rows() - 3).setZero();
   x_ += W * nu;
   x_.head<3>() = robot().vector();  // the heading wrapped
   // (I - W H) P (I - W H)^T + W R W^T, which holds for every W

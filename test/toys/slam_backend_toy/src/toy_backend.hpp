@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/backend_mode.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/models/observation_model.hpp"
@@ -17,7 +18,7 @@ namespace slam_toy {
 struct ToyConfig {
   static constexpr const char* kSection = "toy";
 
-  std::string mode = "slam";
+  slam::BackendMode mode = slam::BackendMode::kSlam;
   double gate = 13.8;
   double initial_sigma = 0.001;
 

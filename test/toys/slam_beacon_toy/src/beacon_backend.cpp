@@ -24,8 +24,8 @@ constexpr double kNearest = 0.01;  // a beacon nearer than this has no direction
 }  // namespace
 
 void BeaconConfig::describe(slam::Fields& fields) {
-  fields.add("mode", &mode, "the beacons are the map and known: both mean the same")
-      .oneOf({"slam", "localization"});
+  fields.add("mode", &mode, slam::backendModeNames(),
+             "the beacons are the map and known: both mean the same");
   fields.add("beacons", &beacons, "id, x, y of one beacon after the other, in the map frame")
       .unit("1, m, m");
   fields.add("gate", &gate, "a range is left out whose normalised innovation is larger")

@@ -10,6 +10,7 @@
 
 #include "beacon_ranges.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/backend_mode.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam_toy {
@@ -17,7 +18,7 @@ namespace slam_toy {
 struct BeaconConfig {
   static constexpr const char* kSection = "beacon_toy";
 
-  std::string mode = "slam";
+  slam::BackendMode mode = slam::BackendMode::kSlam;
   std::vector<double> beacons;
   double gate = 10.8;
   double initial_sigma = 0.001;

@@ -31,8 +31,8 @@ slam::PoseEstimate composed(const slam::PoseEstimate& first, const Alignment& se
 }  // namespace
 
 void ScanBackendConfig::describe(slam::Fields& fields) {
-  fields.add("mode", &mode, "add key scans, or keep those that there are")
-      .oneOf({"slam", "localization"});
+  fields.add("mode", &mode, slam::backendModeNames(),
+             "add key scans, or keep those that there are");
   fields
       .add("key_distance", &key_distance,
            "a scan that is further than this from all key scans becomes one; 1 rad counts as 1 m")
@@ -90,7 +90,7 @@ slam::Status ScanBackend::take(const slam::LaserScan& scan) {
 
 bool ScanBackend::isKey(const KeyScan* nearest, bool is_aligned) const {
   if (nearest == nullptr) return true;
-  return is_aligned && config_.mode == "slam" &&
+  return is_aligned && config_.mode == slam::BackendMode::kSlam &&
          distance(nearest->place.pose, estimate_.pose) > config_.key_distance;
 }
 

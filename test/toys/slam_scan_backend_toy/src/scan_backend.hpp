@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/backend_mode.hpp"
 
 namespace slam_toy {
 
 struct ScanBackendConfig {
   static constexpr const char* kSection = "scan_toy";
 
-  std::string mode = "slam";
+  slam::BackendMode mode = slam::BackendMode::kSlam;
   double key_distance = 0.4;
   double initial_sigma = 0.001;
 

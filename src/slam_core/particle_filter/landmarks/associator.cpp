@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/landmarks/associator.hpp"
+
+#include "slam_core/particle_filter/landmarks/particle_candidates.hpp"
+
+namespace slam::particle_filter {
+
+using association::Decision;
+
+Associator::Associator(const Config& config) : config_(config) {
+  do {
+    lanes_.push_back({association::makePolicy(config.policy), {}});
+  } while (asksEach() && lanes_.size() < config.lanes);
+}
+
+Association Associator::forAll(const LandmarkObservationArray& array, const LandmarkIndex& index) {
+  Association association{{ask(array, IdCandidates(index), 0)}, {}};
+  for (auto& match : association.sights.front().matches) {
+    match.column = association.seen.size();
+    association.seen.push_back(match.z);
+  }
+  return association;
+}
+
+/// What none of the particles knows has a column as well, which says the same of all of them.
+Association Associator::forEach(const LandmarkObservationArray& array, const LandmarkIndex& index,
+                                const ObservationModel& model, const ParticleSet& particles,
+                                const std::vector<PoseGaussian>& priors, Workers& workers) {
+  Association association{std::vector<Sight>(particles.size()), array.observations};
+  workers.forEach(particles.size(), [&](std::size_t i, unsigned lane) {
+    const PlaceCandidates source(array, index, particles[i].map, priors[i], model, config_.gate);
+    association.sights[i] = ask(array, source, lane);
+  });
+  const auto& best = particles.best();
+  for (const auto& match : association.of(best).matches)
+    association.seen[match.column].id = index.id(particles[best].map[match.slot].number);
+  return association;
+}
+
+Sight Associator::ask(const LandmarkObservationArray& array, const Source& source,
+                      std::size_t lane) {
+  using Kind = Decision::Kind;
+  auto& [policy, decisions] = lanes_[lane];
+  policy->decide(array, source, config_.map_is_fixed, decisions);
+  decisions.resize(array.observations.size());
+  Sight sight;
+  sight.sensor = array.sensor_pose;
+  sight.gate = config_.gate;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    const auto kind = checked(decisions[i], source);
+    if (kind == Kind::kLandmark)
+      sight.matches.push_back({decisions[i].landmark, i, array.observations[i]});
+    if (kind == Kind::kNew) sight.unseen.push_back(i);
+    sight.duplicate += kind == Kind::kDuplicate;
+    sight.unknown += kind == Kind::kUnknown;
+    sight.not_in_map += kind == Kind::kNotInMap;
+  }
+  return sight;
+}
+
+/// A policy of another package may be wrong: nothing is new in a fixed map, and only what there is
+/// can be updated.
+Decision::Kind Associator::checked(const Decision& decision, const Source& source) const {
+  using Kind = Decision::Kind;
+  if (decision.kind == Kind::kNew && config_.map_is_fixed) return Kind::kNotInMap;
+  const bool is_there = decision.kind != Kind::kLandmark || decision.landmark < source.size();
+  return is_there ? decision.kind : Kind::kUnknown;
+}
+
+}  // namespace slam::particle_filter
