@@ -100,8 +100,7 @@ ProductComponents makeComponents(Settings& settings, const ProductPart& part,
                                  FaultCollector& faults) {
   ProductConfig product;
   FramesConfig frames;
-  faults.attempt([&] { settings.read(product); });
-  faults.attempt([&] { loadLibraries(product.libraries); });
+  faults.attempt([&] { readProduct(settings, product); });
   faults.attempt([&] {
     settings.read(frames);
     frames.requireDistinctNames();

@@ -11,6 +11,35 @@
 
 namespace slam {
 
+namespace {
+
+struct NamedLibraries {
+  static constexpr const char* kSection = ProductConfig::kSection;
+
+  std::vector<std::string> names;
+
+  void describe(Fields& fields) { fields.add("libraries", &names, "of the product"); }
+};
+
+/// What is wrong with other keys is not to be said twice.
+std::vector<std::string> librariesOf(Settings settings) {
+  NamedLibraries libraries;
+  try {
+    settings.read(libraries);
+  } catch (const ConfigError&) {
+  }
+  return libraries.names;
+}
+
+}  // namespace
+
+void readProduct(Settings& settings, ProductConfig& product) {
+  FaultCollector faults;
+  faults.attempt([&] { loadLibraries(librariesOf(settings)); });
+  faults.attempt([&] { settings.read(product); });
+  faults.raise();
+}
+
 void ProductConfig::describe(Fields& fields) {
   fields.add("product", &product, "name of the product");
   fields.add("sentence", &sentence, "what it is, in one line");

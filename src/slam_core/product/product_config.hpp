@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "slam_core/common/config_fields.hpp"
+#include "slam_core/common/settings.hpp"
 
 namespace slam {
 
@@ -46,6 +47,11 @@ struct FramesConfig {
   /// Gives names to those frames of odometry data that have none.
   void complete(std::string& odometry_frame, std::string& base_frame) const;
 };
+
+/// Reads the product's top level. The libraries that it names are loaded before, since their
+/// components add keys to it: an additional module its name. Where it throws, the faultless fields
+/// have their values. @throw ConfigError
+void readProduct(Settings& settings, ProductConfig& product);
 
 /// Loads the shared libraries a product names; their components register themselves. The built-in
 /// ones come with the library of this function. @throw ConfigError naming the library and the
