@@ -79,8 +79,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
     reportFailure(getName(), [this] {
       config_ = parametersFromRos<BagSourceConfig>(getPrivateNodeHandle());
       auto settings = settingsFromRos(getNodeHandle());
-      const auto product = settings.read<slam::ProductConfig>();
-      slam::loadLibraries(product.libraries);
+      slam::ProductConfig product;
+      slam::readProduct(settings, product);
       const BagContext context{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>()};
       frames_ = context.frames;
       bag_ = std::make_unique<BagReader>(config_.bag);

@@ -56,8 +56,8 @@ class InprocessNodelet : public nodelet::Nodelet {
       output_dir_ = config.outputs.output_dir;
       const auto handle = getNodeHandle();
       auto settings = settingsFromRos(handle);
-      const auto product = settings.read<slam::ProductConfig>();
-      slam::loadLibraries(product.libraries);
+      slam::ProductConfig product;
+      slam::readProduct(settings, product);
       const auto source = slam::createComponents(product).odometry;
       const bool has_own_frame = source && slam::ownsOdometryEdge(*source);
       node_ = std::make_unique<EstimatorNode>(

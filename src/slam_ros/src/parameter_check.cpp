@@ -49,8 +49,7 @@ void checkProductFile(const std::string& file, const std::vector<std::string>& o
   slam::Settings settings(document, {}, overrides);
   slam::ProductConfig product;
   slam::FaultCollector faults;
-  faults.attempt([&] { settings.read(product); });
-  slam::loadLibraries(product.libraries);  // their sections are known from here on
+  faults.attempt([&] { slam::readProduct(settings, product); });
   faults.attempt([&] { requireFaultless(settings); });
   faults.raise();
 }

@@ -28,13 +28,10 @@ slam::Settings settingsOf(const std::vector<std::string>& words) {
   return {slam::loadConfigFile(slam_ros::productFile(words[0])), {}, {}};
 }
 
-/// Modules are keys of the product, and those of its libraries are known once these are loaded.
 slam::ProductConfig productOf(const std::vector<std::string>& words) {
   auto settings = settingsOf(words);
   slam::ProductConfig product;
-  slam::FaultCollector().attempt([&] { settings.read(product); });
-  slam::loadLibraries(product.libraries);
-  product = settings.read<slam::ProductConfig>();
+  slam::readProduct(settings, product);
   if (!isFile(words)) settings.requireAllRead();
   return product;
 }

@@ -194,6 +194,15 @@ TEST_F(Offline, OverridesCountAndMisspeltOnesAreNamed) {
   EXPECT_TRUE(contains(faultOf(changed), "did you mean 'initial_sigma_position'"));
 }
 
+TEST_F(Offline, AModuleOfAForeignLibraryIsAKeyOfTheProduct) {
+  auto odd = options();
+  odd.product = folder.write("odd.yaml",
+                             std::string("version: 1\nproduct: odd\necho_map: true\nlibraries: [") +
+                                 ODD_COMPONENTS + "]\n");
+  EXPECT_EQ(faultOf(odd), "");
+  EXPECT_TRUE(contains(folder.read("run/config.yaml"), "echo_map: true"));
+}
+
 TEST_F(Offline, AnInputThatNoTopicCanBringIsRefusedBeforeTheRun) {
   auto odd = options();
   odd.product = folder.write(

@@ -3,8 +3,10 @@
 
 #include "slam_core/camera/image.hpp"
 #include "slam_core/contract/landmark_detector.hpp"
+#include "slam_core/contract/map_module.hpp"
 #include "slam_core/contract/odometry_source.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/models/filter_pose.hpp"
 
 // A library of components that a product cannot join with others, or has never seen.
 
@@ -95,6 +97,21 @@ class MovingDetector final : public slam::LandmarkDetector {
   std::optional<slam::Motion> motion_;
 };
 
+/// A module that makes nothing.
+class EchoMap final : public slam::MapModule {
+ public:
+  void describe(slam::Ports& ports) override {
+    ports.takes<slam::FilterPose>("pose", "poses", [](const slam::FilterPose&) {});
+  }
+  void configure(slam::Settings&) override {}
+  slam::Status execute() override { return slam::Status::ok(); }
+  slam::Counters counters() const override { return {}; }
+  void reset() override {}
+  std::string sentence() const override { return "nothing at all"; }
+  void save(const std::string&) const override {}
+};
+
+const slam::Registrar<slam::MapModule, EchoMap> kEchoMap("echo_map");
 const slam::Registrar<slam::OdometrySource, InertialSource> kInertial("inertial");
 const slam::Registrar<slam::OdometrySource, SteeredSource> kSteered("steered");
 const slam::Registrar<slam::OdometrySource, ContentSource> kContent("content");
