@@ -54,8 +54,9 @@ class PointMapNodelet : public nodelet::Nodelet {
                   slam_ros::InputOptions());
     map_ = dynamic_cast<const slam::point_map::PointMap*>(
         node_->part().components().modules.at("pointmap").get());
-    publisher_.emplace(handle, *map_, slam_ros::frameId(node_->part().components().frames.map),
-                       config_.points_rate);
+    publisher_.emplace(*map_, slam_ros::ModulePublisher::Context{
+                                  handle, slam_ros::frameId(node_->part().components().frames.map),
+                                  config_.points_rate});
     node_->on_taken = [this](slam::Kind kind, const void* value) {
       if (kind == slam::kindOf<slam::LaserSweep>())
         last_scan_ = static_cast<const slam::LaserSweep*>(value)->stamp;

@@ -66,6 +66,7 @@ catkin_install_python(PROGRAMS scripts/slam_run
 
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(slam_ros_test_bags
+    test/bags/test_bag_flow.cpp
     test/bags/test_bag_reader.cpp
     test/bags/test_camera_bags.cpp
     test/bags/test_damaged_bags.cpp

@@ -64,7 +64,7 @@ class BagInputs::Search {
 
   void run() {
     for (const auto& part : flow_.parts()) {
-      const auto outputs = takenOutputs(part);
+      const auto outputs = flow_.takenOutputs(part);
       if (part.is_maker && outputs.empty()) continue;  // nobody needs what it takes
       if (part.is_maker && isCarried(part, outputs))
         inputs_.left_out_.push_back(part.key);
@@ -86,23 +86,9 @@ class BagInputs::Search {
   }
 
  private:
-  std::vector<slam::OutputPort> takenOutputs(const DataFlow::Part& part) const {
-    std::vector<slam::OutputPort> outputs;
-    for (const auto& output : part.outputs)
-      if (!flow_.takersOf(output).empty()) outputs.push_back(output);
-    return outputs;
-  }
-
-  bool triggersSteps(const std::vector<slam::OutputPort>& outputs) const {
-    return std::any_of(outputs.begin(), outputs.end(), [&](const auto& output) {
-      const auto takers = flow_.takersOf(output);
-      return std::any_of(takers.begin(), takers.end(), isTrigger);
-    });
-  }
-
   /// Whether the bag has all that others take of what a component makes, and it is to be used.
   bool isCarried(const DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
-    const bool has_choice = triggersSteps(outputs);
+    const bool has_choice = flow_.triggersSteps(part);
     if (has_choice && isAskedFor(part)) return false;
     const auto before = inputs_.found_.size();
     const bool is_there = std::all_of(outputs.begin(), outputs.end(), [&](const auto& output) {
@@ -196,7 +182,7 @@ class BagInputs::Search {
     // what triggers steps a bag may well carry; of other data, such as motion, it has the sources
     std::vector<std::string> instead;
     bool is_needed = false;
-    for (const auto& output : takenOutputs(part)) {
+    for (const auto& output : flow_.takenOutputs(part)) {
       const auto takers = flow_.takersOf(output);
       const auto trigger = std::find_if(takers.begin(), takers.end(), isTrigger);
       is_needed = is_needed || std::any_of(takers.begin(), takers.end(), isMandatory);

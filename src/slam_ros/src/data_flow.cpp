@@ -74,11 +74,22 @@ std::vector<slam::InputPort> DataFlow::triggersOfBackend() const {
 bool DataFlow::leadsToSteps(const std::string& input, slam::Kind kind) const {
   return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
     const auto* port = part.input(input, kind);
-    if (port == nullptr || !part.is_maker) return port != nullptr && isTrigger(*port);
-    return std::any_of(part.outputs.begin(), part.outputs.end(), [&](const auto& output) {
-      const auto takers = takersOf(output);
-      return std::any_of(takers.begin(), takers.end(), isTrigger);
-    });
+    if (port == nullptr) return false;
+    return part.is_maker ? triggersSteps(part) : isTrigger(*port);
+  });
+}
+
+std::vector<slam::OutputPort> DataFlow::takenOutputs(const Part& part) const {
+  std::vector<slam::OutputPort> outputs;
+  for (const auto& output : part.outputs)
+    if (!takersOf(output).empty()) outputs.push_back(output);
+  return outputs;
+}
+
+bool DataFlow::triggersSteps(const Part& part) const {
+  return std::any_of(part.outputs.begin(), part.outputs.end(), [&](const auto& output) {
+    const auto takers = takersOf(output);
+    return std::any_of(takers.begin(), takers.end(), isTrigger);
   });
 }
 

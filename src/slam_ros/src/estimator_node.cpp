@@ -17,6 +17,25 @@
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
+namespace {
+
+/// What reaches the back-end through a gate and what modules take, once each.
+std::vector<slam::InputPort> notedInputs(const DataFlow& flow, const slam::Ports& of_backend) {
+  std::vector<slam::InputPort> noted;
+  for (const auto& part : flow.parts())
+    for (const auto& input : part.inputs) {
+      const auto is_same = [&](const auto& other) {
+        return other.name == input.name && other.kind == input.kind;
+      };
+      if (!part.is_maker && input.traits.hold != nullptr &&
+          of_backend.input(input.name, input.kind) == nullptr &&
+          std::none_of(noted.begin(), noted.end(), is_same))
+        noted.push_back(input);
+    }
+  return noted;
+}
+
+}  // namespace
 
 EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& outputs,
                              slam::MetaCoordinator& coordinator, const slam::ProductPart& part,
@@ -27,6 +46,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   coordinator_.configure(settings, part);
   requireKnownInputs(coordinator_.wiring());
   flow_.emplace(coordinator_.components());
+  noted_ = notedInputs(*flow_, slam::portsOf(estimator()));
   silence_.mayPause(topics_.observations);
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
   const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;
@@ -125,16 +145,9 @@ void EstimatorNode::take(const std::string& port, slam::Kind kind, const void* v
   takeSteps(topic);
 }
 
-/// Of what reaches the back-end through a gate, and of what a module takes: nobody else
-/// acknowledges it.
 void EstimatorNode::noteStamp(const std::string& port, slam::Kind kind, const void* value) {
-  if (slam::portsOf(estimator()).input(port, kind) != nullptr) return;
-  for (const auto& part : flow_->parts()) {
-    const auto* input = part.is_maker ? nullptr : part.input(port, kind);
-    if (input == nullptr || input->traits.hold == nullptr) continue;
-    newest_[port] = input->traits.hold(value).stamp;
-    return;
-  }
+  for (const auto& input : noted_)
+    if (input.name == port && input.kind == kind) newest_[port] = input.traits.hold(value).stamp;
 }
 
 void EstimatorNode::noteFrames(const slam::Motion& motion, const std::string& topic) {
@@ -255,12 +268,12 @@ std::vector<std::string> EstimatorNode::needlessInputs() const {
   const auto arrivals = estimator().intake().arrivals();
   std::vector<std::string> needless;
   for (const auto& part : flow_->parts()) {
-    const bool has_come =
-        std::any_of(part.outputs.begin(), part.outputs.end(), [&](const slam::OutputPort& output) {
-          return output.kind == slam::kindOf<slam::Motion>()
-                     ? arrivals.motion.has_value()
-                     : arrivals.lastOf(output.name).has_value();
-        });
+    const auto has_stamp = [&](const auto& output) {
+      return arrivals.lastOf(output.name).has_value();
+    };
+    const bool has_come = flow_->triggersSteps(part)
+                              ? std::any_of(part.outputs.begin(), part.outputs.end(), has_stamp)
+                              : arrivals.motion.has_value();
     if (!part.is_maker || !has_come) continue;
     for (const auto& input : flow_->inputsOfAlone(part)) needless.push_back(input.name);
   }

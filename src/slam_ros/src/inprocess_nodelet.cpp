@@ -8,16 +8,16 @@
 #include <memory>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <vector>
 
 #include "slam_core/camera/view_drawer.hpp"
-#include "slam_core/point_map/point_map.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/detections_publisher.hpp"
 #include "slam_ros/estimator_node.hpp"
+#include "slam_ros/module_publisher.hpp"
 #include "slam_ros/motion_publisher.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
-#include "slam_ros/points_publisher.hpp"
 #include "slam_ros/report_failure.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 #include "slam_ros/transport_config.hpp"
@@ -67,8 +67,7 @@ class InprocessNodelet : public nodelet::Nodelet {
                        config.publish_tf});
       showDetections();
       showMotion(config.publish_tf);
-      for (const auto& [name, module] : product_.components().modules)
-        showModule(*module, config.outputs.points_rate);
+      showModules(config.outputs.points_rate);
     });
   }
 
@@ -100,11 +99,15 @@ class InprocessNodelet : public nodelet::Nodelet {
     });
   }
 
-  void showModule(const slam::MapModule& module, double rate) {
-    const auto* map = dynamic_cast<const slam::point_map::PointMap*>(&module);
-    if (map == nullptr) return;
-    points_.emplace(getNodeHandle(), *map, frameId(product_.components().frames.map), rate);
-    node_->on_idle = [this] { points_->update(); };
+  void showModules(double rate) {
+    const ModulePublisher::Context context{getNodeHandle(),
+                                           frameId(product_.components().frames.map), rate};
+    for (const auto& [name, module] : product_.components().modules)
+      if (auto publisher = ModulePublishers::instance().create(*module, context))
+        modules_.push_back(std::move(publisher));
+    node_->on_idle = [this] {
+      for (const auto& module : modules_) module->update();
+    };
   }
 
   void saveModules() {
@@ -125,7 +128,7 @@ class InprocessNodelet : public nodelet::Nodelet {
   TransformPublisher odometry_transform_;
   std::optional<DetectionsPublisher> detections_;
   std::optional<VisualMotionPublisher> visual_motion_;
-  std::optional<PointsPublisher> points_;
+  std::vector<std::unique_ptr<ModulePublisher>> modules_;
   std::string output_dir_;
   std::unique_ptr<EstimatorNode> node_;
 };

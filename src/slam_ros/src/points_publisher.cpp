@@ -4,7 +4,6 @@
 #include "slam_ros/points_publisher.hpp"
 
 #include <cstring>
-#include <utility>
 
 #include "slam_ros/conversions.hpp"
 
@@ -13,6 +12,8 @@ namespace {
 
 constexpr double kFlushInterval = 0.5;  // [s] of the wall: stamps may stand still
 constexpr const char* kFields[] = {"x", "y", "z", "intensity"};
+
+const ModulePublisherRegistrar<slam::point_map::PointMap, PointsPublisher> kPointsPublisher;
 
 }  // namespace
 
@@ -45,14 +46,13 @@ sensor_msgs::PointCloud2 toMsg(const std::vector<slam::point_map::MapPoint>& poi
   return message;
 }
 
-PointsPublisher::PointsPublisher(ros::NodeHandle handle, const slam::point_map::PointMap& map,
-                                 std::string map_frame, double rate)
-    : map_(map),
-      map_frame_(std::move(map_frame)),
-      points_(handle.advertise<sensor_msgs::PointCloud2>("points", 1, true)),
-      rate_(rate),
-      flush_timer_(handle.createWallTimer(ros::WallDuration(kFlushInterval),
-                                          [this](const ros::WallTimerEvent&) { flush(); })) {}
+PointsPublisher::PointsPublisher(const slam::point_map::PointMap& map, const Context& context)
+    : map_(map), map_frame_(context.map_frame), rate_(context.rate) {
+  auto handle = context.handle;
+  points_ = handle.advertise<sensor_msgs::PointCloud2>("points", 1, true);
+  flush_timer_ = handle.createWallTimer(ros::WallDuration(kFlushInterval),
+                                        [this](const ros::WallTimerEvent&) { flush(); });
+}
 
 void PointsPublisher::update() {
   if (map_.revision() != published_ && rate_.isDue(map_.stamp())) flush();

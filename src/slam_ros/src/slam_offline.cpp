@@ -3,20 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <iostream>
 
 #include "slam_ros/command_line.hpp"
 #include "slam_ros/offline_run.hpp"
-#include "slam_ros/product_files.hpp"
 
 namespace {
-
-constexpr int kFailed = 1, kWrongUse = 2;
-
-int fail(const std::string& sentence, int code) {
-  std::cerr << "slam_offline: " << sentence << std::endl;
-  return code;
-}
 
 void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& seed) {
   app.add_option("PRODUCT", options.product, "a product's name, or its file")->required();
@@ -39,18 +30,8 @@ int main(int argc, char** argv) {
   slam_ros::OfflineOptions options;
   std::string seed;
   addOptions(app, options, seed);
-  try {
-    app.parse(argc, argv);
+  return slam_ros::runProgram(app, argc, argv, [&] {
     if (!seed.empty()) options.overrides.push_back("seed=" + seed);
     slam_ros::OfflineRun(options).run();
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(slam_ros::sentenceOf(app, error), kWrongUse);
-  } catch (const slam_ros::UnknownName& error) {
-    return fail(error.what(), kWrongUse);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kFailed);
-  }
-  return 0;
+  });
 }

@@ -12,13 +12,6 @@
 
 namespace {
 
-constexpr int kFailed = 1, kWrongUse = 2;
-
-int fail(const std::string& sentence, int code) {
-  std::cerr << "slam_ports: " << sentence << std::endl;
-  return code;
-}
-
 bool isFile(const std::vector<std::string>& words) {
   return words.size() == 1 && words[0].find('=') == std::string::npos;
 }
@@ -49,20 +42,10 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_flag("--check", check,
                "prints nothing and refuses components that cannot be joined by their ports");
-  try {
-    app.parse(argc, argv);
+  return slam_ros::runProgram(app, argc, argv, [&] {
     slam::loadLibraries(libraries);
     const auto product = productOf(words);
     slam_ros::checkPorts(product);
     if (!check) std::cout << slam_ros::describePorts(product).dump(2) << std::endl;
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(slam_ros::sentenceOf(app, error), kWrongUse);
-  } catch (const slam_ros::UnknownName& error) {
-    return fail(error.what(), kWrongUse);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kFailed);
-  }
-  return 0;
+  });
 }

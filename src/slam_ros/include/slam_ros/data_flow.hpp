@@ -43,6 +43,10 @@ class DataFlow {
   bool leadsToSteps(const std::string& input, slam::Kind kind) const;
   /// The inputs of a part that no other one takes and none makes.
   std::vector<slam::InputPort> inputsOfAlone(const Part& part) const;
+  /// What others take of what a part makes.
+  std::vector<slam::OutputPort> takenOutputs(const Part& part) const;
+  /// Whether steps are taken for what a part makes.
+  bool triggersSteps(const Part& part) const;
   /// The inputs that take in an output.
   std::vector<slam::InputPort> takersOf(const slam::OutputPort& output) const;
 

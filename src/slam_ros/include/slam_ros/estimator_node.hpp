@@ -106,8 +106,10 @@ class EstimatorNode {
   std::vector<ros::Subscriber> subscribers_;
   std::optional<PartInputs> inputs_;
   std::optional<DataFlow> flow_;
-  /// The newest of what the back-end does not get as it comes, whether or not it could be used.
-  std::map<std::string, slam::Stamp> newest_;
+  /// Inputs that reach the back-end through a gate, and those of modules: nobody else acknowledges
+  /// them.
+  std::vector<slam::InputPort> noted_;
+  std::map<std::string, slam::Stamp> newest_;  ///< of their data, whether or not they could be used
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
   std::optional<slam::Stamp> last_motion_;

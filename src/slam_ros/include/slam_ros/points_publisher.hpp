@@ -12,6 +12,7 @@
 
 #include "slam_core/point_map/point_map.hpp"
 #include "slam_ros/background.hpp"
+#include "slam_ros/module_publisher.hpp"
 #include "slam_ros/rate_limit.hpp"
 
 namespace slam_ros {
@@ -22,14 +23,11 @@ sensor_msgs::PointCloud2 toMsg(const std::vector<slam::point_map::MapPoint>& poi
 
 /// `points` (latched), while somebody looks and when they have changed, at a bounded rate. The
 /// message is made beside the thread that updates the map.
-class PointsPublisher {
+class PointsPublisher final : public ModulePublisher {
  public:
-  /// @param rate [1/s of stamps]
-  PointsPublisher(ros::NodeHandle handle, const slam::point_map::PointMap& map,
-                  std::string map_frame, double rate);
+  PointsPublisher(const slam::point_map::PointMap& map, const Context& context);
 
-  /// The map may have changed: publishes when it is time.
-  void update();
+  void update() override;
 
  private:
   void flush();

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "camera_bag.hpp"
+#include "found_inputs.hpp"
+#include "slam_ros/bag_flow.hpp"
+
+namespace slam_ros {
+namespace {
+
+using test::BagMaker;
+
+slam::Stamp stampOf(int i) { return fromRos(test::at(0.1 * i)); }
+
+struct Flow : ::testing::Test {
+  Flow() {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry().addObservations();
+    test::addCamera(bag, "/ceiling_camera/image_raw", "/ceiling_camera/camera_info");
+    sensor_msgs::LaserScan scan;
+    scan.header.stamp = test::at(1);
+    bag.add("/scan", 1, scan);
+  }
+  /// The flow of a product's inputs.
+  BagFlow& start(const slam::ProductConfig& product, bool has_point_map = false) {
+    inputs.emplace(test::findInputs(BagReader(folder / "x.bag"), product));
+    const auto warn = [this](const std::string& warning) { warnings.push_back(warning); };
+    return flow.emplace(*inputs, BagFlow::Options{has_point_map, std::chrono::seconds(1), warn});
+  }
+  BagInput::Gate gateOf(const std::string& port) {
+    const auto& found = inputs->found();
+    return flow->gateOf(*std::find_if(found.begin(), found.end(),
+                                      [&](const auto& input) { return input.port == port; }));
+  }
+  /// Sends one message more once `acknowledge` was called.
+  template <class Acknowledge>
+  void expectRoomAfter(const BagInput::Gate& gate, int sent, Acknowledge acknowledge) {
+    std::thread answering(acknowledge);
+    EXPECT_TRUE(gate(stampOf(sent)));
+    answering.join();
+    EXPECT_EQ(warnings, std::vector<std::string>{});
+  }
+
+  test::Folder folder;
+  std::optional<BagInputs> inputs;
+  std::vector<std::string> warnings;
+  std::optional<BagFlow> flow;
+};
+
+TEST_F(Flow, OfSeveralInputsOfAComponentTheLargestMessagesAreWaitedFor) {
+  slam::ProductConfig product;
+  product.odometry = "visual_wheel";
+  start(product);
+  const auto wheels = gateOf("odom"), images = gateOf("ceiling_camera");
+  for (int i = 0; i < 10 * static_cast<int>(kInFlight); ++i) ASSERT_TRUE(wheels(stampOf(i)));
+  const int few = static_cast<int>(kImagesInFlight);
+  for (int i = 0; i < few; ++i) ASSERT_TRUE(images(stampOf(i)));
+  expectRoomAfter(images, few, [this] {
+    slam_msgs::Progress progress;
+    progress.motion = toRos(stampOf(0));  // which is made of images
+    flow->acknowledge(progress);
+  });
+}
+
+TEST_F(Flow, WhatAModuleOfItsOwnNodeletTakesItAcknowledges) {
+  slam::ProductConfig product;
+  product.modules["pointmap"] = true;
+  start(product, true);
+  const auto scans = gateOf("scan");
+  const int few = static_cast<int>(kScansInFlight);
+  for (int i = 0; i < few; ++i) ASSERT_TRUE(scans(stampOf(i)));
+  expectRoomAfter(scans, few, [this] {
+    slam_msgs::Progress progress;
+    progress.scans = toRos(stampOf(0));
+    flow->acknowledgeOfPointMap(progress);
+  });
+}
+
+TEST_F(Flow, NothingMayBeSentOnceItWasStopped) {
+  start({}).stop();
+  EXPECT_FALSE(gateOf("odom")(stampOf(0)));
+  EXPECT_EQ(flow->finish(), 0u);
+}
+
+}  // namespace
+}  // namespace slam_ros
