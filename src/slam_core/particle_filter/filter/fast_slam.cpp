@@ -24,7 +24,7 @@ using Purpose = RandomStreams::Purpose;
 
 Status statusOfWeights(bool are_left) {
   if (are_left) return Status::ok();
-  return Status::warning(
+  return Status::alarm(
       "no particle can explain the observations, all weights vanished; they are made equal and "
       "the filter goes on: check the noise of the sensor in the robot file");
 }
