@@ -65,7 +65,7 @@ std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const
 
 /// Of the inputs that a component makes its data of, those that come in the largest messages; the
 /// others go in between.
-bool BagFlow::isWaitedFor(const BagInputs::Found& found, const DataFlow::Part& maker) const {
+bool BagFlow::isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const {
   const auto in_flight = found.input->play().in_flight;
   return std::all_of(inputs_.found().begin(), inputs_.found().end(),
                      [&](const BagInputs::Found& other) {

@@ -21,7 +21,7 @@ bool isMandatory(const slam::InputPort& input) { return input.is_mandatory; }
 
 /// The inputs that robot files have names for and those of the product, so far as bindings know
 /// their kinds.
-std::vector<Found> candidates(const DataFlow& flow, const BagContext& context) {
+std::vector<Found> candidates(const slam::DataFlow& flow, const BagContext& context) {
   const auto& bindings = InputBindings::instance();
   std::vector<Found> all;
   const auto add = [&](const std::string& port, slam::Kind kind) {
@@ -87,7 +87,7 @@ class BagInputs::Search {
 
  private:
   /// Whether the bag has all that others take of what a component makes, and it is to be used.
-  bool isCarried(const DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
+  bool isCarried(const slam::DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
     const bool has_choice = flow_.triggersSteps(part);
     if (has_choice && isAskedFor(part)) return false;
     const auto before = inputs_.found_.size();
@@ -105,7 +105,7 @@ class BagInputs::Search {
     return false;
   }
 
-  bool isAskedFor(const DataFlow::Part& part) const {
+  bool isAskedFor(const slam::DataFlow::Part& part) const {
     const auto inputs = flow_.inputsOfAlone(part);
     return std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) {
       const auto* candidate = candidateFor(input.name, input.kind);
@@ -115,7 +115,7 @@ class BagInputs::Search {
 
   /// Whether the bag has an input that the component shares with others: it makes its data of that,
   /// whatever else the bag carries.
-  bool isShared(const DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
+  bool isShared(const slam::DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
     for (const auto& input : part.inputs) {
       const auto* candidate = candidateFor(input.name, input.kind);
       if (candidate == nullptr || isOfAlone(part, input)) continue;
@@ -131,14 +131,14 @@ class BagInputs::Search {
     return false;
   }
 
-  bool isOfAlone(const DataFlow::Part& part, const slam::InputPort& input) const {
+  bool isOfAlone(const slam::DataFlow::Part& part, const slam::InputPort& input) const {
     const auto alone = flow_.inputsOfAlone(part);
     return std::any_of(alone.begin(), alone.end(),
                        [&](const auto& other) { return other.name == input.name; });
   }
 
-  void noteThatIsLeftOut(const DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs,
-                         bool has_choice) {
+  void noteThatIsLeftOut(const slam::DataFlow::Part& part,
+                         const std::vector<slam::OutputPort>& outputs, bool has_choice) {
     std::vector<std::string> names;
     for (const auto& output : outputs) names.push_back(output.name);
     auto note =
@@ -173,7 +173,7 @@ class BagInputs::Search {
     return input.sentence + ": " + candidateFor(input.name, input.kind)->input->need();
   }
 
-  std::vector<std::string> missingOf(const DataFlow::Part& part) const {
+  std::vector<std::string> missingOf(const slam::DataFlow::Part& part) const {
     std::vector<std::string> missing;
     for (const auto& input : part.inputs)
       if (input.is_mandatory && candidateFor(input.name, input.kind) && !flow_.isMade(input))
@@ -195,7 +195,7 @@ class BagInputs::Search {
   }
 
   BagInputs& inputs_;
-  const DataFlow& flow_;
+  const slam::DataFlow& flow_;
   std::vector<Found> candidates_;  ///< that have not been found
   BagSearch bag_;
 };
@@ -227,7 +227,7 @@ bool BagInputs::isLeftOut(const std::string& key) const {
   return std::find(left_out_.begin(), left_out_.end(), key) != left_out_.end();
 }
 
-std::vector<DataFlow::Part> BagInputs::parts() const {
+std::vector<slam::DataFlow::Part> BagInputs::parts() const {
   auto parts = flow_.parts();
   parts.erase(std::remove_if(parts.begin(), parts.end(),
                              [this](const auto& part) { return isLeftOut(part.key); }),
@@ -238,7 +238,7 @@ std::vector<DataFlow::Part> BagInputs::parts() const {
 bool BagInputs::isSupplied(const slam::InputPort& input) const {
   if (find(input.name, input.kind) != nullptr) return true;
   const auto parts = this->parts();
-  return std::any_of(parts.begin(), parts.end(), [&](const DataFlow::Part& part) {
+  return std::any_of(parts.begin(), parts.end(), [&](const slam::DataFlow::Part& part) {
     return part.makes(input.name, input.kind) &&
            std::all_of(part.inputs.begin(), part.inputs.end(), [&](const auto& source) {
              return !source.is_mandatory || isSupplied(source);

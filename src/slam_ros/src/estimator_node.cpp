@@ -20,7 +20,8 @@ namespace slam_ros {
 namespace {
 
 /// What reaches the back-end through a gate and what modules take, once each.
-std::vector<slam::InputPort> notedInputs(const DataFlow& flow, const slam::Ports& of_backend) {
+std::vector<slam::InputPort> notedInputs(const slam::DataFlow& flow,
+                                         const slam::Ports& of_backend) {
   std::vector<slam::InputPort> noted;
   for (const auto& part : flow.parts())
     for (const auto& input : part.inputs) {

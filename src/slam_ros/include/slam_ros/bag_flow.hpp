@@ -44,7 +44,7 @@ class BagFlow {
 
  private:
   std::vector<std::string> answersTo(const BagInputs::Found& found) const;
-  bool isWaitedFor(const BagInputs::Found& found, const DataFlow::Part& maker) const;
+  bool isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const;
   void limit(const BagInputs::Found& found);
   void expectOfPointMap(const slam_msgs::Progress& message);
   bool waitForRoom(const std::string& answer, slam::Stamp stamp);

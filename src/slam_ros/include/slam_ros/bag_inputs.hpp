@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "slam_core/product/data_flow.hpp"
 #include "slam_ros/bag_input.hpp"
 #include "slam_ros/bag_reader.hpp"
-#include "slam_ros/data_flow.hpp"
 
 namespace slam_ros {
 
@@ -33,9 +33,9 @@ class BagInputs {
   /// The topics of the bag that an input was found on, that of its data first; none: it was not.
   std::vector<std::string> topicsOf(const std::string& port) const;
 
-  const DataFlow& flow() const { return flow_; }
+  const slam::DataFlow& flow() const { return flow_; }
   /// The components that are not left out.
-  std::vector<DataFlow::Part> parts() const;
+  std::vector<slam::DataFlow::Part> parts() const;
   bool isLeftOut(const std::string& key) const;
   /// Whether the bag has the data, or all of what a component makes them of.
   bool isSupplied(const slam::InputPort& input) const;
@@ -66,7 +66,7 @@ class BagInputs {
   static void add(BagHandlers more, BagHandlers& handlers);
   const Found* find(const std::string& port, slam::Kind kind) const;
 
-  DataFlow flow_;
+  slam::DataFlow flow_;
   std::vector<Found> found_;
   std::vector<std::string> left_out_;  ///< keys of components
   std::vector<std::string> notes_, warnings_;

@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "slam_core/product/data_flow.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/backend_outputs.hpp"
 #include "slam_ros/backend_services.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
-#include "slam_ros/data_flow.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/part_inputs.hpp"
 #include "slam_ros/run_recorder.hpp"
@@ -105,7 +105,7 @@ class EstimatorNode {
   std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
   std::vector<ros::Subscriber> subscribers_;
   std::optional<PartInputs> inputs_;
-  std::optional<DataFlow> flow_;
+  std::optional<slam::DataFlow> flow_;
   /// Inputs that reach the back-end through a gate, and those of modules: nobody else acknowledges
   /// them.
   std::vector<slam::InputPort> noted_;

@@ -175,7 +175,7 @@ TEST_F(ScanBags, TheFlowTellsWhoTakesAnInput) {
   auto product = gridProduct();
   product.detector = "apriltag";
   product.modules["pointmap"] = true;
-  const DataFlow flow(slam::createComponents(product));
+  const slam::DataFlow flow(slam::createComponents(product));
   ASSERT_EQ(flow.parts().size(), 4u);
   const auto& odometry = flow.parts()[0];
   const auto namesOf = [](const auto& inputs) {

@@ -1,29 +1,29 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_ros/data_flow.hpp"
+#include "slam_core/product/data_flow.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-namespace slam_ros {
+namespace slam {
 namespace {
 
-bool isTrigger(const slam::InputPort& input) { return input.time == slam::TimeRole::kTrigger; }
+bool isTrigger(const InputPort& input) { return input.time == TimeRole::kTrigger; }
 
-bool isMadeBy(const std::vector<slam::ProductComponent>& components, const slam::InputPort& input) {
+bool isMadeBy(const std::vector<ProductComponent>& components, const InputPort& input) {
   return std::any_of(components.begin(), components.end(), [&](const auto& other) {
-    return slam::portsOf(*other.component).output(input.name, input.kind) != nullptr;
+    return portsOf(*other.component).output(input.name, input.kind) != nullptr;
   });
 }
 
-void addInputs(const slam::Ports& ports, const std::vector<slam::ProductComponent>& components,
-               std::vector<slam::InputPort>& inputs) {
+void addInputs(const Ports& ports, const std::vector<ProductComponent>& components,
+               std::vector<InputPort>& inputs) {
   for (const auto& input : ports.inputs()) {
-    if (input.time == slam::TimeRole::kLatched) continue;
-    const auto gate = isMadeBy(components, input) ? nullptr : slam::gateFor(input);
+    if (input.time == TimeRole::kLatched) continue;
+    const auto gate = isMadeBy(components, input) ? nullptr : gateFor(input);
     if (gate)
-      addInputs(slam::portsOf(*gate), components, inputs);
+      addInputs(portsOf(*gate), components, inputs);
     else
       inputs.push_back(input);
   }
@@ -31,47 +31,47 @@ void addInputs(const slam::Ports& ports, const std::vector<slam::ProductComponen
 
 }  // namespace
 
-const slam::InputPort* DataFlow::Part::input(const std::string& name, slam::Kind kind) const {
+const InputPort* DataFlow::Part::input(const std::string& name, Kind kind) const {
   const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& port) {
     return port.name == name && port.kind == kind;
   });
   return found == inputs.end() ? nullptr : &*found;
 }
 
-bool DataFlow::Part::makes(const std::string& output, slam::Kind kind) const {
+bool DataFlow::Part::makes(const std::string& output, Kind kind) const {
   return std::any_of(outputs.begin(), outputs.end(),
                      [&](const auto& port) { return port.name == output && port.kind == kind; });
 }
 
-DataFlow::DataFlow(const slam::ProductComponents& product) {
-  const auto components = slam::inOrder(product);
+DataFlow::DataFlow(const ProductComponents& product) {
+  const auto components = inOrder(product);
   for (const auto& component : components) {
-    const auto ports = slam::portsOf(*component.component);
+    const auto ports = portsOf(*component.component);
     Part part{component.role, component.key, {}, {}, false, false};
     addInputs(ports, components, part.inputs);
     part.outputs.assign(ports.outputs().begin(), ports.outputs().end());
     part.is_backend = component.component == product.estimator.get();
-    part.is_maker = !part.is_backend && component.role != slam::MapModule::kRole;
+    part.is_maker = !part.is_backend && component.role != MapModule::kRole;
     for (auto& input : part.inputs) input.set = nullptr;
     for (auto& output : part.outputs) output.get = nullptr;
     parts_.push_back(std::move(part));
   }
 }
 
-bool DataFlow::isMade(const slam::InputPort& input) const {
+bool DataFlow::isMade(const InputPort& input) const {
   return std::any_of(parts_.begin(), parts_.end(),
                      [&](const Part& part) { return part.makes(input.name, input.kind); });
 }
 
-std::vector<slam::InputPort> DataFlow::triggersOfBackend() const {
-  std::vector<slam::InputPort> triggers;
+std::vector<InputPort> DataFlow::triggersOfBackend() const {
+  std::vector<InputPort> triggers;
   for (const auto& part : parts_)
     if (part.is_backend)
       std::copy_if(part.inputs.begin(), part.inputs.end(), std::back_inserter(triggers), isTrigger);
   return triggers;
 }
 
-bool DataFlow::leadsToSteps(const std::string& input, slam::Kind kind) const {
+bool DataFlow::leadsToSteps(const std::string& input, Kind kind) const {
   return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
     const auto* port = part.input(input, kind);
     if (port == nullptr) return false;
@@ -79,8 +79,8 @@ bool DataFlow::leadsToSteps(const std::string& input, slam::Kind kind) const {
   });
 }
 
-std::vector<slam::OutputPort> DataFlow::takenOutputs(const Part& part) const {
-  std::vector<slam::OutputPort> outputs;
+std::vector<OutputPort> DataFlow::takenOutputs(const Part& part) const {
+  std::vector<OutputPort> outputs;
   for (const auto& output : part.outputs)
     if (!takersOf(output).empty()) outputs.push_back(output);
   return outputs;
@@ -93,8 +93,8 @@ bool DataFlow::triggersSteps(const Part& part) const {
   });
 }
 
-std::vector<slam::InputPort> DataFlow::inputsOfAlone(const Part& part) const {
-  std::vector<slam::InputPort> inputs;
+std::vector<InputPort> DataFlow::inputsOfAlone(const Part& part) const {
+  std::vector<InputPort> inputs;
   for (const auto& input : part.inputs) {
     const auto takers = std::count_if(parts_.begin(), parts_.end(), [&](const Part& other) {
       return other.input(input.name, input.kind) != nullptr;
@@ -104,11 +104,11 @@ std::vector<slam::InputPort> DataFlow::inputsOfAlone(const Part& part) const {
   return inputs;
 }
 
-std::vector<slam::InputPort> DataFlow::takersOf(const slam::OutputPort& output) const {
-  std::vector<slam::InputPort> takers;
+std::vector<InputPort> DataFlow::takersOf(const OutputPort& output) const {
+  std::vector<InputPort> takers;
   for (const auto& part : parts_)
     if (const auto* input = part.input(output.name, output.kind)) takers.push_back(*input);
   return takers;
 }
 
-}  // namespace slam_ros
+}  // namespace slam

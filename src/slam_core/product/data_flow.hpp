@@ -8,50 +8,50 @@
 
 #include "slam_core/product/product_components.hpp"
 
-namespace slam_ros {
+namespace slam {
 
 /// Who makes the data of a product and who takes them, by the ports of its components alone.
 class DataFlow {
  public:
   struct Part {
-    std::string role, key;  ///< as of slam::ProductComponent
+    std::string role, key;  ///< as of ProductComponent
     /// What it takes as a driver sends it, before the gate that it may have; without what is
     /// latched, which comes with the data of the same port.
-    std::vector<slam::InputPort> inputs;
-    std::vector<slam::OutputPort> outputs;
+    std::vector<InputPort> inputs;
+    std::vector<OutputPort> outputs;
     bool is_maker = false;  ///< what it makes can take its place: neither back-end nor module
     bool is_backend = false;
     bool isModule() const { return !is_maker && !is_backend; }
 
     /// Null where it takes no such data.
-    const slam::InputPort* input(const std::string& name, slam::Kind kind) const;
-    bool makes(const std::string& output, slam::Kind kind) const;
+    const InputPort* input(const std::string& name, Kind kind) const;
+    bool makes(const std::string& output, Kind kind) const;
     /// "odometry component", "detector"
     std::string title() const { return role == key ? role : key + " component"; }
   };
 
   /// @param product is not referred to afterwards
-  explicit DataFlow(const slam::ProductComponents& product);
+  explicit DataFlow(const ProductComponents& product);
 
   /// In the order of the data's flow.
   const std::vector<Part>& parts() const { return parts_; }
   /// Whether a component makes the input's data.
-  bool isMade(const slam::InputPort& input) const;
+  bool isMade(const InputPort& input) const;
   /// The inputs that steps are taken for, those that components make included.
-  std::vector<slam::InputPort> triggersOfBackend() const;
+  std::vector<InputPort> triggersOfBackend() const;
   /// Whether steps are taken for data that come in there, or for what is made of them.
-  bool leadsToSteps(const std::string& input, slam::Kind kind) const;
+  bool leadsToSteps(const std::string& input, Kind kind) const;
   /// The inputs of a part that no other one takes and none makes.
-  std::vector<slam::InputPort> inputsOfAlone(const Part& part) const;
+  std::vector<InputPort> inputsOfAlone(const Part& part) const;
   /// What others take of what a part makes.
-  std::vector<slam::OutputPort> takenOutputs(const Part& part) const;
+  std::vector<OutputPort> takenOutputs(const Part& part) const;
   /// Whether steps are taken for what a part makes.
   bool triggersSteps(const Part& part) const;
   /// The inputs that take in an output.
-  std::vector<slam::InputPort> takersOf(const slam::OutputPort& output) const;
+  std::vector<InputPort> takersOf(const OutputPort& output) const;
 
  private:
   std::vector<Part> parts_;
 };
 
-}  // namespace slam_ros
+}  // namespace slam
