@@ -119,8 +119,8 @@ def play_into_launch(bag, topics, rate, offline, *arguments):
     launch, environment = start_launch("use_sim_time:=true", *arguments)
     try:
         subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r",
-                        str(rate), bag, "--topics", *topics], env=environment, check=True, timeout=60,
-                       stdout=subprocess.DEVNULL)
+                        str(rate), bag, "--topics", *topics],
+                       env=environment, check=True, timeout=60, stdout=subprocess.DEVNULL)
         wait_for_last_step(environment, offline)
         launch.send_signal(signal.SIGINT)
         return launch.communicate(timeout=40)[0]

@@ -12,8 +12,6 @@
 #include "slam_core/common/random.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/motion_model.hpp"
-#include "slam_core/tuning/maximum_likelihood.hpp"
-#include "slam_core/tuning/robot_file_text.hpp"
 
 namespace slam::tuning {
 namespace {
@@ -96,86 +94,6 @@ const TunedParameter& find(const TuningResult& result, const std::string& key) {
   for (const auto& parameter : result.parameters)
     if (parameter.key == key) return parameter;
   throw std::out_of_range(key);
-}
-
-/// log N(z; 0, variance)
-double normal(double z, double variance) { return -0.5 * (z * z / variance + std::log(variance)); }
-
-TEST(MaximumLikelihood, FindsVariancesAndHowSureTheyAre) {
-  constexpr int kDraws = 2000;
-  RandomStream random(1, 0);
-  Eigen::VectorXd one(kDraws), both(kDraws);  // of variances 4 and 4 + 4
-  for (int i = 0; i < kDraws; ++i) {
-    one(i) = 2.0 * random.gaussian();
-    both(i) = std::sqrt(8.0) * random.gaussian();
-  }
-  const auto maximum = maximize(
-      [&](const Eigen::VectorXd& x) {
-        Eigen::VectorXd values(kDraws);
-        for (int i = 0; i < kDraws; ++i)
-          values(i) =
-              normal(one(i), std::exp(x(0))) + normal(both(i), std::exp(x(0)) + std::exp(x(1)));
-        return values;
-      },
-      Eigen::Vector2d(-2.0, 3.0));
-  EXPECT_TRUE(maximum.has_converged);
-  Eigen::Matrix2d information;  // of one draw: half of the product of the shares of the variance
-  information << 0.5 + 0.125, 0.125, 0.125, 0.125;
-  const Eigen::Vector2d sigma = (kDraws * information).inverse().diagonal().cwiseSqrt();
-  const Eigen::Vector2d found = maximum.sigmas;
-  EXPECT_NEAR(maximum.log_parameters(0), std::log(4.0), 3 * sigma(0));
-  EXPECT_NEAR(maximum.log_parameters(1), std::log(4.0), 3 * sigma(1));
-  EXPECT_NEAR(found(0), sigma(0), 0.2 * sigma(0));
-  EXPECT_NEAR(found(1), sigma(1), 0.2 * sigma(1));
-  EXPECT_LT(conditionalSigmas(maximum.information)(1), found(1));
-}
-
-TEST(MaximumLikelihood, DoesNotLeaveWhereTheLikelihoodIsDefined) {
-  const auto f = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd::Constant(1, x(0) > 2 ? std::nan("") : -std::pow(x(0) - 1.9, 2));
-  };
-  EXPECT_NEAR(maximize(f, Eigen::VectorXd::Zero(1)).log_parameters(0), 1.9, 0.1);
-}
-
-TEST(MaximumLikelihood, SaysThatNothingIsKnownOfWhatDoesNotMatter) {
-  const auto f = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd::Constant(1, normal(1.0, std::exp(x(0))));
-  };
-  const auto maximum = maximize(f, Eigen::Vector2d(0.5, 0.7));
-  EXPECT_EQ(maximum.log_parameters(1), 0.7);
-  EXPECT_GT(conditionalSigmas(maximum.information)(1), 1.0);
-  EXPECT_GT(maximum.sigmas(1), 1.0);
-}
-
-/// Noise of variance 1 that is seldom small and often far out, and alike in a row of steps.
-Eigen::VectorXd unkindNoise(std::uint64_t seed, int count) {
-  RandomStream random(seed, 0);
-  Eigen::VectorXd noise(count);
-  double strength = 1.0;
-  for (int i = 0; i < count; ++i) {
-    if (i % 5 == 0) strength = random.uniform() < 0.2 ? 2.0 : 0.5;
-    noise(i) = strength * random.gaussian();
-  }
-  return noise;
-}
-
-TEST(MaximumLikelihood, TellsAnUncertaintyThatHoldsWhereTheModelDoesNot) {
-  constexpr int kRuns = 200, kSteps = 1500;
-  double sum = 0.0;
-  int inside = 0;
-  for (int run = 0; run < kRuns; ++run) {
-    const auto noise = unkindNoise(static_cast<std::uint64_t>(run), kSteps);
-    const auto maximum = maximize(
-        [&](const Eigen::VectorXd& x) {
-          return noise.unaryExpr([&](double z) { return normal(z, std::exp(x(0))); }).eval();
-        },
-        Eigen::VectorXd::Constant(1, 0.5));
-    const double off = maximum.log_parameters(0) / maximum.sigmas(0);
-    sum += off * off;
-    inside += std::abs(off) < 2.0;
-  }
-  EXPECT_NEAR(std::sqrt(sum / kRuns), 1.0, 0.2);
-  EXPECT_GT(inside, 0.9 * kRuns);
 }
 
 TEST(NoiseTunerTest, FindsTheNoiseOfASimulatedLogWithinItsUncertainty) {
@@ -361,69 +279,6 @@ TEST(NoiseTunerTest, FindsTheSameWithAnyGate) {
          {std::pair("sigma_range", kSigmaRange), std::pair("sigma_bearing", kSigmaBearing)})
       EXPECT_NEAR(find(result, key).value, truth, 0.1 * truth) << gate << " " << key;
   }
-}
-
-TEST(RobotFileText, ChangesTheTunedValuesOnlyAndKeepsItsComments) {
-  const std::string text =
-      "# licence\n\n# The robot.\nversion: 1\nrobot: a\n\nwheel_odometry:\n"
-      "  alpha1: 0.003   # [m^2/m]\n  drive: differential\n\n# of the camera\nlandmark_sensor:\n"
-      "  sigma_range: 0.1\n";
-  TunedParameter alpha1{"wheel_odometry", "alpha1", 0.003, 0.01234, 0.001, ""};
-  TunedParameter alpha4{"wheel_odometry", "alpha4", 0.003, 0.02, 0.001, ""};
-  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, "hidden"};
-  EXPECT_EQ(withTunedValues(text, {alpha1, alpha4, range}, "Tuned on X."),
-            "# licence\n\n# The robot.\n# Tuned on X.\nversion: 1\nrobot: a\n\nwheel_odometry:\n"
-            "  alpha1: 0.0123  # [m^2/m]\n  drive: differential\n  alpha4: 0.02\n\n"
-            "# of the camera\nlandmark_sensor:\n  sigma_range: 0.1\n");
-}
-
-TEST(RobotFileText, AddsASectionThatIsMissing) {
-  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
-  EXPECT_EQ(withTunedValues("version: 1\n", {range}, "R"),
-            "# R\nversion: 1\n\nlandmark_sensor:\n  sigma_range: 0.25\n");
-}
-
-TEST(RobotFileText, IndentsAsTheSectionDoes) {
-  const std::string text =
-      "version: 1\nwheel_odometry:\n    alpha1: 0.003\n    drive: differential\n"
-      "landmark_sensor:\n    sigma_range: 0.1\n";
-  TunedParameter alpha1{"wheel_odometry", "alpha1", 0.003, 0.01, 0.001, ""};
-  TunedParameter alpha4{"wheel_odometry", "alpha4", 0.003, 0.012, 0.001, ""};
-  EXPECT_EQ(withTunedValues(text, {alpha1, alpha4}, "R"),
-            "# R\nversion: 1\nwheel_odometry:\n    alpha1: 0.01\n    drive: differential\n"
-            "    alpha4: 0.012\nlandmark_sensor:\n    sigma_range: 0.1\n");
-}
-
-TEST(RobotFileText, KeepsSectionsInBraces) {
-  const std::string text =
-      "version: 1\nwheel_odometry: {alpha1: 0.003, drive: differential}  # wheels\n"
-      "landmark_sensor: {}\n";
-  TunedParameter alpha1{"wheel_odometry", "alpha1", 0.003, 0.01, 0.001, ""};
-  TunedParameter alpha4{"wheel_odometry", "alpha4", 0.003, 0.012, 0.001, ""};
-  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
-  EXPECT_EQ(withTunedValues(text, {alpha1, alpha4, range}, "R"),
-            "# R\nversion: 1\nwheel_odometry: {alpha4: 0.012, alpha1: 0.01, drive: differential}"
-            "  # wheels\nlandmark_sensor: {sigma_range: 0.25}\n");
-}
-
-TEST(RobotFileText, ReplacesAnEarlierRemark) {
-  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
-  const std::string text = "# The robot.\nlandmark_sensor:\n  sigma_range: '0.1'\n";
-  const auto once = withTunedValues(text, {range}, tuningRemark("ekf_wheel", "a.bag"));
-  EXPECT_NE(once.find("# The robot.\n# Noise tuned by slam_tune"), std::string::npos) << once;
-  EXPECT_NE(once.find("sigma_range: 0.25\n"), std::string::npos) << once;
-  const auto again = withTunedValues(once, {range}, tuningRemark("ekf_wheel", "b.bag"));
-  EXPECT_EQ(again, withTunedValues(text, {range}, tuningRemark("ekf_wheel", "b.bag")));
-}
-
-TEST(RobotFileText, RefusesWhatItCannotWriteInto) {
-  TunedParameter range{"landmark_sensor", "sigma_range", 0.1, 0.25, 0.1, ""};
-  for (const char* text :
-       {"{version: 1}\n", "landmark_sensor: ~\n", "landmark_sensor:\n  sigma_range: &a 0.1\n",
-        "landmark_sensor:\n  ? sigma_range\n  : 0.1\nx: [\n"})
-    EXPECT_TRUE(test::oneSays({test::sentenceOf([&] { withTunedValues(text, {range}, "R"); })},
-                              {"cannot be put into the robot file", "below it, indented alike"}))
-        << text;
 }
 
 }  // namespace

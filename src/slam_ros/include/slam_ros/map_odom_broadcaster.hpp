@@ -16,8 +16,8 @@
 namespace slam_ros {
 
 /// `map -> odom` from the estimate and the odometry pose of the same stamp: at every step, and in
-/// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product without
-/// motion nobody publishes `odom -> base`: then this does, as the identity.
+/// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product
+/// without motion nobody publishes `odom -> base`: then this does, as the identity.
 class MapOdomBroadcaster {
  public:
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config);
