@@ -77,26 +77,29 @@ class EveryProductTest(unittest.TestCase):
         with_made(self.root / "images.bag", self.root / "made.bag", path, made_of)
         return path
 
-    def launch(self, number, features):
-        """Launches a product; returns its composition, what it published and what it printed."""
+    def launch(self, number, features, bag):
+        """Launches a product; returns its composition, the bag that it recorded and what it
+        printed."""
         composition = ("pubsub", "inprocess")[number % 5 == 4]
         product = self.root / f"{number}.yaml"
         product.write_text(yaml.safe_dump(products.without_file(features, self.model).content),
                            encoding="utf-8")
         record = self.root / f"{number}.bag"
-        bag = self.bag_for(number, features)
         output = record_launch(product, bag, record, RECORDED, composition)
-        return composition, published(record) if record.exists() else set(), output
+        return composition, record, output
 
     def test_publishes_what_its_features_promise(self):
         valid = self.model.valid()
         self.assertGreaterEqual(len(valid), 12)
+        # bags are read here only: the classes of messages are not made by several threads at once
+        bags = [self.bag_for(number, features) for number, features in enumerate(valid)]
         with ThreadPoolExecutor(MASTERS) as masters:
-            launches = list(masters.map(self.launch, range(len(valid)), valid))
-        for features, (composition, topics, output) in zip(valid, launches):
+            launches = list(masters.map(self.launch, range(len(valid)), valid, bags))
+        for features, (composition, record, output) in zip(valid, launches):
             with self.subTest(text(features), composition=composition):
                 # a bag may bring observations
                 inputs = BETWEEN if composition == "inprocess" else set()
+                topics = published(record) if record.exists() else set()
                 self.assertEqual(topics - inputs, promised(features, composition), output)
                 self.assertNotIn("exit code -", output)  # of a crash
 

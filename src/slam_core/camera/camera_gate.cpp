@@ -90,6 +90,13 @@ Status CameraGate::execute() {
   return Status::warning(fault->sentence);
 }
 
+Counters CameraGate::held() const {
+  Counters held;
+  if (held_.empty()) return held;
+  if (const auto wanted = missing(held_.front())) held.add(wanted->reason, held_.size());
+  return held;
+}
+
 std::optional<CameraGate::Fault> CameraGate::missing(const Image& image) const {
   if (!calibration_)
     return Fault{"no_calibration",

@@ -51,6 +51,7 @@ class CameraGate : public Gate {
 
   const std::optional<CameraView>& view() const { return view_; }
   Counters counters() const override { return counters_; }
+  Counters held() const override;
   std::uint64_t dropped() const override { return counters_["late"]; }
 
   /// As after configure(), calibration and mount kept.

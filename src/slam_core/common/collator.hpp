@@ -70,6 +70,10 @@ class Collator {
     restartWhenAllWentBack();
   }
 
+  /// A motion, or a trigger, that is no use: it was not lost on the way.
+  void skip(std::uint64_t motion) { motions_.skip(motion); }
+  void skip(std::size_t source, std::uint64_t trigger) { triggers_[source].skip(trigger); }
+
   /// Nothing is expected of the source: it holds nobody back before it has sent something.
   void expectNothing(std::size_t source) { silent_[source] = true; }
 
@@ -95,18 +99,17 @@ class Collator {
     return motions_.items().empty() ? nullptr : &motions_.items().front().value;
   }
   std::optional<Stamp> lastMotion() const { return motions_.stamps().last(); }
-  std::optional<Stamp> lastTrigger(std::size_t source) const {
-    return triggers_[source].stamps().last();
-  }
-  /// Triggers that have come and have not been handed out.
-  std::size_t held(std::size_t source) const { return triggers_[source].items().size(); }
+  /// A source's triggers that have not been handed out, and the stamps of all that came.
+  const StampedQueue<Trigger>& triggers(std::size_t source) const { return triggers_[source]; }
   /// Since when the source's triggers wait for motion, where they have gone on without it for
   /// longer than `patience`.
   std::optional<Stamp> starvedSince(std::size_t source, Duration patience) const {
-    const auto& waiting = triggers_[source].items();
+    const auto& queue = triggers_[source];
     const auto last = lastMotion();
-    if (waiting.empty() || !last || *lastTrigger(source) - *last <= patience) return std::nullopt;
-    return std::max(waiting.front().stamp, *last);
+    const bool is_starved =
+        last && !queue.items().empty() && *queue.stamps().last() - *last > patience;
+    if (!is_starved) return std::nullopt;
+    return std::max(queue.items().front().stamp, *last);
   }
   const Counters& counters() const { return counters_; }
   /// Messages that went back in time and wait for the other sources to do so as well.
@@ -166,8 +169,9 @@ class Collator {
 
   /// Whether nothing of the source is to be waited for any more before a step to the stamp.
   bool hasPassed(std::size_t source, Stamp stamp) {
-    const auto newest = lastTrigger(source);
-    if (silent_[source] || held(source) > 0 || (newest && *newest >= stamp)) return true;
+    const auto& queue = triggers_[source];
+    const auto newest = queue.stamps().last();
+    if (silent_[source] || !queue.items().empty() || (newest && *newest >= stamp)) return true;
     const auto last = std::max(stamp, newest.value_or(stamp));
     if (*covered() - last < limits_.source_timeout) return false;
     counters_.add("source_timeout");
@@ -211,7 +215,8 @@ class Collator {
         limits_.has_motion ? motions_.beganAnew() : setAside() >= StampedQueue<Trigger>::kInARow;
     if (!is_likely) return false;
     for (std::size_t source = 0; source < triggers_.size(); ++source)
-      if (!silent_[source] && !triggers_[source].beganAnew() && lastTrigger(source)) return false;
+      if (!silent_[source] && !triggers_[source].beganAnew() && triggers_[source].stamps().last())
+        return false;
     return true;
   }
 

@@ -61,6 +61,9 @@ class StampedQueue {
     counters.add("overflow");
   }
 
+  /// A message that is no use and does not count as lost either.
+  void skip(std::uint64_t sequence) { sequence_.skip(sequence); }
+
   /// Puts back what pop() took, or its rest.
   void pushFront(Stamp stamp, T value) { items_.push_front({stamp, std::move(value)}); }
 

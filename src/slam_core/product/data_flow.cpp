@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+
+#include "slam_core/product/wired_ports.hpp"
 
 namespace slam {
 namespace {
@@ -20,7 +23,7 @@ bool isMadeBy(const std::vector<ProductComponent>& components, const InputPort& 
 void addInputs(const Ports& ports, const std::vector<ProductComponent>& components,
                std::vector<InputPort>& inputs) {
   for (const auto& input : ports.inputs()) {
-    if (input.time == TimeRole::kLatched) continue;
+    if (comesWithAnother(input, ports.inputs())) continue;
     const auto gate = isMadeBy(components, input) ? nullptr : gateFor(input);
     if (gate)
       addInputs(portsOf(*gate), components, inputs);

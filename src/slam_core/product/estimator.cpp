@@ -24,6 +24,11 @@ PoseEstimate bounded(PoseEstimate estimate) {
   return estimate;
 }
 
+/// A warning, or that all is well where the sentence is empty.
+Status statusOf(const std::string& fault) {
+  return fault.empty() ? Status::ok() : Status::warning(fault);
+}
+
 }  // namespace
 
 void Estimator::use(std::unique_ptr<Backend> backend) { backend_ = std::move(backend); }
@@ -111,13 +116,12 @@ Status Estimator::execute() {
   const auto step = intake_.next();
   auto fault = std::exchange(fault_, "");
   if (const auto of_input = intake_.takeFault(); !of_input.empty()) fault = of_input;
-  Status status = fault.empty() ? Status::ok() : Status::warning(fault);
-  if (!step) return status;
-  if (step->restart) {
-    if (const auto start = resetBackend(); !start.isOk()) status = start;
-    last_motion_.reset();
-  }
+  if (!step) return statusOf(fault);
+  const auto start = step->restart ? resetBackend() : Status::ok();
+  if (step->restart) last_motion_.reset();
   give(*step);
+  if (const auto of_step = intake_.takeFault(); fault.empty()) fault = of_step;
+  auto status = start.isOk() ? statusOf(fault) : start;
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
   const auto consistency_status = watchConsistency();
@@ -130,10 +134,13 @@ Status Estimator::execute() {
 void Estimator::give(const Intake::Step& step) {
   for (const auto& motion : step.motions) carrier_->set(&motion);
   if (!step.motions.empty()) last_motion_ = step.motions.back();
-  if (step.trigger && paused_)
+  if (!step.trigger) return;
+  if (paused_) {
     counters_.add("paused");
-  else if (step.trigger)
+  } else {
+    intake_.admit(*step.trigger);
     step.trigger->port->set(step.trigger->value.get());
+  }
 }
 
 Status Estimator::faultOfState() {
@@ -166,7 +173,7 @@ void Estimator::reportStep(const Intake::Step& step) {
   if (step.trigger) report.trigger = step.trigger->port->name;
   report.pose = backend_->pose();
   // at the very start of motion none has been applied yet
-  if (const auto* motion = last_motion_ ? &*last_motion_ : intake_.pending()) {
+  if (const auto motion = last_motion_ ? last_motion_ : intake_.arrivals().pending) {
     report.odometry_pose = last_motion_ ? motion->odometry_end : motion->odometry_start;
     report.odometry_frame = motion->odometry_frame;
     report.base_frame = motion->base_frame;

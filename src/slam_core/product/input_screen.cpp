@@ -16,11 +16,7 @@ bool isInvalid(const LaserBeam& beam) {
 }  // namespace
 
 std::optional<HeldDatum> InputScreen::pass(const InputPort& port, const void* value) {
-  if (const auto fault = port.traits.fault_of(value); !fault.empty()) {
-    counters_.add("invalid_" + port.name);
-    fault_ = fault + "; it is left out";
-    return std::nullopt;
-  }
+  if (!isFit(port, value)) return std::nullopt;
   auto held = port.traits.hold(value);
   if (port.kind == kindOf<LandmarkObservationArray>())
     tell(
@@ -28,6 +24,14 @@ std::optional<HeldDatum> InputScreen::pass(const InputPort& port, const void* va
   else if (port.kind == kindOf<LaserScan>())
     screen(*static_cast<LaserScan*>(held.value.get()));
   return held;
+}
+
+bool InputScreen::isFit(const InputPort& port, const void* value) {
+  const auto fault = port.traits.fault_of(value);
+  if (fault.empty()) return true;
+  counters_.add("invalid_" + port.name);
+  fault_ = fault + "; it is left out";
+  return false;
 }
 
 void InputScreen::admit(const InputPort& port, void* value) {

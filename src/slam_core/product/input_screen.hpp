@@ -29,6 +29,8 @@ class InputScreen {
   /// When a value arrives. @return nothing where it is left out
   std::optional<HeldDatum> pass(const InputPort& port, const void* value);
 
+  /// Whether a value has no fault; else it is counted and to be left out.
+  bool isFit(const InputPort& port, const void* value);
   /// When a step takes it: what would be too much for one step is left out.
   void admit(const InputPort& port, void* value);
   /// Does the same as ObservationIntake::knowOnly().

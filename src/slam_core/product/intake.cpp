@@ -85,8 +85,15 @@ void Intake::take(Kind kind, const void* value) {
 
 void Intake::take(const InputPort& port, const void* value) {
   if (port.time == TimeRole::kCarrier) return takeMotion(*static_cast<const Motion*>(value));
-  if (port.time == TimeRole::kLatched) return port.set(value);
-  takeTrigger(port, value);
+  if (port.time == TimeRole::kLatched)
+    takeLatched(port, value);
+  else
+    takeTrigger(port, value);
+}
+
+void Intake::takeLatched(const InputPort& port, const void* value) {
+  if (screen_.isFit(port, value)) port.set(value);
+  if (const auto fault = screen_.takeFault(); !fault.empty()) fault_ = fault;
 }
 
 void Intake::takeMotion(Motion motion) {
@@ -104,6 +111,7 @@ void Intake::takeMotion(Motion motion) {
     return;
   }
   counters_.add("invalid_motion");
+  collator_.skip(motion.sequence);
   fault_ = fault + "; it is left out";
 }
 
@@ -120,15 +128,16 @@ void Intake::takeTrigger(const InputPort& port, const void* value) {
   if (held)
     collator_.push(static_cast<std::size_t>(source), held->stamp, held->sequence,
                    {&port, held->value});
+  else
+    collator_.skip(static_cast<std::size_t>(source), port.traits.hold(value).sequence);
 }
 
-std::optional<Intake::Step> Intake::next() {
-  auto step = collator_.next();
-  if (!step || !step->trigger) return step;
-  screen_.admit(*step->trigger->port, step->trigger->value.get());
+std::optional<Intake::Step> Intake::next() { return collator_.next(); }
+
+void Intake::admit(const Trigger& trigger) {
+  screen_.admit(*trigger.port, trigger.value.get());
   // what came with the array's arrival is said first
   if (const auto fault = screen_.takeFault(); fault_.empty()) fault_ = fault;
-  return step;
 }
 
 std::optional<Stamp> Intake::Arrivals::lastOf(const std::string& input) const {
@@ -144,10 +153,13 @@ Counters Intake::Arrivals::held() const {
 }
 
 Intake::Arrivals Intake::arrivals() const {
-  Arrivals arrivals{collator_.lastMotion(), {}, starving()};
-  for (std::size_t source = 0; source < triggers_.size(); ++source)
+  Arrivals arrivals{collator_.lastMotion(), std::nullopt, {}, starving()};
+  if (const auto* motion = collator_.pending()) arrivals.pending = *motion;
+  for (std::size_t source = 0; source < triggers_.size(); ++source) {
+    const auto& queue = collator_.triggers(source);
     arrivals.triggers.push_back({triggers_[source]->name, triggers_[source]->sentence,
-                                 collator_.lastTrigger(source), collator_.held(source)});
+                                 queue.stamps().last(), queue.items().size()});
+  }
   return arrivals;
 }
 

@@ -37,8 +37,9 @@ class Intake {
       std::optional<Stamp> last;  ///< the newest stamp
       std::size_t held = 0;       ///< have come and have not been handed out
     };
-    std::optional<Stamp> motion;   ///< the newest stamp
-    std::vector<Source> triggers;  ///< of each input that triggers steps
+    std::optional<Stamp> motion;    ///< the newest stamp
+    std::optional<Motion> pending;  ///< that follows the last step, if it is here
+    std::vector<Source> triggers;   ///< of each input that triggers steps
     /// "landmarks and laser scans since 12.3 wait for motion", where they have gone on without it
     /// for more than kPatience; else empty.
     std::string starving;
@@ -59,12 +60,12 @@ class Intake {
   /// No data are expected at this input, now and after a reset: no other waits for it.
   void expectNothing(const std::string& input);
 
-  /// The next step that is due, or nothing. @return its trigger as the back-end may have it
+  /// The next step that is due, or nothing.
   std::optional<Step> next();
+  /// The back-end takes this trigger: what would be too much for one step is left out of it.
+  void admit(const Trigger& trigger);
   /// The landmarks of a map are not new to the back-end; those that it has seen before are.
   void knowOnly(const LandmarkMap& map) { screen_.knowOnly(map); }
-  /// The motion that follows the last step, if it is here.
-  const Motion* pending() const { return collator_.pending(); }
 
   Arrivals arrivals() const;
   static constexpr Duration kPatience = std::chrono::seconds(3);
@@ -79,6 +80,7 @@ class Intake {
  private:
   void take(const InputPort& port, const void* value);
   void takeMotion(Motion motion);
+  void takeLatched(const InputPort& port, const void* value);
   void takeTrigger(const InputPort& port, const void* value);
   std::string starving() const;
   void warnOfBaseFrame(const std::string& moved);

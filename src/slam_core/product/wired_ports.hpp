@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <vector>
@@ -41,5 +42,15 @@ class WiredPorts {
 
   std::deque<Part> parts_;  // a deque: ports are referred to
 };
+
+/// Whether an input's data come with those of another one of its name, as the mount of a sensor
+/// does with what the sensor sees.
+template <class Inputs>
+bool comesWithAnother(const InputPort& input, const Inputs& inputs) {
+  return input.time == TimeRole::kLatched &&
+         std::any_of(inputs.begin(), inputs.end(), [&](const InputPort& other) {
+           return other.name == input.name && other.time != TimeRole::kLatched;
+         });
+}
 
 }  // namespace slam

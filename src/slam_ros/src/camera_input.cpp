@@ -10,7 +10,10 @@
 namespace slam_ros {
 
 CameraInput::CameraInput(std::string base_frame, Sinks sinks)
-    : base_frame_(std::move(base_frame)), sinks_(std::move(sinks)) {}
+    : sinks_(std::move(sinks)),
+      mount_(std::move(base_frame), [this](const auto& frame, const auto& pose) {
+        sinks_.mount({frame, pose});
+      }) {}
 
 void CameraInput::take(const sensor_msgs::Image& message) { pass(fromMsg(message)); }
 
@@ -23,32 +26,9 @@ void CameraInput::take(const sensor_msgs::CameraInfo& message) {
   sinks_.calibration(*calibration_);
 }
 
-void CameraInput::take(const tf2_msgs::TFMessage& static_transforms) {
-  transforms_.set(static_transforms);
-  findMount();
-}
-
 void CameraInput::pass(const slam::Image& image) {
-  if (camera_frame_ != image.frame) {
-    camera_frame_ = image.frame;
-    findMount();
-  }
+  mount_.takeFrame(image.frame);
   sinks_.image(image);
-}
-
-void CameraInput::findMount() {
-  if (!camera_frame_) return;
-  const auto pose = transforms_.mount(base_frame_, *camera_frame_);
-  const bool is_known = pose && mount_ && *camera_frame_ == mount_->camera_frame &&
-                        pose->matrix() == mount_->T_base_camera.matrix();
-  if (!pose || is_known) return;
-  mount_ = slam::CameraMount{*camera_frame_, *pose};
-  sinks_.mount(*mount_);
-}
-
-std::string CameraInput::missingTransform() const {
-  if (!camera_frame_ || (mount_ && mount_->camera_frame == *camera_frame_)) return "";
-  return base_frame_ + " -> " + (camera_frame_->empty() ? "(no frame)" : *camera_frame_);
 }
 
 }  // namespace slam_ros

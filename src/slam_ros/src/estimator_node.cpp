@@ -259,6 +259,7 @@ void EstimatorNode::beginAnew() {
 }
 
 std::string EstimatorNode::waiting() const {
+  if (!inputs_) return "";
   if (const auto wait = inputs_->waiting(needlessInputs()); !wait.empty()) return wait;
   if (const auto starving = this->starving(); !starving.empty()) return starving;
   return silence_.sentence(SilenceWatch::Clock::now());

@@ -13,9 +13,9 @@ namespace slam_ros {
 PartInputs::PartInputs(const InputContext& context, const slam::Wiring& wiring,
                        const slam::Ports& also) {
   slam::FaultCollector faults;
-  for (const auto& port : wiring.ports().open())
-    if (port.time != slam::TimeRole::kLatched)  // which comes with the data that it is latched for
-      faults.attempt([&] { bind(context, port); });
+  const auto open = wiring.ports().open();
+  for (const auto& port : open)
+    if (!slam::comesWithAnother(port, open)) faults.attempt([&] { bind(context, port); });
   faults.raise();
   const auto& all = InputBindings::instance();
   for (const auto& port : also.inputs())

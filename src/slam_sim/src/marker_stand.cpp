@@ -28,8 +28,9 @@ MarkerStand::MarkerStand(std::unique_ptr<LandmarkDetector> detector,
       camera_(std::make_shared<const Scene>(world_), calibration, optics),
       detector_(std::move(detector)),
       ports_(portsOf(*detector_)) {
-  give(calibration);
-  give(levelMount());
+  gate_.configure(CameraConfig());
+  gate_.set(calibration);
+  gate_.set(levelMount());
 }
 
 MarkerTruth MarkerStand::truth(const Eigen::Isometry3d& T_world_camera) const {
@@ -49,7 +50,9 @@ std::optional<LandmarkObservation> MarkerStand::look(const CameraPath& T_world_c
   image.stamp = stampFromNanoseconds(static_cast<std::int64_t>(frame + 1) * kFramePeriod);
   image.frame = levelMount().camera_frame;
   image.gray = camera_.render(T_world_camera, RandomStream(1, frame));
-  give(image);
+  gate_.set(image);
+  gate_.execute();
+  ports_.input("camera", kindOf<CameraView>())->set(&gate_.view().value());
   detector_->execute();
   if (!detector_->observations()) return std::nullopt;
   for (const auto& observation : detector_->observations()->observations) {

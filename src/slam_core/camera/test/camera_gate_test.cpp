@@ -87,6 +87,7 @@ TEST_F(CameraGateTest, LetsTheOldestOutAsUnusableWhenItHoldsTooMany) {
   next();
   EXPECT_FALSE(gate_.view()) << "the rest is held";
   EXPECT_EQ(count("no_calibration"), 2u);
+  EXPECT_EQ(gate_.held()["no_calibration"], CameraGate::kCapacity);
   calibrate();
   EXPECT_EQ(drain().size(), CameraGate::kCapacity);
 }

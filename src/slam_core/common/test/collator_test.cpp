@@ -35,13 +35,13 @@ TEST(Collator, TellsSinceWhenTriggersWaitForMotionThatDoesNotGoOn) {
   EXPECT_EQ(run.collator.starvedSince(0, patience), at(9));
   run.move(1, 10, 1);
   EXPECT_EQ(run.steps.size(), 1u);
-  EXPECT_EQ(run.collator.held(0), 0u);
+  EXPECT_EQ(run.collator.triggers(0).items().size(), 0u);
   run.see("b", 11, 1);
   run.see("c", 13, 2);
   EXPECT_FALSE(run.collator.starvedSince(0, patience)) << "it may still come";
   run.see("d", 13.5, 3);
   EXPECT_EQ(run.collator.starvedSince(0, patience), at(11));
-  EXPECT_EQ(run.collator.held(0), 3u);
+  EXPECT_EQ(run.collator.triggers(0).items().size(), 3u);
   run.move(10, 12, 2);
   EXPECT_FALSE(run.collator.starvedSince(0, patience)) << "it goes on";
 }

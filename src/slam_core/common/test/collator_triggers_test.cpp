@@ -27,7 +27,7 @@ TEST(CollatorWithoutMotion, StepsAtOnceWhereThereIsOneSource) {
   EXPECT_EQ(run.seen(), "ab");
   EXPECT_EQ(run.steps[1].stamp, at(1.5));
   EXPECT_TRUE(run.steps[1].motions.empty());
-  EXPECT_EQ(run.collator.held(0), 0u);
+  EXPECT_EQ(run.collator.triggers(0).items().size(), 0u);
   EXPECT_EQ(run.collator.pending(), nullptr);
   EXPECT_TRUE(run.collator.counters().all().empty());
 }

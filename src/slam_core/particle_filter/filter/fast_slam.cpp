@@ -54,8 +54,8 @@ void FastSlam::configure(Settings& settings) {
   faults.attempt([&] { settings.read(config); });
   if (uses_grid_) faults.attempt([&] { settings.read(grid); });
   if (uses_grid_) faults.attempt([&] { settings.read(scan); });
-  faults.attempt([&] { configure(config, grid, scan); });
   faults.raise();
+  configure(config, grid, scan);
 }
 
 void FastSlam::reset() {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/ports.hpp"
 #include "slam_core/models/laser_scan.hpp"
@@ -81,6 +83,33 @@ TEST_F(IntakeTest, LeavesOutAndCountsWhatTheKindCallsAFault) {
   take(Echo{at(40), 1, 2.0});
   EXPECT_EQ(drain().size(), 1u);
   EXPECT_EQ(intake.counters()["invalid_sonar"], 1u);
+}
+
+TEST_F(IntakeTest, WhatIsLeftOutForAFaultDoesNotCountAsLostAsWell) {
+  configureWithMotion();
+  take(motion(0, 100, 0));
+  take(Echo{at(20), 0, 1.0});
+  take(Echo{at(40), 1, -1.0});
+  take(Echo{at(60), 2, 1.0});
+  auto broken = motion(100, 200, 1);
+  broken.increment = Pose2(std::nan(""), 0, 0);
+  take(broken);
+  take(motion(200, 300, 2));
+  EXPECT_EQ(intake.counters()["invalid_sonar"], 1u);
+  EXPECT_EQ(intake.counters()["invalid_motion"], 1u);
+  EXPECT_EQ(intake.counters()["lost"], 0u);
+}
+
+TEST_F(IntakeTest, AnInputThatIsLatchedGetsNoFaultEither) {
+  std::vector<double> got;
+  ports.takes<Echo>("calibration", "echoes", [&](const Echo& echo) { got.push_back(echo.range); })
+      .latched();
+  configure();
+  take("calibration", Echo{at(0), 0, -1.0});
+  EXPECT_TRUE(oneSays({intake.takeFault()}, {"range that is not positive", "left out"}));
+  take("calibration", Echo{at(0), 0, 2.0});
+  EXPECT_EQ(got, std::vector<double>{2.0});
+  EXPECT_EQ(intake.counters()["invalid_calibration"], 1u);
 }
 
 TEST_F(IntakeTest, CollatesItWithMotionWhateverTheOrderOfArrival) {

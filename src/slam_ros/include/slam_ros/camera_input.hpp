@@ -13,7 +13,7 @@
 
 #include "slam_core/camera/camera_calibration.hpp"
 #include "slam_core/camera/image.hpp"
-#include "slam_ros/static_transforms.hpp"
+#include "slam_ros/sensor_mount.hpp"
 
 namespace slam_ros {
 
@@ -34,23 +34,19 @@ class CameraInput {
   void take(const sensor_msgs::Image& message);
   void take(const sensor_msgs::CompressedImage& message);
   void take(const sensor_msgs::CameraInfo& message);
-  void take(const tf2_msgs::TFMessage& static_transforms);
+  void take(const tf2_msgs::TFMessage& static_transforms) { mount_.take(static_transforms); }
 
-  bool hasImage() const { return camera_frame_.has_value(); }
+  bool hasImage() const { return mount_.hasFrame(); }
   bool hasCalibration() const { return calibration_.has_value(); }
   /// "base_link -> camera_optical_frame" while images came and that transform did not, else empty.
-  std::string missingTransform() const;
+  std::string missingTransform() const { return mount_.missing(); }
 
  private:
   void pass(const slam::Image& image);
-  void findMount();
 
-  std::string base_frame_;
   Sinks sinks_;
-  StaticTransforms transforms_;
-  std::optional<std::string> camera_frame_;  ///< of the newest image
+  SensorMount mount_;
   std::optional<slam::CameraCalibration> calibration_;
-  std::optional<slam::CameraMount> mount_;
 };
 
 }  // namespace slam_ros

@@ -30,8 +30,8 @@
 namespace slam_ros {
 
 /// The ROS side of an estimator, the same for every back-end and both compositions: subscribes
-/// motion, observations, initialpose and, where they are used, scans, and turns each step into
-/// pose, path, landmarks, transform, progress, diagnostics and the files of the run. All callbacks
+/// initialpose and all that its part of the product takes in, and turns each step into pose, path,
+/// landmarks, transform, progress, diagnostics and the files of the run. All callbacks
 /// come from one thread, one at a time. Destroying it completes the files.
 class EstimatorNode {
  public:

@@ -6,11 +6,10 @@
 #include <sensor_msgs/LaserScan.h>
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "slam_core/laser/laser_sweep.hpp"
-#include "slam_ros/static_transforms.hpp"
+#include "slam_ros/sensor_mount.hpp"
 
 namespace slam_ros {
 
@@ -28,20 +27,15 @@ class LaserInput {
   LaserInput(std::string base_frame, Sinks sinks);
 
   void take(const sensor_msgs::LaserScan& message);
-  void take(const tf2_msgs::TFMessage& static_transforms);
+  void take(const tf2_msgs::TFMessage& static_transforms) { mount_.take(static_transforms); }
 
-  bool hasScan() const { return laser_frame_.has_value(); }
+  bool hasScan() const { return mount_.hasFrame(); }
   /// "base_link -> laser" while scans came and that transform did not, else empty.
-  std::string missingTransform() const;
+  std::string missingTransform() const { return mount_.missing(); }
 
  private:
-  void findMount();
-
-  std::string base_frame_;
   Sinks sinks_;
-  StaticTransforms transforms_;
-  std::optional<std::string> laser_frame_;  ///< of the newest scan
-  std::optional<slam::LaserMount> mount_;
+  SensorMount mount_;
 };
 
 }  // namespace slam_ros

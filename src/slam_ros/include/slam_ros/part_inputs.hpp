@@ -28,7 +28,10 @@ class PartInputs {
   /// @param needless inputs of which nothing is expected: what is made of them comes from elsewhere
   std::string waiting(const std::vector<std::string>& needless = {}) const;
   /// From here on no callback runs.
-  void stop() { bindings_.clear(); }
+  void stop() {
+    bindings_.clear();
+    mandatory_.clear();
+  }
 
  private:
   void bind(const InputContext& context, const slam::InputPort& port);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/contract/landmark_detector.hpp"
 #include "slam_sim/camera_renderer.hpp"
 #include "slam_sim/world.hpp"
@@ -41,13 +42,9 @@ class MarkerStand {
   Counters counters() const { return detector_->counters(); }
 
  private:
-  template <class T>
-  void give(const T& value) {
-    ports_.input("camera", kindOf<T>())->set(&value);
-  }
-
   World world_;
   CameraRenderer camera_;
+  CameraGate gate_;
   std::unique_ptr<LandmarkDetector> detector_;
   Ports ports_;  ///< its
 };
