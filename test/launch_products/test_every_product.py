@@ -54,7 +54,8 @@ def with_made(bag, record, path, made_of):
             rosbag.Bag(str(path), "w") as both:
         messages = [entry for entry in sensors.read_messages()
                     if not entry.topic.startswith(tuple(made_of.values()))]
-        messages += made.read_messages(topics=list(made_of))
+        if made_of:  # without a topic all would be read
+            messages += made.read_messages(topics=list(made_of))
         for topic, message, stamp in sorted(messages, key=lambda entry: entry.timestamp.to_nsec()):
             both.write(topic, message, stamp)
 
