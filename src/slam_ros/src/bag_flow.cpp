@@ -16,7 +16,7 @@ constexpr const char* kForPointMap = " for the point map";
 constexpr const char* kMotionForPointMap = "motion for the point map";
 constexpr const char* kPosesForPointMap = "poses for the point map";
 
-/// Those that have data and that steps are taken for.
+/// Counts the inputs that have data and that steps are taken for.
 std::size_t triggers(const BagInputs& inputs) {
   const auto& triggers = inputs.flow().triggersOfBackend();
   return static_cast<std::size_t>(
@@ -42,7 +42,7 @@ void BagFlow::limit(const BagInputs::Found& found) {
   }
 }
 
-/// What is acknowledged once a message of the input has been taken.
+/// Names the acknowledgements that follow once a message of the input has been taken.
 std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const {
   std::vector<std::string> answers;
   bool is_of_module = false;
@@ -63,8 +63,9 @@ std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const
   return answers;
 }
 
-/// Of the inputs that a component makes its data of, those that come in the largest messages; the
-/// others go in between.
+/// Whether the input is the one whose messages the flow waits for. Among the inputs that a
+/// component makes its data of, these are the ones with the largest messages; the others are sent
+/// in between.
 bool BagFlow::isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const {
   const auto in_flight = found.input->play().in_flight;
   return std::all_of(inputs_.found().begin(), inputs_.found().end(),

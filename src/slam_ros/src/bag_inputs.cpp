@@ -179,7 +179,7 @@ class BagInputs::Search {
       if (input.is_mandatory && candidateFor(input.name, input.kind) && !flow_.isMade(input))
         missing.push_back(needOf(input));
     if (!part.is_maker || missing.empty()) return missing;
-    // what triggers steps a bag may well carry; of other data, such as motion, it has the sources
+    // A bag may well carry what triggers steps. Of other data, such as motion, it has the sources.
     std::vector<std::string> instead;
     bool is_needed = false;
     for (const auto& output : flow_.takenOutputs(part)) {

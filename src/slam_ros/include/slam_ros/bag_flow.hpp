@@ -53,7 +53,8 @@ class BagFlow {
   Options options_;
   FlowWindow window_{kInFlight};
   std::map<std::string, std::size_t> limits_;  ///< of answers, where they are not the usual one
-  /// Of answers to what may wait for its sensor and has not been waited for in vain.
+  /// The limits of answers to data that may wait for their sensor, until that wait was in vain
+  /// once.
   std::map<std::string, std::size_t> held_;
   std::optional<slam::Duration> max_ahead_;  ///< of stamps, where several triggers wait together
   std::atomic<bool> stopped_{false};

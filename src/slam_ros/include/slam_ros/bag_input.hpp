@@ -118,8 +118,8 @@ Input inputOf(const std::string& name, const std::string& topic) {
 template <class Message, class StampOf>
 BagHandler sender(const ros::Publisher& publisher, BagInput::Gate gate, StampOf stampOf) {
   return onMessage<Message>([publisher, gate = std::move(gate), stampOf](const Message& message) {
-    // By pointer, which is there at once for whoever is in the same manager; by reference it would
-    // go through a queue of its own and images overtake their calibration.
+    // A pointer reaches subscribers in the same manager at once. A reference would be serialised
+    // into a queue of its own, and images could overtake their calibration.
     if (gate(stampOf(message))) publisher.publish(boost::make_shared<const Message>(message));
   });
 }

@@ -45,9 +45,9 @@ struct InputContext {
 InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& settings,
                           const InputOptions& options);
 
-/// How data of one kind come from ROS to an input: one object for each port. It subscribes once its
-/// nodelet is loaded; its owner destroys it before what `put` needs goes away. All callbacks come
-/// from the node handle's queue.
+/// Brings data of one kind from ROS to an input; there is one object for each port. It subscribes
+/// once its nodelet is loaded, and its owner destroys it before what `put` needs goes away. All
+/// callbacks come from the node handle's queue.
 class InputBinding {
  public:
   virtual ~InputBinding() = default;

@@ -167,8 +167,8 @@ class CameraInBag final : public BagInput {
   std::optional<CameraInput> input_;
 };
 
-/// A camera that is remapped to compressed images, also where only they have the name's beginning,
-/// is the input for those.
+/// Who remaps a camera to compressed images means the input for those. Their topic may also be
+/// given without its ending, where the bag has no raw images of that name.
 Remap CameraInBag::meaningOf(Remap remap, const std::vector<BagTopic>& topics) const {
   auto& camera = sameTopic(remap.to, raw_.name) ? remap.to : remap.from;
   auto& topic = &camera == &remap.to ? remap.from : remap.to;
@@ -182,8 +182,8 @@ Remap CameraInBag::meaningOf(Remap remap, const std::vector<BagTopic>& topics) c
   return remap;
 }
 
-/// The topic of the bag, or an empty name: another camera's calibration would be worse than none,
-/// the type alone does not tell.
+/// The topic of the bag, or an empty name. A calibration is never found by its type alone, since
+/// that of another camera would be worse than none.
 std::string CameraInBag::findCalibration(BagSearch& bag) const {
   if (bag.isRemapped(info_)) return bag.topic(info_);
   const auto beside = cameraTopics(images_).info;
