@@ -14,12 +14,13 @@
 #include "slam_ros/door.hpp"
 #include "slam_ros/latency_window.hpp"
 #include "slam_ros/topics_config.hpp"
+#include "slam_ros/transport_config.hpp"
 
 namespace slam_ros {
 
 /// What a nodelet is told of its inputs.
 struct InputOptions {
-  std::string image_transport = "auto";  ///< "raw", "compressed"; "auto": what comes first
+  ImageTransport image_transport = ImageTransport::kAuto;
   /// Where nobody publishes the topic of the odometry: the transform odom -> base.
   bool odometry_from_tf = true;
   bool publishes_odometry_edge = false;  ///< this node does: its own transforms tell nothing new

@@ -56,14 +56,14 @@ class CameraBinding final : public InputBinding {
     return {take, put, put};
   }
 
-  void subscribe(ros::NodeHandle handle, const std::string& transport) {
+  void subscribe(ros::NodeHandle handle, ImageTransport transport) {
     const std::lock_guard lock(kind_);
     const auto take = [this](const auto& message) { input_.take(message); };
     transforms_ = subscribeThrough<tf2_msgs::TFMessage>(pass_, handle, "/tf_static", kQueue, take);
     info_ = subscribeThrough<sensor_msgs::CameraInfo>(pass_, handle, topics_.info, kQueue, take);
-    if (transport != "compressed")
+    if (transport != ImageTransport::kCompressed)
       raw_ = subscribeImages<sensor_msgs::Image>(handle, topics_.raw, compressed_);
-    if (transport != "raw")
+    if (transport != ImageTransport::kRaw)
       compressed_ = subscribeImages<sensor_msgs::CompressedImage>(handle, topics_.compressed, raw_);
   }
 
