@@ -26,6 +26,7 @@ class BagFlow {
     bool has_point_map = false;       ///< in a nodelet of its own, which acknowledges as well
     slam::Duration source_timeout{};  ///< of the product
     std::function<void(const std::string& sentence)> warn;
+    FlowWindow::Timeout patience{5000};  ///< without any acknowledgement
   };
 
   /// @param inputs outlive this
@@ -47,6 +48,7 @@ class BagFlow {
   bool isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const;
   void limit(const BagInputs::Found& found);
   void expectOfPointMap(const slam_msgs::Progress& message);
+  void waitForSlowest(slam::Stamp stamp);
   bool waitForRoom(const std::string& answer, slam::Stamp stamp);
 
   const BagInputs& inputs_;
