@@ -19,6 +19,14 @@ using Found = BagInputs::Found;
 bool isTrigger(const slam::InputPort& input) { return input.time == slam::TimeRole::kTrigger; }
 bool isMandatory(const slam::InputPort& input) { return input.is_mandatory; }
 
+/// Whether the input goes by this name, its own or that of one of its topics.
+bool isOf(const Found& found, const Input& name) {
+  const auto names = found.input->names();
+  return std::any_of(names.begin(), names.end(), [&](const Input& own) {
+    return own.name == name.name && own.type == name.type;
+  });
+}
+
 /// The inputs that robot files have names for and those of the product, so far as bindings know
 /// their kinds.
 std::vector<Found> candidates(const slam::DataFlow& flow, const BagContext& context) {
@@ -47,7 +55,7 @@ BagSearch searchOf(const BagReader& bag, const std::vector<Found>& candidates,
   const auto read = [&bag](const auto& handlers, const auto& progress) {
     bag.read(handlers, progress);
   };
-  return {bag.topics(), read, std::move(inputs), std::move(remaps)};
+  return {bag.topics(), read, std::move(inputs), remaps};
 }
 
 }  // namespace
@@ -74,6 +82,14 @@ class BagInputs::Search {
     }
     inputs_.notes_ = std::move(bag_.notes);
     inputs_.warnings_ = std::move(bag_.warnings);
+  }
+
+  /// @throw TopicError for a remapping whose topic no input was found on
+  void requireUseOfRemaps() const {
+    for (const auto& chosen : bag_.chosen())
+      if (!isUsed(chosen))
+        throw TopicError(fmt::format("the remapping {} would have no effect: {}; leave it out",
+                                     textOf(chosen.remap), whyUnused(chosen)));
   }
 
   /// What the product cannot do without, a text each.
@@ -194,6 +210,29 @@ class BagInputs::Search {
     return {slam::join(instead) + ", or " + slam::join(missing, " and ")};
   }
 
+  bool isUsed(const ChosenTopic& chosen) const {
+    return std::any_of(inputs_.found_.begin(), inputs_.found_.end(), [&](const Found& found) {
+      const auto topics = found.input->topics();
+      return isOf(found, chosen.input) &&
+             std::find(topics.begin(), topics.end(), chosen.topic) != topics.end();
+    });
+  }
+
+  /// One clause on a remapping that is not used.
+  std::string whyUnused(const ChosenTopic& chosen) const {
+    for (const auto& found : inputs_.found_)
+      if (isOf(found, chosen.input))
+        return fmt::format("the input '{}' comes from {}", found.port,
+                           slam::join(found.input->topics()));
+    for (const auto& candidate : candidates_)
+      if (isOf(candidate, chosen.input))
+        for (const auto& part : flow_.parts())
+          if (part.makes(candidate.port, candidate.kind) && !inputs_.isLeftOut(part.key))
+            return fmt::format("the {} makes what the input '{}' takes in", part.title(),
+                               candidate.port);
+    return fmt::format("no component of the product takes the input '{}'", chosen.input.name);
+  }
+
   BagInputs& inputs_;
   const slam::DataFlow& flow_;
   std::vector<Found> candidates_;  ///< that have not been found
@@ -205,6 +244,7 @@ BagInputs::BagInputs(const BagReader& bag, const slam::ProductComponents& produc
     : flow_(product) {
   Search search(bag, context, remaps, *this);
   search.run();
+  search.requireUseOfRemaps();
   if (const auto missing = search.missing(); !missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));

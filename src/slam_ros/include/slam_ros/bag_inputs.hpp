@@ -20,7 +20,7 @@ namespace slam_ros {
 class BagInputs {
  public:
   /// @throw TopicError when an input that the product needs is missing (with what the bag has) or
-  /// cannot be told; slam::ConfigError
+  /// cannot be told, and for a remapping that is wrong or would have no effect; slam::ConfigError
   BagInputs(const BagReader& bag, const slam::ProductComponents& product, const BagContext& context,
             const std::vector<Remap>& remaps);
 

@@ -97,6 +97,17 @@ TEST_F(ScanBags, OneOfSeveralLasersMustBeChosen) {
             Topics{"/front"});
 }
 
+TEST_F(ScanBags, TheOnlyScansThereAreAreFoundAlthoughTheRobotCallsThemOtherwise) {
+  const BagReader reader(
+      bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
+  BagContext context;
+  context.topics.scan = "/laser";
+  const BagInputs inputs(reader, slam::createComponents(gridProduct()), context, {});
+  EXPECT_EQ(inputs.topicsOf("scan"), Topics{"/scan"});
+  ASSERT_EQ(inputs.notes().size(), 1u);
+  EXPECT_TRUE(contains(inputs.notes()[0], "/scan is the input scan")) << inputs.notes()[0];
+}
+
 TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
   const auto path = bag([](auto& maker) {
     maker.add("/tf_static", 0, test::transform("base_link", "laser", 0));
