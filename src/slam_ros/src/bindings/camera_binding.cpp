@@ -96,9 +96,6 @@ class CameraInBag final : public BagInput {
 
   std::vector<Input> names() const override { return {raw_, compressed_, info_}; }
   Remap meaningOf(Remap remap, const std::vector<BagTopic>& topics) const override;
-  bool isAskedFor(const BagSearch& bag) const override {
-    return bag.isRemapped(raw_) || bag.isRemapped(compressed_);
-  }
   std::string howToAsk() const override {
     return "--remap " + raw_.name + ":=TOPIC has it look at that camera's images instead";
   }
