@@ -26,7 +26,7 @@ void Wiring::connect(Settings& settings) {
       routes_[{input.name, input.kind}].consumers.push_back({&node, &input});
 }
 
-/// The gates execute with every value, after the components that were added.
+/// Configures the gates; each executes with every value that comes in.
 void Wiring::configureGates(Settings& settings) {
   FaultCollector faults;
   for (const auto& part : ports_.parts()) {

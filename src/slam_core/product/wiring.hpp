@@ -52,9 +52,9 @@ class Wiring {
   Status step();
 
   const WiredPorts& ports() const { return ports_; }
-  /// Of all components and gates, with their prefixes.
+  /// The counters of all components and gates, with their prefixes.
   Counters counters() const;
-  /// Of all components.
+  /// The figures of all components.
   Component::Figures figures() const;
   const std::vector<std::unique_ptr<Gate>>& gates() const { return ports_.gates(); }
   void reset();
