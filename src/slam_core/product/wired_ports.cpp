@@ -120,9 +120,13 @@ std::string WiredPorts::takersOf(const std::string& port, Kind kind) const {
   return join(titles, " and ");
 }
 
-void WiredPorts::requireOneMakerEach() const {
+void WiredPorts::requireJoinable() const {
   FaultCollector faults;
   for (const auto& part : parts_) faults.attempt([&] { requireOneMaker(part); });
+  faults.attempt([&] {
+    CycleSearch search(*this);
+    for (const auto& part : parts_) search.visit(part);
+  });
   faults.raise();
 }
 
@@ -135,11 +139,6 @@ void WiredPorts::requireOneMaker(const Part& part) const {
                           "): the " + other.title + " and the " + part.title +
                           "; leave one of them out of the product");
     }
-}
-
-void WiredPorts::requireNoCycle() const {
-  CycleSearch search(*this);
-  for (const auto& part : parts_) search.visit(part);
 }
 
 }  // namespace slam

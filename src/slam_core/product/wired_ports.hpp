@@ -54,11 +54,10 @@ class WiredPorts {
   /// Titles of those that take in an input: "the back-end 'ekf' and ...".
   std::string takersOf(const std::string& port, Kind kind) const;
 
-  /// @throw ConfigError where two make the same output
-  void requireOneMakerEach() const;
-  /// Data that came back to who made them would have no end within one process, and between several
-  /// the result would depend on who is faster. @throw ConfigError naming who stands in a circle
-  void requireNoCycle() const;
+  /// @throw ConfigError where two make the same output, and where parts take data from one another
+  /// in a circle: data that came back to who made them would have no end within one process, and
+  /// between several the result would depend on who is faster
+  void requireJoinable() const;
 
  private:
   /// Refuses a part that makes what one before it makes.

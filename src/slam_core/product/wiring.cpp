@@ -17,8 +17,7 @@ void Wiring::add(const std::string& prefix, Component& component, Turn turn,
 void Wiring::connect(Settings& settings) {
   FaultCollector faults;
   faults.attempt([&] { ports_.placeGates(); });
-  faults.attempt([&] { ports_.requireOneMakerEach(); });
-  faults.attempt([&] { ports_.requireNoCycle(); });
+  faults.attempt([&] { ports_.requireJoinable(); });
   faults.attempt([&] { configureGates(settings); });
   faults.raise();
   for (auto& node : nodes_)

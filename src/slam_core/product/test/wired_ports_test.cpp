@@ -179,7 +179,7 @@ TEST(WiredPorts, TellWhoMakesWhatForEveryInput) {
   EXPECT_EQ(makerOf(ports.parts()[1]), "") << "it comes from outside";
   EXPECT_EQ(makerOf(ports.parts()[2]), "gate 'smelter'");
   EXPECT_EQ(makerOf(ports.parts()[3]), "carter") << "a gate may need what a component makes";
-  ports.requireNoCycle();
+  ports.requireJoinable();
 }
 
 std::vector<std::string> faultsOfWiring(const std::vector<Component*>& components) {
