@@ -54,7 +54,7 @@ struct ScanBags : ::testing::Test {
   static slam::ProductConfig gridProduct() {
     slam::ProductConfig product;
     product.backend = "pf";
-    product.map = "grid";
+    product.map = slam::MapKind::kGrid;
     return product;
   }
   test::Folder folder;
