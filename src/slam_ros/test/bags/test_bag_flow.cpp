@@ -87,7 +87,7 @@ TEST_F(Flow, WhatAModuleOfItsOwnNodeletTakesItAcknowledges) {
 TEST_F(Flow, SaysOnceThatASourceIsNotWaitedForAnyMore) {
   slam::ProductConfig product;
   product.backend = "pf";
-  product.map = "grid";  // which takes steps for scans and for observations
+  product.map = slam::MapKind::kGrid;  // which takes steps for scans and for observations
   patience = FlowWindow::Timeout(20);
   start(product);
   const auto scans = gateOf("scan");
