@@ -48,7 +48,7 @@ class BeaconDrive final : public slam::test::SimulatedDrive {
 
 Variant variant() {
   const auto drive = [](std::uint64_t seed) { return std::make_unique<BeaconDrive>(seed); };
-  return {"beacon_toy", "beacon_toy", {kBeacons}, "", drive};
+  return {"beacon_toy", "beacon_toy", {kBeacons}, {}, drive};
 }
 
 TEST(BeaconToy, IsAsWrongAsItSays) {
