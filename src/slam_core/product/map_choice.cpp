@@ -6,16 +6,21 @@
 #include <algorithm>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/registry.hpp"
 
 namespace slam {
 namespace {
 
-/// Of a back-end that does not choose: point landmarks.
+/// Of a back-end that does not choose: a grid where that is all it makes, else point landmarks.
 std::vector<std::string> mapsOf(Backend& backend) {
-  const auto* chooser = capabilitiesOf(backend).find<MapChooser>();
-  return chooser == nullptr ? std::vector<std::string>{"landmarks"} : chooser->maps();
+  const auto capabilities = capabilitiesOf(backend);
+  if (const auto* chooser = capabilities.find<MapChooser>()) return chooser->maps();
+  const bool makes_grid_alone =
+      capabilities.find<GridMapper>() != nullptr && capabilities.find<LandmarkMapper>() == nullptr;
+  return {makes_grid_alone ? "grid" : "landmarks"};
 }
 
 bool makes(Backend& backend, const std::string& map) {
