@@ -12,7 +12,7 @@ struct GridSlamConfig {
   static constexpr const char* kSection = "grid";
 
   BackendMode mode = BackendMode::kSlam;
-  double insert_distance = 0.3;
+  double insert_distance = 0.4;
   double insert_angle = 0.3;
   double initial_sigma_position = 0.001;
   double initial_sigma_heading = 0.001;

@@ -4,14 +4,15 @@
 #include "slam_core/scan_matching/registration.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/scan_matching/surface.hpp"
 
-// Symbols: e end of a beam in the robot's frame, p the same in the map [cells], r its offset from
-// the surface, W information of r, w what the kernel leaves of it, J Jacobian of p by the pose, H
-// and g the normal equations.
+// Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
+// across and along that, W information of an offset, w what the kernel leaves of it, J Jacobian of
+// an offset by the pose, H and g the normal equations.
 
 namespace slam::scan_matching {
 namespace {
@@ -27,15 +28,23 @@ struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
   int ends = 0;
-};
+  double weights = 0.0, squares = 0.0;  ///< of the ends, and of their offsets in sigmas
 
-/// Of the offset of an end from a surface.
-Eigen::Matrix2d informationOf(const Surface& surface, double variance) {
-  const Eigen::Vector2d& n = surface.normal;
-  const Eigen::Vector2d t(-n.y(), n.x());
-  return n * n.transpose() / (variance + surface.across) +
-         t * t.transpose() / (variance + surface.along);
-}
+  /// Of the ends' variance, what shows in their offsets: the model's sigma is an upper bound.
+  double shownVariance() const {
+    constexpr double kOfKernel = 0.25;  // mean weighed square of a normal variable
+    constexpr double kLeast = 0.05;
+    return std::clamp(squares / (kOfKernel * weights), kLeast, 1.0);
+  }
+  /// The offset `r` of an end along a direction, with the weight W.
+  void add(double W, double r, const Eigen::Vector2d& direction, const Eigen::Vector2d& turned,
+           double cells_per_metre) {
+    const Eigen::Vector3d J(cells_per_metre * direction.x(), cells_per_metre * direction.y(),
+                            turned.x() * direction.y() - turned.y() * direction.x());
+    H += W * J * J.transpose();
+    g += W * r * J;
+  }
+};
 
 class Fit {
  public:
@@ -60,15 +69,20 @@ class Fit {
     if (surface == nullptr) return;
     const double range_variance =
         scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
-    const Eigen::Matrix2d W = informationOf(*surface, variance_ + range_variance);
-    const Eigen::Vector2d r = p - surface->point, Wr = W * r;
-    const double root = 1.0 / (1.0 + r.dot(Wr)), w = root * root;
+    const double variance = variance_ + range_variance;
+    const Eigen::Vector2d& n = surface->normal;
+    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface->point;
+    const double across = r.dot(n), along = r.dot(t);
+    const double W_across = 1.0 / (variance + surface->across);
+    const double W_along = surface->goesOn() ? 0.0 : 1.0 / (variance + surface->along);
+    const double squared = W_across * across * across + W_along * along * along;
+    const double root = 1.0 / (1.0 + squared), w = root * root;
     if (!(w >= kLeastWeight)) return;
-    Eigen::Matrix<double, 2, 3> J;
-    J << scan_.cells_per_metre, 0.0, -turned.y(), 0.0, scan_.cells_per_metre, turned.x();
-    sum.H += w * J.transpose() * W * J;
-    sum.g += w * J.transpose() * Wr;
+    sum.add(w * W_across, across, n, turned, scan_.cells_per_metre);
+    if (W_along > 0.0) sum.add(w * W_along, along, t, turned, scan_.cells_per_metre);
     ++sum.ends;
+    sum.weights += w;
+    sum.squares += w * squared;
   }
 
   const ScanPoints& scan_;
@@ -86,9 +100,9 @@ Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, 
   Fit fit(map, scan, sigma);
   for (int i = 0; i < kIterations && scan.isOnMap(found.pose); ++i) {
     const auto equations = fit.at(found.pose);
-    found.information = equations.H;
     found.ends = equations.ends;
     if (!found.isDetermined()) break;
+    found.information = equations.H / equations.shownVariance();
     Eigen::Vector3d error = found.pose.vector() - prior.pose.vector();
     error.z() = wrapAngle(error.z());
     const Eigen::Matrix3d H =

@@ -12,7 +12,14 @@
 namespace slam::scan_matching {
 namespace {
 
+/// Of all ends: where as many agree with the map, the coarse resolution would tell nothing new.
+constexpr double kSettled = 0.9;
 constexpr double kMostContradict = 0.5;
+/// By how much better a place must fit that the prior did not lead to, of all ends: among many
+/// places some fit by chance.
+constexpr double kWorthAStep = 0.05, kWorthAJump = 0.3;
+/// Of all ends, by a place that is worth a jump.
+constexpr double kExplained = 0.6;
 /// Of an end that has nothing to do with the map, relative to the best.
 constexpr double kOutlier = 0.05;
 
@@ -31,22 +38,23 @@ grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
 
 Match ScanToMapMatcher::match(const ScanMap& map, const ScanLevels& scan,
                               const PosePrior& prior) const {
+  const auto ends = static_cast<double>(scan[0].ends.size());
   auto best = refined(map, scan, prior.pose, prior);
-  const auto consider = [&best](const Match& found) {
-    if (found.agreement.surplus() > best.agreement.surplus()) best = found;
+  const auto consider = [&best](const Match& found, double surplus) {
+    if (found.agreement.surplus() > best.agreement.surplus() + surplus) best = found;
   };
-  const auto search = [&](double position, double heading) {
-    consider(searched(map, scan, prior.pose, position, heading));
-  };
-  {
+  if (best.agreement.agreeing < kSettled * ends) {
     const auto coarse =
         registerScan(map.levels()[1].map, scan[1], prior.pose, prior, kCoarser * config_.sigma);
-    if (coarse.isDetermined()) consider(refined(map, scan, coarse.pose, prior));
+    if (coarse.isDetermined()) consider(refined(map, scan, coarse.pose, prior), 0.0);
   }
   if (best.agreement.contradictingShare() > config_.doubt_share)
-    search(config_.window_position, config_.window_heading);
-  if (best.agreement.contradictingShare() > kMostContradict)
-    search(config_.wide_position, config_.wide_heading);
+    consider(searched(map, scan, prior.pose, config_.window_position, config_.window_heading),
+             kWorthAStep * ends);
+  if (best.agreement.contradictingShare() > kMostContradict) {
+    const auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
+    if (found.agreement.agreeing > kExplained * ends) consider(found, kWorthAJump * ends);
+  }
   return best;
 }
 

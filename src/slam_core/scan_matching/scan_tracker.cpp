@@ -18,8 +18,8 @@ constexpr double kMemory = 50.0;  // scans that the usual interval is the mean o
 
 /// Of a robot that speeds up, brakes and turns as it likes since its last velocity.
 Eigen::Matrix3d noiseOfVelocity(Duration interval) {
-  constexpr double kAcceleration = 1.0;         // [m/s^2]
-  constexpr double kTurningAcceleration = 2.0;  // [rad/s^2]
+  constexpr double kAcceleration = 2.0;         // [m/s^2]
+  constexpr double kTurningAcceleration = 4.0;  // [rad/s^2]
   const double squared = std::pow(seconds(interval), 2);
   const double way = kAcceleration * squared, turn = kTurningAcceleration * squared;
   return Eigen::Vector3d(way * way, way * way, turn * turn).asDiagonal();

@@ -22,7 +22,6 @@ using grid_map::Tile;
 constexpr std::int32_t kReach = 2;      // cells on either side, for the nearest and for its line
 constexpr int kFewestOfLine = 3;        // cells
 constexpr double kStretchOfLine = 4.0;  // of a line, variance along over variance across
-constexpr double kAlongLine = 1e4;      // it goes on beyond the cells looked at [cells^2]
 constexpr double kOffsets = 256.0;      // of a mean, in a cell
 constexpr double kCellVariance = 1 / 12.0;
 
@@ -83,7 +82,8 @@ Surface surfaceAbout(const GridMap& map, CellIndex middle) {
   surface.normal = axes.eigenvectors().col(0);
   surface.across = std::max(0.0, axes.eigenvalues()(0));
   surface.along = axes.eigenvalues()(1);
-  if (surface.along > kStretchOfLine * surface.across) surface.along = kAlongLine;
+  if (surface.along > kStretchOfLine * surface.across)
+    surface.along = std::numeric_limits<double>::infinity();
   return surface;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "slam_core/grid_map/grid_map.hpp"
@@ -16,7 +17,9 @@ struct Surface {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();    ///< mean of the ends
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< across it, of unit length
   double across = 0.0;                                ///< variance of the ends along the normal
-  double along = 0.0;  ///< the same along the surface; without bound where it goes on
+  double along = 0.0;                                 ///< the same along it; infinite for a line
+
+  bool goesOn() const { return std::isinf(along); }
 };
 
 /// Finds the surfaces of one map. It remembers those that it has looked at: of a scan that is moved
