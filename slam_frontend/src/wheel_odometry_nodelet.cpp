@@ -41,7 +41,7 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
       publish_tf_ = slam_ros::parametersFromRos<NodeletConfig>(getPrivateNodeHandle()).publish_tf;
       node_.emplace(slam_ros::PartNode::Handles{getNodeHandle(), getPrivateNodeHandle(), getName()},
                     slam::ProductPart{slam::ProductPart::Extent::kOdometry, ""},
-                    slam_ros::InputOptions{"auto", !publish_tf_, false});
+                    slam_ros::InputOptions{slam_ros::ImageTransport::kAuto, !publish_tf_, false});
       motion_ = getNodeHandle().advertise<slam_msgs::Motion>(node_->topics().motion, kMotionQueue);
       node_->part().listen<slam::Motion>("motion", [this](const auto& motion) { publish(motion); });
     });

@@ -38,8 +38,10 @@ def parameters(name, known):
 
 
 def default_of(member, body):
-    """Returns what a member is declared with; nothing is a text or list that is empty."""
-    return (re.search(rf" {member}(?: = ([^,;(]+))?[,;]", body).group(1) or "").strip('"')
+    """Returns what a member is declared with; nothing is a text or list that is empty, Enum::kName
+    is the choice "name"."""
+    value = (re.search(rf" {member}(?: = ([^,;(]+))?[,;]", body).group(1) or "").strip('"')
+    return re.sub(r"^\w+::k(\w+)$", lambda choice: choice.group(1).lower(), value)
 
 
 def read_by(folder):
@@ -94,6 +96,7 @@ class NodeletParameters(unittest.TestCase):
                           '  fields\n      .add("on", &is_on, "y");'}
         known["Part"] = "  " + known["Part"]
         self.assertEqual(parameters("Whole", known), {"rate": "2.0", "on": "true"})
+        self.assertEqual(default_of("kind", "  Kind kind = Kind::kAuto;"), "auto")
         self.assertTrue(same("`auto` ", "auto") and same(" 2", "2.0") and same(" ", ""))
         self.assertFalse(same("3", "2.0") or same("", "true"))
 

@@ -62,6 +62,12 @@ struct Decision {
   std::size_t landmark = 0;
 
   bool isClutter() const { return kind != Kind::kLandmark && kind != Kind::kNew; }
+  /// What it comes to: a policy of another package may be wrong, but nothing is new in a fixed map,
+  /// and only a landmark that the policy was offered can be updated.
+  Kind checked(bool map_is_fixed, bool is_offered) const {
+    if (kind == Kind::kNew && map_is_fixed) return Kind::kNotInMap;
+    return kind == Kind::kLandmark && !is_offered ? Kind::kUnknown : kind;
+  }
 };
 
 /// Decides of which landmark each observation is.

@@ -102,7 +102,7 @@ std::optional<CameraGate::Fault> CameraGate::missing(const Image& image) const {
     return Fault{"no_calibration",
                  "images come without the camera's calibration; its driver must publish it as "
                  "camera_info"};
-  // of another frame it is another camera's
+  // a mount of another frame belongs to another camera
   if (!mount_ || (!configured_mount_ && mount_->camera_frame != image.frame))
     return Fault{
         "no_mount",

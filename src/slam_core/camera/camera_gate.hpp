@@ -37,9 +37,10 @@ class CameraGate : public Gate {
   void configure(const CameraConfig& config);
   void configure(Settings& settings) override { configure(settings.read<CameraConfig>()); }
 
-  /// In force for all images that have not come out.
+  /// The calibration is in force for all images that have not come out.
   void set(const CameraCalibration& calibration);
-  /// For images of its frame. Where the configuration gives the mount only the frame's name counts.
+  /// The mount counts for images of its frame. Where the configuration gives it, only the frame's
+  /// name counts.
   void set(const CameraMount& mount);
   /// Dropped when its stamp is not after the last one's; 5 s before it and more is a new beginning.
   void set(const Image& image);
@@ -54,7 +55,7 @@ class CameraGate : public Gate {
   Counters held() const override;
   std::uint64_t dropped() const override { return counters_["late"]; }
 
-  /// As after configure(), calibration and mount kept.
+  /// The gate is as after configure(), but keeps calibration and mount.
   void reset() override;
 
  private:

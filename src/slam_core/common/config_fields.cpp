@@ -36,6 +36,7 @@ std::string faultOfValue(const Field& field, double value, const std::string& te
          (has_unit ? ", in " + unit : "");
 }
 std::string faultOfValue(const Field& field, const std::string& value, const std::string&) {
+  if (field.fault_of_text) return field.fault_of_text(value);
   const auto& choices = field.choices;
   if (choices.empty() || std::count(choices.begin(), choices.end(), value) > 0) return "";
   return "'" + value + "' is not one of: " + join(choices) + didYouMean(value, choices);

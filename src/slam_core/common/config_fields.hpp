@@ -44,6 +44,8 @@ struct Field {
       std::variant<bool*, int*, std::uint64_t*, double*, std::string*, std::vector<std::string>*,
                    std::vector<std::int64_t>*, std::vector<double>*,
                    std::map<std::int64_t, double>*, std::map<std::string, std::int64_t>*, Choice*>;
+  /// Empty, or what is wrong with a text: one clause.
+  using FaultOfText = std::string (*)(const std::string& value);
 
   std::string name;
   Target target;
@@ -52,10 +54,12 @@ struct Field {
   Range range;
   std::vector<std::string> choices;
   Scope scope = Scope::kProduct;
+  FaultOfText fault_of_text = nullptr;
 
   Field& unit(const std::string& text) { return unit_text = text, *this; }
   Field& in(const Range& allowed) { return range = allowed, *this; }
   Field& oneOf(std::vector<std::string> names) { return choices = std::move(names), *this; }
+  Field& checkedBy(FaultOfText faultOf) { return fault_of_text = faultOf, *this; }
   Field& ofRobot() { return scope = Scope::kRobot, *this; }
 
   std::string typeName() const;

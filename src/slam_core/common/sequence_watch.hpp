@@ -16,10 +16,10 @@ namespace slam {
 class SequenceWatch {
  public:
   SequenceWatch() = default;
-  /// After a message of that number.
+  /// The watch begins after a message of that number.
   explicit SequenceWatch(std::uint64_t sequence) : next_(sequence + 1) {}
 
-  /// How many were lost before this one. @param interval since the message before it
+  /// How many messages were lost before this one. @param interval since the message before it
   std::uint64_t lostBefore(std::uint64_t sequence, Duration interval) {
     const auto most = static_cast<std::uint64_t>(kMostPerSecond * (1.0 + seconds(interval)));
     auto lost = gapTo(next_, sequence, most);

@@ -24,11 +24,11 @@ class SerialCorrelation {
 
   void add(const std::vector<ObservationInnovation>& innovations);
 
-  /// In [-1, 1]; below 0 where they alternate.
+  /// The coefficient is in [-1, 1], and below 0 where the innovations alternate.
   double coefficient(Component component) const;
 
  private:
-  /// Of products of one innovation with the next.
+  /// Sums of the products of one innovation with the next, and of squares.
   struct Sums {
     double products = 0.0, squares = 0.0;
   };

@@ -9,6 +9,7 @@
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/common/settings.hpp"
+#include "slam_core/contract/registration.hpp"
 
 namespace slam {
 
@@ -25,11 +26,24 @@ class KnownSections {
   /// Gets a section's name and the fields of its configuration, with their defaults.
   using Visitor = std::function<void(const std::string&, const Fields&)>;
 
+  /// Two configurations of one section are refused where the sections are read or checked: static
+  /// objects register before anybody could catch an exception.
   template <class Config>
-  void add() {
-    sections_[Config::kSection] = {[](Settings& settings) { settings.checkUnused<Config>(); },
-                                   [](Settings& settings) { settings.read<Config>(); },
-                                   [](const Visitor& visit) { visitSection<Config>(visit); }};
+  void add(const char* file) {
+    const std::string name = Config::kSection;
+    const auto registration = Registration::of<Config>(file);
+    const auto found = sections_.find(name);
+    if (found != sections_.end() && !found->second.registration.isSameAs(registration)) {
+      faults_[name] = "the section " + name + " is read in two ways, as " +
+                      found->second.registration.text() + " and as " + registration.text() +
+                      "; leave one of the two libraries out of the product's `libraries`, or give "
+                      "one of the sections another name";
+      return;
+    }
+    sections_.insert_or_assign(
+        name, Section{registration, [](Settings& settings) { settings.checkUnused<Config>(); },
+                      [](Settings& settings) { settings.read<Config>(); },
+                      [](const Visitor& visit) { visitSection<Config>(visit); }});
   }
 
   /// Every section in the order of their names.
@@ -48,7 +62,7 @@ class KnownSections {
   /// Reads the sections of all components, used or not, overrides as well: where files are checked
   /// and nothing is to run. @throw ConfigError listing the faults of all of them
   void readAll(Settings& settings) const {
-    FaultCollector faults;
+    auto faults = this->faults();
     for (const auto& entry : sections_) faults.attempt([&] { entry.second.read(settings); });
     faults.raise();
   }
@@ -56,25 +70,36 @@ class KnownSections {
   /// To be called when all components of a product have read theirs.
   /// @throw ConfigError listing the faults of the sections that nobody has read
   void checkUnused(Settings& settings) const {
-    FaultCollector faults;
+    auto faults = this->faults();
     for (const auto& entry : sections_) faults.attempt([&] { entry.second.check(settings); });
     faults.raise();
   }
 
  private:
   struct Section {
+    Registration registration;
     std::function<void(Settings&)> check;
     std::function<void(Settings&)> read;
     std::function<void(const Visitor&)> show;
   };
 
+  FaultCollector faults() const {
+    FaultCollector faults;
+    for (const auto& entry : faults_) faults.add(entry.second);
+    return faults;
+  }
+
   std::map<std::string, Section> sections_;
+  std::map<std::string, std::string> faults_;  ///< by the section that two configurations have
 };
 
 /// A static object of this type beside a component's Registrar declares a section it reads.
 template <class Config>
 struct SectionRegistrar {
-  SectionRegistrar() { KnownSections::instance().add<Config>(); }
+  /// @param file is filled in by the compiler
+  explicit SectionRegistrar(const char* file = __builtin_FILE()) {
+    KnownSections::instance().add<Config>(file);
+  }
 };
 
 }  // namespace slam

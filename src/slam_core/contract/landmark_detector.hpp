@@ -20,7 +20,7 @@ class LandmarkDetector : public Component {
   static constexpr const char* kRole = "detector";
 
   bool isBusy() const override { return observations().has_value(); }
-  /// Of the last execute(); nothing when no input was due.
+  /// What the last execute() made: nothing when no input was due.
   virtual const std::optional<LandmarkObservationArray>& observations() const = 0;
 };
 

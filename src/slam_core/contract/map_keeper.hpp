@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "slam_core/contract/map_kind.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam {
@@ -25,10 +25,10 @@ class MapKeeper {
 class MapChooser {
  public:
   virtual ~MapChooser() = default;
-  virtual std::vector<std::string> maps() const = 0;
+  virtual std::vector<MapKind> maps() const = 0;
   /// Makes this one of maps() from the next configure() on; its ports are those of this map at
   /// once.
-  virtual void useMap(const std::string& map) = 0;
+  virtual void useMap(MapKind map) = 0;
 };
 
 }  // namespace slam

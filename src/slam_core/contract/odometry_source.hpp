@@ -19,9 +19,9 @@ class OdometrySource : public Component {
  public:
   static constexpr const char* kRole = "odometry source";
 
-  /// Of the random streams; after configure().
+  /// Seeds the random streams; to be called after configure().
   virtual void seed(std::uint64_t /*seed*/) {}
-  /// Of the last execute(); nothing after the first input or a bad one.
+  /// What the last execute() made: nothing after the first input or a bad one.
   virtual const std::optional<Motion>& motion() const = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -41,6 +42,24 @@ struct OutputPort {
   Kind kind;
   std::function<const void*()> get;  ///< of the last execute(); null where it made nothing
 };
+
+/// The first of some inputs or outputs that has this name and kind; null where none has.
+template <class Range>
+const typename Range::value_type* findPort(const Range& ports, const std::string& name, Kind kind) {
+  const auto found = std::find_if(ports.begin(), ports.end(), [&](const auto& port) {
+    return port.name == name && port.kind == kind;
+  });
+  return found == ports.end() ? nullptr : &*found;
+}
+
+/// The first of some parts of a product that makes data of this name and kind; null where none
+/// does.
+template <class Parts>
+const typename Parts::value_type* makerOf(const Parts& parts, const std::string& port, Kind kind) {
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&](const auto& part) { return part.makes(port, kind); });
+  return found == parts.end() ? nullptr : &*found;
+}
 
 /// A component's inputs and outputs, each described once: the wiring joins them, and what a product
 /// needs, what it subscribes to, and what a diagram shows follow from them. Filled by describe().
@@ -83,8 +102,12 @@ class Ports {
   std::deque<InputPort> inputs() && { return std::move(inputs_); }
   std::deque<OutputPort> outputs() && { return std::move(outputs_); }
   /// Null where there is none.
-  const InputPort* input(const std::string& name, Kind kind) const;
-  const OutputPort* output(const std::string& name, Kind kind) const;
+  const InputPort* input(const std::string& name, Kind kind) const {
+    return findPort(inputs_, name, kind);
+  }
+  const OutputPort* output(const std::string& name, Kind kind) const {
+    return findPort(outputs_, name, kind);
+  }
 
  private:
   std::deque<InputPort> inputs_;  // deques: what is added is handed out by reference

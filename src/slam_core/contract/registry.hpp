@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/registration.hpp"
 
 namespace slam {
 
@@ -25,31 +26,53 @@ class Registry {
     return registry;
   }
 
-  void add(const std::string& name, Factory factory) { factories_[name] = std::move(factory); }
+  /// A second component of the name is refused once the name is asked for: static objects register
+  /// before anybody could catch an exception.
+  void add(const std::string& name, const Registration& registration, Factory factory) {
+    const auto found = entries_.find(name);
+    if (found == entries_.end() || found->second.registration.isSameAs(registration))
+      entries_.insert_or_assign(name, Entry{registration, std::move(factory)});
+    else
+      faults_[name] = std::string(Role::kRole) + " '" + name + "' is there twice, as " +
+                      found->second.registration.text() + " and as " + registration.text() +
+                      "; leave one of the two libraries out of the product's `libraries`, or give "
+                      "one of the components another name";
+  }
 
-  /// @throw ConfigError naming the role, the known names and the nearest one
+  /// @throw ConfigError naming the role, the known names and the nearest one, or the two components
+  /// that have this name
   std::unique_ptr<Role> create(const std::string& name) const {
-    const auto found = factories_.find(name);
-    if (found != factories_.end()) return found->second();
+    if (const auto fault = faults_.find(name); fault != faults_.end())
+      throw ConfigError(fault->second);
+    const auto found = entries_.find(name);
+    if (found != entries_.end()) return found->second.factory();
     throw ConfigError(std::string(Role::kRole) + " '" + name +
                       "' is not known; there are: " + join(names()) + didYouMean(name, names()));
   }
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const auto& entry : factories_) names.push_back(entry.first);
+    for (const auto& entry : entries_) names.push_back(entry.first);
     return names;
   }
 
  private:
-  std::map<std::string, Factory> factories_;
+  struct Entry {
+    Registration registration;
+    Factory factory;
+  };
+
+  std::map<std::string, Entry> entries_;
+  std::map<std::string, std::string> faults_;  ///< by the name that two components have
 };
 
 /// A static object of this type in a component's source file registers the component.
 template <class Role, class Component>
 struct Registrar {
-  explicit Registrar(const std::string& name) {
-    Registry<Role>::instance().add(name, [] { return std::make_unique<Component>(); });
+  /// @param file is filled in by the compiler
+  explicit Registrar(const std::string& name, const char* file = __builtin_FILE()) {
+    Registry<Role>::instance().add(name, Registration::of<Component>(file),
+                                   [] { return std::make_unique<Component>(); });
   }
 };
 

@@ -36,17 +36,6 @@ Association Associator::associate(const LandmarkObservationArray& array, EkfStat
   return association;
 }
 
-/// A policy of another package may be wrong: nothing is new in a fixed map, and only what it was
-/// offered can be updated.
-Decision::Kind Associator::checked(const Decision& decision, const EkfState& state) const {
-  using Kind = Decision::Kind;
-  if (decision.kind == Kind::kNew && map_is_fixed_) return Kind::kNotInMap;
-  if (decision.kind != Kind::kLandmark) return decision.kind;
-  const bool is_offered =
-      decision.landmark < state.landmarks() && state.slotOf(decision.landmark) >= 0;
-  return is_offered ? Kind::kLandmark : Kind::kUnknown;
-}
-
 void Associator::sort(const LandmarkObservationArray& array, const EkfState& state,
                       const ObservationModel& model, Association& association,
                       Counters& counters) const {
@@ -54,7 +43,8 @@ void Associator::sort(const LandmarkObservationArray& array, const EkfState& sta
   for (std::size_t i = 0; i < array.observations.size(); ++i) {
     const auto& z = array.observations[i];
     const auto landmark = decisions_[i].landmark;
-    const auto kind = checked(decisions_[i], state);
+    const bool is_offered = landmark < state.landmarks() && state.slotOf(landmark) >= 0;
+    const auto kind = decisions_[i].checked(map_is_fixed_, is_offered);
     if (kind == Kind::kNew) {
       association.unseen.push_back(z);
     } else if (kind == Kind::kLandmark) {

@@ -43,8 +43,6 @@ class Associator {
                         const ObservationModel& model, Counters& counters);
 
  private:
-  association::Decision::Kind checked(const association::Decision& decision,
-                                      const EkfState& state) const;
   void sort(const LandmarkObservationArray& array, const EkfState& state,
             const ObservationModel& model, Association& association, Counters& counters) const;
   bool passesGate(const Match& match, const EkfState& state, const ObservationModel& model,

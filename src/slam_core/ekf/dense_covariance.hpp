@@ -20,9 +20,9 @@ class DenseCovariance {
   static constexpr Eigen::Index kReferenceRow = 3, kHeadingRow = 5, kHeadSize = 6;
   static Eigen::Index row(Eigen::Index slot) { return kHeadSize + 2 * slot; }
 
-  /// Without landmarks; the reference is a copy of the robot.
+  /// There are no landmarks, and the reference is a copy of the robot.
   explicit DenseCovariance(const Eigen::Matrix3d& robot = Eigen::Matrix3d::Identity());
-  /// From a full symmetric matrix of size 6 + 2 N.
+  /// @param joint a full symmetric matrix of size 6 + 2 N.
   explicit DenseCovariance(const Eigen::MatrixXd& joint);
 
   Eigen::Index size() const { return size_; }
@@ -57,7 +57,7 @@ class DenseCovariance {
 /// The robot's error e_xy becomes e_xy + c e_theta.
 void transportRobot(const Eigen::Vector2d& c, DenseCovariance& P);
 Eigen::Matrix2d landmarkOf(const DenseCovariance& P, Eigen::Index slot);
-/// Of the robot's heading relative to the reference's.
+/// The variance of the robot's heading relative to the reference's [rad^2].
 double relativeHeadingVariance(const DenseCovariance& P);
 
 }  // namespace slam::ekf

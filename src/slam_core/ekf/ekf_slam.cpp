@@ -18,22 +18,16 @@ namespace {
 const Registrar<Backend, EkfSlam> kRegistrar("ekf");
 const SectionRegistrar<EkfConfig> kSectionRegistrar;
 
-/// Of the observations' sigmas: beyond it the reference is renewed before an update.
+/// The reference is renewed before an update where its effect is beyond this share of the
+/// observations' sigmas.
 constexpr double kLargestReferenceEffect = 0.1;
 
-/// With no more doubt than the filter can compute with; what is correlated stays so.
-PoseEstimate bounded(PoseEstimate estimate) {
-  const Eigen::Vector3d largest(kLargestSigmaPosition, kLargestSigmaPosition, kLargestSigmaHeading);
-  const Eigen::Vector3d sigma = estimate.covariance.diagonal().cwiseSqrt();
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (sigma(i) <= largest(i)) continue;
-    estimate.covariance.row(i) *= largest(i) / sigma(i);
-    estimate.covariance.col(i) *= largest(i) / sigma(i);
-  }
-  return estimate;
+/// The standard deviations of (x, y, theta) that the filter can compute with at most.
+Eigen::Vector3d largestSigmas() {
+  return {kLargestSigmaPosition, kLargestSigmaPosition, kLargestSigmaHeading};
 }
 
-/// So many gated ones at once, and none that fits, are no chance outliers.
+/// When this many observations at once are gated and none fits, they are no chance outliers.
 constexpr std::size_t kLost = 3;
 
 }  // namespace
@@ -132,7 +126,7 @@ void EkfSlam::replaceMap() {
 
 void EkfSlam::relocate() {
   if (!initial_pose_) return;
-  state_.relocate(bounded(*initial_pose_));
+  state_.relocate(bounded(*initial_pose_, largestSigmas()));
   statistics_.prediction.F.setZero();
   initial_pose_.reset();
 }

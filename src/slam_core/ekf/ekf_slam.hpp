@@ -52,7 +52,7 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper {
     Eigen::Vector2d position;
     Eigen::Matrix<double, 2, 3> J_robot;
     Eigen::Matrix2d R;
-    /// So far that its covariance would not be is not finite either.
+    /// A landmark so far away that its covariance would not be finite is not finite either.
     bool isFinite() const {
       return position.allFinite() && R.allFinite() && (J_robot * J_robot.transpose()).allFinite();
     }

@@ -24,7 +24,7 @@ class Neighbourhood {
  public:
   /// @param joint of (pose, landmarks), size 3 + 2 N
   explicit Neighbourhood(const Eigen::MatrixXd& joint = Eigen::Matrix3d::Identity());
-  /// Of landmarks that are not correlated.
+  /// The landmarks are not correlated.
   Neighbourhood(const Eigen::Matrix3d& robot, const std::vector<Eigen::Matrix2d>& landmarks);
 
   Eigen::Index landmarks() const { return static_cast<Eigen::Index>(slots_.size()); }
@@ -71,14 +71,14 @@ class Neighbourhood {
   static constexpr Eigen::Index kPoseSize = 3;
   static Eigen::Index priorRow(Eigen::Index landmark) { return kPoseSize + 2 * landmark; }
 
-  /// Of the taken part, as whitened by L.
+  /// The taken part, whitened by L.
   struct Whitened {
     Eigen::MatrixXd cross;  ///< P_local,a L^-T
     Eigen::MatrixXd gain;   ///< I - L^-1 P_aa L^-T
   };
   Whitened whitened() const;
   std::vector<Eigen::Index> rest() const;
-  /// Of the prior between the taken part and landmarks, P_ab0.
+  /// The block P_ab0 of the prior, between the taken part and landmarks.
   Eigen::MatrixXd priorOf(const std::vector<Eigen::Index>& landmarks) const;
   Eigen::MatrixXd localColumns() const;  ///< P_local,a
   void extendFactor() const;

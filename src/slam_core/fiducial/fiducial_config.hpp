@@ -29,7 +29,7 @@ struct FiducialConfig {
   double max_relative_sigma = 0.1;
 
   void describe(Fields& fields);
-  /// Of a marker, the offset of its family included in the id.
+  /// The side of a marker [m]; the offset of its family is included in the id.
   double sizeOf(LandmarkId id) const;
   bool isListed(LandmarkId id) const;
 };

@@ -12,7 +12,7 @@
 
 namespace slam::fiducial {
 
-/// By id; equal ids by the place of their first corner.
+/// Sorts by id, and equal ids by the place of their first corner.
 void sortById(std::vector<MarkerDetection>& detections);
 
 /// Rejects by what stands in the image: "unlisted_id", "duplicate_id" (all of the same id, since

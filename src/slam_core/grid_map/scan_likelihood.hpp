@@ -25,7 +25,7 @@ class ScanLikelihood {
   /// @param pose T_map_base
   double log(const GridMap& map, const ScanPoints& scan, const Pose2& pose) const;
 
-  /// Of an end in a cell of this likelihood.
+  /// The logarithm for an end in a cell of this likelihood.
   float log(std::uint8_t likelihood) const { return logs_[likelihood]; }
 
  private:
@@ -44,14 +44,14 @@ class MatchObjective {
   double log(const Pose2& pose) const {
     return likelihood_.log(map_, scan_, pose) + logPrior(pose);
   }
-  /// Up to a constant.
+  /// The logarithm of the prior's density, up to a constant.
   double logPrior(const Pose2& pose) const;
 
   const ScanLikelihood& likelihood() const { return likelihood_; }
   const GridMap& map() const { return map_; }
   const ScanPoints& scan() const { return scan_; }
   const Pose2& prior() const { return prior_; }
-  /// Of the prior, in x, y [m] and heading [rad].
+  /// The standard deviations of the prior, in x, y [m] and heading [rad].
   const Eigen::Vector3d& sigma() const { return sigma_; }
 
  private:

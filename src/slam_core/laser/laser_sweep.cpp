@@ -18,7 +18,7 @@ constexpr double kBeamsOff = 1.5;
 
 bool isUpsideDown(const LaserMount& mount) { return mount.T_base_laser.linear()(2, 2) < 0.0; }
 
-/// Of a range that may be told by one beam.
+/// Whether a beam with this range says nothing of what is there.
 bool tellsNothing(float range, float range_min) {
   return std::isnan(range) || range <= 0.0f || range < range_min;
 }

@@ -27,10 +27,6 @@ struct LaserSweep {
 struct LaserMount {
   std::string laser_frame;
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();
-
-  bool operator==(const LaserMount& other) const {
-    return laser_frame == other.laser_frame && T_base_laser.matrix() == other.T_base_laser.matrix();
-  }
 };
 
 /// Empty, or what makes the sweep unusable: angles or limits that are none, an increment that leads

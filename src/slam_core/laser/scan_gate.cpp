@@ -105,7 +105,7 @@ Status ScanGate::watchBlindness() {
                   scan_->sensor_frame, seconds(*blind_since_ - Stamp())));
 }
 
-/// For its mount, as long as it holds up none that could be used.
+/// Whether the oldest sweep may wait for its mount: as long as it holds up none that could be used.
 bool ScanGate::frontMayWait() const {
   return held_.size() <= kCapacity &&
          std::none_of(held_.begin(), held_.end(), [&](const auto& s) { return hasMount(s); });

@@ -45,7 +45,7 @@ class ScanGate final : public Gate {
   Counters counters() const override { return counters_; }
   Counters held() const override;
 
-  /// As after configure(), the mount kept.
+  /// The gate is as after configure(), but keeps the mount.
   void reset() override;
 
  private:

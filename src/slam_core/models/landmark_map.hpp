@@ -19,6 +19,10 @@ struct PoseEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
 };
 
+/// The estimate with no more doubt than these standard deviations of (x, y, theta); what is
+/// correlated stays so.
+PoseEstimate bounded(PoseEstimate estimate, const Eigen::Vector3d& largest_sigmas);
+
 /// A point landmark with its marginal covariance in the map frame [m, m^2].
 struct Landmark {
   LandmarkId id = kUnknownId;

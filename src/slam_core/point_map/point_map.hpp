@@ -43,7 +43,7 @@ class PointMap final : public MapModule {
   const std::vector<MapPoint>& points() const { return points_.points(); }
   /// Grows whenever points() tells something else.
   std::uint64_t revision() const { return revision_; }
-  /// Of the last scan taken.
+  /// The stamp of the last scan taken.
   Stamp stamp() const { return stamp_; }
   std::optional<Stamp> lastMotion() const { return collator_.lastMotion(); }
   std::optional<Stamp> lastPose() const { return collator_.lastPose(); }

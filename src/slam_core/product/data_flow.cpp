@@ -7,63 +7,52 @@
 #include <iterator>
 #include <utility>
 
-#include "slam_core/product/wired_ports.hpp"
-
 namespace slam {
 namespace {
 
 bool isTrigger(const InputPort& input) { return input.time == TimeRole::kTrigger; }
 
-bool isMadeBy(const std::vector<ProductComponent>& components, const InputPort& input) {
-  return std::any_of(components.begin(), components.end(), [&](const auto& other) {
-    return portsOf(*other.component).output(input.name, input.kind) != nullptr;
-  });
-}
-
-void addInputs(const Ports& ports, const std::vector<ProductComponent>& components,
+/// @param passed gates that the way has led through: each is described once, and no circle of gates
+/// is followed for ever
+void addInputs(const Ports& ports, const WiredPorts& wired, std::vector<const Gate*>& passed,
                std::vector<InputPort>& inputs) {
   for (const auto& input : ports.inputs()) {
     if (comesWithAnother(input, ports.inputs())) continue;
-    const auto gate = isMadeBy(components, input) ? nullptr : gateFor(input);
-    if (gate)
-      addInputs(portsOf(*gate), components, inputs);
-    else
+    const auto* maker = wired.makerOf(input);
+    if (maker == nullptr || maker->gate == nullptr) {
       inputs.push_back(input);
+    } else if (std::count(passed.begin(), passed.end(), maker->gate) == 0) {
+      passed.push_back(maker->gate);
+      addInputs(maker->ports, wired, passed, inputs);
+    }
   }
+}
+
+std::vector<InputPort> inputsBeforeGates(const Ports& ports, const WiredPorts& wired) {
+  std::vector<const Gate*> passed;
+  std::vector<InputPort> inputs;
+  addInputs(ports, wired, passed, inputs);
+  for (auto& input : inputs) input.set = nullptr;
+  return inputs;
 }
 
 }  // namespace
 
-const InputPort* DataFlow::Part::input(const std::string& name, Kind kind) const {
-  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& port) {
-    return port.name == name && port.kind == kind;
-  });
-  return found == inputs.end() ? nullptr : &*found;
-}
-
-bool DataFlow::Part::makes(const std::string& output, Kind kind) const {
-  return std::any_of(outputs.begin(), outputs.end(),
-                     [&](const auto& port) { return port.name == output && port.kind == kind; });
-}
-
 DataFlow::DataFlow(const ProductComponents& product) {
-  const auto components = inOrder(product);
-  for (const auto& component : components) {
+  const auto wired = wiredPortsOf(product);
+  for (const auto& component : inOrder(product)) {
     const auto ports = portsOf(*component.component);
-    Part part{component.role, component.key, {}, {}, false, false};
-    addInputs(ports, components, part.inputs);
+    Part part{component.role, component.key, inputsBeforeGates(ports, wired), {}, false, false};
     part.outputs.assign(ports.outputs().begin(), ports.outputs().end());
     part.is_backend = component.component == product.estimator.get();
     part.is_maker = !part.is_backend && component.role != MapModule::kRole;
-    for (auto& input : part.inputs) input.set = nullptr;
     for (auto& output : part.outputs) output.get = nullptr;
     parts_.push_back(std::move(part));
   }
 }
 
 bool DataFlow::isMade(const InputPort& input) const {
-  return std::any_of(parts_.begin(), parts_.end(),
-                     [&](const Part& part) { return part.makes(input.name, input.kind); });
+  return makerOf(parts_, input.name, input.kind) != nullptr;
 }
 
 std::vector<InputPort> DataFlow::triggersOfBackend() const {

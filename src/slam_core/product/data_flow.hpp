@@ -15,8 +15,8 @@ class DataFlow {
  public:
   struct Part {
     std::string role, key;  ///< as of ProductComponent
-    /// What it takes as a driver sends it, before the gate that it may have; without what is
-    /// latched, which comes with the data of the same port.
+    /// The component's inputs; where a gate stands before one, the gate's inputs in its place.
+    /// Latched inputs that come with the data of the same port are left out.
     std::vector<InputPort> inputs;
     std::vector<OutputPort> outputs;
     bool is_maker = false;  ///< what it makes can take its place: neither back-end nor module
@@ -24,8 +24,12 @@ class DataFlow {
     bool isModule() const { return !is_maker && !is_backend; }
 
     /// Null where it takes no such data.
-    const InputPort* input(const std::string& name, Kind kind) const;
-    bool makes(const std::string& output, Kind kind) const;
+    const InputPort* input(const std::string& name, Kind kind) const {
+      return findPort(inputs, name, kind);
+    }
+    bool makes(const std::string& output, Kind kind) const {
+      return findPort(outputs, output, kind) != nullptr;
+    }
     /// "odometry component", "detector"
     std::string title() const { return role == key ? role : key + " component"; }
   };

@@ -12,16 +12,9 @@
 namespace slam {
 namespace {
 
-/// With no more doubt than a back-end can compute with; what is correlated stays so.
-PoseEstimate bounded(PoseEstimate estimate) {
-  const Eigen::Vector3d largest(kLargestInputSigmaLength, kLargestInputSigmaLength, M_PI);
-  const Eigen::Vector3d sigma = estimate.covariance.diagonal().cwiseSqrt();
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (sigma(i) <= largest(i)) continue;
-    estimate.covariance.row(i) *= largest(i) / sigma(i);
-    estimate.covariance.col(i) *= largest(i) / sigma(i);
-  }
-  return estimate;
+/// The standard deviations of (x, y, theta) that a back-end can compute with at most.
+Eigen::Vector3d largestSigmas() {
+  return {kLargestInputSigmaLength, kLargestInputSigmaLength, M_PI};
 }
 
 /// A warning, or that all is well where the sentence is empty.
@@ -96,7 +89,7 @@ void Estimator::reset() {
 }
 
 Status Estimator::set(const PoseEstimate& initial_pose) {
-  backend_->set(bounded(initial_pose));
+  backend_->set(bounded(initial_pose, largestSigmas()));
   const auto status = backend_->execute();
   consistency_.add(statistics());
   return status;

@@ -32,13 +32,14 @@ class Estimator final : public Component {
   void configure(Settings& settings) override;
   void describe(Ports& ports) override;
 
-  /// For an input of the back-end of this kind; nothing comes of a kind that it does not take.
+  /// Gives the back-end a value for its input of this kind; a kind that it does not take is
+  /// ignored.
   template <class T>
   void set(const T& value) {
     intake_.take(kindOf<T>(), &value);
   }
-  /// In force at once: backend() reports them without a step. A doubt beyond 1 km or half a turn is
-  /// taken as that.
+  /// Pose and map are in force at once: backend() reports them without a step. A doubt beyond 1 km
+  /// or half a turn is taken as that.
   Status set(const PoseEstimate& initial_pose);
   /// @return a warning where not all of the map is used, an error where none of it is
   Status set(const MapState& map);
@@ -55,7 +56,7 @@ class Estimator final : public Component {
   const Backend& backend() const { return *backend_; }
   /// What the back-end can do beyond its role; known once the map is chosen.
   const Capabilities& capabilities() const { return capabilities_; }
-  /// Of the last updates. A step's status tells when a source begins to look too sure.
+  /// The monitor of the last updates. A step's status tells when a source begins to look too sure.
   const ConsistencyMonitor& consistency() const { return consistency_; }
   const Intake& intake() const { return intake_; }
   Intake& intake() { return intake_; }

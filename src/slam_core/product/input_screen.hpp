@@ -36,7 +36,7 @@ class InputScreen {
   /// Does the same as ObservationIntake::knowOnly().
   void knowOnly(const LandmarkMap& map) { observations_.knowOnly(map); }
 
-  /// Of the values since the last call: a sentence, or empty.
+  /// What was wrong with the values since the last call, as a sentence; empty where nothing was.
   std::string takeFault() { return std::exchange(fault_, ""); }
   const Counters& counters() const { return counters_; }
   void reset();

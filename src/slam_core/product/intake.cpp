@@ -18,7 +18,7 @@ constexpr const char* kCoasted =
     "motion is missing and the odometry's poses do not tell it: the robot is taken to have gone on "
     "at its last velocity";
 
-/// Of how a back-end declares an input.
+/// What is wrong with how a back-end declares an input; empty where nothing is.
 std::string faultOf(const InputPort& port) {
   if (port.time == TimeRole::kCarrier && port.kind != kindOf<Motion>())
     return "the back-end's input '" + port.name + "' carries time on, but takes " +

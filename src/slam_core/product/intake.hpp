@@ -46,7 +46,7 @@ class Intake {
 
     /// The newest stamp of a trigger's input.
     std::optional<Stamp> lastOf(const std::string& input) const;
-    /// By what comes in there.
+    /// How many have come to each input and have not been handed out, under the input's sentence.
     Counters held() const;
   };
 
@@ -70,7 +70,7 @@ class Intake {
   Arrivals arrivals() const;
   static constexpr Duration kPatience = std::chrono::seconds(3);
 
-  /// Of an input since the last call: a sentence, or empty.
+  /// What was wrong with an input since the last call, as a sentence; empty where nothing was.
   std::string takeFault() { return std::exchange(fault_, ""); }
   Counters counters() const;
   /// Messages that had no effect because they came late, were lost or did not fit.

@@ -14,21 +14,28 @@
 namespace slam {
 namespace {
 
-/// Of a back-end that does not choose: a grid where that is all it makes, else point landmarks.
-std::vector<std::string> mapsOf(Backend& backend) {
+/// What a back-end can make. One that does not choose makes a grid where that is all it offers, else
+/// point landmarks.
+std::vector<MapKind> mapsOf(Backend& backend) {
   const auto capabilities = capabilitiesOf(backend);
   if (const auto* chooser = capabilities.find<MapChooser>()) return chooser->maps();
   const bool makes_grid_alone =
       capabilities.find<GridMapper>() != nullptr && capabilities.find<LandmarkMapper>() == nullptr;
-  return {makes_grid_alone ? "grid" : "landmarks"};
+  return {makes_grid_alone ? MapKind::kGrid : MapKind::kLandmarks};
 }
 
-bool makes(Backend& backend, const std::string& map) {
+std::vector<std::string> namesOfMaps(Backend& backend) {
+  std::vector<std::string> names;
+  for (const auto map : mapsOf(backend)) names.push_back(nameOf(map, mapKindNames()));
+  return names;
+}
+
+bool makes(Backend& backend, MapKind map) {
   const auto maps = mapsOf(backend);
   return std::find(maps.begin(), maps.end(), map) != maps.end();
 }
 
-std::vector<std::string> backendsThatMake(const std::string& map) {
+std::vector<std::string> backendsThatMake(MapKind map) {
   std::vector<std::string> able;
   const auto& registry = Registry<Backend>::instance();
   for (const auto& name : registry.names())
@@ -44,13 +51,14 @@ void chooseMap(const ProductConfig& product, Backend& backend) {
     return;
   }
   const std::string reason =
-      product.map == "grid"
+      product.map == MapKind::kGrid
           ? ": a grid needs a non-parametric state representation, which can not be used with an "
             "EKF back-end"
           : "";
-  throw ConfigError("map: the back-end '" + product.backend + "' makes no " + product.map + reason +
+  throw ConfigError("map: the back-end '" + product.backend + "' makes no " +
+                    nameOf(product.map, mapKindNames()) + reason +
                     "; choose backend: " + join(backendsThatMake(product.map), " or ") +
-                    ", or map: " + join(mapsOf(backend), " or "));
+                    ", or map: " + join(namesOfMaps(backend), " or "));
 }
 
 }  // namespace slam

@@ -20,7 +20,7 @@ constexpr const char* kLandmarks = "landmarks.yaml";
 constexpr const char* kGrid = "map.yaml";
 const std::string kLandmarksEnding = ".landmarks.yaml";
 
-/// Of a map that was made elsewhere.
+/// Where the robot is taken to be in a map that was made elsewhere: about its origin.
 PoseEstimate unknownStart() {
   PoseEstimate start;
   start.covariance.diagonal() << 0.25, 0.25, std::pow(M_PI / 12, 2);

@@ -33,7 +33,7 @@ void MetaCoordinator::configure(Settings& settings, const ProductPart& part) {
   faults.raise();
 }
 
-/// Empty: nobody takes data of this kind.
+/// The name of the only input that takes data of this kind; empty where nobody takes them.
 std::string MetaCoordinator::portOf(Kind kind) const {
   std::string name;
   for (const auto& input : wiring_.ports().inputs()) {

@@ -33,7 +33,8 @@ class MetaCoordinator {
   void set(const T& value) {
     if (const auto port = portOf(kindOf<T>()); !port.empty()) put(port, value);
   }
-  /// In force at once, as Estimator::set(). What takes poses begins anew: they have another frame.
+  /// The map is in force at once, as with Estimator::set(). The modules begin anew, since poses
+  /// have another frame from there on.
   Status set(const MapState& map);
   /// Calls the listener with every value that a component makes.
   template <class T>
@@ -48,13 +49,13 @@ class MetaCoordinator {
   Status execute() { return wiring_.step(); }
 
   const ProductComponents& components() const { return parts_; }
-  /// Of a part with a back-end.
+  /// Only a part with a back-end has one.
   Estimator& estimator() { return *parts_.estimator; }
   const Estimator& estimator() const { return *parts_.estimator; }
   const Wiring& wiring() const { return wiring_; }
 
-  /// Of the components ("odometry_...", "detector_...", "laser_...", "pointmap_..."), and without a
-  /// prefix of the estimator, or of the only component of a part.
+  /// The counters of all components ("odometry_...", "detector_...", "laser_...", "pointmap_...").
+  /// Those of the estimator, or of the only component of a part, have no prefix.
   Counters counters() const { return wiring_.counters(); }
   /// Messages that had no effect on the estimate because they came late, were lost or did not fit.
   std::uint64_t dropped() const;

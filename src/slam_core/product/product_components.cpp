@@ -120,6 +120,13 @@ ProductComponents createComponents(const ProductConfig& product, const ProductPa
   return parts;
 }
 
+WiredPorts wiredPortsOf(const ProductComponents& parts) {
+  WiredPorts ports;
+  for (const auto& part : inOrder(parts)) ports.add(part.title(), *part.component);
+  ports.placeGates();
+  return ports;
+}
+
 std::vector<InputPort> inputsOf(const ProductConfig& product, const ProductPart& part) {
   auto parts = createComponents(product, part);
   Wiring wiring;

@@ -66,6 +66,10 @@ ProductComponents makeComponents(Settings& settings, const ProductPart& part,
 /// @param is_whole of a whole product's components the counters have prefixes
 void connect(ProductComponents& parts, bool is_whole, Wiring& wiring);
 
+/// The ports of the components and of the gates before them, as a wiring of the whole has them.
+/// @param parts outlive the result @throw ConfigError where two gates have one name
+WiredPorts wiredPortsOf(const ProductComponents& parts);
+
 /// The inputs of all components that the product names, or of a part of them, whoever makes the
 /// data; of the same name and kind one, mandatory where it is so for anyone. Nothing is configured
 /// for this. @throw ConfigError naming the components that there are

@@ -52,10 +52,8 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("detector", &detector,
              "name of the detector that finds landmarks in the camera's images; none: they come as "
              "observations");
-  fields
-      .add("map", &map,
-           "representation of the map: landmarks, or a grid that a laser's scans are drawn into")
-      .oneOf({"landmarks", "grid"});
+  fields.add("map", &map, mapKindNames(),
+             "representation of the map: landmarks, or a grid that a laser's scans are drawn into");
   for (const auto& name : Registry<MapModule>::instance().names())
     fields.add(name, &modules[name], Registry<MapModule>::instance().create(name)->sentence());
   fields.add("seed", &seed, "of every random stream");

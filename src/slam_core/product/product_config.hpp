@@ -10,6 +10,7 @@
 
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/common/settings.hpp"
+#include "slam_core/contract/map_kind.hpp"
 
 namespace slam {
 
@@ -24,7 +25,7 @@ struct ProductConfig {
   std::string backend = "ekf";
   std::string odometry = "wheel";
   std::string detector = "none";
-  std::string map = "landmarks";
+  MapKind map = MapKind::kLandmarks;
   std::map<std::string, bool> modules;  ///< whether it has the additional module of a name
   std::uint64_t seed = 1;
   double source_timeout = 1.0;

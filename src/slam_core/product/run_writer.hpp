@@ -53,7 +53,7 @@ class RunWriter {
   const std::string& folder() const { return folder_.path(); }
   /// Where others put what belongs to the run, before finish().
   const std::string& unfinished() const { return folder_.unfinished(); }
-  /// Of the trajectory, that of the last step included.
+  /// How many lines the trajectory has, that of the last step included.
   std::size_t lines() const { return lines_ + (pending_ ? 1 : 0); }
 
  private:

@@ -3,46 +3,37 @@
 
 #include "slam_core/product/wiring.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
 
 namespace slam {
 
-std::unique_ptr<Gate> gateFor(const InputPort& input) {
-  const auto& registry = Registry<Gate>::instance();
-  for (const auto& name : registry.names()) {
-    auto gate = registry.create(name);
-    if (portsOf(*gate).output(input.name, input.kind) != nullptr) return gate;
-  }
-  return nullptr;
-}
-
 void Wiring::add(const std::string& prefix, Component& component, Turn turn,
                  const std::string& title) {
-  nodes_.push_back({prefix, &component, &ports_.add(title, portsOf(component)), turn});
+  nodes_.push_back({prefix, &component, &ports_.add(title, component), turn});
 }
 
 void Wiring::connect(Settings& settings) {
   FaultCollector faults;
-  faults.attempt([&] { ports_.requireOneMakerEach(); });
-  faults.attempt([&] { placeGates(settings); });
+  faults.attempt([&] { ports_.placeGates(); });
+  faults.attempt([&] { ports_.requireJoinable(); });
+  faults.attempt([&] { configureGates(settings); });
   faults.raise();
   for (auto& node : nodes_)
     for (const auto& input : node.ports->inputs())
       routes_[{input.name, input.kind}].consumers.push_back({&node, &input});
 }
 
-/// Before each input that nobody makes and that a gate is registered for.
-void Wiring::placeGates(Settings& settings) {
-  for (const auto& input : ports_.open()) {
-    auto gate = gateFor(input);
-    if (!gate) continue;
-    gate->configure(settings);
-    add(gate->name() + "_", *gate, Turn::kAtOnce, Gate::kRole + (" '" + gate->name() + "'"));
-    gates_.push_back(std::move(gate));
+/// Configures the gates; each executes with every value that comes in.
+void Wiring::configureGates(Settings& settings) {
+  FaultCollector faults;
+  for (const auto& part : ports_.parts()) {
+    if (part.gate == nullptr) continue;
+    faults.attempt([&] { part.gate->configure(settings); });
+    nodes_.push_back({part.gate->name() + "_", part.gate, &part.ports, Turn::kAtOnce});
   }
+  faults.raise();
 }
 
 void Wiring::put(const std::string& port, Kind kind, const void* value) {

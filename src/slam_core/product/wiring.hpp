@@ -12,17 +12,14 @@
 #include <vector>
 
 #include "slam_core/contract/component.hpp"
-#include "slam_core/contract/gate.hpp"
 #include "slam_core/product/completions.hpp"
 #include "slam_core/product/wired_ports.hpp"
 
 namespace slam {
 
-/// The gate that makes data fit for this input, not configured; null where none is registered.
-std::unique_ptr<Gate> gateFor(const InputPort& input);
-
 /// Joins the ports of components: data go from who makes them to all who take in data of that name
-/// and kind, and so do data that come from outside. A gate stands once before those that need it.
+/// and kind, and so do data that come from outside. A gate stands once before those that need it;
+/// what a gate needs may come through another one.
 /// Any part of a product is wired in the same way, which is why all compositions give the same
 /// result.
 class Wiring {
@@ -43,7 +40,7 @@ class Wiring {
   void add(const std::string& prefix, Component& component, Turn turn = Turn::kAtOnce,
            const std::string& title = "component");
   /// Joins what was added, and places the gates. @throw ConfigError where two components make the
-  /// same output, or a gate cannot be configured
+  /// same output, components take data from one another in a circle, or a gate cannot be configured
   void connect(Settings& settings);
 
   /// A value from outside for an input, or for all inputs that take what a component would make.
@@ -55,11 +52,11 @@ class Wiring {
   Status step();
 
   const WiredPorts& ports() const { return ports_; }
-  /// Of all components and gates, with their prefixes.
+  /// The counters of all components and gates, with their prefixes.
   Counters counters() const;
-  /// Of all components.
+  /// The figures of all components.
   Component::Figures figures() const;
-  const std::vector<std::unique_ptr<Gate>>& gates() const { return gates_; }
+  const std::vector<std::unique_ptr<Gate>>& gates() const { return ports_.gates(); }
   void reset();
 
  private:
@@ -79,13 +76,12 @@ class Wiring {
   };
   using Address = std::pair<std::string, Kind>;
 
-  void placeGates(Settings& settings);
+  void configureGates(Settings& settings);
   void run(Node& node);
   void handOn(Node& node);
   void pass(const Route& route, const void* value);
 
   std::deque<Node> nodes_;  // a deque: nodes are referred to
-  std::vector<std::unique_ptr<Gate>> gates_;
   std::map<Address, Route> routes_;
   Completions completions_;
   WiredPorts ports_;

@@ -32,7 +32,7 @@ constexpr const char* kUsage =
 void run(const std::string& path, const std::string& map, std::vector<std::string> overrides) {
   Settings settings({}, {}, std::move(overrides));
   particle_filter::FastSlam filter;
-  as<MapChooser>(filter).useMap("grid");
+  as<MapChooser>(filter).useMap(MapKind::kGrid);
   filter.seed(1);
   filter.configure(settings);
   ScanRows scans(settings);

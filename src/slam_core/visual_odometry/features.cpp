@@ -8,14 +8,9 @@
 
 namespace slam::visual_odometry {
 
-const std::vector<std::string>& featureNames() {
-  static const std::vector<std::string> kNames = {"orb", "klt", "akaze", "sift", "surf"};
-  return kNames;
-}
-
-std::unique_ptr<FeaturePolicy> makeFeaturePolicy(const std::string& name, int max_features) {
-  if (name == "klt") return std::make_unique<TrackedFeatures>(max_features);
-  return std::make_unique<DescribedFeatures>(makeKeypointDetector(name, max_features));
+std::unique_ptr<FeaturePolicy> makeFeaturePolicy(FeatureKind kind, int max_features) {
+  if (kind == FeatureKind::kKlt) return std::make_unique<TrackedFeatures>(max_features);
+  return std::make_unique<DescribedFeatures>(makeKeypointDetector(kind, max_features));
 }
 
 }  // namespace slam::visual_odometry

@@ -6,11 +6,11 @@
 #include <Eigen/Core>
 #include <memory>
 #include <opencv2/core/mat.hpp>
-#include <string>
 #include <vector>
 
 #include "slam_core/visual_odometry/ceiling_view.hpp"
 #include "slam_core/visual_odometry/point_match.hpp"
+#include "slam_core/visual_odometry/visual_odometry_config.hpp"
 
 namespace slam::visual_odometry {
 
@@ -46,11 +46,8 @@ class FeaturePolicy {
                              const CeilingView& view, const SearchWindow& window) const = 0;
 };
 
-/// The names makeFeaturePolicy() knows.
-const std::vector<std::string>& featureNames();
-
-/// @param name one of featureNames() @param max_features of an image
+/// @param max_features of an image
 /// @throw ConfigError when the installed OpenCV does not have it, with the nearest
-std::unique_ptr<FeaturePolicy> makeFeaturePolicy(const std::string& name, int max_features);
+std::unique_ptr<FeaturePolicy> makeFeaturePolicy(FeatureKind kind, int max_features);
 
 }  // namespace slam::visual_odometry

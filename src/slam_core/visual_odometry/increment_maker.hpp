@@ -23,7 +23,7 @@ class IncrementMaker {
   void setGapSource(GapSource source) { gap_source_ = std::move(source); }
   bool hasGapSource() const { return static_cast<bool>(gap_source_); }
   void reset();
-  /// As after reset(), but the sequence goes on.
+  /// All is as after reset(), but the sequence goes on.
   void beginAnew();
   /// The present view is the reference of its own: nothing of a gap is taken back any more.
   void forgetGap() { gap_covariance_.setZero(); }

@@ -106,11 +106,11 @@ std::unique_ptr<KeypointDetector> makeSurf([[maybe_unused]] int max_features) {
 
 }  // namespace
 
-std::unique_ptr<KeypointDetector> makeKeypointDetector(const std::string& name, int max_features) {
-  if (name == "surf") return makeSurf(max_features);
-  if (name == "akaze")
+std::unique_ptr<KeypointDetector> makeKeypointDetector(FeatureKind kind, int max_features) {
+  if (kind == FeatureKind::kSurf) return makeSurf(max_features);
+  if (kind == FeatureKind::kAkaze)
     return std::make_unique<Strongest>(cv::AKAZE::create(), max_features, 120.0, 2.0);
-  if (name == "sift")
+  if (kind == FeatureKind::kSift)
     return std::make_unique<Strongest>(cv::SIFT::create(), max_features, 300.0, 4.5);
   return std::make_unique<Orb>(max_features);
 }

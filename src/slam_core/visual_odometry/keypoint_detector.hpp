@@ -6,8 +6,9 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
-#include <string>
 #include <vector>
+
+#include "slam_core/visual_odometry/visual_odometry_config.hpp"
 
 namespace slam::visual_odometry {
 
@@ -26,9 +27,8 @@ class KeypointDetector {
   virtual double dependence() const = 0;
 };
 
-/// "orb" (Rublee et al. 2011), "akaze" (Alcantarilla et al. 2013), "sift" (Lowe 2004), "surf" (Bay
-/// et al. 2008; the thesis's).
+/// @param kind of features that have descriptors: all but KLT
 /// @throw ConfigError when the installed OpenCV does not have it, with the nearest
-std::unique_ptr<KeypointDetector> makeKeypointDetector(const std::string& name, int max_features);
+std::unique_ptr<KeypointDetector> makeKeypointDetector(FeatureKind kind, int max_features);
 
 }  // namespace slam::visual_odometry

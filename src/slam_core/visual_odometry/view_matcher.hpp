@@ -37,9 +37,9 @@ class ViewMatcher {
   void prepare(View& view);
 
   const CeilingView& ceiling() const { return ceiling_; }
-  /// Of the image; where features are tracked, of its reference.
+  /// How many features the image has; where features are tracked, its reference.
   std::size_t features() const { return features_; }
-  /// Of the last align() of this image.
+  /// What the last align() of this image has found.
   const PointMatches& matches() const { return matches_; }
   const Alignment& alignment() const { return alignment_; }
 

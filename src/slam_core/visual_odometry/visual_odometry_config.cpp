@@ -4,14 +4,13 @@
 #include "slam_core/visual_odometry/visual_odometry_config.hpp"
 
 #include "slam_core/common/config_error.hpp"
-#include "slam_core/visual_odometry/features.hpp"
 
 namespace slam::visual_odometry {
 namespace {
 
 void describeImages(VisualOdometryConfig& config, Fields& fields) {
-  fields.add("features", &config.features, "what is found again from image to image")
-      .oneOf(featureNames());
+  fields.add("features", &config.features, featureNames(),
+             "what is found again from image to image");
   fields.add("max_features", &config.max_features, "of an image").in(Range::closed(20, 5000));
   fields
       .add("min_inliers", &config.min_inliers,
@@ -90,6 +89,15 @@ void describeRobot(VisualOdometryConfig& config, Fields& fields) {
 }
 
 }  // namespace
+
+const Names<FeatureKind>& featureNames() {
+  static const Names<FeatureKind> kNames = {{"orb", FeatureKind::kOrb},
+                                            {"klt", FeatureKind::kKlt},
+                                            {"akaze", FeatureKind::kAkaze},
+                                            {"sift", FeatureKind::kSift},
+                                            {"surf", FeatureKind::kSurf}};
+  return kNames;
+}
 
 void VisualOdometryConfig::describe(Fields& fields) {
   describeImages(*this, fields);

@@ -3,16 +3,21 @@
 
 #pragma once
 
-#include <string>
-
+#include "slam_core/common/choice.hpp"
 #include "slam_core/common/config_fields.hpp"
 
 namespace slam::visual_odometry {
 
+/// What is found again from image to image: ORB (Rublee et al. 2011), corners tracked by KLT,
+/// AKAZE (Alcantarilla et al. 2013), SIFT (Lowe 2004), SURF (Bay et al. 2008; the thesis's).
+enum class FeatureKind { kOrb, kKlt, kAkaze, kSift, kSurf };
+
+const Names<FeatureKind>& featureNames();
+
 struct VisualOdometryConfig {
   static constexpr const char* kSection = "visual_odometry";
 
-  std::string features = "orb";
+  FeatureKind features = FeatureKind::kOrb;
   int max_features = 500;
   int min_inliers = 15;
   double keyframe_share = 0.5;

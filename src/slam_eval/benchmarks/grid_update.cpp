@@ -29,7 +29,7 @@ class MappedCorridor {
   explicit MappedCorridor(const benchmark::State& state)
       : drive_(static_cast<int>(state.range(2))) {
     auto settings = settingsFor(state);
-    slam::as<slam::MapChooser>(filter_).useMap("grid");
+    slam::as<slam::MapChooser>(filter_).useMap(slam::MapKind::kGrid);
     filter_.configure(settings);
     const auto length = static_cast<double>(state.range(3));
     for (double way = 0.0; way < length; way += kBuild) take(drive_.step(kBuild));

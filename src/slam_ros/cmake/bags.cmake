@@ -73,7 +73,9 @@ if(CATKIN_ENABLE_TESTING)
     test/bags/test_flow_and_metrics.cpp
     test/bags/test_offline_run.cpp
     test/bags/test_scan_bags.cpp
+    test/bags/test_carried_data.cpp
     test/bags/test_topic_matching.cpp
+    test/bags/test_topic_remaps.cpp
     test/bags/test_tune_run.cpp
     test/bags/test_warning_log.cpp
   )

@@ -3,6 +3,8 @@
 
 #include "slam_ros/bag_flow.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -11,12 +13,11 @@
 namespace slam_ros {
 namespace {
 
-constexpr FlowWindow::Timeout kPatience(5000);
 constexpr const char* kForPointMap = " for the point map";
 constexpr const char* kMotionForPointMap = "motion for the point map";
 constexpr const char* kPosesForPointMap = "poses for the point map";
 
-/// Those that have data and that steps are taken for.
+/// Counts the inputs that have data and that steps are taken for.
 std::size_t triggers(const BagInputs& inputs) {
   const auto& triggers = inputs.flow().triggersOfBackend();
   return static_cast<std::size_t>(
@@ -42,7 +43,7 @@ void BagFlow::limit(const BagInputs::Found& found) {
   }
 }
 
-/// What is acknowledged once a message of the input has been taken.
+/// Names the acknowledgements that follow once a message of the input has been taken.
 std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const {
   std::vector<std::string> answers;
   bool is_of_module = false;
@@ -63,8 +64,9 @@ std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const
   return answers;
 }
 
-/// Of the inputs that a component makes its data of, those that come in the largest messages; the
-/// others go in between.
+/// Whether the input is the one whose messages the flow waits for. Among the inputs that a
+/// component makes its data of, these are the ones with the largest messages; the others are sent
+/// in between.
 bool BagFlow::isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const {
   const auto in_flight = found.input->play().in_flight;
   return std::all_of(inputs_.found().begin(), inputs_.found().end(),
@@ -81,16 +83,28 @@ BagInput::Gate BagFlow::gateOf(const BagInputs::Found& found) {
   };
 }
 
+/// Lets no source run ahead of the one whose data take longest, which would be taken for a silent
+/// one. Where that one is not acknowledged at all, nobody waits for it any more.
+void BagFlow::waitForSlowest(slam::Stamp stamp) {
+  if (!max_ahead_ || window_.waitForAllBefore(stamp - *max_ahead_, options_.patience) || stopped_)
+    return;
+  options_.warn(fmt::format(
+      "messages sent {:g} s of the bag's time ago were not acknowledged for {:g} s; from "
+      "now on the inputs are no longer kept within that time of one another",
+      slam::seconds(*max_ahead_), slam::seconds(options_.patience)));
+  max_ahead_.reset();
+}
+
 bool BagFlow::waitForRoom(const std::string& answer, slam::Stamp stamp) {
-  // else the source that takes longest would be taken for a silent one
-  if (max_ahead_ && !window_.waitForAllBefore(stamp - *max_ahead_, kPatience)) max_ahead_.reset();
-  if (!window_.waitForRoom(answer, kPatience) && !stopped_) {
+  waitForSlowest(stamp);
+  if (!window_.waitForRoom(answer, options_.patience) && !stopped_) {
     if (const auto held = held_.find(answer); held != held_.end()) {
       window_.limit(answer, held->second);  // calibration or mount may come later
       held_.erase(held);
       return waitForRoom(answer, stamp);
     }
-    options_.warn("nothing of the " + answer + " sent was acknowledged for 5 s; going on");
+    options_.warn(fmt::format("nothing of the {} sent was acknowledged for {:g} s; going on",
+                              answer, slam::seconds(options_.patience)));
     window_.clear();
   }
   if (!stopped_) window_.sent(answer, stamp);
@@ -120,7 +134,7 @@ void BagFlow::acknowledgeOfPointMap(const slam_msgs::Progress& message) {
 }
 
 std::size_t BagFlow::finish() {
-  return window_.waitUntilEmpty(kPatience) || stopped_ ? 0 : window_.inFlight();
+  return window_.waitUntilEmpty(options_.patience) || stopped_ ? 0 : window_.inFlight();
 }
 
 void BagFlow::stop() {

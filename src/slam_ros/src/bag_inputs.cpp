@@ -19,6 +19,14 @@ using Found = BagInputs::Found;
 bool isTrigger(const slam::InputPort& input) { return input.time == slam::TimeRole::kTrigger; }
 bool isMandatory(const slam::InputPort& input) { return input.is_mandatory; }
 
+/// Whether the input goes by this name, its own or that of one of its topics.
+bool isOf(const Found& found, const Input& name) {
+  const auto names = found.input->names();
+  return std::any_of(names.begin(), names.end(), [&](const Input& own) {
+    return own.name == name.name && own.type == name.type;
+  });
+}
+
 /// The inputs that robot files have names for and those of the product, so far as bindings know
 /// their kinds.
 std::vector<Found> candidates(const slam::DataFlow& flow, const BagContext& context) {
@@ -47,7 +55,7 @@ BagSearch searchOf(const BagReader& bag, const std::vector<Found>& candidates,
   const auto read = [&bag](const auto& handlers, const auto& progress) {
     bag.read(handlers, progress);
   };
-  return {bag.topics(), read, std::move(inputs), std::move(remaps)};
+  return {bag.topics(), read, std::move(inputs), remaps};
 }
 
 }  // namespace
@@ -76,6 +84,14 @@ class BagInputs::Search {
     inputs_.warnings_ = std::move(bag_.warnings);
   }
 
+  /// @throw TopicError for a remapping whose topic no input was found on
+  void requireUseOfRemaps() const {
+    for (const auto& chosen : bag_.chosen())
+      if (!isUsed(chosen))
+        throw TopicError(fmt::format("the remapping {} would have no effect: {}; leave it out",
+                                     textOf(chosen.remap), whyUnused(chosen)));
+  }
+
   /// What the product cannot do without, a text each.
   std::vector<std::string> missing() const {
     std::vector<std::string> all;
@@ -88,21 +104,15 @@ class BagInputs::Search {
  private:
   /// Whether the bag has all that others take of what a component makes, and it is to be used.
   bool isCarried(const slam::DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
-    const bool has_choice = flow_.triggersSteps(part);
-    if (has_choice && isAskedFor(part)) return false;
-    const auto before = inputs_.found_.size();
-    const bool is_there = std::all_of(outputs.begin(), outputs.end(), [&](const auto& output) {
-      return find(output.name, output.kind);
-    });
-    if (is_there && !isShared(part, outputs)) {
-      noteThatIsLeftOut(part, outputs, has_choice);
-      return true;
-    }
-    while (inputs_.found_.size() > before) {
-      candidates_.push_back(std::move(inputs_.found_.back()));
-      inputs_.found_.pop_back();
-    }
-    return false;
+    if (isAskedFor(part)) return false;
+    const auto* shared = sharedInput(part);
+    const bool is_named = carries(outputs, Names::kOwn);
+    if (is_named && shared != nullptr) noteThatIsMade(part, outputs, *shared);
+    if (shared != nullptr) return false;
+    if (!is_named && (hasSources(part) || !carries(outputs, Names::kAny))) return false;
+    for (const auto& output : outputs) find(output.name, output.kind);
+    noteThatIsLeftOut(part, outputs);
+    return true;
   }
 
   bool isAskedFor(const slam::DataFlow::Part& part) const {
@@ -113,22 +123,30 @@ class BagInputs::Search {
     });
   }
 
-  /// Whether the bag has an input that the component shares with others: it makes its data of that,
-  /// whatever else the bag carries.
-  bool isShared(const slam::DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
+  /// An input of the component that the bag has and others take as well, or null: the component
+  /// makes its data of that, whatever else the bag carries.
+  const slam::InputPort* sharedInput(const slam::DataFlow::Part& part) const {
+    for (const auto& input : part.inputs)
+      if (!flow_.isMade(input) && !isOfAlone(part, input) &&
+          has(input.name, input.kind, Names::kAny))
+        return &input;
+    return nullptr;
+  }
+
+  bool carries(const std::vector<slam::OutputPort>& outputs, Names names) const {
+    return std::all_of(outputs.begin(), outputs.end(),
+                       [&](const auto& output) { return has(output.name, output.kind, names); });
+  }
+
+  /// Whether the component can make its data of what the bag has.
+  bool hasSources(const slam::DataFlow::Part& part) const {
+    bool has_any = false;
     for (const auto& input : part.inputs) {
-      const auto* candidate = candidateFor(input.name, input.kind);
-      if (candidate == nullptr || isOfAlone(part, input)) continue;
-      auto trial = bag_;  // its notes come when it is really looked for
-      if (!candidate->input->find(trial)) continue;
-      for (const auto& output : outputs)
-        bag_.notes.push_back(
-            fmt::format("the {} that the bag carries is left out: the {} makes it of the input "
-                        "'{}', which others take as well",
-                        output.name, part.role, input.name));
-      return true;
+      const bool is_there = flow_.isMade(input) || has(input.name, input.kind, Names::kAny);
+      if (input.is_mandatory && !is_there) return false;
+      has_any = has_any || is_there;
     }
-    return false;
+    return has_any;
   }
 
   bool isOfAlone(const slam::DataFlow::Part& part, const slam::InputPort& input) const {
@@ -137,8 +155,17 @@ class BagInputs::Search {
                        [&](const auto& other) { return other.name == input.name; });
   }
 
+  void noteThatIsMade(const slam::DataFlow::Part& part,
+                      const std::vector<slam::OutputPort>& outputs, const slam::InputPort& input) {
+    for (const auto& output : outputs)
+      bag_.notes.push_back(
+          fmt::format("the {} that the bag carries is left out: the {} makes it of the input '{}', "
+                      "which others take as well",
+                      output.name, part.role, input.name));
+  }
+
   void noteThatIsLeftOut(const slam::DataFlow::Part& part,
-                         const std::vector<slam::OutputPort>& outputs, bool has_choice) {
+                         const std::vector<slam::OutputPort>& outputs) {
     std::vector<std::string> names;
     for (const auto& output : outputs) names.push_back(output.name);
     auto note =
@@ -146,7 +173,7 @@ class BagInputs::Search {
     for (const auto& input : flow_.inputsOfAlone(part)) {
       const auto* candidate = candidateFor(input.name, input.kind);
       const auto how = candidate == nullptr ? "" : candidate->input->howToAsk();
-      if (has_choice && !how.empty()) note += "; " + how;
+      if (!how.empty()) note += "; " + how;
     }
     bag_.notes.push_back(note);
   }
@@ -156,6 +183,15 @@ class BagInputs::Search {
         candidates_.begin(), candidates_.end(),
         [&](const Found& candidate) { return candidate.port == port && candidate.kind == kind; });
     return found == candidates_.end() ? nullptr : &*found;
+  }
+
+  /// Whether the bag has the input. What the search for it notes counts only once it is used.
+  bool has(const std::string& port, slam::Kind kind, Names names) const {
+    if (inputs_.find(port, kind) != nullptr) return true;
+    const auto* candidate = candidateFor(port, kind);
+    auto trial = bag_;
+    trial.names = names;
+    return candidate != nullptr && candidate->input->find(trial);
   }
 
   /// Whether the bag has the input; from then on it is among those found.
@@ -179,7 +215,7 @@ class BagInputs::Search {
       if (input.is_mandatory && candidateFor(input.name, input.kind) && !flow_.isMade(input))
         missing.push_back(needOf(input));
     if (!part.is_maker || missing.empty()) return missing;
-    // what triggers steps a bag may well carry; of other data, such as motion, it has the sources
+    // A bag may well carry what triggers steps. Of other data, such as motion, it has the sources.
     std::vector<std::string> instead;
     bool is_needed = false;
     for (const auto& output : flow_.takenOutputs(part)) {
@@ -194,6 +230,29 @@ class BagInputs::Search {
     return {slam::join(instead) + ", or " + slam::join(missing, " and ")};
   }
 
+  bool isUsed(const ChosenTopic& chosen) const {
+    return std::any_of(inputs_.found_.begin(), inputs_.found_.end(), [&](const Found& found) {
+      const auto topics = found.input->topics();
+      return isOf(found, chosen.input) &&
+             std::find(topics.begin(), topics.end(), chosen.topic) != topics.end();
+    });
+  }
+
+  /// One clause on a remapping that is not used.
+  std::string whyUnused(const ChosenTopic& chosen) const {
+    for (const auto& found : inputs_.found_)
+      if (isOf(found, chosen.input))
+        return fmt::format("the input '{}' comes from {}", found.port,
+                           slam::join(found.input->topics()));
+    for (const auto& candidate : candidates_)
+      if (isOf(candidate, chosen.input))
+        for (const auto& part : flow_.parts())
+          if (part.makes(candidate.port, candidate.kind) && !inputs_.isLeftOut(part.key))
+            return fmt::format("the {} makes what the input '{}' takes in", part.title(),
+                               candidate.port);
+    return fmt::format("no component of the product takes the input '{}'", chosen.input.name);
+  }
+
   BagInputs& inputs_;
   const slam::DataFlow& flow_;
   std::vector<Found> candidates_;  ///< that have not been found
@@ -205,6 +264,7 @@ BagInputs::BagInputs(const BagReader& bag, const slam::ProductComponents& produc
     : flow_(product) {
   Search search(bag, context, remaps, *this);
   search.run();
+  search.requireUseOfRemaps();
   if (const auto missing = search.missing(); !missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));

@@ -65,7 +65,7 @@ Diagnostics::Diagnostics(ros::NodeHandle handle, ros::NodeHandle private_handle,
 }
 
 Diagnostics::~Diagnostics() {
-  timer_.stop();
+  stop();
   warnOfCounters();
 }
 

@@ -12,31 +12,10 @@
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/known_inputs.hpp"
-#include "slam_ros/progress_message.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
-namespace {
-
-/// What reaches the back-end through a gate and what modules take, once each.
-std::vector<slam::InputPort> notedInputs(const slam::DataFlow& flow,
-                                         const slam::Ports& of_backend) {
-  std::vector<slam::InputPort> noted;
-  for (const auto& part : flow.parts())
-    for (const auto& input : part.inputs) {
-      const auto is_same = [&](const auto& other) {
-        return other.name == input.name && other.kind == input.kind;
-      };
-      if (!part.is_maker && input.traits.hold != nullptr &&
-          of_backend.input(input.name, input.kind) == nullptr &&
-          std::none_of(noted.begin(), noted.end(), is_same))
-        noted.push_back(input);
-    }
-  return noted;
-}
-
-}  // namespace
 
 EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& outputs,
                              slam::MetaCoordinator& coordinator, const slam::ProductPart& part,
@@ -47,7 +26,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   coordinator_.configure(settings, part);
   requireKnownInputs(coordinator_.wiring());
   flow_.emplace(coordinator_.components());
-  noted_ = notedInputs(*flow_, slam::portsOf(estimator()));
+  notes_ = ArrivalNotes(*flow_, slam::portsOf(estimator()));
   silence_.mayPause(topics_.observations);
   map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
   const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;
@@ -97,6 +76,7 @@ EstimatorNode::~EstimatorNode() {
   // from here on no callback runs
   start_.reset();
   silence_timer_.stop();
+  diagnostics_->stop();  // it asks the inputs
   inputs_->stop();
   subscribers_.clear();
   services_.reset();
@@ -141,14 +121,9 @@ void EstimatorNode::take(const std::string& port, slam::Kind kind, const void* v
   checkClock();
   if (kind == slam::kindOf<slam::Motion>())
     noteFrames(*static_cast<const slam::Motion*>(value), topic);
-  noteStamp(port, kind, value);
+  notes_.take(port, kind, value);
   coordinator_.put(port, kind, value);
   takeSteps(topic);
-}
-
-void EstimatorNode::noteStamp(const std::string& port, slam::Kind kind, const void* value) {
-  for (const auto& input : noted_)
-    if (input.name == port && input.kind == kind) newest_[port] = input.traits.hold(value).stamp;
 }
 
 void EstimatorNode::noteFrames(const slam::Motion& motion, const std::string& topic) {
@@ -182,14 +157,13 @@ void EstimatorNode::tellOfSilence() {
 
 std::string EstimatorNode::starving() const {
   const auto what = estimator().intake().arrivals().starving;
-  return what.empty() ? "" : "nothing steps: " + what + " on " + motion_topic_;
+  return what.empty() ? "" : "nothing steps: " + what + " on " + notes_.motionTopic();
 }
 
 void EstimatorNode::takeSteps(const std::string& topic) {
   const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
   if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
-  const auto last_motion = estimator().intake().arrivals().motion;
-  if (std::exchange(last_motion_, last_motion) != last_motion) motion_topic_ = topic;
+  notes_.taken(topic, estimator().intake().arrivals().motion);
   const auto& report = estimator().report();
   do {
     const auto start = RunMetrics::Clock::now();
@@ -215,13 +189,8 @@ void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Cloc
 
 void EstimatorNode::publishProgress() {
   if (!tells_progress_ || progress_.getNumSubscribers() == 0) return;
-  const auto arrivals = estimator().intake().arrivals();
   slam_msgs::Progress message;
-  message.motion = toRos(arrivals.motion.value_or(slam::Stamp()));
-  for (const auto& source : arrivals.triggers)
-    if (newest_.count(source.input) == 0)
-      setProgress(message, source.input, source.last.value_or(slam::Stamp()));
-  for (const auto& [input, stamp] : newest_) setProgress(message, input, stamp);
+  notes_.acknowledge(estimator().intake().arrivals(), message);
   message.step = toRos(recorder_->lastStamp());
   message.resets = resets_;
   progress_.publish(message);
@@ -256,6 +225,7 @@ void EstimatorNode::beginAnew() {
   outputs_->restart();
   consistency_->restart();
   motion_frames_.clear();
+  notes_.forget();
 }
 
 std::string EstimatorNode::waiting() const {
@@ -265,10 +235,11 @@ std::string EstimatorNode::waiting() const {
   return silence_.sentence(SilenceWatch::Clock::now());
 }
 
-/// Inputs of components whose data have come: those of a component of another process, or of ours.
-std::vector<std::string> EstimatorNode::needlessInputs() const {
+/// Inputs of components whose data have come. It does not matter whether the component of this
+/// process has made them or one of another.
+std::vector<slam::InputPort> EstimatorNode::needlessInputs() const {
   const auto arrivals = estimator().intake().arrivals();
-  std::vector<std::string> needless;
+  std::vector<slam::InputPort> needless;
   for (const auto& part : flow_->parts()) {
     const auto has_stamp = [&](const auto& output) {
       return arrivals.lastOf(output.name).has_value();
@@ -277,7 +248,7 @@ std::vector<std::string> EstimatorNode::needlessInputs() const {
                               ? std::any_of(part.outputs.begin(), part.outputs.end(), has_stamp)
                               : arrivals.motion.has_value();
     if (!part.is_maker || !has_come) continue;
-    for (const auto& input : flow_->inputsOfAlone(part)) needless.push_back(input.name);
+    for (const auto& input : flow_->inputsOfAlone(part)) needless.push_back(input);
   }
   return needless;
 }

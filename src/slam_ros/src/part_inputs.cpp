@@ -4,6 +4,8 @@
 #include "slam_ros/part_inputs.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_ros/input_bindings.hpp"
@@ -12,25 +14,43 @@ namespace slam_ros {
 
 PartInputs::PartInputs(const InputContext& context, const slam::Wiring& wiring,
                        const slam::Ports& also) {
+  const auto& all = InputBindings::instance();
   slam::FaultCollector faults;
   const auto open = wiring.ports().open();
   for (const auto& port : open)
-    if (!slam::comesWithAnother(port, open)) faults.attempt([&] { bind(context, port); });
+    if (!slam::comesWithAnother(port, open))
+      faults.attempt([&] { add(port, all.create(context, port)); });
   faults.raise();
-  const auto& all = InputBindings::instance();
-  for (const auto& port : also.inputs())
-    if (!takes(port.name) && all.has(port.kind)) bindings_[port.name] = all.create(context, port);
+  // they may come, but are not waited for; a topic has messages of one type only
+  for (auto port : also.inputs()) {
+    if (takesAny(port.name) || !all.has(port.kind)) continue;
+    auto binding = all.create(context, port);
+    add(port.optional(), std::move(binding));
+  }
 }
 
-void PartInputs::bind(const InputContext& context, const slam::InputPort& port) {
-  bindings_[port.name] = InputBindings::instance().create(context, port);
-  if (port.is_mandatory) mandatory_.push_back(port.name);
+void PartInputs::add(const slam::InputPort& port, std::unique_ptr<InputBinding> binding) {
+  bindings_[{port.name, port.kind}] = std::move(binding);
+  if (port.is_mandatory) mandatory_.emplace_back(port.name, port.kind);
 }
 
-std::string PartInputs::waiting(const std::vector<std::string>& needless) const {
-  for (const auto& input : mandatory_) {
-    if (std::count(needless.begin(), needless.end(), input) > 0) continue;
-    if (const auto waiting = of(input).waiting(); !waiting.empty()) return waiting;
+bool PartInputs::takesAny(const std::string& input) const {
+  return std::any_of(bindings_.begin(), bindings_.end(),
+                     [&](const auto& entry) { return entry.first.first == input; });
+}
+
+const InputBinding& PartInputs::of(const std::string& input, slam::Kind kind) const {
+  if (const auto own = bindings_.find({input, kind}); own != bindings_.end()) return *own->second;
+  const auto other = std::find_if(bindings_.begin(), bindings_.end(),
+                                  [&](const auto& entry) { return entry.first.first == input; });
+  if (other == bindings_.end()) throw std::out_of_range("nothing brings data to '" + input + "'");
+  return *other->second;
+}
+
+std::string PartInputs::waiting(const std::vector<slam::InputPort>& needless) const {
+  for (const auto& address : mandatory_) {
+    if (slam::findPort(needless, address.first, address.second) != nullptr) continue;
+    if (const auto waiting = bindings_.at(address)->waiting(); !waiting.empty()) return waiting;
   }
   return "";
 }

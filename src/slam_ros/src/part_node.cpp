@@ -28,6 +28,7 @@ PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
 }
 
 PartNode::~PartNode() {
+  diagnostics_->stop();  // it asks the inputs, and callbacks of the inputs tell it what was wrong
   inputs_->stop();
   diagnostics_.reset();
 }
@@ -44,7 +45,7 @@ void PartNode::reset() {
 void PartNode::take(const std::string& port, slam::Kind kind, const void* value,
                     const std::string& topic) {
   if (clock_.hasJumpedBack()) reset();
-  arrival_ = inputs_->of(port).arrival();
+  arrival_ = inputs_->of(port, kind).arrival();
   part_.put(port, kind, value);
   diagnostics_->report(topic, part_.execute());
   if (on_taken) on_taken(kind, value);

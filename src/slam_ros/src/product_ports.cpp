@@ -35,13 +35,6 @@ std::string topicOf(const slam::InputPort& input) {
   return is_mount ? "tf_static" : topic;
 }
 
-/// The component that makes the input's data; null: they come from outside.
-Json makerOf(const slam::InputPort& input, const std::vector<slam::ProductComponent>& parts) {
-  for (const auto& part : parts)
-    if (slam::portsOf(*part.component).output(input.name, input.kind) != nullptr) return part.key;
-  return nullptr;
-}
-
 Json describe(const slam::InputPort& input) {
   return {{"name", input.name},         {"topic", topicOf(input)},
           {"sentence", input.sentence}, {"is_mandatory", input.is_mandatory},
@@ -82,51 +75,70 @@ Json outputsOf(const slam::ProductComponents& product, const slam::ProductCompon
   return outputs;
 }
 
-Json describeInputs(const slam::Ports& ports, const std::vector<slam::ProductComponent>& parts) {
-  auto inputs = Json::array();
-  for (const auto& input : ports.inputs()) {
-    inputs.push_back(describe(input));
-    inputs.back()["made_by"] = makerOf(input, parts);
-    const auto gate = inputs.back()["made_by"].is_null() ? slam::gateFor(input) : nullptr;
-    inputs.back()["gate"] = gate ? Json(gate->name()) : Json();
-  }
-  return inputs;
-}
+/// The components of a product and the gates before them, joined by their ports.
+class JoinedPorts {
+ public:
+  explicit JoinedPorts(const slam::ProductComponents& product)
+      : components_(slam::inOrder(product)), wired_(slam::wiredPortsOf(product)) {}
 
-/// Those that the inputs name, once each.
-Json describeGates(const slam::ProductComponents& product) {
-  auto gates = Json::array();
-  std::vector<std::string> names;
-  for (const auto& part : slam::inOrder(product)) {
-    const auto of_part = slam::portsOf(*part.component);
-    for (const auto& input : of_part.inputs()) {
-      const auto gate = slam::gateFor(input);
-      if (!gate || std::count(names.begin(), names.end(), gate->name()) > 0) continue;
-      names.push_back(gate->name());
-      const auto ports = slam::portsOf(*gate);
-      auto outputs = Json::array();
-      for (const auto& output : ports.outputs()) outputs.push_back(describe(output));
-      gates.push_back(
-          {{"name", gate->name()}, {"inputs", describeInputs(ports, {})}, {"outputs", outputs}});
+  const std::vector<slam::ProductComponent>& components() const { return components_; }
+
+  Json inputsOf(const slam::Component& component) const {
+    auto inputs = Json::array();
+    for (const auto& input : portsOf(component).inputs()) {
+      const auto* maker = wired_.makerOf(input);
+      inputs.push_back(describe(input));
+      inputs.back()["made_by"] = keyOf(maker);
+      inputs.back()["gate"] =
+          maker != nullptr && maker->gate != nullptr ? Json(maker->gate->name()) : Json();
     }
+    return inputs;
   }
-  return gates;
-}
+
+  Json gates() const {
+    auto gates = Json::array();
+    for (const auto& gate : wired_.gates()) {
+      auto outputs = Json::array();
+      for (const auto& output : portsOf(*gate).outputs()) outputs.push_back(describe(output));
+      gates.push_back({{"name", gate->name()}, {"inputs", inputsOf(*gate)}, {"outputs", outputs}});
+    }
+    return gates;
+  }
+
+ private:
+  const slam::Ports& portsOf(const slam::Component& component) const {
+    const auto& parts = wired_.parts();
+    return std::find_if(parts.begin(), parts.end(),
+                        [&](const auto& part) { return part.component == &component; })
+        ->ports;
+  }
+
+  /// The product's key of the component that makes the data; null: a gate does, or they come from
+  /// outside.
+  Json keyOf(const slam::WiredPorts::Part* maker) const {
+    for (const auto& component : components_)
+      if (maker != nullptr && component.component == maker->component) return component.key;
+    return nullptr;
+  }
+
+  std::vector<slam::ProductComponent> components_;
+  slam::WiredPorts wired_;
+};
 
 }  // namespace
 
 Json describePorts(const slam::ProductConfig& product) {
   const auto parts = slam::createComponents(product);
-  const auto all = slam::inOrder(parts);
+  const JoinedPorts joined(parts);
   auto components = Json::array();
-  for (const auto& part : all)
+  for (const auto& part : joined.components())
     components.push_back({{"role", part.role},
                           {"key", part.key},
                           {"name", part.name},
-                          {"inputs", describeInputs(slam::portsOf(*part.component), all)},
+                          {"inputs", joined.inputsOf(*part.component)},
                           {"outputs", outputsOf(parts, part)}});
   return {{"components", components},
-          {"gates", describeGates(parts)},
+          {"gates", joined.gates()},
           {"owns_odometry_edge", parts.odometry && slam::ownsOdometryEdge(*parts.odometry)}};
 }
 

@@ -3,6 +3,8 @@
 
 #include "slam_ros/topics_config.hpp"
 
+#include <algorithm>
+
 #include "slam_core/camera/image.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_observation.hpp"
@@ -10,6 +12,27 @@
 #include "slam_core/models/odometry_sample.hpp"
 
 namespace slam_ros {
+namespace {
+
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isOfName(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
+
+/// As ros::names::validate() has it; names of a node's own (~) and empty parts are no topics here.
+bool isTopicName(const std::string& name) {
+  if (name.empty() || name.back() == '/') return false;
+  if (!isLetter(name.front()) && name.front() != '/') return false;
+  return name.find("//") == std::string::npos &&
+         std::all_of(name.begin(), name.end(), [](char c) { return isOfName(c) || c == '/'; });
+}
+
+}  // namespace
+
+std::string faultOfTopicName(const std::string& name) {
+  if (isTopicName(name)) return "";
+  return "'" + name +
+         "' is no name of a topic; write letters, digits, '_' and '/' between them, with a letter "
+         "or '/' first";
+}
 
 std::vector<std::pair<std::string, slam::Kind>> TopicsConfig::inputs() {
   return {{"motion", slam::kindOf<slam::Motion>()},

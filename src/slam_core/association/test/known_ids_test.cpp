@@ -113,5 +113,14 @@ TEST_F(KnownIdsTest, KeepsItsMemoryFromCallToCall) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(decide({7, 3, 3}).data(), before);
 }
 
+TEST(Decision, OfAWrongPolicyIsWorthNoMoreThanTheMapAllows) {
+  const Decision is_new{Kind::kNew, 0}, is_known{Kind::kLandmark, 5}, is_clutter{Kind::kUnknown, 0};
+  EXPECT_EQ(is_new.checked(false, false), Kind::kNew);
+  EXPECT_EQ(is_new.checked(true, false), Kind::kNotInMap);
+  EXPECT_EQ(is_known.checked(true, true), Kind::kLandmark);
+  EXPECT_EQ(is_known.checked(false, false), Kind::kUnknown) << "it was not offered";
+  EXPECT_EQ(is_clutter.checked(false, false), Kind::kUnknown);
+}
+
 }  // namespace
 }  // namespace slam::association

@@ -228,6 +228,31 @@ TEST(Settings, RefuseWhatIsNoNameOfAnEnumeration) {
   EXPECT_TRUE(oneSays(faultsOfShades("floor: ''"), {"shades.floor", "'' is not one of"}));
 }
 
+std::string faultOfColour(const std::string& value) {
+  return value == "red" ? "" : "'" + value + "' is not red; write red";
+}
+
+struct ColourConfig {
+  static constexpr const char* kSection = "colours";
+  std::string wall = "red";
+  std::vector<std::string> others;
+
+  void describe(Fields& fields) {
+    fields.add("wall", &wall, "a text with a check of its own").checkedBy(faultOfColour);
+    fields.add("others", &others, "several").checkedBy(faultOfColour);
+  }
+};
+
+TEST(Settings, RefuseTextsByTheCheckOfTheirField) {
+  const auto faultsOfColours = [](const std::string& values) {
+    return faultsOf(
+        [&] { settingsOf("{version: 1, colours: {" + values + "}}").read<ColourConfig>(); });
+  };
+  EXPECT_TRUE(faultsOfColours("wall: red, others: [red]").empty());
+  EXPECT_TRUE(oneSays(faultsOfColours("wall: ''"), {"colours.wall", "'' is not red; write red"}));
+  EXPECT_TRUE(oneSays(faultsOfColours("others: [red, blue]"), {"colours.others", "'blue' is not"}));
+}
+
 TEST(Settings, DescribeAnEnumerationAsATextWithChoices) {
   ShadeConfig config;
   Fields fields;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "slam_core/association/test/toy_policies.hpp"
+#include "slam_core/association/test/two_landmarks.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/ekf/candidates.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
@@ -16,9 +17,12 @@ namespace {
 
 using association::AssociationPolicy;
 using association::Candidate;
+using association::test::addStray;
+using association::test::observationsOf;
 using association::test::removeIds;
 using association::test::ToyNearest;
 using association::test::ToyNonsense;
+using association::test::twoLandmarks;
 using test::SimulatedStep;
 using test::SimulatedWorld;
 
@@ -101,10 +105,7 @@ TEST_F(EkfAssociationTest, AFixedMapStaysAsItIs) {
   for (int i = 0; i < 50; ++i) {
     auto step = world.next();
     removeIds(step.observations);
-    if (i == 10) {
-      step.observations.observations.emplace_back(step.observations.observations.front());
-      step.observations.observations.back().range = 80.0;
-    }
+    if (i == 10) addStray(step.observations);
     take(localizer, step);
     truth = step.truth;
   }
@@ -152,16 +153,12 @@ class PlaceCandidatesTest : public testing::Test {
   PlaceCandidatesTest() {
     const PoseEstimate robot{Pose2(), Eigen::Vector3d(0.01, 0.01, 0.001).asDiagonal()};
     state = EkfState(makeLinearization("right_invariant"), {}, robot);
-    for (const auto& place : {Eigen::Vector2d(3, 1), Eigen::Vector2d(4, -2)}) {
-      LandmarkObservation z;
-      z.range = place.norm() + 0.02;
-      z.bearing = std::atan2(place.y(), place.x());
-      z.covariance = Eigen::Vector2d(0.0025, 0.0001).asDiagonal();
-      array.observations.push_back(z);
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const auto& z = array.observations[i];
       RangeBearingModel::Jacobian23 J_robot;
       Eigen::Matrix2d J_z;
       model.invert(Pose2(), Pose2(), z.vector(), &J_robot, &J_z);
-      state.append(state.freeId(), place, J_robot, J_z * z.covariance * J_z.transpose());
+      state.append(state.freeId(), landmarks[i], J_robot, J_z * z.covariance * J_z.transpose());
     }
     near = landmarksByPlace(array, state, model, 18.0);
     state.take(near.all());
@@ -169,7 +166,8 @@ class PlaceCandidatesTest : public testing::Test {
 
   RangeBearingModel model;
   EkfState state;
-  LandmarkObservationArray array;
+  std::vector<Eigen::Vector2d> landmarks = twoLandmarks();
+  LandmarkObservationArray array = observationsOf(landmarks);
   LandmarksByPlace near;
 };
 

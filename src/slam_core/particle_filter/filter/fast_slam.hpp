@@ -85,8 +85,8 @@ class FastSlam final : public Backend,
   std::vector<StampedPose> path() const override;
   MapState state() const override;
   void set(const MapState& map) override { inputs_.map = map; }
-  std::vector<std::string> maps() const override { return {"landmarks", "grid"}; }
-  void useMap(const std::string& map) override { uses_grid_ = map == "grid"; }
+  std::vector<MapKind> maps() const override { return {MapKind::kLandmarks, MapKind::kGrid}; }
+  void useMap(MapKind map) override { uses_grid_ = map == MapKind::kGrid; }
 
   Status replaceMap();
   void relocate();
@@ -102,7 +102,8 @@ class FastSlam final : public Backend,
   Status onTheWhole() const;
 
   const Particle& best() const { return (*particles_)[particles_->best()]; }
-  /// As the particles have it.
+  /// The landmark with this number as the particles have it, by `pf.map`: the best one's, or that
+  /// of all together.
   Landmark landmark(std::size_t number) const;
   std::vector<std::size_t> toldLandmarks() const;
   bool tellsBest() const {

@@ -24,7 +24,8 @@ Association Associator::forAll(const LandmarkObservationArray& array, const Land
   return association;
 }
 
-/// What none of the particles knows has a column as well, which says the same of all of them.
+/// An observation that none of the particles knows has a column as well, which says the same of all
+/// of them.
 Association Associator::forEach(const LandmarkObservationArray& array, const LandmarkIndex& index,
                                 const ObservationModel& model, const ParticleSet& particles,
                                 const std::vector<PoseGaussian>& priors, Workers& workers) {
@@ -49,7 +50,8 @@ Sight Associator::ask(const LandmarkObservationArray& array, const Source& sourc
   sight.sensor = array.sensor_pose;
   sight.gate = config_.gate;
   for (std::size_t i = 0; i < decisions.size(); ++i) {
-    const auto kind = checked(decisions[i], source);
+    const bool is_offered = decisions[i].landmark < source.size();
+    const auto kind = decisions[i].checked(config_.map_is_fixed, is_offered);
     if (kind == Kind::kLandmark)
       sight.matches.push_back({decisions[i].landmark, i, array.observations[i]});
     if (kind == Kind::kNew) sight.unseen.push_back(i);
@@ -58,15 +60,6 @@ Sight Associator::ask(const LandmarkObservationArray& array, const Source& sourc
     sight.not_in_map += kind == Kind::kNotInMap;
   }
   return sight;
-}
-
-/// A policy of another package may be wrong: nothing is new in a fixed map, and only what there is
-/// can be updated.
-Decision::Kind Associator::checked(const Decision& decision, const Source& source) const {
-  using Kind = Decision::Kind;
-  if (decision.kind == Kind::kNew && config_.map_is_fixed) return Kind::kNotInMap;
-  const bool is_there = decision.kind != Kind::kLandmark || decision.landmark < source.size();
-  return is_there ? decision.kind : Kind::kUnknown;
 }
 
 }  // namespace slam::particle_filter

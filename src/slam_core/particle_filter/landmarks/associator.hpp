@@ -51,8 +51,6 @@ class Associator {
   using Source = association::CandidateSource;
 
   Sight ask(const LandmarkObservationArray& array, const Source& source, std::size_t lane);
-  association::Decision::Kind checked(const association::Decision& decision,
-                                      const Source& source) const;
 
   struct Lane {
     std::unique_ptr<association::AssociationPolicy> policy;

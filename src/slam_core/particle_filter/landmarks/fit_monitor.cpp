@@ -12,11 +12,11 @@
 namespace slam::particle_filter {
 namespace {
 
-/// What an observation counts for when the next one has come: about the last 20 matter.
+/// The weight of the observations so far, when the next one has come: about the last 20 matter.
 constexpr double kMemory = 0.95;
-/// Degrees of freedom seen before anything is said.
+/// As many degrees of freedom must have been seen before the monitor says anything.
 constexpr double kEnough = 12.0;
-/// So many established landmarks off, one after the other, are no chance outliers.
+/// When this many established landmarks in a row are off, they are no chance outliers.
 constexpr int kAstray = 3;
 
 /// The moments of the mixture of what several particles foresaw.
@@ -53,7 +53,7 @@ std::optional<ObservationInnovation> innovationOf(const LandmarkObservation& z,
   return innovation;
 }
 
-/// Each one knows those before it, which makes them independent.
+/// Each innovation is given those before it, which makes them independent.
 JointInnovation stacked(const std::vector<ObservationInnovation>& innovations) {
   std::vector<const ObservationInnovation*> used;
   for (const auto& innovation : innovations)

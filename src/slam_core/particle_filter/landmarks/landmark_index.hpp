@@ -20,7 +20,7 @@ class LandmarkIndex {
  public:
   std::size_t size() const { return ids_.size(); }
   std::optional<std::size_t> find(LandmarkId id) const;
-  /// With this id, or where that is unknown or another landmark's with a free one.
+  /// Adds a landmark with this id; with a free one where the id is unknown or another landmark's.
   void append(LandmarkId id);
   void clear();
 

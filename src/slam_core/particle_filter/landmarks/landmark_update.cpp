@@ -76,7 +76,7 @@ bool LandmarkUpdate::mayMatch() const {
   return associator_.asksEach() ? has_seen_ : !association_.of(0).matches.empty();
 }
 
-/// Of what the particle takes for no landmark of its map.
+/// Predicts the observations that the particle takes for no landmark of its map.
 void LandmarkUpdate::expectNothing(const Sight& sight, Prediction* predictions) const {
   const auto& seen = association_.seen;
   if (sight.matches.size() == seen.size()) return;
@@ -126,7 +126,7 @@ Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors,
   return {};
 }
 
-/// What is new to any of the particles that are left.
+/// Gives numbers to the landmarks that are new to any of the particles that are left.
 void LandmarkUpdate::begin(const Ancestors& ancestors, PoseBelief& belief) {
   const auto& observations = array_.observations;
   std::vector<bool> is_new(observations.size());
@@ -162,7 +162,7 @@ void LandmarkUpdate::updateMap(Particle& particle, std::size_t ancestor, unsigne
   }
 }
 
-/// Where the best particle has.
+/// Tells the belief which landmarks the best particle has begun anew.
 void LandmarkUpdate::beginAnew(const Particle& best, const Sight& sight, PoseBelief& belief) const {
   for (const auto& [slot, column, z] : sight.matches) {
     if (is_used_[column]) continue;

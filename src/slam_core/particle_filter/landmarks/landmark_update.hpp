@@ -30,7 +30,7 @@ class LandmarkUpdate final : public SensorUpdate {
     unsigned lanes = 1;  ///< of the workers, at most
   };
 
-  /// Without any landmarks. @param config is valid
+  /// There are no landmarks yet. @param config is valid
   explicit LandmarkUpdate(const Config& config);
   LandmarkUpdate() : LandmarkUpdate(Config()) {}
 

@@ -40,7 +40,7 @@ class Proposal {
  public:
   virtual ~Proposal() = default;
 
-  /// For several threads at once.
+  /// Several threads may call it at once.
   /// @param prior where motion alone puts this particle
   /// @param predictions of all observations; those of the matches are written
   /// @return what the pose is to be drawn from; without covariance where it has been drawn already
@@ -73,11 +73,13 @@ class ConditionedProposal final : public Proposal {
 /// still counts for more.
 Prediction predictionOf(const Eigen::Vector2d& nu, const Eigen::Matrix2d& S, double gate);
 
-/// Of an observation that a particle takes for no landmark of its map: as unlikely as on the edge
-/// of the gate, so that a particle neither gains nor loses much where others know the landmark.
+/// The prediction of an observation that a particle takes for no landmark of its map: as unlikely
+/// as on the edge of the gate, so that a particle neither gains nor loses much where others know
+/// the landmark.
 Prediction unmatchedPrediction(const LandmarkObservation& z, double gate);
 
-/// Of a landmark that the particle stands on: as unlikely as on the edge of the gate.
+/// The prediction of a landmark that the particle stands on: as unlikely as on the edge of the
+/// gate.
 Prediction singularPrediction(const LandmarkObservation& z, double gate);
 
 const std::vector<std::string>& proposalNames();

@@ -22,7 +22,7 @@ namespace slam::particle_filter {
 /// thesis 5.7).
 class ScanUpdate final : public SensorUpdate {
  public:
-  /// As when no scan has come yet. @param map, scan are valid
+  /// No scan has come yet. @param map, scan are valid
   ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan, bool map_is_fixed);
 
   /// The next scan is used wherever the robot is.
@@ -45,8 +45,8 @@ class ScanUpdate final : public SensorUpdate {
   std::size_t mostTiles() const;
 
  private:
-  /// How far a particle that is here may be off since the last scan: what landmarks have said since
-  /// has moved the particles, which for the scan is where to look, not how sure that is.
+  /// The covariance by which a particle that is here may be off since the last scan. What landmarks
+  /// have said since has moved the particles: that tells where to look, not how sure the place is.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
   Lesson insert(ParticleSet& particles, const Execution& execution, Account& account) const;
   /// Whether as many maps may take the scan in without needing more memory than there is.

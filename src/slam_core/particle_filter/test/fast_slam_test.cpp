@@ -282,7 +282,7 @@ TEST(PfConfigTest, RefusesAThresholdOfBeingLostThatIsNeverReached) {
 
 TEST(PfConfigTest, RefusesAMatcherThatIsNotKnown) {
   FastSlam filter;
-  as<MapChooser>(filter).useMap("grid");
+  as<MapChooser>(filter).useMap(MapKind::kGrid);
   Settings settings({}, {}, {"scan_matching.matcher=guessing"});
   const auto faults = test::faultsOf([&] { filter.configure(settings); });
   EXPECT_TRUE(test::oneSays(faults, {"scan_matching.matcher", "'guessing'", "correlative"}));

@@ -27,7 +27,7 @@ PfConfig gridConfig() {
 std::unique_ptr<FastSlam> made(const PfConfig& config = gridConfig(), const ScanConfig& scan = {},
                                const grid_map::GridMapConfig& grid = {}) {
   auto filter = std::make_unique<FastSlam>();
-  as<MapChooser>(*filter).useMap("grid");
+  as<MapChooser>(*filter).useMap(MapKind::kGrid);
   filter->configure(config, grid, scan);
   return filter;
 }
@@ -380,7 +380,7 @@ TEST(GridSlam, WithoutAGridItWantsNoScans) {
 
 TEST(GridSlam, RefusesParametersThatMakeNoGrid) {
   FastSlam filter;
-  as<MapChooser>(filter).useMap("grid");
+  as<MapChooser>(filter).useMap(MapKind::kGrid);
   grid_map::GridMapConfig grid;
   ScanConfig scan;
   grid.resolution = 0.0;

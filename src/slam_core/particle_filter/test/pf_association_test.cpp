@@ -7,6 +7,7 @@
 #include <set>
 
 #include "slam_core/association/test/toy_policies.hpp"
+#include "slam_core/association/test/two_landmarks.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 #include "slam_core/particle_filter/filter/fast_slam.hpp"
@@ -17,9 +18,12 @@ namespace {
 
 using association::AssociationPolicy;
 using association::Candidate;
+using association::test::addStray;
+using association::test::observationsOf;
 using association::test::removeIds;
 using association::test::ToyNearest;
 using association::test::ToyNonsense;
+using association::test::twoLandmarks;
 using slam::test::SimulatedStep;
 using slam::test::SimulatedWorld;
 
@@ -63,7 +67,7 @@ class PfAssociationTest : public testing::Test {
       unknown += as<LandmarkMapper>(*by_place).statistics().unknown;
     }
   }
-  /// How far a landmark of the map is from the nearest there is [m].
+  /// The distance of a landmark of the map from the nearest one of the world [m].
   double error(const Landmark& landmark) const {
     double error = 1e9;
     for (const auto& [id, place] : world.landmarks())
@@ -146,10 +150,7 @@ TEST_F(PfAssociationTest, AFixedMapStaysAsItIs) {
   for (int i = 0; i < 50; ++i) {
     auto step = world.next();
     removeIds(step.observations);
-    if (i == 10) {
-      step.observations.observations.emplace_back(step.observations.observations.front());
-      step.observations.observations.back().range = 80.0;
-    }
+    if (i == 10) addStray(step.observations);
     take(*localizer, step);
     truth = step.truth;
   }
@@ -198,12 +199,7 @@ class PfCandidatesTest : public testing::Test {
   PfCandidatesTest() {
     prior.covariance = Eigen::Vector3d(0.01, 0.01, 0.001).asDiagonal();
     index.append(30);
-    for (const auto& place : {Eigen::Vector2d(3, 1), Eigen::Vector2d(4, -2)}) {
-      LandmarkObservation z;
-      z.range = place.norm() + 0.02;
-      z.bearing = std::atan2(place.y(), place.x());
-      z.covariance = Eigen::Vector2d(0.0025, 0.0001).asDiagonal();
-      array.observations.push_back(z);
+    for (const auto& place : twoLandmarks()) {
       LandmarkEstimate landmark(place, 0.004 * Eigen::Matrix2d::Identity());
       landmark.number = static_cast<std::uint32_t>(index.size());
       index.append(40 + static_cast<LandmarkId>(index.size()));
@@ -216,7 +212,7 @@ class PfCandidatesTest : public testing::Test {
   ParticleMap map{memory};
   LandmarkIndex index;
   PoseGaussian prior;
-  LandmarkObservationArray array;
+  LandmarkObservationArray array = observationsOf(twoLandmarks());
   PlaceCandidates source{array, index, map, prior, model, 18.0};
 };
 

@@ -16,7 +16,8 @@ std::vector<Variant> variants() {
     all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});
   all.push_back({"ekf", "ekf_dense", {"ekf.update=dense"}});
   all.push_back({"ekf", "ekf_neighbourhood_of_one", {"ekf.neighbourhood=1"}});
-  all.push_back({"pf", "pf_grid", {"pf.particles=8", "pf.resampling_threshold=0.5"}, "grid"});
+  all.push_back(
+      {"pf", "pf_grid", {"pf.particles=8", "pf.resampling_threshold=0.5"}, MapKind::kGrid});
   return all;
 }
 

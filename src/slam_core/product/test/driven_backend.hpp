@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,45 +31,33 @@ class SimulatedDrive {
 
 using MakeDrive = std::function<std::unique_ptr<SimulatedDrive>(std::uint64_t seed)>;
 
-/// Motion where it is taken, and observations of landmarks.
-class LandmarkDrive final : public SimulatedDrive {
+/// A world whose steps give motion, where it is taken, and what one sensor sees.
+/// @tparam kSensor the member of a step that the sensor gives @tparam kStepsOfALap once round
+template <class World, auto kSensor, int kStepsOfALap>
+class DriveThrough final : public SimulatedDrive {
  public:
-  explicit LandmarkDrive(std::uint64_t seed) : world_(seed) {}
+  explicit DriveThrough(std::uint64_t seed) : world_(seed) {}
 
   Pose2 give(ComponentDriver& inputs) override {
     const auto step = world_.next();
     inputs.offer(step.motion);
-    inputs.set(step.observations);
+    inputs.set(step.*kSensor);
     return step.truth;
   }
-  int stepsOfALap() const override { return 126; }
+  int stepsOfALap() const override { return kStepsOfALap; }
 
  private:
-  SimulatedWorld world_;
+  World world_;
 };
 
-/// Motion where it is taken, and a laser's scans of a room.
-class ScanDrive final : public SimulatedDrive {
- public:
-  explicit ScanDrive(std::uint64_t seed) : room_(seed) {}
-
-  Pose2 give(ComponentDriver& inputs) override {
-    const auto step = room_.next();
-    inputs.offer(step.motion);
-    inputs.set(step.scan);
-    return step.truth;
-  }
-  int stepsOfALap() const override { return 145; }
-
- private:
-  RoomDrive room_;
-};
+using LandmarkDrive = DriveThrough<SimulatedWorld, &SimulatedStep::observations, 126>;
+using ScanDrive = DriveThrough<RoomDrive, &RoomDrive::Step::scan, 145>;
 
 /// A back-end as it comes, or with settings that change how it works.
 struct Variant {
   std::string backend, name;
   std::vector<std::string> settings;
-  std::string map = "";  ///< of a back-end that has several to choose from
+  std::optional<MapKind> map = {};  ///< of a back-end that has several to choose from
   /// What it is driven by. Empty: scans where it takes them, else landmarks.
   MakeDrive drive = nullptr;
 };
@@ -128,7 +117,7 @@ class DrivenBackend {
  private:
   static std::unique_ptr<Backend> created(const Variant& variant) {
     auto backend = Registry<Backend>::instance().create(variant.backend);
-    if (!variant.map.empty()) capabilitiesOf(*backend).find<MapChooser>()->useMap(variant.map);
+    if (variant.map) capabilitiesOf(*backend).find<MapChooser>()->useMap(*variant.map);
     return backend;
   }
 

@@ -22,7 +22,7 @@ ProductConfig wholeProduct() {
   product.backend = "pf";
   product.odometry = "visual";
   product.detector = "apriltag";
-  product.map = "grid";
+  product.map = MapKind::kGrid;
   product.modules["pointmap"] = true;
   return product;
 }
@@ -48,7 +48,7 @@ TEST(ProductComponentsTest, OfThatMapHaveItsPortsAndCapabilities) {
   auto parts = createComponents(product);
   EXPECT_NE(portsOf(*parts.estimator).input("scan", kindOf<LaserScan>()), nullptr);
   EXPECT_NE(parts.estimator->capabilities().find<GridMapper>(), nullptr);
-  product.map = "landmarks";
+  product.map = MapKind::kLandmarks;
   parts = createComponents(product);
   EXPECT_EQ(portsOf(*parts.estimator).input("scan", kindOf<LaserScan>()), nullptr);
   EXPECT_EQ(parts.estimator->capabilities().find<GridMapper>(), nullptr);

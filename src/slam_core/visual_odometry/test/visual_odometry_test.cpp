@@ -24,7 +24,7 @@ const Ceiling& ceiling() {
   return kCeiling;
 }
 
-class VisualOdometryTest : public testing::TestWithParam<const char*> {
+class VisualOdometryTest : public testing::TestWithParam<FeatureKind> {
  protected:
   VisualOdometryTest() { configure(); }
 
@@ -284,9 +284,15 @@ TEST_P(FeaturesTest, CovarianceCoversTheErrors) {
   EXPECT_LT(normalised, 2.0);
 }
 
-std::string nameOf(const testing::TestParamInfo<const char*>& kind) { return kind.param; }
-INSTANTIATE_TEST_SUITE_P(Fast, VisualOdometryTest, testing::Values("orb", "klt"), nameOf);
-INSTANTIATE_TEST_SUITE_P(All, FeaturesTest, testing::Values("orb", "klt", "akaze", "sift"), nameOf);
+std::string nameOf(const testing::TestParamInfo<FeatureKind>& kind) {
+  return slam::nameOf(kind.param, featureNames());
+}
+INSTANTIATE_TEST_SUITE_P(Fast, VisualOdometryTest,
+                         testing::Values(FeatureKind::kOrb, FeatureKind::kKlt), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, FeaturesTest,
+                         testing::Values(FeatureKind::kOrb, FeatureKind::kKlt, FeatureKind::kAkaze,
+                                         FeatureKind::kSift),
+                         nameOf);
 
 std::string faultsOf(const VisualOdometryConfig& config) {
   VisualOdometry odometry;
@@ -303,16 +309,15 @@ TEST(VisualOdometryConfig, NeedsTheCeilingsHeight) {
 }
 
 TEST(VisualOdometryConfig, NamesTheNearestFeatures) {
-  VisualOdometryConfig config;
-  config.ceiling_height = 1.7;
-  config.features = "akase";
-  EXPECT_NE(faultsOf(config).find("did you mean 'akaze'?"), std::string::npos) << faultsOf(config);
+  Settings settings({}, {}, {"visual_odometry.features=akase"});
+  const auto fault = slam::test::sentenceOf([&] { settings.read<VisualOdometryConfig>(); });
+  EXPECT_NE(fault.find("did you mean 'akaze'?"), std::string::npos) << fault;
 }
 
 TEST(VisualOdometryConfig, NamesTheNearestWhereSurfIsMissing) {
   VisualOdometryConfig config;
   config.ceiling_height = 1.7;
-  config.features = "surf";
+  config.features = FeatureKind::kSurf;
   const auto faults = faultsOf(config);
   if (faults.empty()) GTEST_SKIP() << "this OpenCV has SURF";
   EXPECT_NE(faults.find("the nearest is sift"), std::string::npos) << faults;

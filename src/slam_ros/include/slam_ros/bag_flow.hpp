@@ -26,6 +26,7 @@ class BagFlow {
     bool has_point_map = false;       ///< in a nodelet of its own, which acknowledges as well
     slam::Duration source_timeout{};  ///< of the product
     std::function<void(const std::string& sentence)> warn;
+    FlowWindow::Timeout patience{5000};  ///< without any acknowledgement
   };
 
   /// @param inputs outlive this
@@ -47,13 +48,15 @@ class BagFlow {
   bool isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const;
   void limit(const BagInputs::Found& found);
   void expectOfPointMap(const slam_msgs::Progress& message);
+  void waitForSlowest(slam::Stamp stamp);
   bool waitForRoom(const std::string& answer, slam::Stamp stamp);
 
   const BagInputs& inputs_;
   Options options_;
   FlowWindow window_{kInFlight};
   std::map<std::string, std::size_t> limits_;  ///< of answers, where they are not the usual one
-  /// Of answers to what may wait for its sensor and has not been waited for in vain.
+  /// The limits of answers to data that may wait for their sensor, until that wait was in vain
+  /// once.
   std::map<std::string, std::size_t> held_;
   std::optional<slam::Duration> max_ahead_;  ///< of stamps, where several triggers wait together
   std::atomic<bool> stopped_{false};

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -73,8 +74,12 @@ class BagInput {
     return remap;
   }
   /// Whether a remapping asks for it although the bag carries what is made of it.
-  virtual bool isAskedFor(const BagSearch& /*bag*/) const { return false; }
-  /// How to ask for it so: one clause; empty where one cannot.
+  virtual bool isAskedFor(const BagSearch& bag) const {
+    const auto inputs = names();
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](const Input& input) { return bag.isRemapped(input); });
+  }
+  /// One clause that says how to ask for it in that way; empty where nobody can.
   virtual std::string howToAsk() const { return ""; }
 
   /// @return whether the bag has it @throw TopicError where that cannot be told
@@ -118,8 +123,8 @@ Input inputOf(const std::string& name, const std::string& topic) {
 template <class Message, class StampOf>
 BagHandler sender(const ros::Publisher& publisher, BagInput::Gate gate, StampOf stampOf) {
   return onMessage<Message>([publisher, gate = std::move(gate), stampOf](const Message& message) {
-    // By pointer, which is there at once for whoever is in the same manager; by reference it would
-    // go through a queue of its own and images overtake their calibration.
+    // A pointer reaches subscribers in the same manager at once. A reference would be serialised
+    // into a queue of its own, and images could overtake their calibration.
     if (gate(stampOf(message))) publisher.publish(boost::make_shared<const Message>(message));
   });
 }
@@ -137,6 +142,9 @@ class TopicInBag : public BagInput {
   explicit TopicInBag(Input input) : input_(std::move(input)) {}
 
   std::vector<Input> names() const override { return {input_}; }
+  std::string howToAsk() const override {
+    return "--remap " + input_.name + ":=TOPIC has it take that topic's messages instead";
+  }
   bool find(BagSearch& bag) override { return !(topic_ = bag.topic(input_)).empty(); }
   std::string need() const override { return needOf(input_); }
   std::vector<std::string> topics() const override { return {topic_}; }

@@ -16,11 +16,13 @@ namespace slam_ros {
 /// The inputs of a product that a bag has, by the ports of the product's components.
 ///
 /// Data that a component would make and that the bag carries take the component's place, unless the
-/// bag has an input of the component that others take as well, or a remapping asks for its input.
+/// bag has an input of the component that others take as well, or a remapping asks for an input of
+/// the component. Where the bag has what the component makes the data of, only a topic of their own
+/// name or a remapped one carries them: that of another robot may be of the same type.
 class BagInputs {
  public:
   /// @throw TopicError when an input that the product needs is missing (with what the bag has) or
-  /// cannot be told; slam::ConfigError
+  /// cannot be told, and for a remapping that is wrong or would have no effect; slam::ConfigError
   BagInputs(const BagReader& bag, const slam::ProductComponents& product, const BagContext& context,
             const std::vector<Remap>& remaps);
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "slam_ros/bag_message.hpp"
-#include "slam_ros/topic_matching.hpp"
+#include "slam_ros/topic_remaps.hpp"
 
 namespace slam_ros {
 
@@ -21,9 +21,9 @@ class BagSearch {
                                   const std::function<bool(std::size_t done)>& progress)>;
 
   /// @param topics of the bag @param inputs all that a topic of the bag may be
-  /// @throw TopicError for a remapping that joins no input with a topic of the bag
+  /// @throw TopicError for a remapping that chooses nothing, as of chooseTopics()
   BagSearch(std::vector<BagTopic> topics, Read read, std::vector<Input> inputs,
-            std::vector<Remap> remaps);
+            const std::vector<Remap>& remaps);
 
   /// The bag's topic for an input, or an empty name. @throw TopicError naming the candidates
   std::string topic(const Input& input);
@@ -31,18 +31,25 @@ class BagSearch {
   /// Whether the bag has the input under its own name or a remapped one: its type need not tell.
   bool isNamed(const Input& input) const;
 
+  /// What remappings have chosen.
+  const std::vector<ChosenTopic>& chosen() const { return chosen_; }
+
   const std::vector<BagTopic>& topics() const { return topics_; }
   /// Null where the bag has no such topic.
   const BagTopic* find(const std::string& topic) const { return findTopic(topics_, topic); }
   Read read;
+  Names names = Names::kAny;  ///< that a topic may have to be an input; a chosen one has any
 
   std::vector<std::string> notes;     ///< a sentence each: other names, components left out
   std::vector<std::string> warnings;  ///< a sentence each: what the run will suffer from
 
  private:
+  const ChosenTopic* chosenFor(const Input& input) const;
+  std::vector<BagTopic> notChosen() const;
+
   std::vector<BagTopic> topics_;
   std::vector<Input> inputs_;
-  std::vector<Remap> remaps_;
+  std::vector<ChosenTopic> chosen_;
 };
 
 }  // namespace slam_ros

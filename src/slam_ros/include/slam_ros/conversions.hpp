@@ -27,11 +27,11 @@ slam::Stamp fromRos(const ros::Time& time);
 /// Times before 1970 or after 2106 do not fit: they become the nearest that does.
 ros::Time toRos(slam::Stamp stamp);
 
-/// Without the leading slash of tf's first generation.
+/// The frame's name without the leading slash of tf's first generation.
 std::string frameId(const std::string& name);
 
 geometry_msgs::Pose2D toMsg(const slam::Pose2& pose);
-/// In space: z = 0, turned about +z.
+/// The pose in space: z = 0, turned about +z.
 geometry_msgs::Pose toSpatialMsg(const slam::Pose2& pose);
 geometry_msgs::Transform toTransformMsg(const slam::Pose2& pose);
 slam::Pose2 fromMsg(const geometry_msgs::Pose2D& pose);

@@ -38,6 +38,10 @@ class Diagnostics {
   /// Tells what has been counted since the last second.
   ~Diagnostics();
 
+  /// From here on the sources are not asked by the timer; to be called before what they ask goes
+  /// away. Waits for a call that is under way.
+  void stop() { timer_.stop(); }
+
   /// A further status beside the nodelet's own; `fill` is called once a second.
   void add(const std::string& name, const diagnostic_updater::TaskFunction& fill) {
     updater_.add(name, fill);

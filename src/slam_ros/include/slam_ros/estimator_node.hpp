@@ -9,7 +9,6 @@
 #include <ros/wall_timer.h>
 
 #include <atomic>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "slam_core/product/data_flow.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/after_load.hpp"
+#include "slam_ros/arrival_notes.hpp"
 #include "slam_ros/backend_outputs.hpp"
 #include "slam_ros/backend_services.hpp"
 #include "slam_ros/clock_watch.hpp"
@@ -76,9 +76,8 @@ class EstimatorNode {
                const InputOptions& options);
   BackendActions actions();
   void tellOfSilence();
-  void noteStamp(const std::string& port, slam::Kind kind, const void* value);
   std::string waiting() const;
-  std::vector<std::string> needlessInputs() const;
+  std::vector<slam::InputPort> needlessInputs() const;
   std::string starving() const;
   Diagnostics::Values figures() const;
   void publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time);
@@ -106,14 +105,9 @@ class EstimatorNode {
   std::vector<ros::Subscriber> subscribers_;
   std::optional<PartInputs> inputs_;
   std::optional<slam::DataFlow> flow_;
-  /// Inputs that reach the back-end through a gate, and those of modules: nobody else acknowledges
-  /// them.
-  std::vector<slam::InputPort> noted_;
-  std::map<std::string, slam::Stamp> newest_;  ///< of their data, whether or not they could be used
+  ArrivalNotes notes_;
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
-  std::optional<slam::Stamp> last_motion_;
-  std::string motion_topic_;  ///< that the last motion came of
   bool is_starving_ = false;  ///< and that has been told
   std::optional<AfterLoad> start_;
 };

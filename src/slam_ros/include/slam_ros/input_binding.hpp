@@ -14,12 +14,13 @@
 #include "slam_ros/door.hpp"
 #include "slam_ros/latency_window.hpp"
 #include "slam_ros/topics_config.hpp"
+#include "slam_ros/transport_config.hpp"
 
 namespace slam_ros {
 
 /// What a nodelet is told of its inputs.
 struct InputOptions {
-  std::string image_transport = "auto";  ///< "raw", "compressed"; "auto": what comes first
+  ImageTransport image_transport = ImageTransport::kAuto;
   /// Where nobody publishes the topic of the odometry: the transform odom -> base.
   bool odometry_from_tf = true;
   bool publishes_odometry_edge = false;  ///< this node does: its own transforms tell nothing new
@@ -45,9 +46,9 @@ struct InputContext {
 InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& settings,
                           const InputOptions& options);
 
-/// How data of one kind come from ROS to an input: one object for each port. It subscribes once its
-/// nodelet is loaded; its owner destroys it before what `put` needs goes away. All callbacks come
-/// from the node handle's queue.
+/// Brings data of one kind from ROS to an input; there is one object for each port. It subscribes
+/// once its nodelet is loaded, and its owner destroys it before what `put` needs goes away. All
+/// callbacks come from the node handle's queue.
 class InputBinding {
  public:
   virtual ~InputBinding() = default;

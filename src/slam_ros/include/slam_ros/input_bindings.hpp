@@ -18,7 +18,8 @@ namespace slam_ros {
 /// brings one for a kind of its own.
 class InputBindings {
  public:
-  /// How data of a kind come to an input: as topics of other nodes, and from a bag.
+  /// Creates the two ways by which data of a kind reach an input: `live` subscribes to topics of
+  /// other nodes, `in_bag` reads a bag.
   struct Binding {
     std::function<std::unique_ptr<InputBinding>(const InputContext& context,
                                                 const slam::InputPort& port)>

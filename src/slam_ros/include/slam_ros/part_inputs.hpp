@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "slam_core/product/wiring.hpp"
@@ -16,17 +17,24 @@ namespace slam_ros {
 /// Subscribes all that a part of a product takes in, by its ports.
 class PartInputs {
  public:
+  PartInputs() = default;
   /// @param wiring connected; its open inputs are subscribed, and those of `also` that a message
   /// can bring although a component makes them: other nodes may do so
   /// @throw slam::ConfigError where no binding brings an input, ros::InvalidNameException
   PartInputs(const InputContext& context, const slam::Wiring& wiring, const slam::Ports& also = {});
 
-  bool takes(const std::string& input) const { return bindings_.count(input) > 0; }
-  /// Of the input.
-  const InputBinding& of(const std::string& input) const { return *bindings_.at(input); }
+  /// Takes one more input in, besides those there are; it replaces a binding of this name and kind.
+  void add(const slam::InputPort& port, std::unique_ptr<InputBinding> binding);
+
+  /// Whether data of this kind come to the input on a topic of their own.
+  bool takes(const std::string& input, slam::Kind kind) const {
+    return bindings_.count({input, kind}) > 0;
+  }
+  /// What brings data of this kind to the input: a mount comes with what the sensor sees.
+  const InputBinding& of(const std::string& input, slam::Kind kind) const;
   /// What the first of them waits for that the part cannot do without; empty: all have come.
   /// @param needless inputs of which nothing is expected: what is made of them comes from elsewhere
-  std::string waiting(const std::vector<std::string>& needless = {}) const;
+  std::string waiting(const std::vector<slam::InputPort>& needless = {}) const;
   /// From here on no callback runs.
   void stop() {
     bindings_.clear();
@@ -34,10 +42,12 @@ class PartInputs {
   }
 
  private:
-  void bind(const InputContext& context, const slam::InputPort& port);
+  using Address = std::pair<std::string, slam::Kind>;
 
-  std::map<std::string, std::unique_ptr<InputBinding>> bindings_;  ///< by input
-  std::vector<std::string> mandatory_;                             ///< inputs, in their order
+  bool takesAny(const std::string& input) const;
+
+  std::map<Address, std::unique_ptr<InputBinding>> bindings_;  ///< by input
+  std::vector<Address> mandatory_;                             ///< inputs, in their order
 };
 
 }  // namespace slam_ros

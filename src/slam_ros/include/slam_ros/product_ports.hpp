@@ -15,8 +15,9 @@ namespace slam_ros {
 /// @throw slam::ConfigError
 nlohmann::ordered_json describePorts(const slam::ProductConfig& product);
 
-/// Refuses a product whose components cannot be wired: two make the same output, or one needs data
-/// that nobody makes and no topic brings. @throw slam::ConfigError listing all faults
+/// Refuses a product whose components cannot be wired: two make the same output, some take data
+/// from one another in a circle, or one needs data that nobody makes and no topic brings.
+/// @throw slam::ConfigError listing all faults
 void checkPorts(const slam::ProductConfig& product);
 
 }  // namespace slam_ros

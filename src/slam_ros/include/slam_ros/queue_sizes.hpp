@@ -15,10 +15,12 @@ constexpr std::uint32_t kImageQueue = 50;
 /// What the bag source sends before the back-end must acknowledge, per input; every queue behind
 /// must hold as many.
 constexpr std::size_t kInFlight = 100;
-/// Of images. Each takes long, and a nodelet manager's thread works off all that one nodelet was
-/// sent before the others have their turn, the back-end and who waits for its answer among them.
+/// The queue of images. Each takes long, and a nodelet manager's thread works off all that one
+/// nodelet was sent before the others have their turn, the back-end and who waits for its answer
+/// among them.
 constexpr std::size_t kImagesInFlight = 8;
-/// Of scans, for the same reason, and so that little of the rest goes by meanwhile.
+/// The queue of scans is short for the same reason, and so that little of the rest goes by
+/// meanwhile.
 constexpr std::size_t kScansInFlight = 20;
 /// More than a component holds while it waits for calibration and mount.
 constexpr std::size_t kImagesHeld = 40;

@@ -30,7 +30,7 @@ class SilenceWatch {
   /// What is silent and for how long, or empty.
   std::string sentence(Clock::time_point now) const;
 
-  /// As sentence(), once for each silence.
+  /// The same as sentence(), but once for each silence only.
   std::string news(Clock::time_point now);
 
  private:

@@ -24,12 +24,6 @@ struct Input {
   std::string type, md5sum;
 };
 
-/// A remapping of the command line: the product's input `from` is the bag's topic `to`. As `rosbag
-/// play` writes it the other way round, that is understood too where it can be meant.
-struct Remap {
-  std::string from, to;
-};
-
 struct TopicMatch {
   std::string topic;  ///< of the bag
   std::string note;   ///< a sentence where the topic has another name than the input
@@ -41,20 +35,21 @@ class TopicError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "from:=to" or "from=to". @throw TopicError when it is neither
-Remap parseRemap(const std::string& text);
-std::vector<Remap> parseRemaps(const std::vector<std::string>& texts);
+/// What a topic of the bag may be called to be an input.
+enum class Names {
+  kOwn,  ///< as the robot's topic of the input
+  kAny   ///< also by another name, where it is the only topic of the input's type
+};
 
-/// @throw TopicError for a remapping that joins no input with a topic of the bag
-void checkRemaps(const std::vector<Remap>& remaps, const std::vector<Input>& inputs,
-                 const std::vector<BagTopic>& topics);
-
-/// Finds an input's topic: by remapping, else by name, else by type where only one fits. Topics
-/// without messages, of the truth, or that are the namesakes of other inputs do not count.
+/// Finds an input's topic: by name, else by type where only one fits. Topics without messages, of
+/// the truth, or that are the namesakes of other inputs do not count.
 /// @return nothing when the bag has none @throw TopicError naming the candidates
 std::optional<TopicMatch> matchTopic(const Input& input, const std::vector<Input>& all_inputs,
-                                     const std::vector<BagTopic>& topics,
-                                     const std::vector<Remap>& remaps);
+                                     const std::vector<BagTopic>& topics, Names names);
+
+/// @throw TopicError where the topic cannot be the input: it has messages of another type, of
+/// another version of it, or none
+void requireFit(const BagTopic& topic, const Input& input);
 
 /// Null where there is none of this name.
 const BagTopic* findTopic(const std::vector<BagTopic>& topics, const std::string& name);

@@ -12,6 +12,9 @@
 
 namespace slam_ros {
 
+/// Empty, or why ROS could not use the text as the name of a topic.
+std::string faultOfTopicName(const std::string& name);
+
 /// The robot file's names of the product's input topics, relative to the product's namespace.
 struct TopicsConfig {
   static constexpr const char* kSection = "topics";
@@ -38,22 +41,18 @@ struct TopicsConfig {
   }
 
   void describe(slam::Fields& fields) {
-    fields.add("odom", &odom, "the wheel driver's nav_msgs/Odometry").ofRobot();
-    fields
-        .add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray")
-        .ofRobot();
-    fields.add("motion", &motion, "odometry source's slam_msgs/Motion").ofRobot();
-    fields
-        .add("camera", &camera,
-             "the camera's raw images; its compressed ones are on camera/compressed, its "
-             "calibration "
-             "is on the camera_info beside it")
-        .ofRobot();
-    fields
-        .add("ceiling_camera", &ceiling_camera,
-             "raw images of the camera that looks at the ceiling; others as of the camera")
-        .ofRobot();
-    fields.add("scan", &scan, "the laser's sensor_msgs/LaserScan").ofRobot();
+    const auto add = [&fields](const char* input, std::string* topic, const char* sentence) {
+      fields.add(input, topic, sentence).checkedBy(faultOfTopicName).ofRobot();
+    };
+    add("odom", &odom, "the wheel driver's nav_msgs/Odometry");
+    add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray");
+    add("motion", &motion, "odometry source's slam_msgs/Motion");
+    add("camera", &camera,
+        "the camera's raw images; its compressed ones are on camera/compressed, its calibration "
+        "is on the camera_info beside it");
+    add("ceiling_camera", &ceiling_camera,
+        "raw images of the camera that looks at the ceiling; others as of the camera");
+    add("scan", &scan, "the laser's sensor_msgs/LaserScan");
   }
 };
 

@@ -3,21 +3,25 @@
 
 #pragma once
 
-#include <string>
-
 #include "slam_core/common/config_fields.hpp"
 
 namespace slam_ros {
+
+/// Which kind of a camera's images is taken.
+enum class ImageTransport { kAuto, kRaw, kCompressed };
 
 /// Private parameter of a nodelet that subscribes a camera.
 struct TransportConfig {
   static constexpr const char* kSection = "";
 
-  std::string transport = "auto";
+  ImageTransport transport = ImageTransport::kAuto;
 
   void describe(slam::Fields& fields) {
-    fields.add("transport", &transport, "of the images; auto: the kind that comes first stays")
-        .oneOf({"auto", "raw", "compressed"});
+    fields.add("transport", &transport,
+               {{"auto", ImageTransport::kAuto},
+                {"raw", ImageTransport::kRaw},
+                {"compressed", ImageTransport::kCompressed}},
+               "of the images; auto: the kind that comes first stays");
   }
 };
 

@@ -56,14 +56,14 @@ class CameraBinding final : public InputBinding {
     return {take, put, put};
   }
 
-  void subscribe(ros::NodeHandle handle, const std::string& transport) {
+  void subscribe(ros::NodeHandle handle, ImageTransport transport) {
     const std::lock_guard lock(kind_);
     const auto take = [this](const auto& message) { input_.take(message); };
     transforms_ = subscribeThrough<tf2_msgs::TFMessage>(pass_, handle, "/tf_static", kQueue, take);
     info_ = subscribeThrough<sensor_msgs::CameraInfo>(pass_, handle, topics_.info, kQueue, take);
-    if (transport != "compressed")
+    if (transport != ImageTransport::kCompressed)
       raw_ = subscribeImages<sensor_msgs::Image>(handle, topics_.raw, compressed_);
-    if (transport != "raw")
+    if (transport != ImageTransport::kRaw)
       compressed_ = subscribeImages<sensor_msgs::CompressedImage>(handle, topics_.compressed, raw_);
   }
 
@@ -96,9 +96,6 @@ class CameraInBag final : public BagInput {
 
   std::vector<Input> names() const override { return {raw_, compressed_, info_}; }
   Remap meaningOf(Remap remap, const std::vector<BagTopic>& topics) const override;
-  bool isAskedFor(const BagSearch& bag) const override {
-    return bag.isRemapped(raw_) || bag.isRemapped(compressed_);
-  }
   std::string howToAsk() const override {
     return "--remap " + raw_.name + ":=TOPIC has it look at that camera's images instead";
   }
@@ -167,8 +164,8 @@ class CameraInBag final : public BagInput {
   std::optional<CameraInput> input_;
 };
 
-/// A camera that is remapped to compressed images, also where only they have the name's beginning,
-/// is the input for those.
+/// Who remaps a camera to compressed images means the input for those. Their topic may also be
+/// given without its ending, where the bag has no raw images of that name.
 Remap CameraInBag::meaningOf(Remap remap, const std::vector<BagTopic>& topics) const {
   auto& camera = sameTopic(remap.to, raw_.name) ? remap.to : remap.from;
   auto& topic = &camera == &remap.to ? remap.from : remap.to;
@@ -182,8 +179,8 @@ Remap CameraInBag::meaningOf(Remap remap, const std::vector<BagTopic>& topics) c
   return remap;
 }
 
-/// The topic of the bag, or an empty name: another camera's calibration would be worse than none,
-/// the type alone does not tell.
+/// The topic of the bag, or an empty name. A calibration is never found by its type alone, since
+/// that of another camera would be worse than none.
 std::string CameraInBag::findCalibration(BagSearch& bag) const {
   if (bag.isRemapped(info_)) return bag.topic(info_);
   const auto beside = cameraTopics(images_).info;

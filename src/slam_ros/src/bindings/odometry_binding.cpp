@@ -117,11 +117,15 @@ class OdometryInBag final : public TopicInBag {
         base_frame_(frameId(context.frames.base)) {}
 
   bool find(BagSearch& bag) override {
-    is_edge_ = !TopicInBag::find(bag) && findEdge(bag);
+    is_edge_ = false;
+    if (TopicInBag::find(bag)) return true;
+    if (!edge_topic_) edge_topic_ = topicOfEdge(bag);
+    topic_ = *edge_topic_;
+    is_edge_ = !topic_.empty();
     if (is_edge_)
       bag.notes.push_back(fmt::format("odometry is taken from the transform {} -> {} of {}",
                                       odom_frame_, base_frame_, topic_));
-    return !topic_.empty();
+    return is_edge_;
   }
   std::string need() const override {
     return fmt::format("{}, or the transform {} -> {} in /tf", TopicInBag::need(), odom_frame_,
@@ -146,8 +150,8 @@ class OdometryInBag final : public TopicInBag {
   }
 
  private:
-  /// Whether one of the bag's /tf holds the transform.
-  bool findEdge(const BagSearch& bag) {
+  /// The one of the bag's /tf that holds the transform, or an empty name.
+  std::string topicOfEdge(const BagSearch& bag) const {
     const OdometryEdge edge(odom_frame_, base_frame_);
     for (const auto& topic : bag.topics()) {
       if (!sameTopic(topic.name, "tf") || !holdsTransforms(topic)) continue;
@@ -157,9 +161,9 @@ class OdometryInBag final : public TopicInBag {
       };
       bag.read({{topic.name, onMessage<tf2_msgs::TFMessage>(look)}},
                [&](std::size_t) { return !found; });
-      if (found) return topic_ = topic.name, true;
+      if (found) return topic.name;
     }
-    return false;
+    return "";
   }
 
   template <class Take>
@@ -173,7 +177,8 @@ class OdometryInBag final : public TopicInBag {
   }
 
   std::string odom_frame_, base_frame_;
-  bool is_edge_ = false;  ///< topic_ holds transforms
+  std::optional<std::string> edge_topic_;  ///< looked for once, since that reads the transforms
+  bool is_edge_ = false;                   ///< topic_ holds transforms
 };
 
 const InputBindingRegistrar<slam::OdometrySample, OdometryBinding, OdometryInBag> kOdometryBinding;

@@ -31,7 +31,8 @@ struct Flow : ::testing::Test {
   BagFlow& start(const slam::ProductConfig& product, bool has_point_map = false) {
     inputs.emplace(test::findInputs(BagReader(folder / "x.bag"), product));
     const auto warn = [this](const std::string& warning) { warnings.push_back(warning); };
-    return flow.emplace(*inputs, BagFlow::Options{has_point_map, std::chrono::seconds(1), warn});
+    return flow.emplace(*inputs,
+                        BagFlow::Options{has_point_map, std::chrono::seconds(1), warn, patience});
   }
   BagInput::Gate gateOf(const std::string& port) {
     const auto& found = inputs->found();
@@ -50,6 +51,7 @@ struct Flow : ::testing::Test {
   test::Folder folder;
   std::optional<BagInputs> inputs;
   std::vector<std::string> warnings;
+  FlowWindow::Timeout patience = BagFlow::Options().patience;
   std::optional<BagFlow> flow;
 };
 
@@ -80,6 +82,21 @@ TEST_F(Flow, WhatAModuleOfItsOwnNodeletTakesItAcknowledges) {
     progress.scans = toRos(stampOf(0));
     flow->acknowledgeOfPointMap(progress);
   });
+}
+
+TEST_F(Flow, SaysOnceThatASourceIsNotWaitedForAnyMore) {
+  slam::ProductConfig product;
+  product.backend = "pf";
+  product.map = slam::MapKind::kGrid;  // which takes steps for scans and for observations
+  patience = FlowWindow::Timeout(20);
+  start(product);
+  const auto scans = gateOf("scan");
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(scans(stampOf(i)));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(
+      warnings[0],
+      "messages sent 0.5 s of the bag's time ago were not acknowledged for 0.02 s; from now on "
+      "the inputs are no longer kept within that time of one another");
 }
 
 TEST_F(Flow, NothingMayBeSentOnceItWasStopped) {

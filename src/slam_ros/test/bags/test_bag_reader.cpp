@@ -88,7 +88,10 @@ TEST_F(BagFile, WithMotionLeavesOdometryOutAndSaysSo) {
   EXPECT_EQ(inputs.topicsOf("odom"), test::Topics{});
   EXPECT_TRUE(inputs.isLeftOut("odometry"));
   ASSERT_EQ(inputs.notes().size(), 1u);
-  EXPECT_EQ(inputs.notes()[0], "the bag carries motion: the odometry component is left out");
+  EXPECT_TRUE(contains(inputs.notes()[0],
+                       "the bag carries motion: the odometry component is left "
+                       "out"))
+      << inputs.notes()[0];
 }
 
 TEST_F(BagFile, WithOdometryOnlyAsTransformGivesEachStampOnce) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bag_maker.hpp"
@@ -239,6 +240,25 @@ TEST_F(Offline, OtherTopicNamesComeFromTheRobotFileOrARemapping) {
   other.remaps.clear();
   other.overrides = {"topics.odom=b"};
   EXPECT_EQ(faultOf(other), "");
+}
+
+TEST_F(Offline, WrongNamesOfTopicsAreRefusedBeforeTheRun) {
+  auto wrong = options();
+  wrong.overrides = {"topics.odom="};
+  EXPECT_TRUE(contains(faultOf(wrong), "topics.odom: '' is no name of a topic")) << faultOf(wrong);
+  wrong.overrides = {"topics.odom=wheel odometry"};
+  EXPECT_TRUE(contains(faultOf(wrong), "'wheel odometry' is no name of a topic")) << faultOf(wrong);
+  wrong.overrides.clear();
+  for (const auto& [remaps, fault] : std::map<std::string, std::string>{
+           {"odom:=/observations", "the topic /observations cannot be the input odom"},
+           {"scan:=/odom", "the topic /odom cannot be the input scan"},
+           {"motion:=/nowhere", "joins no input with a topic of the bag"}}) {
+    wrong.remaps = {remaps};
+    EXPECT_TRUE(contains(faultOf(wrong), fault)) << faultOf(wrong);
+  }
+  wrong.remaps = {"odom:=/odom", "odom=/odom"};
+  EXPECT_TRUE(contains(faultOf(wrong), "are of the same input 'odom'")) << faultOf(wrong);
+  EXPECT_FALSE(folder.has("run"));
 }
 
 TEST_F(Offline, ObservationsThatNoOdometryCoversAreAFailureNotAnEmptyRun) {

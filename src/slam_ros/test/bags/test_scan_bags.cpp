@@ -54,7 +54,7 @@ struct ScanBags : ::testing::Test {
   static slam::ProductConfig gridProduct() {
     slam::ProductConfig product;
     product.backend = "pf";
-    product.map = "grid";
+    product.map = slam::MapKind::kGrid;
     return product;
   }
   test::Folder folder;
@@ -95,6 +95,17 @@ TEST_F(ScanBags, OneOfSeveralLasersMustBeChosen) {
   EXPECT_TRUE(contains(message, "--remap scan:=/back")) << message;
   EXPECT_EQ(findInputs(reader, gridProduct(), {{"scan", "/front"}}).topicsOf("scan"),
             Topics{"/front"});
+}
+
+TEST_F(ScanBags, TheOnlyScansThereAreAreFoundAlthoughTheRobotCallsThemOtherwise) {
+  const BagReader reader(
+      bag([](auto& maker) { maker.add("/scan", 1, scanAt(1)).addObservations(); }));
+  BagContext context;
+  context.topics.scan = "/laser";
+  const BagInputs inputs(reader, slam::createComponents(gridProduct()), context, {});
+  EXPECT_EQ(inputs.topicsOf("scan"), Topics{"/scan"});
+  ASSERT_EQ(inputs.notes().size(), 1u);
+  EXPECT_TRUE(contains(inputs.notes()[0], "/scan is the input scan")) << inputs.notes()[0];
 }
 
 TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {

@@ -54,5 +54,28 @@ TEST(InputBindings, WhatRobotFilesNameHasOne) {
     EXPECT_TRUE(InputBindings::instance().has(kind)) << input;
 }
 
+/// What a robot file with this name of a topic is refused with.
+std::string faultOfTopic(const std::string& name) {
+  TopicsConfig topics;
+  topics.scan = name;
+  try {
+    slam::validate(topics);
+  } catch (const slam::ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(TopicsConfig, RefusesNamesThatRosCouldNotUse) {
+  for (const auto* name : {"scan", "/scan", "robot1/base_scan", "/2d/scan"})
+    EXPECT_EQ(faultOfTopic(name), "") << name;
+  EXPECT_EQ(
+      faultOfTopic(""),
+      "topics.scan: '' is no name of a topic; write letters, digits, '_' and '/' between them, "
+      "with a letter or '/' first");
+  for (const auto* name : {"/", "scan/", "a//b", "~scan", "2d", "_scan", "base scan", "base-scan"})
+    EXPECT_NE(faultOfTopic(name), "") << name;
+}
+
 }  // namespace
 }  // namespace slam_ros

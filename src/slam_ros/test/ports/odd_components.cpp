@@ -97,6 +97,25 @@ class MovingDetector final : public slam::LandmarkDetector {
   std::optional<slam::Motion> motion_;
 };
 
+/// A detector that looks at what the back-end makes of its own observations.
+class PeekingDetector final : public slam::LandmarkDetector {
+ public:
+  void describe(slam::Ports& ports) override {
+    ports.takes<slam::FilterPose>("pose", "poses", [](const slam::FilterPose&) {});
+    ports.makes<slam::LandmarkObservationArray>("observations", observations_);
+  }
+  void configure(slam::Settings&) override {}
+  slam::Status execute() override { return slam::Status::ok(); }
+  const std::optional<slam::LandmarkObservationArray>& observations() const override {
+    return observations_;
+  }
+  slam::Counters counters() const override { return {}; }
+  void reset() override {}
+
+ private:
+  std::optional<slam::LandmarkObservationArray> observations_;
+};
+
 /// A module that makes nothing.
 class EchoMap final : public slam::MapModule {
  public:
@@ -118,6 +137,7 @@ const slam::Registrar<slam::OdometrySource, ContentSource> kContent("content");
 const slam::Registrar<slam::OdometrySource, DrivenSource> kDriven("driven");
 const slam::Registrar<slam::OdometrySource, BlindSource> kBlind("blind");
 const slam::Registrar<slam::LandmarkDetector, MovingDetector> kMoving("moving");
+const slam::Registrar<slam::LandmarkDetector, PeekingDetector> kPeeking("peeking");
 
 }  // namespace
 }  // namespace slam_odd

@@ -102,6 +102,13 @@ TEST(SlamPorts, RefuseTwoComponentsThatMakeTheSame) {
   EXPECT_EQ(askWithOdd("odometry=none detector=moving --check").code, 0);
 }
 
+TEST(SlamPorts, RefuseComponentsThatTakeDataFromOneAnotherInACircle) {
+  expectRefusal(
+      askWithOdd("odometry=wheel detector=peeking --check"),
+      {"in a circle", "the back-end 'ekf' takes 'observations'", "from the detector 'peeking'",
+       "the detector 'peeking' takes 'pose'", "from the back-end 'ekf'", "leave one of them out"});
+}
+
 TEST(SlamPorts, RefuseAnInputThatNobodyMakesAndNoTopicBrings) {
   expectRefusal(askWithOdd("odometry=inertial --check"),
                 {"the odometry source 'inertial' needs 'imu' (slam_odd::InertialSample)",

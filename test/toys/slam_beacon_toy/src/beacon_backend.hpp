@@ -24,7 +24,7 @@ struct BeaconConfig {
   double initial_sigma = 0.001;
 
   void describe(slam::Fields& fields);
-  /// By id. @throw ConfigError where the list is none of beacons
+  /// The beacons' positions by their ids. @throw ConfigError where the list is none of beacons
   std::map<std::uint32_t, Eigen::Vector2d> positions() const;
 };
 
