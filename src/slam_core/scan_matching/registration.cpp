@@ -90,6 +90,13 @@ class Fit {
   double variance_;
 };
 
+/// What is left of a prior that the scan contradicts, as wheels that slip.
+double weightOfPrior(double squared_sigmas) {
+  constexpr double kSigmas = 3.0;
+  const double root = 1.0 / (1.0 + squared_sigmas / (kSigmas * kSigmas));
+  return root * root;
+}
+
 }  // namespace
 
 Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, const Pose2& start,
@@ -105,9 +112,10 @@ Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, 
     found.information = equations.H / equations.shownVariance();
     Eigen::Vector3d error = found.pose.vector() - prior.pose.vector();
     error.z() = wrapAngle(error.z());
-    const Eigen::Matrix3d H =
-        equations.H + prior.information + kDamping * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d step = H.ldlt().solve(equations.g + prior.information * error);
+    found.prior_weight = weightOfPrior(error.dot(prior.information * error));
+    const Eigen::Matrix3d of_prior = found.prior_weight * prior.information;
+    const Eigen::Matrix3d H = equations.H + of_prior + kDamping * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d step = H.ldlt().solve(equations.g + of_prior * error);
     found.pose = Pose2::fromVector(found.pose.vector() - step);
     if (step.head<2>().norm() < kSmallStep && std::abs(step.z()) < kSmallStep) break;
   }

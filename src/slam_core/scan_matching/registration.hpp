@@ -22,6 +22,7 @@ struct Registration {
   Pose2 pose;                                             ///< T_map_base
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan alone has of it
   int ends = 0;                                           ///< of beams that fit a surface
+  double prior_weight = 1.0;  ///< what has been left of the prior, which the scan may contradict
   bool isDetermined() const { return ends >= 5; }
 };
 

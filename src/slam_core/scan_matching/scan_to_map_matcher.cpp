@@ -66,6 +66,7 @@ Match ScanToMapMatcher::refined(const ScanMap& map, const ScanLevels& scan, cons
   match.is_determined = fine.isDetermined();
   match.pose = match.is_determined ? fine.pose : start;
   match.information = fine.information / config_.correlation;
+  match.prior_weight = fine.prior_weight;
   match.agreement = agreementOf(model, grid, scan[0], match.pose);
   return match;
 }
@@ -81,6 +82,7 @@ Match ScanToMapMatcher::searched(const ScanMap& map, const ScanLevels& scan, con
   const PosePrior found{correlative.match(objective).pose, covariance.inverse()};
   auto match = refined(map, scan, found.pose, found);
   match.information += found.information;
+  match.prior_weight = 0.0;
   match.was_searched = true;
   return match;
 }

@@ -15,6 +15,7 @@ struct Match {
   Pose2 pose;                                             ///< T_map_base, with the prior's help
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan has of it
   Agreement agreement;
+  double prior_weight = 1.0;   ///< what has been left of the prior; 0 where it was searched
   bool is_determined = false;  ///< enough ends fit to say something
   bool was_searched = false;   ///< where the prior led nothing fitted
 };

@@ -68,9 +68,8 @@ Match ScanTracker::track(const ScanMap& map, const ScanLevels& scan, Stamp stamp
   found.pose = prior.pose;
   if (!map.isEmpty()) {
     found = matcher_.match(map, scan, prior);
-    Eigen::Matrix3d information = found.information;
-    if (!found.was_searched) information += prior.information;
-    const Eigen::Matrix3d P = information.inverse();
+    const Eigen::Matrix3d P =
+        (found.prior_weight * prior.information + found.information).inverse();
     robot_.covariance = 0.5 * (P + P.transpose());
   }
   if (interval > Duration::zero())
