@@ -138,16 +138,17 @@ Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
     counters_.add("contradicting");
     return Status::ok();
   }
-  const bool is_placed = found.is_determined || map_->isEmpty();
-  if (mapIsFixed() || !is_placed || !trigger_.isDue(found.pose)) return Status::ok();
-  return insert(scan);
+  if (mapIsFixed() || !trigger_.isDue(found.pose)) return Status::ok();
+  return insert(scan, found);
 }
 
-Status GridSlam::insert(const ScanLevels& scan) {
-  const auto& pose = tracker_.robot().pose;
+/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there,
+/// less sure of where that is.
+Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
+  const auto& [pose, covariance] = tracker_.robot();
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);
-  drift_.add(pose);
+  drift_.add(pose, found.is_determined ? Eigen::Matrix3d::Zero() : covariance);
   ++revision_;
   if (beyond == 0) return Status::ok();
   counters_.add("beams_beyond_map", beyond);

@@ -66,7 +66,7 @@ class GridSlam final : public Backend, GridMapper, MapKeeper {
   void move();
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp);
   Status learn(const scan_matching::ScanLevels& scan, const scan_matching::Match& found);
-  Status insert(const scan_matching::ScanLevels& scan);
+  Status insert(const scan_matching::ScanLevels& scan, const scan_matching::Match& found);
   Status onTheWhole() const;
 
   GridSlamConfig config_;

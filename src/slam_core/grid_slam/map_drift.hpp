@@ -24,7 +24,8 @@ class MapDrift {
   /// The map has no parts yet, or those that it has are the reference.
   void restart(const PoseEstimate& first);
   /// A scan from there has gone into the map.
-  void add(const Pose2& pose);
+  /// @param doubt of where that is among the parts around it, in (x, y, theta)
+  void add(const Pose2& pose, const Eigen::Matrix3d& doubt = Eigen::Matrix3d::Zero());
   /// Of a robot that knows exactly where it is among the parts around it, in (x, y, theta).
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
 

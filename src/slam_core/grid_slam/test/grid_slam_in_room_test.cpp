@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/grid_slam/grid_slam.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/grid_slam/grid_slam.hpp"
 #include "slam_core/product/test/driven_backend.hpp"
 
 namespace slam::grid_slam {

@@ -40,6 +40,14 @@ TEST(MapDrift, IsAsSureAsBeforeWhereTheRobotComesBack) {
   EXPECT_NEAR(after(0, 0), before(0, 0), 0.2 * before(0, 0));
 }
 
+TEST(MapDrift, APartThatFitsNothingIsAsDoubtfulAsTheRobot) {
+  auto drift = drawnAlong(5.0);
+  const Pose2 beyond(8.0, 0.0, 0.0);
+  const auto before = drift.covarianceAt(beyond);
+  drift.add(beyond, Eigen::Matrix3d::Identity());
+  EXPECT_LT((drift.covarianceAt(beyond) - before - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+}
+
 TEST(MapDrift, ALoadedMapIsTheReference) {
   MapDrift drift(0.01, 0.002);
   drift.restart({Pose2(3.0, 4.0, 1.0), Eigen::Matrix3d::Zero()});
