@@ -12,7 +12,7 @@ using grid_map::Tile;
 
 /// Some cells beside a wall are passed by a beam or two.
 constexpr int kBeamsOfSurelyFree = 2;
-/// Of 255: two standard deviations from an end in the map.
+/// Of 255: one and a half standard deviations from an end in the map.
 constexpr std::uint8_t kNear = 83;
 
 /// Where as many beams have passed, or as few as leave a cell as free as it can be told to be.
