@@ -166,6 +166,25 @@ class ShippedModel(unittest.TestCase):
         self.assertEqual(self.model.needed_by("wheel_odometry", features),
                          "odometry=wheel or odometry=visual_wheel")
 
+    def test_the_grid_back_end_maps_no_landmarks(self):
+        sentence = ("makes no product: The grid back-end maps what a laser sees and no landmarks, "
+                    "so that it goes with map=grid and detector=none.")
+        alone = {"backend": "grid", "odometry": "wheel", "map": "grid", "detector": "none"}
+        for change in ({"map": "landmarks"}, {"detector": "apriltag"}, {"detector": "aruco"}):
+            with self.subTest(text(change)), self.assertRaises(ProductError) as caught:
+                self.model.require_valid({**alone, **change})
+            self.assertIn(sentence, str(caught.exception))
+        self.assertIn("backend=grid odometry=wheel detector=none map=grid", str(caught.exception))
+
+    def test_the_grid_back_end_goes_with_any_odometry_and_with_none(self):
+        for odometry in self.model.groups["odometry"].symbols:
+            features = self.model.require_valid({"backend": "grid", "odometry": odometry,
+                                                 "map": "grid", "detector": "none"})
+            self.assertEqual(self.model.launch_files(features)["backend"],
+                             ["slam_backend_grid/launch/backend.launch"])
+            self.assertIsNone(self.model.needed_by("scan_to_map", features))
+            self.assertEqual(self.model.needed_by("pf", features), "backend=pf")
+
     def test_back_ends_and_odometry_are_mandatory(self):
         self.assertEqual([key for key, group in self.model.groups.items()
                           if group.default is None], ["backend", "odometry"])

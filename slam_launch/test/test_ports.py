@@ -56,6 +56,15 @@ class Told(Ports):
                               ("ekf_wheel_pointmap", ["camera", "laser"])):
             self.assertEqual([gate.name for gate in self.of(name).gates], sensors, name)
 
+    def test_motion_is_a_hint_of_an_odometry_source_or_is_not_taken_in(self):
+        alone = products.find("scan_grid", self.model)
+        wheels = products.without_file({**alone.features, "odometry": "wheel"}, self.model)
+        for product, expected in ((alone, {"scan": (True, None)}),
+                                  (wheels, {"scan": (True, None), "motion": (False, "odometry")})):
+            backend = ports.of_product(product).components[-1]
+            self.assertEqual({port.name: (port.is_mandatory, port.made_by)
+                              for port in backend.inputs}, expected)
+
     def test_the_transform_of_the_odometry_follows_from_what_its_source_takes_in(self):
         for name, owns in (("ekf_wheel", False), ("pf_visual", True), ("pf_visual_wheel", True)):
             self.assertEqual(self.of(name).owns_odometry_edge, owns, name)

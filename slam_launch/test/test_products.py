@@ -56,6 +56,15 @@ class Reading(ProductFiles):
         self.assertEqual(product.features["detector"], "none")
         self.assertEqual(product.features["map"], "landmarks")
 
+    def test_the_grid_product_has_no_odometry_and_is_valid_with_wheels(self):
+        product = products.find("scan_grid", self.model)
+        self.assertEqual({key: product.features[key] for key in ("backend", "odometry", "map",
+                                                                 "detector")},
+                         {"backend": "grid", "odometry": "none", "map": "grid",
+                          "detector": "none"})
+        with_wheels = self.read(yaml.safe_dump({**product.content, "odometry": "wheel"}))
+        self.assertEqual(with_wheels.features, {**product.features, "odometry": "wheel"})
+
     def test_refuses_a_newer_version(self):
         self.expect_refusal("has version 2, which is newer than this program",
                             HEAD.replace("1", "2") + FEATURES)
@@ -143,7 +152,8 @@ class Writing(ProductFiles):
         self.expect_refusal_of("there is no feature 'particles'; pf.particles is a parameter of "
                                "that name, given with the section", "backend=pf",
                                "odometry=wheel", "particles=50")
-        self.expect_refusal_of("ekf.mode and pf.mode are parameters of that name", "mode=slam")
+        self.expect_refusal_of("ekf.mode and grid.mode and pf.mode are parameters of that "
+                               "name", "mode=slam")
 
     def test_refuses_an_octal_number(self):
         self.expect_refusal_of("pf.particles=010 is no value: a number does not begin with 0",

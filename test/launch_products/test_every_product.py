@@ -18,8 +18,10 @@ import yaml
 SECONDS = 2  # of the drive, replayed at the robot's own speed
 MASTERS = 3  # at a time: a launch mostly waits
 BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
-ALWAYS = {"/pose", "/path", "/landmarks", "/landmark_markers", "/tf"}
-PROMISED = {"backend=pf": {"/particlecloud"},
+ALWAYS = {"/pose", "/path", "/tf"}
+LANDMARKS = {"/landmarks", "/landmark_markers"}
+PROMISED = {"backend=ekf": LANDMARKS,
+            "backend=pf": {"/particlecloud", *LANDMARKS},
             "pointmap=true": {"/points"},
             "map=grid": {"/map", "/map_metadata"},
             "odometry=visual": {"/visual_odometry/odom"},
@@ -31,7 +33,16 @@ RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
 def promised(features, composition):
     named = [f"{key}={value}" for key, value in features.items()]
     own = ALWAYS.union(*(PROMISED.get(name, set()) for name in named))
-    return own | BETWEEN if composition == "pubsub" else own
+    return own | between(features) if composition == "pubsub" else own
+
+
+def between(features):
+    """Returns what components exchange: the grid back-end takes in no observations, and motion
+    only where there is an odometry source; a point map takes in motion, too."""
+    if features["backend"] != "grid":
+        return BETWEEN
+    has_motion = features["odometry"] != "none" or features["pointmap"] == "true"
+    return {"/motion"} if has_motion else set()
 
 
 def published(record):

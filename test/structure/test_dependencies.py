@@ -16,7 +16,7 @@ STANDARD = re.compile(r"[a-z_0-9]+$|cxxabi\.h$|(sys/)?"
 
 # each may include those before it
 BELOW = ["common", "geometry", "models", "contract", "grid_map", "camera", "laser",
-         "association"]
+         "association", "scan_matching"]
 ABOVE = {"product", "tuning", "tools"}  # what lies between is a component
 
 
@@ -70,8 +70,8 @@ class NoRos(unittest.TestCase):
 
 
 class OneWay(unittest.TestCase):
-    """common <- geometry <- models <- contract <- grid_map, camera, laser, association <-
-    components <- product; tests may look at more."""
+    """common <- geometry <- models <- contract <- grid_map, camera, laser, association,
+    scan_matching <- components <- product; tests may look at more."""
 
     def uses(self):
         for path in sources():

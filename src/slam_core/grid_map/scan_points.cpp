@@ -37,6 +37,7 @@ ScanPoints pointsOf(const LaserScan& scan, const BeamModel& model, double spacin
   points.cells_per_metre = 1.0 / model.resolution();
   if (!points.isOnMap(scan.sensor_pose)) return points;
   points.origin = scan.sensor_pose.position() / model.resolution();
+  points.relative_sigma = scan.relative_sigma;
   points.beams.reserve(scan.beams.size());
   const double apart = spacing / model.resolution();
   for (const auto& read : scan.beams) {

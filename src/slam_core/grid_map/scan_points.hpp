@@ -21,6 +21,7 @@ struct ScanPoints {
   };
   double cells_per_metre = 1.0;
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the sensor
+  double relative_sigma = 0.0;                       ///< of a range, relative to it
   std::vector<Beam> beams;
   /// Ends to match with the map: of those that lie close together only some.
   std::vector<Eigen::Vector2d> ends;

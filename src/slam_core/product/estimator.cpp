@@ -26,17 +26,26 @@ Status statusOf(const std::string& fault) {
 
 void Estimator::use(std::unique_ptr<Backend> backend) { backend_ = std::move(backend); }
 
-void Estimator::chooseMap(const ProductConfig& product) {
-  slam::chooseMap(product, *backend_);
+void Estimator::adaptTo(const ProductConfig& product) {
+  has_odometry_ = product.odometry != "none";
+  chooseMap(product, *backend_);
   capabilities_ = capabilitiesOf(*backend_);
+}
+
+Ports Estimator::usedPorts() const {
+  Ports used;
+  for (auto& input : portsOf(*backend_).inputs())
+    if (has_odometry_ || input.is_mandatory || input.time != TimeRole::kCarrier)
+      used.add(std::move(input));
+  return used;
 }
 
 void Estimator::configure(Settings& settings) {
   start_map_.reset();
   FaultCollector faults;
   faults.attempt([&] { backend_->seed(settings.read<ProductConfig>().seed); });
-  faults.attempt([&] { chooseMap(settings.read<ProductConfig>()); });
-  ports_ = portsOf(*backend_);
+  faults.attempt([&] { adaptTo(settings.read<ProductConfig>()); });
+  ports_ = usedPorts();
   const auto& inputs = ports_.inputs();
   const auto carrier = std::find_if(inputs.begin(), inputs.end(), [](const auto& input) {
     return input.time == TimeRole::kCarrier;
@@ -52,7 +61,7 @@ void Estimator::configure(Settings& settings) {
 }
 
 void Estimator::describe(Ports& ports) {
-  const auto of_backend = portsOf(*backend_);
+  const auto of_backend = usedPorts();
   for (const auto& input : of_backend.inputs()) {
     auto& mine = ports.add(input);
     mine.set = [this, name = input.name, kind = input.kind](const void* value) {

@@ -25,9 +25,10 @@ class Estimator final : public Component {
  public:
   /// To be called before everything else. The back-end is configured with this.
   void use(std::unique_ptr<Backend> backend);
-  /// Has the back-end make the product's map, so that its ports are those of this map.
-  /// @throw ConfigError where it cannot
-  void chooseMap(const ProductConfig& product);
+  /// Has the back-end make the product's map, so that its ports are those of this map; a back-end
+  /// that can do without motion takes it in where the product has an odometry source.
+  /// @throw ConfigError where the back-end cannot make it
+  void adaptTo(const ProductConfig& product);
   void configure(Settings& settings) override;
   void describe(Ports& ports) override;
 
@@ -66,6 +67,8 @@ class Estimator final : public Component {
   void reset() override;
 
  private:
+  /// The back-end's, without those that the product does not use.
+  Ports usedPorts() const;
   Status resetBackend();
   void give(const Intake::Step& step);
   void reportStep(const Intake::Step& step);
@@ -75,6 +78,7 @@ class Estimator final : public Component {
   Status watchConsistency();
 
   std::unique_ptr<Backend> backend_;
+  bool has_odometry_ = true;            ///< the product has an odometry source
   Ports ports_;                         ///< the back-end's
   const InputPort* carrier_ = nullptr;  ///< that takes motion; none in a product without
   Capabilities capabilities_;           ///< the back-end's

@@ -6,16 +6,22 @@
 #include <algorithm>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/registry.hpp"
 
 namespace slam {
 namespace {
 
-/// What a back-end can make. One that does not choose makes point landmarks.
+/// What a back-end can make. One that does not choose makes a grid where that is all it offers, else
+/// point landmarks.
 std::vector<MapKind> mapsOf(Backend& backend) {
-  const auto* chooser = capabilitiesOf(backend).find<MapChooser>();
-  return chooser == nullptr ? std::vector<MapKind>{MapKind::kLandmarks} : chooser->maps();
+  const auto capabilities = capabilitiesOf(backend);
+  if (const auto* chooser = capabilities.find<MapChooser>()) return chooser->maps();
+  const bool makes_grid_alone =
+      capabilities.find<GridMapper>() != nullptr && capabilities.find<LandmarkMapper>() == nullptr;
+  return {makes_grid_alone ? MapKind::kGrid : MapKind::kLandmarks};
 }
 
 std::vector<std::string> namesOfMaps(Backend& backend) {

@@ -115,7 +115,7 @@ ProductComponents createComponents(const ProductConfig& product, const ProductPa
   loadLibraries(product.libraries);
   FaultCollector faults;
   auto parts = create(named(product, part), part, faults);
-  if (parts.estimator) faults.attempt([&] { parts.estimator->chooseMap(product); });
+  if (parts.estimator) faults.attempt([&] { parts.estimator->adaptTo(product); });
   faults.raise();
   return parts;
 }

@@ -210,5 +210,22 @@ TEST_F(EstimatorScansTest, ABackEndThatUsesNoScansIsNotHeldBackByThem) {
   EXPECT_EQ(text, "o");
 }
 
+TEST(EstimatorWithOptionalMotion, TakesItInWhereTheProductHasAnOdometrySource) {
+  for (const std::string odometry : {"wheel", "none"}) {
+    Settings settings({}, {}, {"backend=grid", "map=grid", "odometry=" + odometry});
+    Estimator estimator;
+    estimator.use(Registry<Backend>::instance().create("grid"));
+    estimator.configure(settings);
+    const auto ports = portsOf(estimator);
+    EXPECT_EQ(ports.input("motion", kindOf<Motion>()) != nullptr, odometry == "wheel");
+    LaserScan scan;
+    scan.stamp = stampFromNanoseconds(1000000000);
+    scan.beams = {{0.1f, 2.0f, true}};
+    estimator.set(scan);
+    estimator.execute();
+    EXPECT_EQ(estimator.report().has_value(), odometry == "none") << "it waits for the wheels";
+  }
+}
+
 }  // namespace
 }  // namespace slam

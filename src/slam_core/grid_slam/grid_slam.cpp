@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/grid_slam/grid_slam.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/grid_map/grid_conversion.hpp"
+
+namespace slam::grid_slam {
+namespace {
+
+using scan_matching::Match;
+using scan_matching::ScanLevels;
+
+const Registrar<Backend, GridSlam> kRegistrar("grid");
+const SectionRegistrar<GridSlamConfig> kSectionRegistrar;
+const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
+const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
+
+constexpr int kLastingDoubt = 5;  // [scans]
+
+Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
+
+}  // namespace
+
+void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapConfig& grid,
+                         const scan_matching::MatcherConfig& matcher) {
+  FaultCollector faults;
+  faults.attempt([&] { validate(config); });
+  faults.attempt([&] { validate(grid); });
+  faults.attempt([&] { validate(matcher); });
+  faults.raise();
+  config_ = config;
+  map_config_ = grid;
+  spacing_ = matcher.spacing;
+  tracker_ = scan_matching::ScanTracker(matcher);
+  trigger_ = {config.insert_distance, config.insert_angle};
+  drift_ = {config.drift_position, config.drift_heading};
+  reset();
+}
+
+void GridSlam::configure(Settings& settings) {
+  GridSlamConfig config;
+  grid_map::GridMapConfig grid;
+  scan_matching::MatcherConfig matcher;
+  FaultCollector faults;
+  faults.attempt([&] { settings.read(config); });
+  faults.attempt([&] { settings.read(grid); });
+  faults.attempt([&] { settings.read(matcher); });
+  faults.raise();
+  configure(config, grid, matcher);
+}
+
+void GridSlam::describe(Ports& ports) {
+  ports.takes<Motion>("motion", "motion", &inputs_).carrier().optional();
+  ports.takes<LaserScan>("scan", "laser scans", &inputs_);
+}
+
+void GridSlam::describe(Capabilities& capabilities) {
+  capabilities.offer<GridMapper>(*this);
+  capabilities.offer<MapKeeper>(*this);
+}
+
+void GridSlam::reset() {
+  const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
+  const Eigen::Vector3d sigma(position, position, heading);
+  map_ = std::make_unique<scan_matching::ScanMap>(map_config_);
+  ++revision_;
+  tracker_.restart({});
+  trigger_.restart();
+  drift_.restart({Pose2(), sigma.cwiseAbs2().asDiagonal()});
+  carried_.reset();
+  agreement_ = {};
+  scans_in_doubt_ = 0;
+  inputs_ = {};
+  counters_.clear();
+}
+
+Status GridSlam::execute() {
+  const auto replaced = replaceMap();
+  relocate();
+  move();
+  const auto scan = std::exchange(inputs_.scan, std::nullopt);
+  if (!scan) return moreUrgent(replaced, onTheWhole());
+  const auto levels = map_->pointsOf(*scan, spacing_);
+  const auto found = match(levels, scan->stamp);
+  const auto learnt = learn(levels, found);
+  return moreUrgent(moreUrgent(learnt, replaced), onTheWhole());
+}
+
+Status GridSlam::replaceMap() {
+  if (!inputs_.map) return Status::ok();
+  const auto map = *std::exchange(inputs_.map, std::nullopt);
+  if (!map.grid) return Status::error("the map holds no occupancy grid, without which this back-end cannot take it");
+  auto loaded = std::make_unique<scan_matching::ScanMap>(map_config_);
+  Status status;
+  for (std::size_t i = 0; i < scan_matching::kLevels; ++i) {
+    auto& [model, grid] = loaded->level(i);
+    status = moreUrgent(fillFrom(*map.grid, model, grid), status);
+  }
+  if (status.level == Status::Level::kError) return status;  // all stays as it is
+  map_ = std::move(loaded);
+  ++revision_;
+  drift_.restart({map.robot.pose, Eigen::Matrix3d::Zero()});
+  if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
+  return status;
+}
+
+void GridSlam::relocate() {
+  if (!inputs_.initial_pose) return;
+  tracker_.restart(*std::exchange(inputs_.initial_pose, std::nullopt));
+  trigger_.restart();
+  carried_.reset();
+  scans_in_doubt_ = 0;
+}
+
+void GridSlam::move() {
+  const auto motion = std::exchange(inputs_.motion, std::nullopt);
+  if (motion) carried_ = carried_ ? joined(*carried_, *motion) : *motion;
+}
+
+Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
+  const auto found = tracker_.track(*map_, scan, stamp, std::exchange(carried_, std::nullopt));
+  if (!map_->isEmpty() && !found.is_determined) counters_.add("unmatched");
+  if (found.was_searched) counters_.add("searched");
+  agreement_ = found.agreement;
+  return found;
+}
+
+Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
+  scans_in_doubt_ = std::max(0, scans_in_doubt_ - 1);
+  if (found.agreement.contradictingShare() > config_.lost_share) {
+    scans_in_doubt_ = kLastingDoubt;
+    counters_.add("contradicting");
+    return Status::ok();
+  }
+  if (mapIsFixed() || !trigger_.isDue(found.pose)) return Status::ok();
+  return insert(scan, found);
+}
+
+/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there,
+/// less sure of where that is.
+Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
+  const auto& [pose, covariance] = tracker_.robot();
+  const auto beyond = map_->insert(scan, pose);
+  trigger_.note(pose);
+  drift_.add(pose, found.is_determined ? Eigen::Matrix3d::Zero() : covariance);
+  ++revision_;
+  if (beyond == 0) return Status::ok();
+  counters_.add("beams_beyond_map", beyond);
+  return Status::warning(
+      "beams end beyond the largest grid map, what lies there is not mapped: "
+      "raise grid_map.largest_area");
+}
+
+Status GridSlam::onTheWhole() const {
+  if (mapIsFixed() && map_->isEmpty())
+    return Status::warning("there is no map to localise in; load one");
+  if (scans_in_doubt_ > 0)
+    return Status::alarm(
+        "the latest scans contradict the map: the pose may be lost; set an initial pose");
+  return Status::ok();
+}
+
+PoseEstimate GridSlam::pose() const {
+  PoseEstimate told = tracker_.robot();
+  told.covariance += drift_.covarianceAt(told.pose);
+  if (!carried_) return told;
+  Eigen::Matrix3d J_pose, J_u;
+  told.pose = told.pose.compose(carried_->increment, &J_pose, &J_u);
+  told.covariance = symmetric(J_pose * told.covariance * J_pose.transpose() +
+                              J_u * carried_->covariance * J_u.transpose());
+  return told;
+}
+
+Component::Figures GridSlam::figures() const {
+  constexpr double kMegabyte = 1e6;
+  return {{"contradicting_ends", agreement_.contradictingShare()},
+          {"known_ends", static_cast<double>(agreement_.known())},
+          {"map_megabytes", static_cast<double>(map_->bytes()) / kMegabyte}};
+}
+
+std::optional<OccupancyGrid> GridSlam::grid() const {
+  return occupancyGridOf(map_->finest().map, map_->finest().model.resolution());
+}
+
+MapState GridSlam::state() const { return {pose(), {}, {}, grid()}; }
+
+}  // namespace slam::grid_slam

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/grid_slam/grid_slam_config.hpp"
+#include "slam_core/grid_slam/map_drift.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/scan_map.hpp"
+#include "slam_core/scan_matching/scan_tracker.hpp"
+
+namespace slam::grid_slam {
+
+/// SLAM by matching each scan with one occupancy grid in several resolutions (Kohlbrecher et al.
+/// 2011; thesis, Table 3.1). It needs no odometry; where motion comes it says where to look. No
+/// loop is closed: the map is as good as the scans follow one another.
+///
+/// The told covariance is that of the robot among the parts of the map around it, and that of these
+/// parts (MapDrift). Counted: "unmatched" scans, that fit nothing, so that motion alone counts;
+/// "searched" ones; "contradicting" ones, which do not go into the map; "beams_beyond_map".
+class GridSlam final : public Backend, GridMapper, MapKeeper {
+ public:
+  /// @throw ConfigError
+  void configure(const GridSlamConfig& config, const grid_map::GridMapConfig& grid,
+                 const scan_matching::MatcherConfig& matcher);
+  void configure(Settings& settings) override;
+  void describe(Ports& ports) override;
+  void describe(Capabilities& capabilities) override;
+
+  void set(const PoseEstimate& initial_pose) override { inputs_.initial_pose = initial_pose; }
+  Status execute() override;
+  PoseEstimate pose() const override;
+  Counters counters() const override { return counters_; }
+  Figures figures() const override;
+  void reset() override;
+
+ private:
+  /// What was set since the last step.
+  struct Inputs {
+    std::optional<MapState> map;
+    std::optional<PoseEstimate> initial_pose;
+    std::optional<Motion> motion;  ///< all motions as one
+    std::optional<LaserScan> scan;
+
+    void set(const Motion& next) { motion = motion ? joined(*motion, next) : next; }
+    void set(const LaserScan& latest) { scan = latest; }
+  };
+
+  // what it offers as capabilities
+  std::optional<OccupancyGrid> grid() const override;
+  std::uint64_t gridRevision() const override { return revision_; }
+  MapState state() const override;
+  void set(const MapState& map) override { inputs_.map = map; }
+
+  bool mapIsFixed() const { return config_.mode == BackendMode::kLocalization; }
+  Status replaceMap();
+  void relocate();
+  /// Motion that no scan has confirmed yet is carried.
+  void move();
+  scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp);
+  Status learn(const scan_matching::ScanLevels& scan, const scan_matching::Match& found);
+  Status insert(const scan_matching::ScanLevels& scan, const scan_matching::Match& found);
+  Status onTheWhole() const;
+
+  GridSlamConfig config_;
+  grid_map::GridMapConfig map_config_;
+  double spacing_ = 0.0;
+  std::unique_ptr<scan_matching::ScanMap> map_;
+  std::uint64_t revision_ = 0;
+  scan_matching::ScanTracker tracker_;
+  scan_matching::InsertionTrigger trigger_{0.0, 0.0};
+  MapDrift drift_{0.0, 0.0};
+  std::optional<Motion> carried_;       ///< since the last scan
+  scan_matching::Agreement agreement_;  ///< of the last scan
+  int scans_in_doubt_ = 0;              ///< to come
+  Inputs inputs_;
+  Counters counters_;
+};
+
+}  // namespace slam::grid_slam

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/grid_slam/map_drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slam::grid_slam {
+namespace {
+
+constexpr double kEdge = 1.0;  // of a square [m]
+
+std::uint64_t squareOf(const Pose2& pose, int right, int up) {
+  const auto index = [](double length, int more) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(length / kEdge)) + more);
+  };
+  return std::uint64_t{index(pose.x(), right)} << 32 | index(pose.y(), up);
+}
+
+}  // namespace
+
+void MapDrift::restart(const PoseEstimate& first) {
+  places_.assign(1, first);
+  oldest_.clear();
+  oldest_.emplace(squareOf(first.pose, 0, 0), 0);
+}
+
+const PoseEstimate& MapDrift::nearest(const Pose2& pose) const {
+  auto oldest = places_.size() - 1;
+  for (int right = -1; right <= 1; ++right)
+    for (int up = -1; up <= 1; ++up) {
+      const auto found = oldest_.find(squareOf(pose, right, up));
+      if (found != oldest_.end()) oldest = std::min(oldest, found->second);
+    }
+  return places_[oldest];
+}
+
+Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
+  const auto& place = nearest(pose);
+  const Pose2 way = place.pose.between(pose);
+  Eigen::Matrix3d J_place;
+  place.pose.compose(way, &J_place);
+  Eigen::Matrix3d P = J_place * place.covariance * J_place.transpose();
+  P.diagonal() += way.position().norm() * variance_per_metre_;
+  return P;
+}
+
+void MapDrift::add(const Pose2& pose, const Eigen::Matrix3d& doubt) {
+  places_.push_back({pose, covarianceAt(pose) + doubt});
+  oldest_.emplace(squareOf(pose, 0, 0), places_.size() - 1);
+}
+
+}  // namespace slam::grid_slam

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "slam_core/models/landmark_map.hpp"
+
+namespace slam::grid_slam {
+
+/// How sure a map is of where its parts are that was drawn scan by scan and closes no loops. A part
+/// errs by what the robot erred when it drew it. Back there, the robot is as sure again; beyond, it
+/// is less sure with each metre.
+class MapDrift {
+ public:
+  /// @param position, heading standard deviation after a metre [m, rad]
+  MapDrift(double position, double heading)
+      : variance_per_metre_(position * position, position * position, heading * heading) {}
+
+  /// The map has no parts yet, or those that it has are the reference.
+  void restart(const PoseEstimate& first);
+  /// A scan from there has gone into the map.
+  /// @param doubt of where that is among the parts around it, in (x, y, theta)
+  void add(const Pose2& pose, const Eigen::Matrix3d& doubt = Eigen::Matrix3d::Zero());
+  /// Of a robot that knows exactly where it is among the parts around it, in (x, y, theta).
+  Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
+
+ private:
+  /// Oldest first where they lie in one square: it was drawn by the surest robot.
+  const PoseEstimate& nearest(const Pose2& pose) const;
+
+  Eigen::Vector3d variance_per_metre_;
+  std::vector<PoseEstimate> places_;
+  std::unordered_map<std::uint64_t, std::size_t> oldest_;  ///< of each square of the plane
+};
+
+}  // namespace slam::grid_slam

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/grid_slam/grid_slam.hpp"
+#include "slam_core/product/test/driven_backend.hpp"
+
+namespace slam::grid_slam {
+namespace {
+
+using test::DrivenBackend;
+using test::RoomDrive;
+
+double distance(const Backend& backend, const Pose2& truth) {
+  return (backend.pose().pose.position() - truth.position()).norm();
+}
+
+/// A back-end in a room, with what happens to robots.
+class GridSlamInARoom : public testing::Test {
+ protected:
+  /// @param has_motion else scans alone
+  RoomDrive::Step step(bool has_motion = true) {
+    const auto next = drive.next();
+    give(next, has_motion);
+    return next;
+  }
+  void give(const RoomDrive::Step& next, bool has_motion) {
+    if (has_motion) backend.inputs().offer(next.motion);
+    backend.inputs().set(next.scan);
+    status = backend->execute();
+  }
+
+  const GridSlam of_library;  // a library that no symbol is named of would not be linked
+  RoomDrive drive{1};
+  DrivenBackend backend{{"grid", "grid", {}}};
+  Status status;
+};
+
+TEST_F(GridSlamInARoom, NeedsNoMotion) {
+  double worst = 0.0;
+  for (int i = 0; i < 145; ++i) worst = std::max(worst, distance(*backend, step(false).truth));
+  EXPECT_TRUE(status.isOk()) << status.message;
+  EXPECT_LT(worst, 0.03);
+}
+
+TEST_F(GridSlamInARoom, WheelsThatStandStillWhileTheRobotDrivesDoNotHoldIt) {
+  for (int i = 0; i < 145; ++i) {
+    auto next = drive.next();
+    if (i > 20) next.motion.increment = Pose2();
+    give(next, true);
+    ASSERT_LT(distance(*backend, next.truth), 0.05) << "step " << i;
+  }
+}
+
+TEST_F(GridSlamInARoom, WheelsThatTurnWhileTheRobotStandsDoNotMoveIt) {
+  for (int i = 0; i < 60; ++i) step();
+  const auto stands = drive.next();
+  for (int i = 0; i < 30; ++i) {
+    auto next = stands;
+    next.motion.increment = Pose2(0.1, 0.0, 0.04);
+    next.scan.stamp += i * std::chrono::milliseconds(100);
+    if (i == 0) next.motion.increment = stands.motion.increment;
+    give(next, true);
+  }
+  EXPECT_LT(distance(*backend, stands.truth), 0.03);
+}
+
+TEST_F(GridSlamInARoom, GoesOnByMotionWhileTheLaserIsBlind) {
+  for (int i = 0; i < 40; ++i) step();
+  const auto before = backend->pose();
+  Pose2 truth;
+  for (int i = 0; i < 5; ++i) {
+    auto next = drive.next();
+    next.scan.beams.clear();
+    give(next, true);
+    truth = next.truth;
+  }
+  EXPECT_EQ(backend->counters()["unmatched"], 5u);
+  EXPECT_LT(distance(*backend, truth), 0.1);
+  EXPECT_GT(backend->pose().covariance(0, 0), before.covariance(0, 0));
+  for (int i = 0; i < 3; ++i) truth = step().truth;
+  EXPECT_LT(distance(*backend, truth), 0.03);
+}
+
+TEST_F(GridSlamInARoom, TellsThatItIsLostWhereScansContradictTheMap) {
+  for (int i = 0; i < 145; ++i) step();
+  ASSERT_TRUE(status.isOk());
+  const auto revision = backend.as<GridMapper>().gridRevision();
+  auto carried = drive.next();
+  for (auto& beam : carried.scan.beams) beam.range = 0.5f;  // a cupboard
+  give(carried, true);
+  EXPECT_FALSE(status.isOk());
+  EXPECT_NE(status.message.find("the pose may be lost"), std::string::npos);
+  EXPECT_EQ(backend->counters()["contradicting"], 1u);
+  EXPECT_EQ(backend.as<GridMapper>().gridRevision(), revision) << "it does not go into the map";
+}
+
+TEST_F(GridSlamInARoom, KeepsALoadedMapWhereItOnlyLocalises) {
+  for (int i = 0; i < 145; ++i) step();
+  DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});
+  localising.as<MapKeeper>().set(backend.as<MapKeeper>().state());
+  localising.execute();
+  const auto cells = localising.as<GridMapper>().grid()->cells;
+  Pose2 truth;
+  for (int i = 0; i < 40; ++i) {
+    const auto next = drive.next();
+    localising.inputs().set(next.scan);
+    localising.execute();
+    truth = next.truth;
+  }
+  EXPECT_LT(distance(*localising, truth), 0.05);
+  EXPECT_EQ(localising.as<GridMapper>().grid()->cells, cells);
+}
+
+TEST_F(GridSlamInARoom, SaysThatItHasNoMapToLocaliseIn) {
+  DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});
+  localising.inputs().set(drive.next().scan);
+  const auto told = localising->execute();
+  EXPECT_NE(told.message.find("no map to localise in"), std::string::npos);
+}
+
+TEST_F(GridSlamInARoom, RefusesAMapWithoutAGrid) {
+  for (int i = 0; i < 20; ++i) step();
+  const auto before = backend->pose();
+  backend.as<MapKeeper>().set(MapState{{Pose2(9, 9, 0), Eigen::Matrix3d::Identity()}, {}, {}});
+  EXPECT_EQ(backend->execute().level, Status::Level::kError);
+  EXPECT_EQ(backend->pose().pose.vector(), before.pose.vector());
+}
+
+}  // namespace
+}  // namespace slam::grid_slam

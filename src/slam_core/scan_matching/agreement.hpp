@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/grid_map/beam_model.hpp"
+#include "slam_core/grid_map/grid_map.hpp"
+#include "slam_core/grid_map/scan_points.hpp"
+
+namespace slam::scan_matching {
+
+/// What the ends of a scan say of a map where the map knows something: an end at a surface agrees
+/// with it, one where beams have passed contradicts it. An end where nothing is known says nothing.
+struct Agreement {
+  int agreeing = 0, contradicting = 0;
+
+  int known() const { return agreeing + contradicting; }
+  int surplus() const { return agreeing - contradicting; }
+  /// Of the ends in known cells; 0 where they are too few to tell.
+  double contradictingShare() const {
+    constexpr int kEnough = 10;
+    return known() < kEnough ? 0.0 : static_cast<double>(contradicting) / known();
+  }
+};
+
+/// @param model of the beams that the map is made of
+/// @param pose T_map_base
+Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap& map,
+                      const grid_map::ScanPoints& scan, const Pose2& pose);
+
+}  // namespace slam::scan_matching

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/scan_matching/registration.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/scan_matching/surface.hpp"
+
+// Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
+// across and along that, W information of an offset, w what the kernel leaves of it, J Jacobian of
+// an offset by the pose, H and g the normal equations.
+
+namespace slam::scan_matching {
+namespace {
+
+using grid_map::ScanPoints;
+
+constexpr int kIterations = 15;
+constexpr double kSmallStep = 1e-4;    // [m], [rad]
+constexpr double kLeastWeight = 0.05;  // an end with less belongs to something else
+constexpr double kDamping = 1e-6;
+
+struct NormalEquations {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  int ends = 0;
+  double weights = 0.0, squares = 0.0;  ///< of the ends, and of their offsets in sigmas
+
+  /// Of the ends' variance, what shows in their offsets: the model's sigma is an upper bound.
+  double shownVariance() const {
+    constexpr double kOfKernel = 0.25;  // mean weighed square of a normal variable
+    constexpr double kLeast = 0.05;
+    return std::clamp(squares / (kOfKernel * weights), kLeast, 1.0);
+  }
+  /// The offset `r` of an end along a direction, with the weight W.
+  void add(double W, double r, const Eigen::Vector2d& direction, const Eigen::Vector2d& turned,
+           double cells_per_metre) {
+    const Eigen::Vector3d J(cells_per_metre * direction.x(), cells_per_metre * direction.y(),
+                            turned.x() * direction.y() - turned.y() * direction.x());
+    H += W * J * J.transpose();
+    g += W * r * J;
+  }
+};
+
+class Fit {
+ public:
+  Fit(const grid_map::GridMap& map, const ScanPoints& scan, double sigma)
+      : scan_(scan), finder_(map), variance_(std::pow(scan.cells_per_metre * sigma, 2)) {}
+
+  NormalEquations at(const Pose2& pose) {
+    NormalEquations sum;
+    const double c = std::cos(pose.theta()), s = std::sin(pose.theta());
+    const Eigen::Vector2d position = scan_.cells_per_metre * pose.position();
+    for (const auto& end : scan_.ends) {
+      const Eigen::Vector2d turned(c * end.x() - s * end.y(), s * end.x() + c * end.y());
+      add(turned, turned + position, end, sum);
+    }
+    return sum;
+  }
+
+ private:
+  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, const Eigen::Vector2d& end,
+           NormalEquations& sum) {
+    const auto* const surface = finder_.nearest(p);
+    if (surface == nullptr) return;
+    const double range_variance =
+        scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
+    const double variance = variance_ + range_variance;
+    const Eigen::Vector2d& n = surface->normal;
+    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface->point;
+    const double across = r.dot(n), along = r.dot(t);
+    const double W_across = 1.0 / (variance + surface->across);
+    const double W_along = surface->goesOn() ? 0.0 : 1.0 / (variance + surface->along);
+    const double squared = W_across * across * across + W_along * along * along;
+    const double root = 1.0 / (1.0 + squared), w = root * root;
+    if (!(w >= kLeastWeight)) return;
+    sum.add(w * W_across, across, n, turned, scan_.cells_per_metre);
+    if (W_along > 0.0) sum.add(w * W_along, along, t, turned, scan_.cells_per_metre);
+    ++sum.ends;
+    sum.weights += w;
+    sum.squares += w * squared;
+  }
+
+  const ScanPoints& scan_;
+  SurfaceFinder finder_;
+  double variance_;
+};
+
+/// What is left of a prior that the scan contradicts, as wheels that slip.
+double weightOfPrior(double squared_sigmas) {
+  constexpr double kSigmas = 3.0;
+  const double root = 1.0 / (1.0 + squared_sigmas / (kSigmas * kSigmas));
+  return root * root;
+}
+
+}  // namespace
+
+Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, const Pose2& start,
+                          const PosePrior& prior, double sigma) {
+  Registration found;
+  found.pose = start;
+  if (!scan.isOnMap(start)) return found;
+  Fit fit(map, scan, sigma);
+  for (int i = 0; i < kIterations && scan.isOnMap(found.pose); ++i) {
+    const auto equations = fit.at(found.pose);
+    found.ends = equations.ends;
+    if (!found.isDetermined()) break;
+    found.information = equations.H / equations.shownVariance();
+    Eigen::Vector3d error = found.pose.vector() - prior.pose.vector();
+    error.z() = wrapAngle(error.z());
+    found.prior_weight = weightOfPrior(error.dot(prior.information * error));
+    const Eigen::Matrix3d of_prior = found.prior_weight * prior.information;
+    const Eigen::Matrix3d H = equations.H + of_prior + kDamping * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d step = H.ldlt().solve(equations.g + of_prior * error);
+    found.pose = Pose2::fromVector(found.pose.vector() - step);
+    if (step.head<2>().norm() < kSmallStep && std::abs(step.z()) < kSmallStep) break;
+  }
+  return found;
+}
+
+}  // namespace slam::scan_matching

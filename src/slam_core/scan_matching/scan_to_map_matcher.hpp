@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/scan_matching/agreement.hpp"
+#include "slam_core/scan_matching/matcher_config.hpp"
+#include "slam_core/scan_matching/registration.hpp"
+#include "slam_core/scan_matching/scan_map.hpp"
+
+namespace slam::scan_matching {
+
+/// What matching a scan with a map has found.
+struct Match {
+  Pose2 pose;                                             ///< T_map_base, with the prior's help
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan has of it
+  Agreement agreement;
+  double prior_weight = 1.0;   ///< what has been left of the prior; 0 where it was searched
+  bool is_determined = false;  ///< enough ends fit to say something
+  bool was_searched = false;   ///< where the prior led nothing fitted
+};
+
+/// Finds where a scan fits a map: from the prior on in the coarse resolution, then in the fine one
+/// (registerScan()). Where too much of the scan contradicts the map there, it searches a window
+/// around the prior for a better place (Olson 2009), a wide one if need be, so that the robot is
+/// found again after wheels that slipped or stood still.
+class ScanToMapMatcher {
+ public:
+  explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
+
+  /// @param map not empty
+  Match match(const ScanMap& map, const ScanLevels& scan, const PosePrior& prior) const;
+
+ private:
+  Match refined(const ScanMap& map, const ScanLevels& scan, const Pose2& start,
+                const PosePrior& prior) const;
+  Match searched(const ScanMap& map, const ScanLevels& scan, const Pose2& middle, double position,
+                 double heading) const;
+
+  MatcherConfig config_;
+};
+
+}  // namespace slam::scan_matching

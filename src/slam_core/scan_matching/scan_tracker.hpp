@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/scan_to_map_matcher.hpp"
+
+namespace slam::scan_matching {
+
+/// The time between scans, for who has only their stamps to go by. A laser sweeps at a steady rate,
+/// while some drivers stamp in lumps: stamps that are all over the place tell the mean rate only.
+class SweepInterval {
+ public:
+  void note(Duration interval);
+  /// An interval that is stamped so, or what it is more likely to be.
+  Duration plausible(Duration interval) const;
+
+ private:
+  double usual_ = 0.0, spread_ = 0.0;  ///< mean, and mean distance from it [s]; 0: none yet
+};
+
+/// Follows a robot through a map from scan to scan: each is looked for where the last pose and the
+/// motion since then lead, or the last velocity where no motion is known.
+class ScanTracker {
+ public:
+  explicit ScanTracker(const MatcherConfig& config = {}) : matcher_(config) {}
+
+  /// The robot is there. Its velocity is not known any more.
+  void restart(const PoseEstimate& place);
+  /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
+  Match track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
+              const std::optional<Motion>& motion);
+
+  /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
+  const PoseEstimate& robot() const { return robot_; }
+  const std::optional<Stamp>& stamp() const { return stamp_; }
+
+ private:
+  PosePrior predict(const std::optional<Motion>& motion, Duration interval) const;
+
+  void follow(const Pose2& step, bool is_confirmed, Duration interval);
+
+  ScanToMapMatcher matcher_;
+  PoseEstimate robot_;
+  std::optional<Stamp> stamp_;  ///< of the last scan
+  SweepInterval sweeps_;
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]
+};
+
+/// Says when the robot has gone or turned far enough for a scan to tell something new.
+class InsertionTrigger {
+ public:
+  /// @param distance [m] @param angle [rad]
+  InsertionTrigger(double distance, double angle) : distance_(distance), angle_(angle) {}
+
+  bool isDue(const Pose2& pose) const;
+  void note(const Pose2& inserted) { last_ = inserted; }
+  void restart() { last_.reset(); }
+
+ private:
+  double distance_, angle_;
+  std::optional<Pose2> last_;
+};
+
+}  // namespace slam::scan_matching

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/scan_matching/scan_to_map_matcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/scan_matching/motion_prior.hpp"
+
+namespace slam::scan_matching {
+namespace {
+
+using test::RoomDrive;
+
+constexpr double kSpacing = 0.05;
+
+PosePrior priorAt(const Pose2& pose, double sigma) {
+  return {pose, Eigen::Matrix3d(Eigen::Matrix3d::Identity() / (sigma * sigma))};
+}
+
+/// A map of the room from known poses, and a scan that is not in it.
+class MatchingInARoom : public testing::Test {
+ protected:
+  MatchingInARoom() {
+    for (int i = 0; i < 145; ++i) {
+      const auto step = drive.next();
+      map.insert(map.pointsOf(step.scan, kSpacing), step.truth);
+    }
+    take(drive.next());
+  }
+
+  void take(const RoomDrive::Step& step) {
+    scan = step.scan;
+    truth = step.truth;
+  }
+  Match matched(const PosePrior& prior) const {
+    return matcher.match(map, map.pointsOf(scan, kSpacing), prior);
+  }
+  void expectTruth(const Pose2& found) const {
+    const Pose2 error = truth.between(found);
+    EXPECT_LT(error.position().norm(), 0.015);
+    EXPECT_LT(std::abs(error.theta()), 0.006);
+  }
+
+  RoomDrive drive{3};
+  ScanMap map{grid_map::GridMapConfig()};
+  ScanToMapMatcher matcher;
+  LaserScan scan;
+  Pose2 truth;
+};
+
+TEST_F(MatchingInARoom, FindsBackFromWhatOdometryErrsBy) {
+  for (const auto& offset : {Pose2(), Pose2(0.08, 0.05, 0.04), Pose2(-0.1, -0.1, -0.1)}) {
+    const auto match = matched(priorAt(truth * offset, 0.2));
+    EXPECT_TRUE(match.is_determined);
+    EXPECT_LT(match.agreement.contradictingShare(), 0.1);
+    expectTruth(match.pose);
+  }
+}
+
+TEST_F(MatchingInARoom, FindsBackAfterASlipOfTheWheels) {
+  for (const auto& slip : {Pose2(0.3, 0.0, 0.3), Pose2(-0.2, 0.3, -0.3), Pose2(0.0, -0.3, 0.3)})
+    expectTruth(matched(priorAt(truth * slip, 0.05)).pose);
+}
+
+TEST_F(MatchingInARoom, FindsBackAfterWheelsThatStoodStillWhileTheRobotMoved) {
+  const auto match = matched(priorAt(truth * Pose2(0.9, 0.3, -1.5), 0.05));
+  EXPECT_TRUE(match.was_searched);
+  expectTruth(match.pose);
+}
+
+TEST_F(MatchingInARoom, ErrsByAsMuchAsItSays) {
+  double squares = 0.0;
+  constexpr int kScans = 100;
+  RandomStream random(4, 0);
+  for (int i = 0; i < kScans; ++i) {
+    take(drive.next());
+    const Pose2 offset(0.05 * random.gaussian(), 0.05 * random.gaussian(),
+                       0.03 * random.gaussian());
+    const auto match = matched({truth * offset});
+    Eigen::Vector3d error = match.pose.vector() - truth.vector();
+    error.z() = wrapAngle(error.z());
+    squares += error.dot(match.information * error) / kScans;
+  }
+  EXPECT_GT(squares, 0.2);  // 3 is expected of errors that are exactly as large as told
+  EXPECT_LT(squares, 4.2);
+}
+
+TEST_F(MatchingInARoom, PeopleAroundTheRobotDoNotMoveIt) {
+  RandomStream random(5, 0);
+  for (auto& beam : scan.beams)
+    if (random.uniform() < 0.3) beam.range *= static_cast<float>(0.2 + 0.5 * random.uniform());
+  const auto match = matched(priorAt(truth * Pose2(0.05, 0.05, 0.03), 0.1));
+  expectTruth(match.pose);
+}
+
+TEST_F(MatchingInARoom, AScanThatTellsNothingStaysWhereMotionHasIt) {
+  const auto prior = priorAt(truth * Pose2(0.05, 0.0, 0.02), 0.1);
+  for (const std::size_t beams : {0, 1, 3}) {
+    scan.beams.resize(beams);
+    const auto match = matched(prior);
+    EXPECT_FALSE(match.is_determined);
+    EXPECT_LT(prior.pose.between(match.pose).position().norm(), 1e-9);
+  }
+}
+
+TEST_F(MatchingInARoom, APoseThatIsNoPlaceOnAMapIsLeftAlone) {
+  for (const double x : {1e12, std::numeric_limits<double>::quiet_NaN()}) {
+    const auto match = matched(priorAt(Pose2(x, 0.0, 0.0), 0.1));
+    EXPECT_FALSE(match.is_determined);
+  }
+}
+
+TEST_F(MatchingInARoom, ATenThousandBeamsAreMatchedAsWell) {
+  const auto few = scan.beams;
+  scan.beams.clear();
+  for (std::size_t i = 0; i + 1 < few.size(); ++i)
+    for (int k = 0; k < 56; ++k) scan.beams.push_back(few[i]);
+  expectTruth(matched(priorAt(truth * Pose2(0.05, 0.05, 0.03), 0.1)).pose);
+}
+
+/// Two walls without ends.
+class MatchingInACorridor : public testing::Test {
+ protected:
+  LaserScan scanAt(const Pose2& pose) const {
+    LaserScan scan;
+    for (int i = 0; i <= 180; ++i) {
+      const double bearing = M_PI * (i / 180.0 - 0.5), direction = pose.theta() + bearing;
+      const double to_wall = std::sin(direction) > 0.0 ? 1.0 - pose.y() : -1.0 - pose.y();
+      const double range = to_wall / std::sin(direction);
+      const bool hit = range < 12.0 && range > 0.0;
+      scan.beams.push_back(
+          {static_cast<float>(bearing), static_cast<float>(hit ? range : 12.0), hit});
+    }
+    return scan;
+  }
+};
+
+TEST_F(MatchingInACorridor, SaysThatItDoesNotKnowHowFarAlongItIs) {
+  ScanMap map{grid_map::GridMapConfig()};
+  for (double x = 0.0; x < 4.0; x += 0.1)
+    map.insert(map.pointsOf(scanAt(Pose2(x, 0, 0)), kSpacing), Pose2(x, 0, 0));
+  const Pose2 prior(2.3, 0.06, 0.04);
+  const auto match = ScanToMapMatcher().match(map, map.pointsOf(scanAt(Pose2(2.0, 0, 0)), kSpacing),
+                                              priorAt(prior, 0.3));
+  EXPECT_NEAR(match.pose.y(), 0.0, 0.01);
+  EXPECT_NEAR(match.pose.theta(), 0.0, 0.003);
+  EXPECT_NEAR(match.pose.x(), prior.x(), 0.15) << "nothing says otherwise";
+  const double along = match.information(0, 0), across = match.information(1, 1);
+  EXPECT_GT(across, 1e4) << "a centimetre";
+  EXPECT_LT(along, 1e-2 * across);
+}
+
+TEST(MotionPrior, DoubtsALongWayMoreThanAShortOne) {
+  const auto still = priorAfter({}, Eigen::Matrix3d::Zero(), Pose2(), Eigen::Matrix3d::Zero());
+  const auto gone =
+      priorAfter({}, Eigen::Matrix3d::Zero(), Pose2(1, 0, 0), Eigen::Matrix3d::Zero());
+  const auto turned =
+      priorAfter({}, Eigen::Matrix3d::Zero(), Pose2(0, 0, 1), Eigen::Matrix3d::Zero());
+  EXPECT_NEAR(1 / std::sqrt(still.information(0, 0)), 0.02, 1e-9);
+  EXPECT_NEAR(1 / std::sqrt(gone.information(0, 0)), 0.22, 1e-9);
+  EXPECT_NEAR(1 / std::sqrt(turned.information(2, 2)), 0.22, 1e-9);
+}
+
+}  // namespace
+}  // namespace slam::scan_matching
