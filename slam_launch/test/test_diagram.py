@@ -52,9 +52,7 @@ class Components(Diagrams):
                 self.assertIn("pose", made)
                 has_odometry = features["odometry"] != "none"
                 self.assertEqual("motion" in made, has_odometry)
-                if features["pointmap"] == "false":  # a point map takes in motion, too
-                    self.assertEqual("motion" in taken,
-                                     has_odometry or features["backend"] != "grid")
+                self.assertEqual("motion" in taken, has_odometry or features["backend"] != "grid")
 
     def test_follow_the_launch_file_that_another_one_includes(self):
         self.assertEqual(self.including("wheel.launch"),

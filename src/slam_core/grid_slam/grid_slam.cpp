@@ -95,7 +95,9 @@ Status GridSlam::execute() {
 Status GridSlam::replaceMap() {
   if (!inputs_.map) return Status::ok();
   const auto map = *std::exchange(inputs_.map, std::nullopt);
-  if (!map.grid) return Status::error("the map holds no occupancy grid, without which this back-end cannot take it");
+  if (!map.grid)
+    return Status::error(
+        "the map holds no occupancy grid, without which this back-end cannot take it");
   auto loaded = std::make_unique<scan_matching::ScanMap>(map_config_);
   Status status;
   for (std::size_t i = 0; i < scan_matching::kLevels; ++i) {

@@ -34,7 +34,7 @@ struct LaserScan {
   std::uint64_t sequence = 0;
   Stamp stamp;
   std::string sensor_frame;
-  Pose2 sensor_pose;  ///< T_base_sensor
+  Pose2 sensor_pose;            ///< T_base_sensor
   double relative_sigma = 0.0;  ///< standard deviation of a range, relative to it
   std::vector<LaserBeam> beams;
 };

@@ -14,8 +14,8 @@
 namespace slam {
 namespace {
 
-/// What a back-end can make. One that does not choose makes a grid where that is all it offers, else
-/// point landmarks.
+/// What a back-end can make. One that does not choose makes a grid where that is all it offers,
+/// else point landmarks.
 std::vector<MapKind> mapsOf(Backend& backend) {
   const auto capabilities = capabilitiesOf(backend);
   if (const auto* chooser = capabilities.find<MapChooser>()) return chooser->maps();

@@ -20,10 +20,11 @@ struct Match {
   bool was_searched = false;   ///< where the prior led nothing fitted
 };
 
-/// Finds where a scan fits a map: from the prior on in the coarse resolution, then in the fine one
-/// (registerScan()). Where too much of the scan contradicts the map there, it searches a window
-/// around the prior for a better place (Olson 2009), a wide one if need be, so that the robot is
-/// found again after wheels that slipped or stood still.
+/// Finds where a scan fits a map: from the prior on in the fine resolution (registerScan()), and
+/// where that does not explain most of the scan, from where the coarse one leads. Where too much of
+/// the scan contradicts the map even so, it searches a window around the prior for a better place
+/// (Olson 2009), a wide one if need be, so that the robot is found again after wheels that slipped
+/// or stood still.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}

@@ -44,6 +44,7 @@ Duration SweepInterval::plausible(Duration interval) const {
 void ScanTracker::restart(const PoseEstimate& place) {
   robot_ = place;
   stamp_.reset();
+  sweeps_ = {};
   velocity_.setZero();
 }
 

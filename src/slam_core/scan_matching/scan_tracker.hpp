@@ -29,7 +29,7 @@ class ScanTracker {
  public:
   explicit ScanTracker(const MatcherConfig& config = {}) : matcher_(config) {}
 
-  /// The robot is there. Its velocity is not known any more.
+  /// The robot is there; what was known of its velocity and of the scans' stamps is forgotten.
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
   Match track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
@@ -37,11 +37,10 @@ class ScanTracker {
 
   /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
   const PoseEstimate& robot() const { return robot_; }
-  const std::optional<Stamp>& stamp() const { return stamp_; }
 
  private:
   PosePrior predict(const std::optional<Motion>& motion, Duration interval) const;
-
+  /// Notes the velocity of the step to the last scan.
   void follow(const Pose2& step, bool is_confirmed, Duration interval);
 
   ScanToMapMatcher matcher_;
