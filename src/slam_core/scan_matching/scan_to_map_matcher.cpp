@@ -17,9 +17,9 @@ constexpr double kSettled = 0.9;
 constexpr double kMostContradict = 0.5;
 /// By how much better a place must fit that the prior did not lead to, of all ends: among many
 /// places some fit by chance.
-constexpr double kWorthAStep = 0.05, kWorthAJump = 0.3;
+constexpr double kWorthAStep = 0.05, kWorthAJump = 0.4;
 /// Of all ends, by a place that is worth a jump.
-constexpr double kExplained = 0.6;
+constexpr double kExplained = 0.75;
 /// Of an end that has nothing to do with the map, relative to the best.
 constexpr double kOutlier = 0.05;
 
