@@ -13,7 +13,7 @@ struct MatcherConfig {
 
   double spacing = 0.05;
   double sigma = 0.03;
-  double correlation = 2.0;
+  double correlation = 4.0;
   double doubt_share = 0.1;
   double window_position = 0.4;
   double window_heading = 0.4;
