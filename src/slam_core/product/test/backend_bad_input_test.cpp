@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -17,7 +18,8 @@ namespace {
 using test::SimulatedStep;
 using test::SimulatedWorld;
 
-/// A good run in which a few steps are spoilt: it must go on, say so and end near the truth.
+/// A good run of landmarks in which a few steps are spoilt: it must go on, say so and end near the
+/// truth.
 class BackendBadInput : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
@@ -241,8 +243,17 @@ TEST_P(BackendBadInput, AnInitialPoseAsUnsureAsCanBe) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BackendBadInput,
-                         testing::ValuesIn(Registry<Backend>::instance().names()),
+std::vector<std::string> backendsThatMapLandmarks() {
+  const auto& registry = Registry<Backend>::instance();
+  auto names = registry.names();
+  const auto maps_none = [&registry](const std::string& name) {
+    return capabilitiesOf(*registry.create(name)).find<LandmarkMapper>() == nullptr;
+  };
+  names.erase(std::remove_if(names.begin(), names.end(), maps_none), names.end());
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BackendBadInput, testing::ValuesIn(backendsThatMapLandmarks()),
                          [](const auto& name) { return name.param; });
 
 }  // namespace
