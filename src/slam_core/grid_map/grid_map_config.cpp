@@ -42,7 +42,7 @@ void GridMapConfig::describe(Fields& fields) {
       .add("largest_area", &largest_area,
            "of the rectangle that holds the map; what lies beyond is not mapped")
       .unit("m^2")
-      .in(Range::above(0));
+      .in(Range{0, 1e8, true, false});
   fields
       .add(
           "largest_memory", &largest_memory,

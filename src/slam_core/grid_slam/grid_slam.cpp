@@ -21,7 +21,8 @@ const SectionRegistrar<GridSlamConfig> kSectionRegistrar;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
-constexpr int kLastingDoubt = 5;  // [scans]
+constexpr int kLastingDoubt = 5;    // [scans]
+constexpr int kManyUnmatched = 10;  // scans in a row
 
 Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
 
@@ -39,7 +40,8 @@ void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapCo
   spacing_ = matcher.spacing;
   tracker_ = scan_matching::ScanTracker(matcher);
   trigger_ = {config.insert_distance, config.insert_angle};
-  drift_ = {config.drift_position, config.drift_heading};
+  drift_ =
+      mapIsFixed() ? MapDrift(0.0, 0.0) : MapDrift(config.drift_position, config.drift_heading);
   reset();
 }
 
@@ -76,6 +78,7 @@ void GridSlam::reset() {
   carried_.reset();
   agreement_ = {};
   scans_in_doubt_ = 0;
+  unmatched_in_a_row_ = 0;
   inputs_ = {};
   counters_.clear();
 }
@@ -118,6 +121,7 @@ void GridSlam::relocate() {
   trigger_.restart();
   carried_.reset();
   scans_in_doubt_ = 0;
+  unmatched_in_a_row_ = 0;
 }
 
 void GridSlam::move() {
@@ -127,7 +131,9 @@ void GridSlam::move() {
 
 Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
   const auto found = tracker_.track(*map_, scan, stamp, std::exchange(carried_, std::nullopt));
-  if (!map_->isEmpty() && !found.is_determined) counters_.add("unmatched");
+  const bool is_unmatched = !map_->isEmpty() && !found.is_determined;
+  if (is_unmatched) counters_.add("unmatched");
+  unmatched_in_a_row_ = is_unmatched ? unmatched_in_a_row_ + 1 : 0;
   if (found.was_searched) counters_.add("searched");
   agreement_ = found.agreement;
   return found;
@@ -140,17 +146,23 @@ Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
     counters_.add("contradicting");
     return Status::ok();
   }
-  if (mapIsFixed() || !trigger_.isDue(found.pose)) return Status::ok();
+  const bool is_due = map_->isEmpty() || trigger_.isDue(found.pose);
+  if (mapIsFixed() || !is_due || scan[0].beams.empty()) return Status::ok();
   return insert(scan, found);
 }
 
 /// A scan that fits nothing shows what the map does not have yet: the robot goes on from there,
 /// less sure of where that is.
 Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
-  const auto& [pose, covariance] = tracker_.robot();
+  const auto& pose = tracker_.robot().pose;
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);
-  drift_.add(pose, found.is_determined ? Eigen::Matrix3d::Zero() : covariance);
+  if (found.is_determined) {
+    drift_.add(pose);
+  } else {
+    drift_.restart(this->pose());
+    tracker_.anchor();
+  }
   ++revision_;
   if (beyond == 0) return Status::ok();
   counters_.add("beams_beyond_map", beyond);
@@ -165,6 +177,10 @@ Status GridSlam::onTheWhole() const {
   if (scans_in_doubt_ > 0)
     return Status::alarm(
         "the latest scans contradict the map: the pose may be lost; set an initial pose");
+  if (unmatched_in_a_row_ >= kManyUnmatched)
+    return Status::warning(
+        "the last scans fit nothing in the map, so that motion alone tells the pose: check whether "
+        "the laser is blind, and scan_to_map.spacing and grid_map.usable_range");
   return Status::ok();
 }
 

@@ -23,8 +23,9 @@ namespace slam::grid_slam {
 /// loop is closed: the map is as good as the scans follow one another.
 ///
 /// The told covariance is that of the robot among the parts of the map around it, and that of these
-/// parts (MapDrift). Counted: "unmatched" scans, that fit nothing, so that motion alone counts;
-/// "searched" ones; "contradicting" ones, which do not go into the map; "beams_beyond_map".
+/// parts (MapDrift). Counted: "unmatched" scans, that fit nothing: motion alone tells where they go
+/// into the map; "searched" ones; "contradicting" ones, which do not go into the map;
+/// "beams_beyond_map".
 class GridSlam final : public Backend, GridMapper, MapKeeper {
  public:
   /// @throw ConfigError
@@ -79,7 +80,8 @@ class GridSlam final : public Backend, GridMapper, MapKeeper {
   MapDrift drift_{0.0, 0.0};
   std::optional<Motion> carried_;       ///< since the last scan
   scan_matching::Agreement agreement_;  ///< of the last scan
-  int scans_in_doubt_ = 0;              ///< to come
+  int scans_in_doubt_ = 0;              ///< for how many more the robot is reported lost
+  int unmatched_in_a_row_ = 0;          ///< up to the last scan
   Inputs inputs_;
   Counters counters_;
 };

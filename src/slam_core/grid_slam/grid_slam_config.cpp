@@ -20,21 +20,21 @@ void GridSlamConfig::describe(Fields& fields) {
       .add("initial_sigma_position", &initial_sigma_position,
            "standard deviation of the first pose, which is the map's origin")
       .unit("m")
-      .in(Range::above(0));
+      .in(Range::closed(1e-6, 100));
   fields
       .add("initial_sigma_heading", &initial_sigma_heading,
            "standard deviation of the first heading")
       .unit("rad")
-      .in(Range::above(0));
+      .in(Range::closed(1e-6, 10));
   fields
       .add("drift_position", &drift_position,
            "standard deviation by which the map errs after a metre into the unknown; grows with "
            "the root of the way")
       .unit("m")
-      .in(Range::atLeast(0));
+      .in(Range::closed(0, 1));
   fields.add("drift_heading", &drift_heading, "the same of its heading")
       .unit("rad")
-      .in(Range::atLeast(0));
+      .in(Range::closed(0, 1));
   fields
       .add("lost_share", &lost_share,
            "the robot is told lost when a larger share of a scan's ends than this, of those where "

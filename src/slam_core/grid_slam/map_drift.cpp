@@ -46,8 +46,8 @@ Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
   return P;
 }
 
-void MapDrift::add(const Pose2& pose, const Eigen::Matrix3d& doubt) {
-  places_.push_back({pose, covarianceAt(pose) + doubt});
+void MapDrift::add(const Pose2& pose) {
+  places_.push_back({pose, covarianceAt(pose)});
   oldest_.emplace(squareOf(pose, 0, 0), places_.size() - 1);
 }
 

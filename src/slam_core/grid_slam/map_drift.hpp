@@ -21,11 +21,11 @@ class MapDrift {
   MapDrift(double position, double heading)
       : variance_per_metre_(position * position, position * position, heading * heading) {}
 
-  /// The map has no parts yet, or those that it has are the reference.
+  /// The map begins there, or begins anew: what is drawn from now on is as sure as this and no
+  /// surer, also where older parts are around.
   void restart(const PoseEstimate& first);
-  /// A scan from there has gone into the map.
-  /// @param doubt of where that is among the parts around it, in (x, y, theta)
-  void add(const Pose2& pose, const Eigen::Matrix3d& doubt = Eigen::Matrix3d::Zero());
+  /// A scan from there, which fits the parts around it, has gone into the map.
+  void add(const Pose2& pose);
   /// Of a robot that knows exactly where it is among the parts around it, in (x, y, theta).
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
 

@@ -12,10 +12,10 @@ void MatcherConfig::describe(Fields& fields) {
       .unit("m")
       .in(Range::atLeast(0));
   fields
-      .add(
-          "sigma", &sigma,
-          "standard deviation of an end's distance from the surface that it met, where the laser's "
-          "own noise is smaller")
+      .add("sigma", &sigma,
+           "standard deviation of an end's distance from the surface that it met, beside the "
+           "laser's "
+           "own noise")
       .unit("m")
       .in(Range::above(0));
   fields

@@ -30,8 +30,8 @@ struct Registration {
 /// distances across surfaces, with the prior's as one more. Each end goes with the nearest surface,
 /// weighed by how noisy it is; those far from all count little (Segal, Haehnel, Thrun 2009;
 /// Geman, McClure 1985).
-/// @param sigma standard deviation of an end's distance from what it met [m]; where the laser's
-/// own noise is known to be larger, that counts
+/// @param sigma standard deviation of an end's distance from what it met [m], beside the laser's
+/// own noise
 Registration registerScan(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
                           const Pose2& start, const PosePrior& prior, double sigma);
 

@@ -3,6 +3,7 @@
 
 #include "slam_core/scan_matching/scan_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "slam_core/grid_map/scan_insertion.hpp"
@@ -21,7 +22,8 @@ std::size_t mostTiles(const grid_map::GridMapConfig& config) {
 ScanMap::Level ScanMap::levelOf(grid_map::GridMapConfig config, double coarser,
                                 grid_map::GridMap::Memory& memory) {
   config.resolution *= coarser;
-  config.sigma *= coarser;
+  // an end has to be near the middle of some cell
+  config.sigma = std::max(coarser * config.sigma, config.resolution);
   return {grid_map::BeamModel(config), grid_map::GridMap(memory)};
 }
 

@@ -25,6 +25,15 @@ Eigen::Matrix3d noiseOfVelocity(Duration interval) {
   return Eigen::Vector3d(way * way, way * way, turn * turn).asDiagonal();
 }
 
+Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
+
+Eigen::Matrix3d covarianceAfter(const PoseEstimate& robot, const Motion& motion) {
+  Eigen::Matrix3d J_pose, J_u;
+  robot.pose.compose(motion.increment, &J_pose, &J_u);
+  return symmetric(J_pose * robot.covariance * J_pose.transpose() +
+                   J_u * motion.covariance * J_u.transpose());
+}
+
 }  // namespace
 
 void SweepInterval::note(Duration interval) {
@@ -48,30 +57,32 @@ void ScanTracker::restart(const PoseEstimate& place) {
   velocity_.setZero();
 }
 
-PosePrior ScanTracker::predict(const std::optional<Motion>& motion, Duration interval) const {
-  const auto after = [this](const Pose2& increment, const Eigen::Matrix3d& noise) {
-    return priorAfter(robot_.pose, robot_.covariance, increment, noise);
-  };
-  if (motion) return after(motion->increment, motion->covariance);
-  if (!stamp_) return after(Pose2(), Eigen::Matrix3d::Zero());
-  return after(Pose2::exp(seconds(interval) * velocity_), noiseOfVelocity(interval));
+/// By the last velocity.
+Motion ScanTracker::motionOf(Duration interval) const {
+  Motion motion;
+  motion.increment = Pose2::exp(seconds(interval) * velocity_);
+  motion.covariance = noiseOfVelocity(interval);
+  return motion;
 }
 
 Match ScanTracker::track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
-                         const std::optional<Motion>& motion) {
+                         const std::optional<Motion>& told) {
   Duration interval{};
   if (stamp_ && stamp > *stamp_) {
     interval = sweeps_.plausible(stamp - *stamp_);
     sweeps_.note(stamp - *stamp_);
   }
-  const auto prior = predict(motion, interval);
+  const auto motion = told ? *told : motionOf(interval);
+  const auto prior =
+      priorAfter(robot_.pose, robot_.covariance, motion.increment, motion.covariance);
   Match found;
   found.pose = prior.pose;
-  if (!map.isEmpty()) {
+  if (map.isEmpty()) {
+    robot_.covariance = covarianceAfter(robot_, motion);
+  } else {
     found = matcher_.match(map, scan, prior);
-    const Eigen::Matrix3d P =
-        (found.prior_weight * prior.information + found.information).inverse();
-    robot_.covariance = 0.5 * (P + P.transpose());
+    robot_.covariance =
+        symmetric((found.prior_weight * prior.information + found.information).inverse());
   }
   if (interval > Duration::zero())
     follow(robot_.pose.between(found.pose), found.is_determined, interval);

@@ -35,11 +35,14 @@ class ScanTracker {
   Match track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
               const std::optional<Motion>& motion);
 
+  /// The map around the robot has just been drawn from where it is: among these parts it is there.
+  void anchor() { robot_.covariance.setZero(); }
+
   /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
   const PoseEstimate& robot() const { return robot_; }
 
  private:
-  PosePrior predict(const std::optional<Motion>& motion, Duration interval) const;
+  Motion motionOf(Duration interval) const;
   /// Notes the velocity of the step to the last scan.
   void follow(const Pose2& step, bool is_confirmed, Duration interval);
 

@@ -39,7 +39,7 @@ void forOccupied(const GridMap& map, CellIndex middle, const Visit& visit) {
       }
       if (tile == nullptr) continue;
       const auto at = Tile::at({x, y});
-      if (!grid_map::BeamModel::isOccupied(tile->log_odds[at]) || tile->ends[at] == 0) continue;
+      if (!grid_map::BeamModel::isOccupied(tile->log_odds[at])) continue;
       visit(CellIndex{x, y}, Eigen::Vector2d(x + 0.5 + tile->mean_x[at] / kOffsets,
                                              y + 0.5 + tile->mean_y[at] / kOffsets));
     }

@@ -86,6 +86,28 @@ TEST_F(GridSlamInARoom, GoesOnByMotionWhileTheLaserIsBlind) {
   EXPECT_LT(distance(*backend, truth), 0.03);
 }
 
+TEST_F(GridSlamInARoom, BeginsItsMapWithTheFirstScanThatTellsSomething) {
+  for (int i = 0; i < 145; ++i) {
+    auto next = drive.next();
+    if (i < 10) next.scan.beams.clear();
+    give(next, true);
+    if (i == 9) EXPECT_GT(backend->pose().covariance(0, 0), 1e-4) << "by odometry alone";
+  }
+  EXPECT_TRUE(status.isOk()) << status.message;
+  EXPECT_TRUE(backend.as<GridMapper>().grid()->cells.size() > 1000);
+  EXPECT_LT(distance(*backend, drive.next().truth), 0.2);
+}
+
+TEST_F(GridSlamInARoom, SaysThatNoScanFitsAnyMore) {
+  for (int i = 0; i < 40; ++i) step();
+  for (int i = 0; i < 12; ++i) {
+    auto next = drive.next();
+    next.scan.beams.clear();
+    give(next, true);
+  }
+  EXPECT_NE(status.message.find("fit nothing in the map"), std::string::npos) << status.message;
+}
+
 TEST_F(GridSlamInARoom, TellsThatItIsLostWhereScansContradictTheMap) {
   for (int i = 0; i < 145; ++i) step();
   ASSERT_TRUE(status.isOk());
@@ -113,6 +135,8 @@ TEST_F(GridSlamInARoom, KeepsALoadedMapWhereItOnlyLocalises) {
     truth = next.truth;
   }
   EXPECT_LT(distance(*localising, truth), 0.05);
+  EXPECT_EQ(localising->counters()["unmatched"], 0u);
+  EXPECT_LT(std::sqrt(localising->pose().covariance(0, 0)), 0.05);
   EXPECT_EQ(localising.as<GridMapper>().grid()->cells, cells);
 }
 

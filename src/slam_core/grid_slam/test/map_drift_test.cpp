@@ -40,18 +40,16 @@ TEST(MapDrift, IsAsSureAsBeforeWhereTheRobotComesBack) {
   EXPECT_NEAR(after(0, 0), before(0, 0), 0.2 * before(0, 0));
 }
 
-TEST(MapDrift, APartThatFitsNothingIsAsDoubtfulAsTheRobot) {
+TEST(MapDrift, WhatBeginsAnewIsNoSurerNearOlderParts) {
   auto drift = drawnAlong(5.0);
-  const Pose2 beyond(8.0, 0.0, 0.0);
-  const auto before = drift.covarianceAt(beyond);
-  drift.add(beyond, Eigen::Matrix3d::Identity());
-  EXPECT_LT((drift.covarianceAt(beyond) - before - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+  drift.restart({Pose2(4.0, 0.0, 0.0), Eigen::Matrix3d::Identity()});
+  EXPECT_GE(drift.covarianceAt(Pose2(3.0, 0.0, 0.0))(0, 0), 1.0);
 }
 
 TEST(MapDrift, ALoadedMapIsTheReference) {
-  MapDrift drift(0.01, 0.002);
+  MapDrift drift(0.0, 0.0);
   drift.restart({Pose2(3.0, 4.0, 1.0), Eigen::Matrix3d::Zero()});
-  EXPECT_LT(drift.covarianceAt(Pose2(3.0, 4.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT(drift.covarianceAt(Pose2(30.0, 4.0, 0.0)).norm(), 1e-12);
 }
 
 }  // namespace
