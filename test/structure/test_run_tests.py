@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""test/run_tests leaves nothing behind of a test, neither of one that hangs nor after Ctrl-C."""
+"""test/run_tests leaves nothing behind of a test, neither of one that hangs nor after Ctrl-C, and
+tells a test that failed from a sanitizer that crashed."""
 
 from importlib.machinery import SourceFileLoader
 import importlib.util
@@ -98,6 +99,29 @@ class Leftovers(unittest.TestCase):
             tests.send_signal(request)
             self.assertEqual(tests.wait(WITHIN), 128 + request)
         self.assertFalse(is_alive(hanging))
+
+
+class BrokenTracer(unittest.TestCase):
+    PROGRAM = ('case $ASAN_OPTIONS in *=0) exit {0};; esac; '
+               'echo "==1==LeakSanitizer has encountered a fatal error."; exit 1')
+
+    def report_on(self, code_without_leaks):
+        run_tests = load()
+        with tempfile.TemporaryDirectory() as folder:
+            run_tests.LOGS = pathlib.Path(folder)
+            report = run_tests.Report()
+            report.run("some", ["bash", "-c", self.PROGRAM.format(code_without_leaks)],
+                       env={**os.environ, "ASAN_OPTIONS": "detect_leaks=1"})
+        return report
+
+    def test_a_good_test_passes_and_its_leaks_are_skipped(self):
+        report = self.report_on(code_without_leaks=0)
+        self.assertEqual((report.passed, report.failed), (1, []))
+        self.assertEqual([skip.split(",")[0] for skip in report.skipped],
+                         ["some: leaks: the sanitizer's search for them crashed"])
+
+    def test_a_bad_test_fails(self):
+        self.assertEqual(self.report_on(code_without_leaks=3).failed, ["some"])
 
 
 if __name__ == "__main__":
