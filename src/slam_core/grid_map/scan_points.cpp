@@ -25,6 +25,31 @@ std::optional<ScanPoints::Beam> beamOf(const LaserBeam& beam, const LaserScan& s
                           sigma / model.resolution()};
 }
 
+/// Of ends in the order of the sweep, those that lie about `apart` apart. Whether an end is kept is
+/// decided by those before it: who waits until an end is far enough away keeps those whose noise
+/// points ahead, and with that sees all walls turned.
+class Thinning {
+ public:
+  explicit Thinning(double apart) : apart_(apart) {}
+
+  bool keeps(const Eigen::Vector2d& end) {
+    const bool is_kept = is_first_ || (last_ - kept_).norm() + step_ >= apart_ ||
+                         (end - kept_).norm() >= kJump * apart_;
+    step_ = is_first_ ? 0.0 : (end - last_).norm();
+    is_first_ = false;
+    last_ = end;
+    if (is_kept) kept_ = end;
+    return is_kept;
+  }
+
+ private:
+  static constexpr double kJump = 4.0;  // of `apart`: to something else
+  double apart_;
+  bool is_first_ = true;
+  Eigen::Vector2d kept_ = Eigen::Vector2d::Zero(), last_ = Eigen::Vector2d::Zero();
+  double step_ = 0.0;  ///< to the last end
+};
+
 }  // namespace
 
 bool ScanPoints::isOnMap(const Pose2& pose) const {
@@ -39,13 +64,12 @@ ScanPoints pointsOf(const LaserScan& scan, const BeamModel& model, double spacin
   points.origin = scan.sensor_pose.position() / model.resolution();
   points.relative_sigma = scan.relative_sigma;
   points.beams.reserve(scan.beams.size());
-  const double apart = spacing / model.resolution();
+  Thinning thinning(spacing / model.resolution());
   for (const auto& read : scan.beams) {
     const auto beam = beamOf(read, scan, model);
     if (!beam) continue;
     points.beams.push_back(*beam);
-    if (beam->isHit() && (points.ends.empty() || (beam->end - points.ends.back()).norm() >= apart))
-      points.ends.push_back(beam->end);
+    if (beam->isHit() && thinning.keeps(beam->end)) points.ends.push_back(beam->end);
   }
   return points;
 }
