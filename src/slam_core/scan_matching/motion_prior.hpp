@@ -10,11 +10,23 @@
 
 namespace slam::scan_matching {
 
-/// What is known of a scan's pose from that of the scan before and the motion in between. Wheels do
-/// worse things than their covariance says: they slip, and a lurch of a second belongs to no
-/// Gaussian. So the prior is widened by a slip: a fifth of the way and of the turn, a tenth of each
-/// to the other (by metre and radian), and 2 cm and 0.02 rad. That costs little where scans tell
-/// the pose to a centimetre.
+/// How far wheels are off. They do worse things than their covariance says: they slip, and a lurch
+/// of a second belongs to no Gaussian. How bad they are is learnt from what scans say of them, from
+/// a careful beginning on: a fifth of the way and of the turn, a tenth of each to the other (by
+/// metre and radian), and 2 cm and 0.02 rad.
+class SlipEstimate {
+ public:
+  /// In the coordinates of the increment that was told.
+  Eigen::Matrix3d covarianceOf(const Pose2& increment) const;
+  /// @param error what a scan has found beside the increment, in its coordinates
+  /// @param shares of the error in each coordinate that the scan determines, 0 to 1
+  void learn(const Pose2& increment, const Pose2& error, const Eigen::Vector3d& shares);
+
+ private:
+  double position_ = 1.0, heading_ = 1.0;  ///< variances, relative to those of the beginning
+};
+
+/// What is known of a scan's pose from that of the scan before and the motion in between.
 /// @param covariance of `before`, in (x, y, theta)
 /// @param noise of the increment, in its coordinates
 PosePrior priorAfter(const Pose2& before, const Eigen::Matrix3d& covariance, const Pose2& increment,

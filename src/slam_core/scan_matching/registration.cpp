@@ -4,6 +4,7 @@
 #include "slam_core/scan_matching/registration.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,8 @@
 
 // Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
 // across and along that, W information of an offset, w what the kernel leaves of it, J Jacobian of
-// an offset by the pose, H and g the normal equations.
+// an offset by the pose, H and g the normal equations, L and Q a root of H and axes in its
+// coordinates.
 
 namespace slam::scan_matching {
 namespace {
@@ -24,9 +26,17 @@ constexpr double kSmallStep = 1e-4;    // [m], [rad]
 constexpr double kLeastWeight = 0.05;  // an end with less belongs to something else
 constexpr double kDamping = 1e-6;
 
+/// Of a small motion of the robot, by which an end moves along a direction.
+Eigen::Vector3d jacobian(const Eigen::Vector2d& direction, const Eigen::Vector2d& turned,
+                         double cells_per_metre) {
+  return {cells_per_metre * direction.x(), cells_per_metre * direction.y(),
+          turned.x() * direction.y() - turned.y() * direction.x()};
+}
+
 struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d H_noise = Eigen::Matrix3d::Zero();  ///< of H, what noise of the normals makes
   int ends = 0;
   double weights = 0.0, squares = 0.0;  ///< of the ends, and of their offsets in sigmas
 
@@ -37,14 +47,33 @@ struct NormalEquations {
     return std::clamp(squares / (kOfKernel * weights), kLeast, 1.0);
   }
   /// The offset `r` of an end along a direction, with the weight W.
-  void add(double W, double r, const Eigen::Vector2d& direction, const Eigen::Vector2d& turned,
-           double cells_per_metre) {
-    const Eigen::Vector3d J(cells_per_metre * direction.x(), cells_per_metre * direction.y(),
-                            turned.x() * direction.y() - turned.y() * direction.x());
+  void add(double W, double r, const Eigen::Vector3d& J) {
     H += W * J * J.transpose();
     g += W * r * J;
   }
+  /// Normals that err by a variance make information along their surfaces, where there is none.
+  void addNoise(double W, double tilt, const Eigen::Vector3d& J_along) {
+    H_noise += W * tilt * J_along * J_along.transpose();
+  }
+  void takeOutNoise();
 };
+
+/// In the coordinates in which H is one, each axis keeps the share of it that is not noise: along a
+/// corridor nothing.
+void NormalEquations::takeOutNoise() {
+  const Eigen::Matrix3d L =
+      Eigen::LLT<Eigen::Matrix3d>(H + kDamping * Eigen::Matrix3d::Identity()).matrixL();
+  const auto solve = [&L](const auto& right) {
+    return L.triangularView<Eigen::Lower>().solve(right).eval();
+  };
+  const Eigen::Matrix3d half = solve(H_noise);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(solve(half.transpose()));
+  const auto& Q = axes.eigenvectors();
+  const Eigen::Vector3d kept = (1.0 - axes.eigenvalues().array()).max(0.0);
+  const Eigen::Matrix3d LQ = L * Q;
+  g = LQ * kept.asDiagonal() * Q.transpose() * solve(g);
+  H = LQ * kept.asDiagonal() * LQ.transpose();
+}
 
 class Fit {
  public:
@@ -78,8 +107,10 @@ class Fit {
     const double squared = W_across * across * across + W_along * along * along;
     const double root = 1.0 / (1.0 + squared), w = root * root;
     if (!(w >= kLeastWeight)) return;
-    sum.add(w * W_across, across, n, turned, scan_.cells_per_metre);
-    if (W_along > 0.0) sum.add(w * W_along, along, t, turned, scan_.cells_per_metre);
+    const auto J_along = jacobian(t, turned, scan_.cells_per_metre);
+    sum.add(w * W_across, across, jacobian(n, turned, scan_.cells_per_metre));
+    sum.addNoise(w * W_across, surface->tilt, J_along);
+    if (W_along > 0.0) sum.add(w * W_along, along, J_along);
     ++sum.ends;
     sum.weights += w;
     sum.squares += w * squared;
@@ -106,7 +137,8 @@ Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, 
   if (!scan.isOnMap(start)) return found;
   Fit fit(map, scan, sigma);
   for (int i = 0; i < kIterations && scan.isOnMap(found.pose); ++i) {
-    const auto equations = fit.at(found.pose);
+    auto equations = fit.at(found.pose);
+    equations.takeOutNoise();
     found.ends = equations.ends;
     if (!found.isDetermined()) break;
     found.information = equations.H / equations.shownVariance();

@@ -12,9 +12,9 @@
 namespace slam::scan_matching {
 namespace {
 
-constexpr double kLeast = 0.02;   // interval that tells a velocity [s]
-constexpr double kFading = 0.8;   // of a velocity that no scan confirms
-constexpr double kMemory = 50.0;  // scans that the usual interval is the mean of, about
+constexpr double kLeast = 0.02;        // interval that tells a velocity [s]
+constexpr double kFading = 0.8;        // of a velocity that no scan confirms
+constexpr double kSweepsMeant = 50.0;  // scans that the usual interval is the mean of, about
 
 /// Of a robot that speeds up, brakes and turns as it likes since its last velocity.
 Eigen::Matrix3d noiseOfVelocity(Duration interval) {
@@ -34,13 +34,23 @@ Eigen::Matrix3d covarianceAfter(const PoseEstimate& robot, const Motion& motion)
                    J_u * motion.covariance * J_u.transpose());
 }
 
+/// Of the error of a prior, in each of the robot's directions, what a scan determines.
+Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
+  Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
+  to_robot.topLeftCorner<2, 2>() = prior.pose.rotation().transpose();
+  const Eigen::Matrix3d gain =
+      (prior.information + found.information).inverse() * found.information;
+  const Eigen::Matrix3d of_robot = to_robot * gain * to_robot.transpose();
+  return of_robot.diagonal().cwiseMax(0.0).cwiseMin(1.0);
+}
+
 }  // namespace
 
 void SweepInterval::note(Duration interval) {
   const double dt = seconds(interval);
   if (usual_ == 0.0) usual_ = dt;
-  spread_ += (std::abs(dt - usual_) - spread_) / kMemory;
-  usual_ += (dt - usual_) / kMemory;
+  spread_ += (std::abs(dt - usual_) - spread_) / kSweepsMeant;
+  usual_ += (dt - usual_) / kSweepsMeant;
 }
 
 Duration SweepInterval::plausible(Duration interval) const {
@@ -53,6 +63,7 @@ Duration SweepInterval::plausible(Duration interval) const {
 void ScanTracker::restart(const PoseEstimate& place) {
   robot_ = place;
   stamp_.reset();
+  slip_ = {};
   sweeps_ = {};
   velocity_.setZero();
 }
@@ -73,14 +84,17 @@ Match ScanTracker::track(const ScanMap& map, const ScanLevels& scan, Stamp stamp
     sweeps_.note(stamp - *stamp_);
   }
   const auto motion = told ? *told : motionOf(interval);
+  const auto slip = (told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);
   const auto prior =
-      priorAfter(robot_.pose, robot_.covariance, motion.increment, motion.covariance);
+      priorAfter(robot_.pose, robot_.covariance, motion.increment, motion.covariance + slip);
   Match found;
   found.pose = prior.pose;
   if (map.isEmpty()) {
     robot_.covariance = covarianceAfter(robot_, motion);
   } else {
     found = matcher_.match(map, scan, prior);
+    if (told && found.is_determined)
+      slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
     robot_.covariance =
         symmetric((found.prior_weight * prior.information + found.information).inverse());
   }

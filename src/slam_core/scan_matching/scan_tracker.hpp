@@ -7,6 +7,7 @@
 
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/motion_prior.hpp"
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
 namespace slam::scan_matching {
@@ -29,7 +30,7 @@ class ScanTracker {
  public:
   explicit ScanTracker(const MatcherConfig& config = {}) : matcher_(config) {}
 
-  /// The robot is there; what was known of its velocity and of the scans' stamps is forgotten.
+  /// The robot is there; what was known of its velocity, slips and the scans' stamps is forgotten.
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
   Match track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
@@ -48,6 +49,7 @@ class ScanTracker {
 
   ScanToMapMatcher matcher_;
   PoseEstimate robot_;
+  SlipEstimate slip_;
   std::optional<Stamp> stamp_;  ///< of the last scan
   SweepInterval sweeps_;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]

@@ -23,7 +23,6 @@ constexpr std::int32_t kReach = 2;      // cells on either side, for the nearest
 constexpr int kFewestOfLine = 3;        // cells
 constexpr double kStretchOfLine = 4.0;  // of a line, variance along over variance across
 constexpr double kOffsets = 256.0;      // of a mean, in a cell
-constexpr double kCellVariance = 1 / 12.0;
 
 /// Calls visit(mean) for the ends' mean of each occupied cell around one.
 template <class Visit>
@@ -71,8 +70,8 @@ Surface surfaceAbout(const GridMap& map, CellIndex middle) {
   });
   Surface surface;
   if (count < kFewestOfLine) {
-    surface.point = origin + own;
-    surface.across = surface.along = kCellVariance;
+    surface.point = origin + own;  // of something that may go on unseen, as far as looked at
+    surface.across = surface.along = kReach * kReach;
     return surface;
   }
   const Eigen::Vector2d mean = sum / count;
@@ -82,8 +81,10 @@ Surface surfaceAbout(const GridMap& map, CellIndex middle) {
   surface.normal = axes.eigenvectors().col(0);
   surface.across = std::max(0.0, axes.eigenvalues()(0));
   surface.along = axes.eigenvalues()(1);
-  if (surface.along > kStretchOfLine * surface.across)
+  if (surface.along > kStretchOfLine * surface.across) {
+    surface.tilt = surface.across / ((count - 2) * surface.along);  // of a line's slope
     surface.along = std::numeric_limits<double>::infinity();
+  }
   return surface;
 }
 

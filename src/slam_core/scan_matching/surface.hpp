@@ -18,6 +18,7 @@ struct Surface {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< across it, of unit length
   double across = 0.0;                                ///< variance of the ends along the normal
   double along = 0.0;                                 ///< the same along it; infinite for a line
+  double tilt = 0.0;  ///< variance of the normal's direction, as the ends lie about a line [rad^2]
 
   bool goesOn() const { return std::isinf(along); }
 };

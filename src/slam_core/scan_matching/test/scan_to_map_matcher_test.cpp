@@ -10,7 +10,6 @@
 
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
-#include "slam_core/scan_matching/motion_prior.hpp"
 
 namespace slam::scan_matching {
 namespace {
@@ -122,49 +121,6 @@ TEST_F(MatchingInARoom, ATenThousandBeamsAreMatchedAsWell) {
   for (std::size_t i = 0; i + 1 < few.size(); ++i)
     for (int k = 0; k < 56; ++k) scan.beams.push_back(few[i]);
   expectTruth(matched(priorAt(truth * Pose2(0.05, 0.05, 0.03), 0.1)).pose);
-}
-
-/// Two walls without ends.
-class MatchingInACorridor : public testing::Test {
- protected:
-  LaserScan scanAt(const Pose2& pose) const {
-    LaserScan scan;
-    for (int i = 0; i <= 180; ++i) {
-      const double bearing = M_PI * (i / 180.0 - 0.5), direction = pose.theta() + bearing;
-      const double to_wall = std::sin(direction) > 0.0 ? 1.0 - pose.y() : -1.0 - pose.y();
-      const double range = to_wall / std::sin(direction);
-      const bool hit = range < 12.0 && range > 0.0;
-      scan.beams.push_back(
-          {static_cast<float>(bearing), static_cast<float>(hit ? range : 12.0), hit});
-    }
-    return scan;
-  }
-};
-
-TEST_F(MatchingInACorridor, SaysThatItDoesNotKnowHowFarAlongItIs) {
-  ScanMap map{grid_map::GridMapConfig()};
-  for (double x = 0.0; x < 4.0; x += 0.1)
-    map.insert(map.pointsOf(scanAt(Pose2(x, 0, 0)), kSpacing), Pose2(x, 0, 0));
-  const Pose2 prior(2.3, 0.06, 0.04);
-  const auto match = ScanToMapMatcher().match(map, map.pointsOf(scanAt(Pose2(2.0, 0, 0)), kSpacing),
-                                              priorAt(prior, 0.3));
-  EXPECT_NEAR(match.pose.y(), 0.0, 0.01);
-  EXPECT_NEAR(match.pose.theta(), 0.0, 0.003);
-  EXPECT_NEAR(match.pose.x(), prior.x(), 0.15) << "nothing says otherwise";
-  const double along = match.information(0, 0), across = match.information(1, 1);
-  EXPECT_GT(across, 1e4) << "a centimetre";
-  EXPECT_LT(along, 1e-2 * across);
-}
-
-TEST(MotionPrior, DoubtsALongWayMoreThanAShortOne) {
-  const auto still = priorAfter({}, Eigen::Matrix3d::Zero(), Pose2(), Eigen::Matrix3d::Zero());
-  const auto gone =
-      priorAfter({}, Eigen::Matrix3d::Zero(), Pose2(1, 0, 0), Eigen::Matrix3d::Zero());
-  const auto turned =
-      priorAfter({}, Eigen::Matrix3d::Zero(), Pose2(0, 0, 1), Eigen::Matrix3d::Zero());
-  EXPECT_NEAR(1 / std::sqrt(still.information(0, 0)), 0.02, 1e-9);
-  EXPECT_NEAR(1 / std::sqrt(gone.information(0, 0)), 0.22, 1e-9);
-  EXPECT_NEAR(1 / std::sqrt(turned.information(2, 2)), 0.22, 1e-9);
 }
 
 }  // namespace
