@@ -11,9 +11,9 @@ namespace slam::scan_matching {
 struct MatcherConfig {
   static constexpr const char* kSection = "scan_to_map";
 
-  double spacing = 0.05;
+  double spacing = 0.02;
   double sigma = 0.03;
-  double correlation = 4.0;
+  double correlation = 2.0;
   double doubt_share = 0.1;
   double window_position = 0.4;
   double window_heading = 0.4;

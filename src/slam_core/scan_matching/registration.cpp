@@ -25,6 +25,7 @@ constexpr int kIterations = 15;
 constexpr double kSmallStep = 1e-4;    // [m], [rad]
 constexpr double kLeastWeight = 0.05;  // an end with less belongs to something else
 constexpr double kDamping = 1e-6;
+constexpr double kDoubt = 2.0;  // of noise that is known from few cells: that it is so much larger
 
 /// Of a small motion of the robot, by which an end moves along a direction.
 Eigen::Vector3d jacobian(const Eigen::Vector2d& direction, const Eigen::Vector2d& turned,
@@ -40,11 +41,12 @@ struct NormalEquations {
   int ends = 0;
   double weights = 0.0, squares = 0.0;  ///< of the ends, and of their offsets in sigmas
 
-  /// Of the ends' variance, what shows in their offsets: the model's sigma is an upper bound.
+  /// Of the ends' variance, what shows in their offsets: the model's sigma is an upper bound. The
+  /// kernel hides the large ones; of normal offsets of variance v it leaves about v / (1 + 3 v).
   double shownVariance() const {
-    constexpr double kOfKernel = 0.25;  // mean weighed square of a normal variable
-    constexpr double kLeast = 0.05;
-    return std::clamp(squares / (kOfKernel * weights), kLeast, 1.0);
+    constexpr double kHidden = 3.0, kLeast = 0.05;
+    const double mean = squares / weights;
+    return mean * (1.0 + kHidden) >= 1.0 ? 1.0 : std::max(kLeast, mean / (1.0 - kHidden * mean));
   }
   /// The offset `r` of an end along a direction, with the weight W.
   void add(double W, double r, const Eigen::Vector3d& J) {
@@ -55,12 +57,12 @@ struct NormalEquations {
   void addNoise(double W, double tilt, const Eigen::Vector3d& J_along) {
     H_noise += W * tilt * J_along * J_along.transpose();
   }
-  void takeOutNoise();
+  NormalEquations withoutNoise() const;
 };
 
 /// In the coordinates in which H is one, each axis keeps the share of it that is not noise: along a
 /// corridor nothing.
-void NormalEquations::takeOutNoise() {
+NormalEquations NormalEquations::withoutNoise() const {
   const Eigen::Matrix3d L =
       Eigen::LLT<Eigen::Matrix3d>(H + kDamping * Eigen::Matrix3d::Identity()).matrixL();
   const auto solve = [&L](const auto& right) {
@@ -69,10 +71,12 @@ void NormalEquations::takeOutNoise() {
   const Eigen::Matrix3d half = solve(H_noise);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(solve(half.transpose()));
   const auto& Q = axes.eigenvectors();
-  const Eigen::Vector3d kept = (1.0 - axes.eigenvalues().array()).max(0.0);
+  const Eigen::Vector3d kept = (1.0 - kDoubt * axes.eigenvalues().array()).max(0.0);
   const Eigen::Matrix3d LQ = L * Q;
-  g = LQ * kept.asDiagonal() * Q.transpose() * solve(g);
-  H = LQ * kept.asDiagonal() * LQ.transpose();
+  NormalEquations rest = *this;
+  rest.g = LQ * kept.asDiagonal() * Q.transpose() * solve(g);
+  rest.H = LQ * kept.asDiagonal() * LQ.transpose();
+  return rest;
 }
 
 class Fit {
@@ -137,11 +141,12 @@ Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, 
   if (!scan.isOnMap(start)) return found;
   Fit fit(map, scan, sigma);
   for (int i = 0; i < kIterations && scan.isOnMap(found.pose); ++i) {
-    auto equations = fit.at(found.pose);
-    equations.takeOutNoise();
+    const auto all = fit.at(found.pose);
+    const auto sure = all.withoutNoise();
+    const auto& equations = prior.is_measured ? sure : all;
     found.ends = equations.ends;
     if (!found.isDetermined()) break;
-    found.information = equations.H / equations.shownVariance();
+    found.information = sure.H / sure.shownVariance();
     Eigen::Vector3d error = found.pose.vector() - prior.pose.vector();
     error.z() = wrapAngle(error.z());
     found.prior_weight = weightOfPrior(error.dot(prior.information * error));

@@ -15,6 +15,7 @@ namespace slam::scan_matching {
 struct PosePrior {
   Pose2 pose;                                             ///< T_map_base
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, theta); 0: nothing
+  bool is_measured = true;  ///< else it is a guess, and the least that a scan tells is better
 };
 
 /// Where a scan fits a map.

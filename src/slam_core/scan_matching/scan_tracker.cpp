@@ -27,13 +27,6 @@ Eigen::Matrix3d noiseOfVelocity(Duration interval) {
 
 Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
 
-Eigen::Matrix3d covarianceAfter(const PoseEstimate& robot, const Motion& motion) {
-  Eigen::Matrix3d J_pose, J_u;
-  robot.pose.compose(motion.increment, &J_pose, &J_u);
-  return symmetric(J_pose * robot.covariance * J_pose.transpose() +
-                   J_u * motion.covariance * J_u.transpose());
-}
-
 /// Of the error of a prior, in each of the robot's directions, what a scan determines.
 Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
@@ -62,6 +55,7 @@ Duration SweepInterval::plausible(Duration interval) const {
 
 void ScanTracker::restart(const PoseEstimate& place) {
   robot_ = place;
+  step_ = {};
   stamp_.reset();
   slip_ = {};
   sweeps_ = {};
@@ -84,25 +78,53 @@ Match ScanTracker::track(const ScanMap& map, const ScanLevels& scan, Stamp stamp
     sweeps_.note(stamp - *stamp_);
   }
   const auto motion = told ? *told : motionOf(interval);
-  const auto slip = (told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);
-  const auto prior =
-      priorAfter(robot_.pose, robot_.covariance, motion.increment, motion.covariance + slip);
-  Match found;
-  found.pose = prior.pose;
-  if (map.isEmpty()) {
-    robot_.covariance = covarianceAfter(robot_, motion);
-  } else {
-    found = matcher_.match(map, scan, prior);
-    if (told && found.is_determined)
-      slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
-    robot_.covariance =
-        symmetric((found.prior_weight * prior.information + found.information).inverse());
-  }
+  const Pose2 before = robot_.pose;
+  const auto found = map.isEmpty() ? move(motion) : match(map, scan, motion, told.has_value());
   if (interval > Duration::zero())
-    follow(robot_.pose.between(found.pose), found.is_determined, interval);
-  robot_.pose = found.pose;
+    follow(before.between(found.pose), found.is_determined, interval);
   stamp_ = stamp;
   return found;
+}
+
+/// Where there is nothing to match with.
+Match ScanTracker::move(const Motion& motion) {
+  Eigen::Matrix3d J_pose, J_u;
+  Match found;
+  found.pose = robot_.pose.compose(motion.increment, &J_pose, &J_u);
+  step_ = {motion.increment, motion.covariance};
+  robot_ = {found.pose, symmetric(J_pose * robot_.covariance * J_pose.transpose() +
+                                  J_u * motion.covariance * J_u.transpose())};
+  return found;
+}
+
+Match ScanTracker::match(const ScanMap& map, const ScanLevels& scan, const Motion& motion,
+                         bool is_told) {
+  const Eigen::Matrix3d noise =
+      motion.covariance + (is_told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);
+  auto prior = priorAfter(robot_.pose, robot_.covariance, motion.increment, noise);
+  prior.is_measured = is_told;
+  const auto found = matcher_.match(map, scan, prior);
+  if (is_told && found.is_determined)
+    slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
+  take(found, prior, motion, noise);
+  return found;
+}
+
+// F, G: Jacobians of the motion by the pose before and by the increment; K: the part of an error of
+// the prior that the scan takes out; J_before, J_after: those of the step by the two poses.
+void ScanTracker::take(const Match& found, const PosePrior& prior, const Motion& motion,
+                       const Eigen::Matrix3d& noise) {
+  const Eigen::Matrix3d prior_left = found.prior_weight * prior.information;
+  const Eigen::Matrix3d P = symmetric((prior_left + found.information).inverse());
+  const Eigen::Matrix3d left = P * prior_left;  // I - K
+  Eigen::Matrix3d F, G, J_inverse, J_to_before, J_after;
+  robot_.pose.compose(motion.increment, &F, &G);
+  step_.increment = robot_.pose.inverse(&J_inverse).compose(found.pose, &J_to_before, &J_after);
+  const Eigen::Matrix3d A = J_after * left * F + J_to_before * J_inverse;
+  const Eigen::Matrix3d B = J_after * left * G;
+  step_.covariance = symmetric(A * robot_.covariance * A.transpose() + B * noise * B.transpose() +
+                               J_after * P * found.information * P * J_after.transpose());
+  robot_ = {found.pose, P};
 }
 
 void ScanTracker::follow(const Pose2& step, bool is_confirmed, Duration interval) {

@@ -24,6 +24,12 @@ class SweepInterval {
   double usual_ = 0.0, spread_ = 0.0;  ///< mean, and mean distance from it [s]; 0: none yet
 };
 
+/// The robot's motion from one scan to the next.
+struct ScanStep {
+  Pose2 increment;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta) of the increment
+};
+
 /// Follows a robot through a map from scan to scan: each is looked for where the last pose and the
 /// motion since then lead, or the last velocity where no motion is known.
 class ScanTracker {
@@ -39,16 +45,25 @@ class ScanTracker {
   /// The map around the robot has just been drawn from where it is: among these parts it is there.
   void anchor() { robot_.covariance.setZero(); }
 
+  /// To the last scan. What both poses owe to the map they were found in cancels; where a scan says
+  /// nothing, as along a corridor, it is as sure as the motion that was told.
+  const ScanStep& step() const { return step_; }
   /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
   const PoseEstimate& robot() const { return robot_; }
 
  private:
   Motion motionOf(Duration interval) const;
+  Match move(const Motion& motion);
+  Match match(const ScanMap& map, const ScanLevels& scan, const Motion& motion, bool is_told);
+  /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
+  void take(const Match& found, const PosePrior& prior, const Motion& motion,
+            const Eigen::Matrix3d& noise);
   /// Notes the velocity of the step to the last scan.
   void follow(const Pose2& step, bool is_confirmed, Duration interval);
 
   ScanToMapMatcher matcher_;
   PoseEstimate robot_;
+  ScanStep step_;
   SlipEstimate slip_;
   std::optional<Stamp> stamp_;  ///< of the last scan
   SweepInterval sweeps_;

@@ -24,7 +24,8 @@ constexpr int kFewestOfLine = 3;        // cells
 constexpr double kStretchOfLine = 4.0;  // of a line, variance along over variance across
 constexpr double kOffsets = 256.0;      // of a mean, in a cell
 
-/// Calls visit(mean) for the ends' mean of each occupied cell around one.
+/// Calls visit(cell, mean, ends) for each occupied cell around one, with the number of ends that
+/// the mean is of.
 template <class Visit>
 void forOccupied(const GridMap& map, CellIndex middle, const Visit& visit) {
   const Tile* tile = nullptr;
@@ -39,15 +40,17 @@ void forOccupied(const GridMap& map, CellIndex middle, const Visit& visit) {
       if (tile == nullptr) continue;
       const auto at = Tile::at({x, y});
       if (!grid_map::BeamModel::isOccupied(tile->log_odds[at])) continue;
-      visit(CellIndex{x, y}, Eigen::Vector2d(x + 0.5 + tile->mean_x[at] / kOffsets,
-                                             y + 0.5 + tile->mean_y[at] / kOffsets));
+      visit(CellIndex{x, y},
+            Eigen::Vector2d(x + 0.5 + tile->mean_x[at] / kOffsets,
+                            y + 0.5 + tile->mean_y[at] / kOffsets),
+            tile->ends[at]);
     }
 }
 
 std::optional<CellIndex> nearestOccupied(const GridMap& map, const Eigen::Vector2d& place) {
   std::optional<CellIndex> best;
   double least = std::numeric_limits<double>::infinity();
-  forOccupied(map, grid_map::cellOf(place), [&](CellIndex cell, const Eigen::Vector2d& mean) {
+  forOccupied(map, grid_map::cellOf(place), [&](CellIndex cell, const Eigen::Vector2d& mean, int) {
     const double squared = (mean - place).squaredNorm();
     if (squared >= least) return;
     least = squared;
@@ -56,33 +59,51 @@ std::optional<CellIndex> nearestOccupied(const GridMap& map, const Eigen::Vector
   return best;
 }
 
+/// Of the means of cells. A cell counts by how many ends it has: beside a wall stand cells in which
+/// a few ends fell that were measured too long, and that no beam has passed since.
+class Moments {
+ public:
+  void add(const Eigen::Vector2d& mean, int ends) {
+    const double weight = std::max(1, ends);
+    ++cells_;
+    weights_ += weight;
+    squared_weights_ += weight * weight;
+    sum_ += weight * mean;
+    squares_ += weight * mean * mean.transpose();
+  }
+  int cells() const { return cells_; }
+  /// As many cells, were all alike, tell as much.
+  double effectiveCells() const { return weights_ * weights_ / squared_weights_; }
+  Eigen::Vector2d mean() const { return sum_ / weights_; }
+  Eigen::Matrix2d covariance() const { return squares_ / weights_ - mean() * mean().transpose(); }
+
+ private:
+  int cells_ = 0;
+  double weights_ = 0.0, squared_weights_ = 0.0;
+  Eigen::Vector2d sum_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();
+};
+
 Surface surfaceAbout(const GridMap& map, CellIndex middle) {
-  int count = 0;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero(), own = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  Moments moments;
   const Eigen::Vector2d origin(middle.x, middle.y);
-  forOccupied(map, middle, [&](CellIndex cell, const Eigen::Vector2d& mean) {
-    const Eigen::Vector2d offset = mean - origin;
-    if (cell == middle) own = offset;
-    ++count;
-    sum += offset;
-    squares += offset * offset.transpose();
-  });
   Surface surface;
-  if (count < kFewestOfLine) {
-    surface.point = origin + own;  // of something that may go on unseen, as far as looked at
+  forOccupied(map, middle, [&](CellIndex cell, const Eigen::Vector2d& mean, int ends) {
+    if (cell == middle) surface.point = mean;
+    moments.add(mean - origin, ends);
+  });
+  if (moments.cells() < kFewestOfLine) {  // a part of what may go on unseen, as far as was looked
     surface.across = surface.along = kReach * kReach;
     return surface;
   }
-  const Eigen::Vector2d mean = sum / count;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(squares / count - mean * mean.transpose());
-  surface.point = origin + mean;
+  axes.computeDirect(moments.covariance());
+  surface.point = origin + moments.mean();
   surface.normal = axes.eigenvectors().col(0);
   surface.across = std::max(0.0, axes.eigenvalues()(0));
   surface.along = axes.eigenvalues()(1);
   if (surface.along > kStretchOfLine * surface.across) {
-    surface.tilt = surface.across / ((count - 2) * surface.along);  // of a line's slope
+    surface.tilt = surface.across / (std::max(1.0, moments.effectiveCells() - 2.0) * surface.along);
     surface.along = std::numeric_limits<double>::infinity();
   }
   return surface;
