@@ -21,6 +21,9 @@ class OdometrySource : public Component {
 
   /// Seeds the random streams; to be called after configure().
   virtual void seed(std::uint64_t /*seed*/) {}
+  /// Of a source that has an odometry frame of its own, such as "visual": it is shown on the topic
+  /// `NAME_odometry/odom`. Empty: it moves along another frame and is not shown.
+  virtual std::string name() const { return ""; }
   /// What the last execute() made: nothing after the first input or a bad one.
   virtual const std::optional<Motion>& motion() const = 0;
 };

@@ -41,6 +41,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   Status execute() override;
 
   const std::optional<Motion>& motion() const override { return motion_; }
+  std::string name() const override { return "visual"; }
   Counters counters() const override { return counters_; }
   cv::Mat drawing() const override;
   Figures figures() const override;

@@ -3,20 +3,14 @@
 
 #pragma once
 
-#include <deque>
-#include <memory>
-
-#include "slam_core/models/odometry_sample.hpp"
-#include "slam_core/visual_odometry/motion_track.hpp"
+#include "slam_core/contract/wheels_beside.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
 
 namespace slam::visual_odometry {
 
 /// Visual odometry that takes the wheels' motion for intervals in which the images tell nothing.
-/// The wheels are the registered odometry source "wheel". Images wait until the wheels have come as
-/// far, so that the order of arrival does not matter; a second of images later they wait no longer.
 ///
-/// Counted: as VisualOdometry and as the wheels; "wheels_missing" for images that waited in vain.
+/// Counted: as VisualOdometry and as the wheels (WheelsBeside).
 class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
  public:
   VisualWheelOdometry();
@@ -25,14 +19,13 @@ class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
   void seed(std::uint64_t seed) override { visual_.seed(seed); }
 
   void describe(Ports& ports) override;
-  void set(const OdometrySample& sample);
-  void set(const CameraView& view) { waiting_.push_back(view); }
   Status execute() override;
   bool isBusy() const override { return is_handing_over_; }
 
   const std::optional<Motion>& motion() const override { return visual_.motion(); }
+  std::string name() const override { return "visual"; }
   Counters counters() const override;
-  std::uint64_t dropped() const override;
+  std::uint64_t dropped() const override { return wheels_.dropped(); }
   cv::Mat drawing() const override { return visual_.drawing(); }
   Figures figures() const override { return visual_.figures(); }
   void reset() override;
@@ -40,15 +33,9 @@ class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
   const VisualOdometry& visual() const { return visual_; }
 
  private:
-  bool handOverView();
-
-  std::unique_ptr<OdometrySource> wheels_;
-  Ports wheel_ports_;
-  bool has_sample_ = false, is_handing_over_ = false;
-  MotionTrack track_;
-  std::deque<CameraView> waiting_;
+  WheelsBeside<CameraView> wheels_;
   VisualOdometry visual_;
-  Counters own_counters_;
+  bool is_handing_over_ = false;
 };
 
 }  // namespace slam::visual_odometry

@@ -18,35 +18,6 @@ namespace {
 
 Stamp at(double t) { return Stamp(std::chrono::seconds(10)) + durationFromSeconds(t); }
 
-Motion motionOf(double start, double end, const Pose2& increment) {
-  Motion motion;
-  motion.start = at(start);
-  motion.end = at(end);
-  motion.increment = increment;
-  motion.covariance = 0.01 * Eigen::Matrix3d::Identity();
-  return motion;
-}
-
-TEST(MotionTrack, ComposesWhatLiesBetweenAndSplitsTheEnds) {
-  MotionTrack track;
-  for (int i = 0; i < 10; ++i) track.add(motionOf(0.1 * i, 0.1 * (i + 1), Pose2(0.02, 0.0, 0.0)));
-  const auto gap = track.between(at(0.15), at(0.55));
-  ASSERT_TRUE(gap);
-  EXPECT_NEAR(gap->increment.x(), 0.08, 1e-9);
-  EXPECT_NEAR(gap->covariance(0, 0), 0.04, 1e-9);
-}
-
-TEST(MotionTrack, HasNothingToSayOfWhatItDoesNotCover) {
-  MotionTrack track;
-  EXPECT_FALSE(track.between(at(0.0), at(0.1)));
-  track.add(motionOf(0.0, 0.1, Pose2()));
-  track.add(motionOf(0.2, 0.3, Pose2()));
-  EXPECT_FALSE(track.between(at(-0.1), at(0.05)));
-  EXPECT_FALSE(track.between(at(0.05), at(0.25))) << "a hole";
-  EXPECT_FALSE(track.between(at(0.25), at(0.35)));
-  EXPECT_TRUE(track.between(at(0.2), at(0.3)));
-}
-
 /// A robot that drives along x at 0.5 m/s; its wheels tell all of it, 5 % too long.
 class VisualWheelTest : public testing::Test {
  protected:

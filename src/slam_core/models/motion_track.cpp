@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/visual_odometry/motion_track.hpp"
+#include "slam_core/models/motion_track.hpp"
 
-namespace slam::visual_odometry {
+namespace slam {
 namespace {
 
-constexpr Duration kKept = std::chrono::seconds(30);  // longer than images are ever held
+constexpr Duration kKept = std::chrono::seconds(30);  // longer than data are ever held for it
 
 }  // namespace
 
@@ -21,22 +21,19 @@ std::optional<Stamp> MotionTrack::end() const {
   return motions_.back().end;
 }
 
-std::optional<GapMotion> MotionTrack::between(Stamp start, Stamp end) const {
-  GapMotion gap;
+std::optional<Motion> MotionTrack::between(Stamp start, Stamp end) const {
+  std::optional<Motion> whole;
   Stamp reached = start;
   for (Motion motion : motions_) {
     if (motion.end <= start) continue;
     if (motion.start < start) motion = split(motion, start).second;
     if (motion.start != reached) return std::nullopt;
     if (motion.end > end) motion = split(motion, end).first;
-    Eigen::Matrix3d J_gap, J_step;
-    gap.increment = gap.increment.compose(motion.increment, &J_gap, &J_step);
-    gap.covariance = J_gap * gap.covariance * J_gap.transpose() +
-                     J_step * motion.covariance * J_step.transpose();
     reached = motion.end;
-    if (reached >= end) return gap;
+    whole = whole ? joined(*whole, motion) : motion;
+    if (reached >= end) return whole;
   }
   return std::nullopt;
 }
 
-}  // namespace slam::visual_odometry
+}  // namespace slam

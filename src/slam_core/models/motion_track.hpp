@@ -7,12 +7,10 @@
 #include <optional>
 
 #include "slam_core/models/motion.hpp"
-#include "slam_core/visual_odometry/gap_motion.hpp"
 
-namespace slam::visual_odometry {
+namespace slam {
 
-/// The last motions of another odometry source, from which the motion between any two stamps is
-/// told.
+/// The last motions of an odometry source, from which the motion between any two stamps is told.
 class MotionTrack {
  public:
   void add(const Motion& motion);
@@ -22,10 +20,10 @@ class MotionTrack {
   std::optional<Stamp> end() const;
   /// The motions that lie between, composed; the outer ones are split. Nothing where they do not
   /// cover all of it without a hole.
-  std::optional<GapMotion> between(Stamp start, Stamp end) const;
+  std::optional<Motion> between(Stamp start, Stamp end) const;
 
  private:
   std::deque<Motion> motions_;
 };
 
-}  // namespace slam::visual_odometry
+}  // namespace slam

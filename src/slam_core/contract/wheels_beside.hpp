@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/motion_track.hpp"
+
+namespace slam {
+
+/// The registered odometry source "wheel" beside a sensor of an odometry source. The sensor's data
+/// wait until the wheels have come as far, so that the order of arrival does not matter; a second
+/// of data later they wait no longer.
+///
+/// Counted: as the wheels; "wheels_missing" for data that waited in vain.
+/// @tparam Datum of the sensor, with its stamp
+template <class Datum>
+class WheelsBeside {
+ public:
+  /// @throw ConfigError
+  void configure(Settings& settings) {
+    wheels_ = Registry<OdometrySource>::instance().create("wheel");
+    wheels_->configure(settings);
+    ports_ = portsOf(*wheels_);
+  }
+  void reset() {
+    wheels_->reset();
+    track_.clear();
+    waiting_.clear();
+    counters_.clear();
+    has_sample_ = false;
+  }
+
+  void set(const OdometrySample& sample) {
+    ports_.input("odom", kindOf<OdometrySample>())->set(&sample);
+    has_sample_ = true;
+  }
+  void set(const Datum& datum) { waiting_.push_back(datum); }
+  /// Takes in what the wheels told.
+  Status execute() {
+    if (!std::exchange(has_sample_, false)) return Status::ok();
+    const auto status = wheels_->execute();
+    if (wheels_->motion()) track_.add(*wheels_->motion());
+    return status;
+  }
+  /// The oldest of the sensor's data, once it need not wait any more.
+  std::optional<Datum> next() {
+    if (waiting_.empty()) return std::nullopt;
+    const bool is_covered = track_.end() && *track_.end() >= waiting_.front().stamp;
+    if (!is_covered && isPatient()) return std::nullopt;
+    if (!is_covered) counters_.add("wheels_missing");
+    std::optional<Datum> datum(std::move(waiting_.front()));
+    waiting_.pop_front();
+    return datum;
+  }
+
+  /// Nothing where the wheels do not cover all of it.
+  std::optional<Motion> between(Stamp start, Stamp end) const { return track_.between(start, end); }
+  Counters counters() const {
+    auto all = wheels_->counters();
+    all.add(counters_);
+    return all;
+  }
+  std::uint64_t dropped() const { return wheels_->dropped(); }
+
+ private:
+  static constexpr Duration kPatience = std::chrono::seconds(1);
+  static constexpr std::size_t kCapacity = 100;
+
+  bool isPatient() const {
+    const auto waited = waiting_.back().stamp - waiting_.front().stamp;
+    return waited >= Duration::zero() && waited < kPatience && waiting_.size() <= kCapacity;
+  }
+
+  std::unique_ptr<OdometrySource> wheels_;
+  Ports ports_;
+  bool has_sample_ = false;
+  MotionTrack track_;
+  std::deque<Datum> waiting_;
+  Counters counters_;
+};
+
+}  // namespace slam

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/laser_odometry/laser_odometry_config.hpp"
+#include "slam_core/laser_odometry/local_map.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/scan_matching/scan_tracker.hpp"
+
+namespace slam::laser_odometry {
+
+/// The motion of a robot from a laser: each scan is matched with what was seen on the last metres
+/// of the way (Kohlbrecher et al. 2011). Every scan after the first yields a motion. Where a scan
+/// fits nothing the last velocity is assumed to hold, with a standard deviation of max_speed dt,
+/// or the motion source is asked.
+///
+/// Counted: "unmatched" scans, that fit nothing; "contradicting" ones, of which most contradicts
+/// the map; "searched" ones, for which a window was searched; "late", "stamp_jump"; "slips", where
+/// the scans contradict what the motion source told; "maps" that were begun anew.
+class LaserOdometry final : public OdometrySource {
+ public:
+  /// Tells the motion between two stamps from another source; nothing where it does not cover them.
+  using MotionSource = std::function<std::optional<Motion>(Stamp start, Stamp end)>;
+
+  void configure(const LaserOdometryConfig& config, const scan_matching::MatcherConfig& matcher);
+  void configure(Settings& settings) override;
+  /// That says where to look, and how far the robot went where scans tell nothing.
+  void setMotionSource(MotionSource source) { source_ = std::move(source); }
+
+  void describe(Ports& ports) override;
+  void set(const LaserScan& scan) { input_ = scan; }
+  Status execute() override;
+  const std::optional<Motion>& motion() const override { return motion_; }
+  std::string name() const override { return "laser"; }
+  Counters counters() const override { return counters_; }
+  Figures figures() const override;
+  void reset() override;
+
+ private:
+  bool isLate(Stamp stamp);
+  /// Whether the scan tells where the robot is.
+  bool judge(const scan_matching::Match& found, bool is_told);
+  Motion motionTo(Stamp stamp, const Pose2& before, bool is_sure, bool is_told);
+  void learn(const scan_matching::ScanLevels& scan, Stamp stamp, bool is_sure);
+  Status explain(Stamp stamp) const;
+
+  LaserOdometryConfig config_;
+  double spacing_ = 0.0;
+  MotionSource source_;
+  std::optional<LocalMap> map_;
+  scan_matching::ScanTracker tracker_;
+  scan_matching::InsertionTrigger trigger_{0.0, 0.0};
+  std::optional<LaserScan> input_;
+  std::optional<Stamp> last_, last_sure_;  ///< scan; scan that told where the robot is
+  std::optional<Stamp> ahead_;          ///< of a scan whose stamp jumped, until another confirms it
+  scan_matching::Agreement agreement_;  ///< of the last scan
+  bool has_slipped_ = false;            ///< on the way to the last scan
+  std::optional<Motion> motion_;
+  std::uint64_t next_sequence_ = 0;
+  Counters counters_;
+};
+
+}  // namespace slam::laser_odometry
