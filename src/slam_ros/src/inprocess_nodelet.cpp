@@ -80,22 +80,22 @@ class InprocessNodelet : public nodelet::Nodelet {
         [this, drawer](const auto& array) { detections_->publish(*drawer, array); });
   }
 
-  /// What an odometry source sees is shown, and what it makes of it; of others only the transform.
+  /// What an odometry source with a frame of its own makes is shown; of others only the transform.
   void showMotion(bool with_tf) {
-    const auto* drawer = drawerOf(product_.components().odometry.get());
-    if (drawer == nullptr && with_tf)
+    const auto* source = product_.components().odometry.get();
+    const bool is_shown = source != nullptr && !source->name().empty();
+    if (!is_shown && with_tf)
       node_->on_step = [this](const slam::StepReport& report) {
         odometry_transform_.publish(toRos(report.stamp), report.odometry_frame, report.base_frame,
                                     report.odometry_pose);
       };
-    if (drawer == nullptr) return;
-    visual_motion_.emplace(getNodeHandle());
-    product_.listen<slam::Motion>("motion", [this, drawer, with_tf](const slam::Motion& motion) {
+    if (!is_shown) return;
+    shown_motion_.emplace(getNodeHandle(), *source);
+    product_.listen<slam::Motion>("motion", [this, with_tf](const slam::Motion& motion) {
       if (with_tf)
         odometry_transform_.publish(toRos(motion.end), motion.odometry_frame, motion.base_frame,
                                     motion.odometry_end);
-      visual_motion_->publish(motion);
-      visual_motion_->show(*drawer, motion.end);
+      shown_motion_->publish(motion);
     });
   }
 
@@ -127,7 +127,7 @@ class InprocessNodelet : public nodelet::Nodelet {
   slam::MetaCoordinator product_;
   TransformPublisher odometry_transform_;
   std::optional<DetectionsPublisher> detections_;
-  std::optional<VisualMotionPublisher> visual_motion_;
+  std::optional<MotionPublisher> shown_motion_;
   std::vector<std::unique_ptr<ModulePublisher>> modules_;
   std::string output_dir_;
   std::unique_ptr<EstimatorNode> node_;

@@ -25,18 +25,24 @@ void setCovariance(boost::array<double, 36>& covariance, const Eigen::Matrix3d& 
 
 }  // namespace
 
-VisualMotionPublisher::VisualMotionPublisher(ros::NodeHandle handle)
-    : odometry_(handle.advertise<nav_msgs::Odometry>("visual_odometry/odom", kQueue)),
-      image_(handle.advertise<sensor_msgs::Image>("visual_odometry/image", 2)) {}
+MotionPublisher::MotionPublisher(ros::NodeHandle handle, const slam::OdometrySource& source)
+    : drawer_(dynamic_cast<const slam::ViewDrawer*>(&source)),
+      odometry_(handle.advertise<nav_msgs::Odometry>(source.name() + "_odometry/odom", kQueue)) {
+  if (drawer_ != nullptr)
+    image_ = handle.advertise<sensor_msgs::Image>(source.name() + "_odometry/image", 2);
+}
 
-void VisualMotionPublisher::publish(const slam::Motion& motion) {
+void MotionPublisher::publish(const slam::Motion& motion) {
   Eigen::Matrix3d J_pose, J_step;
   motion.odometry_start.compose(motion.increment, &J_pose, &J_step);
   if (motion.sequence == 0) covariance_.setZero();  // it began anew
   covariance_ =
       J_pose * covariance_ * J_pose.transpose() + J_step * motion.covariance * J_step.transpose();
-  if (odometry_.getNumSubscribers() == 0) return;
+  if (odometry_.getNumSubscribers() > 0) publishOdometry(motion);
+  if (drawer_ != nullptr && image_.getNumSubscribers() > 0) show(motion.end);
+}
 
+void MotionPublisher::publishOdometry(const slam::Motion& motion) const {
   const double dt = slam::seconds(motion.end - motion.start);
   const Eigen::Vector3d twist = motion.increment.log() / dt;
   auto message = boost::make_shared<nav_msgs::Odometry>();
@@ -55,9 +61,8 @@ void VisualMotionPublisher::publish(const slam::Motion& motion) {
   odometry_.publish(message);
 }
 
-void VisualMotionPublisher::show(const slam::ViewDrawer& source, slam::Stamp stamp) const {
-  if (image_.getNumSubscribers() == 0) return;
-  const auto drawing = source.drawing();
+void MotionPublisher::show(slam::Stamp stamp) const {
+  const auto drawing = drawer_->drawing();
   if (drawing.empty()) return;
   std_msgs::Header header;
   header.stamp = toRos(stamp);

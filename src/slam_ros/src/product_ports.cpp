@@ -69,9 +69,9 @@ Json outputsOf(const slam::ProductComponents& product, const slam::ProductCompon
   for (const auto& output : ports.outputs()) outputs.push_back(describe(output));
   if (part.component == product.estimator.get())
     addCapabilities(product.estimator->capabilities(), outputs);
-  const bool looks = dynamic_cast<const slam::ViewDrawer*>(part.component) != nullptr;
-  if (part.component == product.odometry.get() && looks)
-    outputs.push_back(published("visual_odometry/odom"));
+  const bool is_odometry = part.component == product.odometry.get();
+  if (is_odometry && !product.odometry->name().empty())
+    outputs.push_back(published(product.odometry->name() + "_odometry/odom"));
   return outputs;
 }
 

@@ -7,21 +7,25 @@
 #include <ros/publisher.h>
 
 #include "slam_core/camera/view_drawer.hpp"
-#include "slam_core/models/motion.hpp"
+#include "slam_core/contract/odometry_source.hpp"
 
 namespace slam_ros {
 
-/// Publishes what an odometry source that looks at the ceiling has found: `visual_odometry/odom`
+/// Publishes what an odometry source with a frame of its own has found: `NAME_odometry/odom`
 /// (nav_msgs/Odometry; the pose's covariance grows from the start, the twist's is that of the last
-/// interval) and, drawn only while somebody looks, `visual_odometry/image` with the matches.
-class VisualMotionPublisher {
+/// interval) and of one that looks, drawn only while somebody looks too, `NAME_odometry/image`.
+class MotionPublisher {
  public:
-  explicit VisualMotionPublisher(ros::NodeHandle handle);
+  /// @param source outlives this
+  MotionPublisher(ros::NodeHandle handle, const slam::OdometrySource& source);
 
   void publish(const slam::Motion& motion);
-  void show(const slam::ViewDrawer& source, slam::Stamp stamp) const;
 
  private:
+  void publishOdometry(const slam::Motion& motion) const;
+  void show(slam::Stamp stamp) const;
+
+  const slam::ViewDrawer* drawer_;  ///< null: nothing to see
   ros::Publisher odometry_, image_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the pose in the odometry frame
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "edge_watch.hpp"
+#include "slam_ros/edge_watch.hpp"
 
 #include <ros/this_node.h>
 
@@ -9,7 +9,7 @@
 
 #include "slam_ros/conversions.hpp"
 
-namespace slam_visual_odometry {
+namespace slam_ros {
 
 EdgeWatch::EdgeWatch(ros::NodeHandle handle, std::string parent, std::string child)
     : parent_(std::move(parent)), child_(std::move(child)) {
@@ -21,8 +21,8 @@ EdgeWatch::EdgeWatch(ros::NodeHandle handle, std::string parent, std::string chi
 void EdgeWatch::onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
   if (isTaken() || event.getPublisherName() == ros::this_node::getName()) return;
   for (const auto& transform : event.getMessage()->transforms) {
-    if (slam_ros::frameId(transform.header.frame_id) != parent_ ||
-        slam_ros::frameId(transform.child_frame_id) != child_)
+    if (frameId(transform.header.frame_id) != parent_ ||
+        frameId(transform.child_frame_id) != child_)
       continue;
     publisher_ = event.getPublisherName();
     is_taken_ = true;
@@ -30,4 +30,4 @@ void EdgeWatch::onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>&
   }
 }
 
-}  // namespace slam_visual_odometry
+}  // namespace slam_ros

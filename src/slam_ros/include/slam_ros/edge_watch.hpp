@@ -12,7 +12,7 @@
 #include <atomic>
 #include <string>
 
-namespace slam_visual_odometry {
+namespace slam_ros {
 
 /// Notices when another node publishes one edge of the tree of transforms: a child must not have
 /// two parents that disagree. It listens in a thread of its own: the transforms of a whole robot
@@ -35,4 +35,4 @@ class EdgeWatch {
   ros::AsyncSpinner spinner_{1, &queue_};
 };
 
-}  // namespace slam_visual_odometry
+}  // namespace slam_ros

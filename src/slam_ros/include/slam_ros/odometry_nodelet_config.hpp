@@ -6,13 +6,13 @@
 #include "slam_core/common/config_fields.hpp"
 #include "slam_ros/transport_config.hpp"
 
-namespace slam_visual_odometry {
+namespace slam_ros {
 
-/// The nodelet's private parameters.
-struct NodeletConfig {
+/// The private parameters of an odometry source's nodelet.
+struct OdometryNodeletConfig {
   static constexpr const char* kSection = "";
 
-  slam_ros::TransportConfig camera;
+  TransportConfig camera;  ///< of a source that looks through one
   bool publish_tf = true;
   bool publish_motion = true;
 
@@ -24,4 +24,4 @@ struct NodeletConfig {
   }
 };
 
-}  // namespace slam_visual_odometry
+}  // namespace slam_ros
