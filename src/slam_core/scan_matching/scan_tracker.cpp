@@ -65,7 +65,7 @@ Motion ScanTracker::motionOf(Duration interval) const {
   return motion;
 }
 
-Match ScanTracker::track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
+Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp,
                          const std::optional<Motion>& told) {
   Duration interval{};
   if (stamp_ && stamp > *stamp_) {

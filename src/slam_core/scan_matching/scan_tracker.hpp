@@ -32,9 +32,11 @@ class ScanTracker {
   /// The robot is there; what was known of its velocity and of the scans' stamps is forgotten.
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
-  Match track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
+  Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
               const std::optional<Motion>& motion);
 
+  /// The same robot in another map, or where something else has put it since the last scan.
+  void moveTo(const Pose2& pose) { robot_.pose = pose; }
   /// The map around the robot has just been drawn from where it is: among these parts it is there.
   void anchor() { robot_.covariance.setZero(); }
 

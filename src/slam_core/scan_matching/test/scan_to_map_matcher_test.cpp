@@ -18,6 +18,7 @@ namespace {
 using test::RoomDrive;
 
 constexpr double kSpacing = 0.05;
+const auto kModels = levelModels({});
 
 PosePrior priorAt(const Pose2& pose, double sigma) {
   return {pose, Eigen::Matrix3d(Eigen::Matrix3d::Identity() / (sigma * sigma))};
@@ -29,7 +30,7 @@ class MatchingInARoom : public testing::Test {
   MatchingInARoom() {
     for (int i = 0; i < 145; ++i) {
       const auto step = drive.next();
-      map.insert(map.pointsOf(step.scan, kSpacing), step.truth);
+      map.insert(pointsOf(step.scan, kModels, kSpacing), step.truth);
     }
     take(drive.next());
   }
@@ -39,7 +40,7 @@ class MatchingInARoom : public testing::Test {
     truth = step.truth;
   }
   Match matched(const PosePrior& prior) const {
-    return matcher.match(map, map.pointsOf(scan, kSpacing), prior);
+    return matcher.match(map.view(), pointsOf(scan, kModels, kSpacing), prior);
   }
   void expectTruth(const Pose2& found) const {
     const Pose2 error = truth.between(found);
@@ -144,10 +145,10 @@ class MatchingInACorridor : public testing::Test {
 TEST_F(MatchingInACorridor, SaysThatItDoesNotKnowHowFarAlongItIs) {
   ScanMap map{grid_map::GridMapConfig()};
   for (double x = 0.0; x < 4.0; x += 0.1)
-    map.insert(map.pointsOf(scanAt(Pose2(x, 0, 0)), kSpacing), Pose2(x, 0, 0));
+    map.insert(pointsOf(scanAt(Pose2(x, 0, 0)), kModels, kSpacing), Pose2(x, 0, 0));
   const Pose2 prior(2.3, 0.06, 0.04);
-  const auto match = ScanToMapMatcher().match(map, map.pointsOf(scanAt(Pose2(2.0, 0, 0)), kSpacing),
-                                              priorAt(prior, 0.3));
+  const auto match = ScanToMapMatcher().match(
+      map.view(), pointsOf(scanAt(Pose2(2.0, 0, 0)), kModels, kSpacing), priorAt(prior, 0.3));
   EXPECT_NEAR(match.pose.y(), 0.0, 0.01);
   EXPECT_NEAR(match.pose.theta(), 0.0, 0.003);
   EXPECT_NEAR(match.pose.x(), prior.x(), 0.15) << "nothing says otherwise";
