@@ -42,7 +42,8 @@ class ParticleSet {
   /// Particle i is replaced by a copy of particle ancestors[i]; weights become equal.
   void resample(const std::vector<std::uint32_t>& ancestors);
   /// All particles get these maps, equal weights and an empty path.
-  void replaceMaps(const LandmarkMap& map, double inflation, const grid_map::GridMap& grid);
+  void replaceMaps(const LandmarkMap& map, double inflation, const grid_map::GridMap& grid,
+                   const grid_map::GridMap& coarse);
 
   ParticleMemory& memory() { return memory_; }
   const ParticleMemory& memory() const { return memory_; }
