@@ -23,6 +23,10 @@ const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
 using Purpose = RandomStreams::Purpose;
 
+/// Pose and map are those of one particle; as long as others are about as likely nothing should
+/// jump.
+constexpr double kWorthAnotherMap = 10.0;
+
 Status statusOfWeights(bool are_left) {
   if (are_left) return Status::ok();
   return Status::alarm(
@@ -67,6 +71,7 @@ void FastSlam::reset() {
   particles_ = std::make_unique<ParticleSet>(static_cast<std::size_t>(config_.particles),
                                              static_cast<unsigned>(config_.threads),
                                              scans_ ? scans_->mostTiles() : 0);
+  if (scans_) particles_->requireToBecomeBest(kWorthAnotherMap);
   landmarks_ = LandmarkUpdate(landmarksOf(config_));
   if (scans_) scans_->relocate({});
   inputs_ = {};

@@ -17,7 +17,7 @@ ParticleSet::ParticleSet(std::size_t count, unsigned lanes, std::size_t most_til
 bool ParticleSet::weigh(const std::vector<double>& log_factors) {
   const bool are_left = weights_.multiply(log_factors);
   for (std::size_t i = 0; i < size(); ++i)
-    if (weights_[i] > weights_[best_]) best_ = i;
+    if (weights_[i] > to_become_best_ * weights_[best_]) best_ = i;
   return are_left;
 }
 

@@ -36,6 +36,8 @@ class ParticleSet {
   /// The most likely particle, or where particles have just been resampled the first one that
   /// descends from it.
   std::size_t best() const { return best_; }
+  /// Another particle becomes the best one where it is so many times as likely.
+  void requireToBecomeBest(double factor) { to_become_best_ = factor; }
 
   /// Weights are multiplied with factors, see Weights. @return whether something was left of them
   bool weigh(const std::vector<double>& log_factors);
@@ -53,6 +55,7 @@ class ParticleSet {
   std::vector<Particle> particles_;
   Weights weights_;
   std::size_t best_ = 0;
+  double to_become_best_ = 1.0;
 };
 
 /// All particles are moved by the same, where their paths end; then the poses are drawn anew around
