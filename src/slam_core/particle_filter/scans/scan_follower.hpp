@@ -6,11 +6,12 @@
 #include <optional>
 
 #include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/scan_map.hpp"
 #include "slam_core/scan_matching/scan_tracker.hpp"
 
 namespace slam::particle_filter {
 
-/// Follows the robot from scan to scan in a map of the latest ones, once for all particles: what
+/// Follows the robot from scan to scan in the map of the most likely particle, once for all: what
 /// wheels did wrong between two updates is put right before any particle moves.
 class ScanFollower {
  public:
@@ -20,7 +21,7 @@ class ScanFollower {
   };
   ScanFollower(const scan_matching::MatcherConfig& matcher, const Drift& drift);
 
-  /// Begins with an empty map.
+  /// Nothing is known of the way so far.
   void restart();
   /// What the wheels say of the way to the next scan.
   void move(const Motion& motion);
