@@ -185,6 +185,13 @@ class ShippedModel(unittest.TestCase):
             self.assertIsNone(self.model.needed_by("scan_to_map", features))
             self.assertEqual(self.model.needed_by("pf", features), "backend=pf")
 
+    def test_the_matcher_of_scans_belongs_to_grids_whichever_back_end_makes_them(self):
+        features = self.model.require_valid({"backend": "pf", "odometry": "wheel", "map": "grid",
+                                             "detector": "none"})
+        self.assertIsNone(self.model.needed_by("scan_to_map", features))
+        features = self.model.require_valid({"backend": "pf", "odometry": "wheel"})
+        self.assertEqual(self.model.needed_by("scan_to_map", features), "map=grid")
+
     def test_back_ends_and_odometry_are_mandatory(self):
         self.assertEqual([key for key, group in self.model.groups.items()
                           if group.default is None], ["backend", "odometry"])

@@ -199,7 +199,7 @@ class GridMapTest(unittest.TestCase):
         self.assertFalse(answer.success)
         self.assertIn("the grid map cannot be used", answer.message)
         self.assertEqual(self.wait_for_map().data, before.data)
-        answer = self.call("load_map", LoadMap, path=self.write_map("large.yaml", 220.0))
+        answer = self.call("load_map", LoadMap, path=self.write_map("large.yaml", 1100.0))
         self.assertTrue(answer.success, answer.message)
         self.assertIn("not all of it is used", answer.message)
 

@@ -3,6 +3,10 @@
 
 #include "slam_core/grid_map/grid_map_config.hpp"
 
+#include <cmath>
+
+#include "slam_core/grid_map/tile.hpp"
+
 namespace slam::grid_map {
 
 void GridMapConfig::describe(Fields& fields) {
@@ -49,6 +53,11 @@ void GridMapConfig::describe(Fields& fields) {
           "for the maps of all particles together; before they need more they are kept as they are")
       .unit("MB")
       .in(Range::above(0));
+}
+
+std::size_t mostTiles(const GridMapConfig& config) {
+  const double edge = Tile::kSize * config.resolution;
+  return static_cast<std::size_t>(std::ceil(config.largest_area / (edge * edge)));
 }
 
 }  // namespace slam::grid_map

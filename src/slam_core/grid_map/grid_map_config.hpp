@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstddef>
+
 #include "slam_core/common/config_fields.hpp"
 
 namespace slam::grid_map {
@@ -17,10 +19,13 @@ struct GridMapConfig {
   double miss_probability = 0.4;
   double largest_probability = 0.97;
   double sigma = 0.05;
-  double largest_area = 40000.0;
+  double largest_area = 1e6;
   double largest_memory = 2000.0;
 
   void describe(Fields& fields);
 };
+
+/// Tiles in the rectangle of the largest map. @param config is valid
+std::size_t mostTiles(const GridMapConfig& config);
 
 }  // namespace slam::grid_map

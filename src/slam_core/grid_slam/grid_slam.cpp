@@ -3,7 +3,6 @@
 
 #include "slam_core/grid_slam/grid_slam.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
@@ -21,7 +20,6 @@ const SectionRegistrar<GridSlamConfig> kSectionRegistrar;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
-constexpr int kLastingDoubt = 5;    // [scans]
 constexpr int kManyUnmatched = 10;  // scans in a row
 
 Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
@@ -37,8 +35,10 @@ void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapCo
   faults.raise();
   config_ = config;
   map_config_ = grid;
+  models_ = scan_matching::levelModels(grid);
   spacing_ = matcher.spacing;
   tracker_ = scan_matching::ScanTracker(matcher);
+  doubt_ = scan_matching::ScanDoubt(config.lost_share);
   trigger_ = {config.insert_distance, config.insert_angle};
   drift_ =
       mapIsFixed() ? MapDrift(0.0, 0.0) : MapDrift(config.drift_position, config.drift_heading);
@@ -76,8 +76,7 @@ void GridSlam::reset() {
   trigger_.restart();
   drift_.restart({Pose2(), sigma.cwiseAbs2().asDiagonal()});
   carried_.reset();
-  agreement_ = {};
-  scans_in_doubt_ = 0;
+  doubt_.forget();
   unmatched_in_a_row_ = 0;
   inputs_ = {};
   counters_.clear();
@@ -89,7 +88,7 @@ Status GridSlam::execute() {
   move();
   const auto scan = std::exchange(inputs_.scan, std::nullopt);
   if (!scan) return moreUrgent(replaced, onTheWhole());
-  const auto levels = map_->pointsOf(*scan, spacing_);
+  const auto levels = scan_matching::pointsOf(*scan, models_, spacing_);
   const auto found = match(levels, scan->stamp);
   const auto learnt = learn(levels, found);
   return moreUrgent(moreUrgent(learnt, replaced), onTheWhole());
@@ -120,7 +119,7 @@ void GridSlam::relocate() {
   tracker_.restart(*std::exchange(inputs_.initial_pose, std::nullopt));
   trigger_.restart();
   carried_.reset();
-  scans_in_doubt_ = 0;
+  doubt_.forget();
   unmatched_in_a_row_ = 0;
 }
 
@@ -130,19 +129,17 @@ void GridSlam::move() {
 }
 
 Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
-  const auto found = tracker_.track(*map_, scan, stamp, std::exchange(carried_, std::nullopt));
+  const auto found =
+      tracker_.track(map_->view(), scan, stamp, std::exchange(carried_, std::nullopt));
   const bool is_unmatched = !map_->isEmpty() && !found.is_determined;
   if (is_unmatched) counters_.add("unmatched");
   unmatched_in_a_row_ = is_unmatched ? unmatched_in_a_row_ + 1 : 0;
   if (found.was_searched) counters_.add("searched");
-  agreement_ = found.agreement;
   return found;
 }
 
 Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
-  scans_in_doubt_ = std::max(0, scans_in_doubt_ - 1);
-  if (found.agreement.contradictingShare() > config_.lost_share) {
-    scans_in_doubt_ = kLastingDoubt;
+  if (doubt_.judge(found.agreement)) {
     counters_.add("contradicting");
     return Status::ok();
   }
@@ -174,7 +171,7 @@ Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
 Status GridSlam::onTheWhole() const {
   if (mapIsFixed() && map_->isEmpty())
     return Status::warning("there is no map to localise in; load one");
-  if (scans_in_doubt_ > 0)
+  if (doubt_.isLost())
     return Status::alarm(
         "the latest scans contradict the map: the pose may be lost; set an initial pose");
   if (unmatched_in_a_row_ >= kManyUnmatched)
@@ -197,8 +194,8 @@ PoseEstimate GridSlam::pose() const {
 
 Component::Figures GridSlam::figures() const {
   constexpr double kMegabyte = 1e6;
-  return {{"contradicting_ends", agreement_.contradictingShare()},
-          {"known_ends", static_cast<double>(agreement_.known())},
+  return {{"contradicting_ends", doubt_.agreement().contradictingShare()},
+          {"known_ends", static_cast<double>(doubt_.agreement().known())},
           {"map_megabytes", static_cast<double>(map_->bytes()) / kMegabyte}};
 }
 

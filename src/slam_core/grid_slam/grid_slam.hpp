@@ -13,6 +13,7 @@
 #include "slam_core/grid_slam/map_drift.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/scan_doubt.hpp"
 #include "slam_core/scan_matching/scan_map.hpp"
 #include "slam_core/scan_matching/scan_tracker.hpp"
 
@@ -72,16 +73,16 @@ class GridSlam final : public Backend, GridMapper, MapKeeper {
 
   GridSlamConfig config_;
   grid_map::GridMapConfig map_config_;
+  scan_matching::LevelModels models_;
   double spacing_ = 0.0;
   std::unique_ptr<scan_matching::ScanMap> map_;
   std::uint64_t revision_ = 0;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_{0.0, 0.0};
   MapDrift drift_{0.0, 0.0};
-  std::optional<Motion> carried_;       ///< since the last scan
-  scan_matching::Agreement agreement_;  ///< of the last scan
-  int scans_in_doubt_ = 0;              ///< for how many more the robot is reported lost
-  int unmatched_in_a_row_ = 0;          ///< up to the last scan
+  std::optional<Motion> carried_;  ///< since the last scan
+  scan_matching::ScanDoubt doubt_;
+  int unmatched_in_a_row_ = 0;  ///< up to the last scan
   Inputs inputs_;
   Counters counters_;
 };

@@ -37,6 +37,7 @@ void LaserOdometry::configure(const LaserOdometryConfig& config, const MatcherCo
   grid_map::GridMapConfig map;
   map.resolution = config.resolution;
   map_.emplace(map, config.map_way);
+  models_ = scan_matching::levelModels(map);
   tracker_ = scan_matching::ScanTracker(matcher);
   trigger_ = {config.insert_distance, config.insert_angle};
   reset();
@@ -77,11 +78,11 @@ Status LaserOdometry::execute() {
   const auto scan = std::exchange(input_, std::nullopt);
   if (!scan || isLate(scan->stamp)) return Status::ok();
   const auto stamp = scan->stamp;
-  const auto points = map_->map().pointsOf(*scan, spacing_);
+  const auto points = scan_matching::pointsOf(*scan, models_, spacing_);
   const auto told = last_ && source_ ? source_(*last_, stamp) : std::nullopt;
   const Pose2 before = tracker_.robot().pose;
-  const auto found = tracker_.track(map_->map(), points, stamp, told);
-  const bool is_sure = map_->map().isEmpty() || judge(found, told.has_value());
+  const auto found = tracker_.track(map_->view(), points, stamp, told);
+  const bool is_sure = map_->view().isEmpty() || judge(found, told.has_value());
   if (last_) motion_ = motionTo(stamp, before, is_sure, told.has_value());
   learn(points, stamp, is_sure);
   last_ = stamp;
@@ -154,7 +155,7 @@ void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp, bool is_sure) {
 Status LaserOdometry::explain(Stamp stamp) const {
   const std::string instead =
       source_ ? "; the wheels' motion is used meanwhile" : "; the last velocity is used meanwhile";
-  if (last_sure_ != stamp && !map_->map().isEmpty())
+  if (last_sure_ != stamp && !map_->view().isEmpty())
     return Status::warning(
         "the laser's scans do not tell the robot's motion: they fit nothing of "
         "what was seen before" +

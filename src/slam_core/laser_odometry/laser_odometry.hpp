@@ -54,6 +54,7 @@ class LaserOdometry final : public OdometrySource {
   double spacing_ = 0.0;
   MotionSource source_;
   std::optional<LocalMap> map_;
+  scan_matching::LevelModels models_;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_{0.0, 0.0};
   std::optional<LaserScan> input_;

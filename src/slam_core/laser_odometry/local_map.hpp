@@ -17,8 +17,8 @@ class LocalMap {
   /// @param way of which it holds at least what was seen, and at most twice that [m]
   LocalMap(const grid_map::GridMapConfig& config, double way);
 
-  /// To match with. What it was before the last insert() or reset() is gone.
-  const scan_matching::ScanMap& map() const { return *older_; }
+  /// To match with, until the next insert() or reset().
+  scan_matching::MapView view() const { return older_->view(); }
   /// @param pose T_odom_base
   void insert(const scan_matching::ScanLevels& scan, const Pose2& pose);
   void reset();

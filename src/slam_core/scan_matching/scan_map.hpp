@@ -20,6 +20,25 @@ constexpr double kCoarser = 4.0;
 /// A scan as each resolution takes it; the finest first.
 using ScanLevels = std::array<grid_map::ScanPoints, kLevels>;
 
+/// The beams of each resolution; the finest first.
+using LevelModels = std::array<grid_map::BeamModel, kLevels>;
+/// @param config of the finest, valid
+LevelModels levelModels(const grid_map::GridMapConfig& config);
+/// @param spacing of the ends to match in the finest [m]
+ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spacing);
+
+/// A map in several resolutions, whoever owns it; the finest first.
+struct MapView {
+  struct Level {
+    const grid_map::BeamModel& model;
+    const grid_map::GridMap& map;
+  };
+  std::array<Level, kLevels> levels;
+
+  const Level& finest() const { return levels.front(); }
+  bool isEmpty() const { return finest().map.isEmpty(); }
+};
+
 /// The same map in several resolutions.
 class ScanMap {
  public:
@@ -33,22 +52,19 @@ class ScanMap {
   ScanMap(const ScanMap&) = delete;  // the levels point into the memory
   ScanMap& operator=(const ScanMap&) = delete;
 
-  /// @param spacing of the ends to match in the finest [m]
-  ScanLevels pointsOf(const LaserScan& scan, double spacing) const;
   /// @param pose T_map_base
   /// @return beams that end beyond the largest map
   std::size_t insert(const ScanLevels& scan, const Pose2& pose);
 
   bool isEmpty() const { return finest().map.isEmpty(); }
-  const std::array<Level, kLevels>& levels() const { return levels_; }
+  MapView view() const {
+    return {{{{levels_[0].model, levels_[0].map}, {levels_[1].model, levels_[1].map}}}};
+  }
   const Level& finest() const { return levels_.front(); }
   Level& level(std::size_t i) { return levels_[i]; }
   std::size_t bytes() const { return memory_.bytes(); }
 
  private:
-  static Level levelOf(grid_map::GridMapConfig config, double coarser,
-                       grid_map::GridMap::Memory& memory);
-
   grid_map::GridMap::Memory memory_;
   std::array<Level, kLevels> levels_;
 };

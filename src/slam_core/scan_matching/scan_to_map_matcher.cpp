@@ -3,7 +3,6 @@
 
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
-#include <Eigen/LU>
 #include <utility>
 #include <vector>
 
@@ -34,31 +33,54 @@ grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
   return scan;
 }
 
+bool isBetter(const Match& found, const Match& best, double surplus) {
+  return found.agreement.surplus() > best.agreement.surplus() + surplus;
+}
+
 }  // namespace
 
-Match ScanToMapMatcher::match(const ScanMap& map, const ScanLevels& scan,
+Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan,
                               const PosePrior& prior) const {
+  auto best = matchNearby(map, scan, prior);
   const auto ends = static_cast<double>(scan[0].ends.size());
-  auto best = refined(map, scan, prior.pose, prior);
-  const auto consider = [&best](const Match& found, double surplus) {
-    if (found.agreement.surplus() > best.agreement.surplus() + surplus) best = found;
+  const auto consider = [&best, ends](const Match& found, double worth) {
+    if (isBetter(found, best, worth * ends)) best = found;
   };
-  if (best.agreement.agreeing < kSettled * ends) {
-    const auto coarse =
-        registerScan(map.levels()[1].map, scan[1], prior.pose, prior, kCoarser * config_.sigma);
-    if (coarse.isDetermined()) consider(refined(map, scan, coarse.pose, prior), 0.0);
-  }
-  if (best.agreement.contradictingShare() > config_.doubt_share)
+  if (isDoubtful(best))
     consider(searched(map, scan, prior.pose, config_.window_position, config_.window_heading),
-             kWorthAStep * ends);
+             kWorthAStep);
   if (best.agreement.contradictingShare() > kMostContradict) {
     const auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
-    if (found.agreement.agreeing > kExplained * ends) consider(found, kWorthAJump * ends);
+    if (found.agreement.agreeing > kExplained * ends && !isDoubtful(found))
+      consider(found, kWorthAJump);
   }
   return best;
 }
 
-Match ScanToMapMatcher::refined(const ScanMap& map, const ScanLevels& scan, const Pose2& start,
+Match ScanToMapMatcher::matchNearby(const MapView& map, const ScanLevels& scan,
+                                    const PosePrior& prior) const {
+  const auto best = refined(map, scan, prior.pose, prior);
+  if (best.agreement.agreeing >= kSettled * static_cast<double>(scan[0].ends.size())) return best;
+  const auto coarse =
+      registerScan(map.levels[1].map, scan[1], prior.pose, prior, kCoarser * config_.sigma);
+  if (!coarse.isDetermined()) return best;
+  const auto found = refined(map, scan, coarse.pose, prior);
+  return isBetter(found, best, 0.0) ? found : best;
+}
+
+bool ScanToMapMatcher::isDoubtful(const Match& match) const {
+  return match.agreement.contradictingShare() > config_.doubt_share;
+}
+
+Match ScanToMapMatcher::orAround(const Pose2& place, const MapView& map, const ScanLevels& scan,
+                                 const Match& nearby) const {
+  const auto found =
+      refinedWithin(map, scan, place, config_.window_position, config_.window_heading);
+  const double worth = kWorthAStep * static_cast<double>(scan[0].ends.size());
+  return isBetter(found, nearby, worth) ? found : nearby;
+}
+
+Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                                 const PosePrior& prior) const {
   const auto& [model, grid] = map.finest();
   const auto fine = registerScan(grid, scan[0], start, prior, config_.sigma);
@@ -71,7 +93,7 @@ Match ScanToMapMatcher::refined(const ScanMap& map, const ScanLevels& scan, cons
   return match;
 }
 
-Match ScanToMapMatcher::searched(const ScanMap& map, const ScanLevels& scan, const Pose2& middle,
+Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, const Pose2& middle,
                                  double position, double heading) const {
   const grid_map::ScanLikelihood likelihood(kOutlier, 1.0);
   const Eigen::Matrix3d covariance =
@@ -79,7 +101,14 @@ Match ScanToMapMatcher::searched(const ScanMap& map, const ScanLevels& scan, con
   const auto few = thinned(scan[0]);
   const grid_map::MatchObjective objective(likelihood, map.finest().map, few, middle, covariance);
   const grid_map::CorrelativeMatching correlative({position, heading}, {});
-  const PosePrior found{correlative.match(objective).pose, covariance.inverse()};
+  return refinedWithin(map, scan, correlative.match(objective).pose, position, heading);
+}
+
+/// What a search has found is all that is known of the place.
+Match ScanToMapMatcher::refinedWithin(const MapView& map, const ScanLevels& scan,
+                                      const Pose2& middle, double position, double heading) const {
+  const Eigen::Vector3d sigma(position, position, heading);
+  const PosePrior found{middle, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
   auto match = refined(map, scan, found.pose, found);
   match.information += found.information;
   match.prior_weight = 0.0;

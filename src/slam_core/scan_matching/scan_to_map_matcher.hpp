@@ -30,13 +30,25 @@ class ScanToMapMatcher {
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
 
   /// @param map not empty
-  Match match(const ScanMap& map, const ScanLevels& scan, const PosePrior& prior) const;
+  Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior) const;
+
+  // The same in steps, for who searches once for many maps.
+  /// Without any search.
+  Match matchNearby(const MapView& map, const ScanLevels& scan, const PosePrior& prior) const;
+  /// Whether so much contradicts the map that a better place is worth a search.
+  bool isDoubtful(const Match& match) const;
+  /// The better one of what was found nearby and what is there around a place that a search in
+  /// another map has led to.
+  Match orAround(const Pose2& place, const MapView& map, const ScanLevels& scan,
+                 const Match& nearby) const;
 
  private:
-  Match refined(const ScanMap& map, const ScanLevels& scan, const Pose2& start,
+  Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                 const PosePrior& prior) const;
-  Match searched(const ScanMap& map, const ScanLevels& scan, const Pose2& middle, double position,
+  Match searched(const MapView& map, const ScanLevels& scan, const Pose2& middle, double position,
                  double heading) const;
+  Match refinedWithin(const MapView& map, const ScanLevels& scan, const Pose2& middle,
+                      double position, double heading) const;
 
   MatcherConfig config_;
 };

@@ -70,7 +70,7 @@ Motion ScanTracker::motionOf(Duration interval) const {
   return motion;
 }
 
-Match ScanTracker::track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
+Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp,
                          const std::optional<Motion>& told) {
   Duration interval{};
   if (stamp_ && stamp > *stamp_) {
@@ -97,7 +97,7 @@ Match ScanTracker::move(const Motion& motion) {
   return found;
 }
 
-Match ScanTracker::match(const ScanMap& map, const ScanLevels& scan, const Motion& motion,
+Match ScanTracker::match(const MapView& map, const ScanLevels& scan, const Motion& motion,
                          bool is_told) {
   const Eigen::Matrix3d noise =
       motion.covariance + (is_told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);

@@ -39,9 +39,11 @@ class ScanTracker {
   /// The robot is there; what was known of its velocity, slips and the scans' stamps is forgotten.
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
-  Match track(const ScanMap& map, const ScanLevels& scan, Stamp stamp,
+  Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
               const std::optional<Motion>& motion);
 
+  /// The same robot in another map, or where something else has put it since the last scan.
+  void moveTo(const Pose2& pose) { robot_.pose = pose; }
   /// The map around the robot has just been drawn from where it is: among these parts it is there.
   void anchor() { robot_.covariance.setZero(); }
 
@@ -54,7 +56,7 @@ class ScanTracker {
  private:
   Motion motionOf(Duration interval) const;
   Match move(const Motion& motion);
-  Match match(const ScanMap& map, const ScanLevels& scan, const Motion& motion, bool is_told);
+  Match match(const MapView& map, const ScanLevels& scan, const Motion& motion, bool is_told);
   /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
   void take(const Match& found, const PosePrior& prior, const Motion& motion,
             const Eigen::Matrix3d& noise);

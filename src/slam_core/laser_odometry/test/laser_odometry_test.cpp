@@ -249,9 +249,9 @@ TEST(LocalMap, HoldsTheLastMetresOfTheWayAndNoMore) {
   std::size_t largest = 0;
   for (int i = 0; i < 400; ++i) {
     const Pose2 pose(0.5 * i, 0.0, 0.0);
-    map.insert(map.map().pointsOf(scan, 0.02), pose);
+    map.insert(pointsOf(scan, scan_matching::levelModels({}), 0.02), pose);
     if (i == 100) largest = map.bytes();
-    const auto& grid = map.map().finest().map;
+    const auto& grid = map.view().finest().map;
     EXPECT_FALSE(grid.isEmpty());
     const double metres = 0.05 * grid.rectangle().width;
     ASSERT_LT(metres, 2 * 10.0 + 2 * 3.2 + 4 * 3.2)

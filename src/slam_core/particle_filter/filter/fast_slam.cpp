@@ -19,8 +19,13 @@ const Registrar<Backend, FastSlam> kRegistrar("pf");
 const SectionRegistrar<PfConfig> kSectionRegistrar;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<ScanConfig> kScanRegistrar;
+const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
 using Purpose = RandomStreams::Purpose;
+
+/// Pose and map are those of one particle; as long as others are about as likely nothing should
+/// jump.
+constexpr double kWorthAnotherMap = 10.0;
 
 Status statusOfWeights(bool are_left) {
   if (are_left) return Status::ok();
@@ -32,15 +37,16 @@ Status statusOfWeights(bool are_left) {
 }  // namespace
 
 void FastSlam::configure(const PfConfig& config, const grid_map::GridMapConfig& grid,
-                         const ScanConfig& scan) {
+                         const ScanConfig& scan, const scan_matching::MatcherConfig& matcher) {
   FaultCollector faults;
   faults.attempt([&] { validatePf(config); });
   if (uses_grid_) faults.attempt([&] { validate(grid); });
   if (uses_grid_) faults.attempt([&] { validate(scan); });
+  if (uses_grid_) faults.attempt([&] { validate(matcher); });
   faults.raise();
   config_ = config;
   scans_.reset();
-  if (uses_grid_) scans_.emplace(grid, scan, config_.mapIsFixed());
+  if (uses_grid_) scans_.emplace(grid, scan, matcher, config_.mapIsFixed());
   resampler_ = Resampler(resamplingOf(config));
   execution_.workers = std::make_unique<Workers>(static_cast<unsigned>(config.threads));
   reset();
@@ -50,12 +56,14 @@ void FastSlam::configure(Settings& settings) {
   PfConfig config;
   grid_map::GridMapConfig grid;
   ScanConfig scan;
+  scan_matching::MatcherConfig matcher;
   FaultCollector faults;
   faults.attempt([&] { settings.read(config); });
   if (uses_grid_) faults.attempt([&] { settings.read(grid); });
   if (uses_grid_) faults.attempt([&] { settings.read(scan); });
+  if (uses_grid_) faults.attempt([&] { settings.read(matcher); });
   faults.raise();
-  configure(config, grid, scan);
+  configure(config, grid, scan, matcher);
 }
 
 void FastSlam::reset() {
@@ -63,6 +71,7 @@ void FastSlam::reset() {
   particles_ = std::make_unique<ParticleSet>(static_cast<std::size_t>(config_.particles),
                                              static_cast<unsigned>(config_.threads),
                                              scans_ ? scans_->mostTiles() : 0);
+  if (scans_) particles_->requireToBecomeBest(kWorthAnotherMap);
   landmarks_ = LandmarkUpdate(landmarksOf(config_));
   if (scans_) scans_->relocate({});
   inputs_ = {};
@@ -99,14 +108,17 @@ Status FastSlam::execute() {
 Status FastSlam::replaceMap() {
   if (!inputs_.map) return Status::ok();
   const auto map = *std::exchange(inputs_.map, std::nullopt);
-  grid_map::GridMap grid(particles_->memory().grids);
+  grid_map::GridMap grid(particles_->memory().grids), coarse(particles_->memory().grids);
   Status status;
-  if (scans_ && map.grid) status = fillFrom(*map.grid, scans_->model(), grid);
+  if (scans_ && map.grid) {
+    status = fillFrom(*map.grid, scans_->models()[0], grid);
+    status = moreUrgent(fillFrom(*map.grid, scans_->models()[1], coarse), status);
+  }
   if (status.level == Status::Level::kError) return status;  // all stays as it is
   shown_grid_ = {grid.identity(), shown_grid_.revision + 1};
   const bool has_joint = map.joint_covariance.size() > 0;
   const double inflation = has_joint ? 1.0 : config_.load_inflation;
-  particles_->replaceMaps(map.landmarks, inflation, grid);
+  particles_->replaceMaps(map.landmarks, inflation, grid, coarse);
   landmarks_.load(map.landmarks);
   belief_.bound.load(map.landmarks, inflation);
   if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
@@ -142,11 +154,19 @@ FastSlam::Step FastSlam::takeInputs() {
   if (scan) step.stamp = scan->stamp;
   step.has_seen = landmarks_.take(observations, account_);
   if (step.has_seen || (!scans_ && step.latest)) step.update = &landmarks_;
-  if (scans_ && scan && scans_->take(*scan)) {
+  if (!scans_ || !scan) return step;
+  if (scans_->take(*scan, best(), best().pose * carriedIncrement())) {
     step.update = &*scans_;
     step.has_seen = true;
   }
+  correct(scans_->correction(), step);
   return step;
+}
+
+void FastSlam::correct(const Pose2& correction, Step& step) {
+  if (!step.latest) return;
+  step.latest->increment = step.latest->increment * correction;
+  belief_.carried->increment = belief_.carried->increment * correction;
 }
 
 /// The particles stay where they are; what is told of them moves on.

@@ -35,7 +35,7 @@ class FastSlam final : public Backend,
  public:
   /// The grid's parameters count only where one is used. @throw ConfigError
   void configure(const PfConfig& config, const grid_map::GridMapConfig& grid = {},
-                 const ScanConfig& scan = {});
+                 const ScanConfig& scan = {}, const scan_matching::MatcherConfig& matcher = {});
   void configure(Settings& settings) override;
   void seed(std::uint64_t seed) override { execution_.streams.seed(seed); }
 
@@ -91,6 +91,8 @@ class FastSlam final : public Backend,
   Status replaceMap();
   void relocate();
   Step takeInputs();
+  /// The motion that the step ends with, by what scans say of it.
+  void correct(const Pose2& correction, Step& step);
   Status carry(const Step& step);
   Drafts propose(const Step& step);
   Status weigh(const Drafts& drafts, SensorUpdate& update);

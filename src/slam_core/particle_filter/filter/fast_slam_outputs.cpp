@@ -65,7 +65,7 @@ MapState FastSlam::state() const {
 
 std::optional<OccupancyGrid> FastSlam::grid() const {
   if (!scans_) return std::nullopt;
-  return occupancyGridOf(best().grid, scans_->model().resolution());
+  return occupancyGridOf(best().grid, scans_->models().front().resolution());
 }
 
 std::vector<StampedPose> FastSlam::path() const {

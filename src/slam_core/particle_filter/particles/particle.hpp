@@ -16,6 +16,7 @@ struct Particle {
   ParticleMap map;
   grid_map::GridMap grid;  ///< empty where the filter makes none
   SharedPath path;
+  grid_map::GridMap coarse_grid;  ///< the same in larger cells
 };
 
 }  // namespace slam::particle_filter

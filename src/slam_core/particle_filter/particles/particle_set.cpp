@@ -11,18 +11,18 @@ namespace slam::particle_filter {
 ParticleSet::ParticleSet(std::size_t count, unsigned lanes, std::size_t most_tiles)
     : memory_{ParticleMap::Memory(lanes), grid_map::GridMap::Memory(most_tiles), {}},
       particles_(count, {Pose2(), ParticleMap(memory_.maps), grid_map::GridMap(memory_.grids),
-                         SharedPath(memory_.paths)}),
+                         SharedPath(memory_.paths), grid_map::GridMap(memory_.grids)}),
       weights_(count) {}
 
 bool ParticleSet::weigh(const std::vector<double>& log_factors) {
   const bool are_left = weights_.multiply(log_factors);
   for (std::size_t i = 0; i < size(); ++i)
-    if (weights_[i] > weights_[best_]) best_ = i;
+    if (weights_[i] > to_become_best_ * weights_[best_]) best_ = i;
   return are_left;
 }
 
 void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation,
-                              const grid_map::GridMap& grid) {
+                              const grid_map::GridMap& grid, const grid_map::GridMap& coarse) {
   ParticleMap shared(memory_.maps);
   for (const auto& landmark : map) {
     LandmarkEstimate estimate(landmark.position, inflation * inflation * landmark.covariance);
@@ -33,6 +33,7 @@ void ParticleSet::replaceMaps(const LandmarkMap& map, double inflation,
   for (auto& particle : particles_) {
     particle.map = shared;
     particle.grid = grid;
+    particle.coarse_grid = coarse;
     particle.path = SharedPath(memory_.paths);
   }
   memory_.paths.clearSteps();
@@ -65,7 +66,7 @@ void relocate(ParticleSet& particles, const Pose2& increment, const PoseEstimate
   const double others = 1.0 - weights[0];
   const bool is_centred = size > 2 && others > 0.0;  // a single other one would be no deviation
   for (std::size_t i = 0; i < size; ++i) {
-    auto& [pose, map, grid, path] = particles[i];
+    auto& [pose, map, grid, path, coarse] = particles[i];
     pose = pose * increment;
     path.append(pose);
   }

@@ -36,13 +36,16 @@ class ParticleSet {
   /// The most likely particle, or where particles have just been resampled the first one that
   /// descends from it.
   std::size_t best() const { return best_; }
+  /// Another particle becomes the best one where it is so many times as likely.
+  void requireToBecomeBest(double factor) { to_become_best_ = factor; }
 
   /// Weights are multiplied with factors, see Weights. @return whether something was left of them
   bool weigh(const std::vector<double>& log_factors);
   /// Particle i is replaced by a copy of particle ancestors[i]; weights become equal.
   void resample(const std::vector<std::uint32_t>& ancestors);
   /// All particles get these maps, equal weights and an empty path.
-  void replaceMaps(const LandmarkMap& map, double inflation, const grid_map::GridMap& grid);
+  void replaceMaps(const LandmarkMap& map, double inflation, const grid_map::GridMap& grid,
+                   const grid_map::GridMap& coarse);
 
   ParticleMemory& memory() { return memory_; }
   const ParticleMemory& memory() const { return memory_; }
@@ -52,6 +55,7 @@ class ParticleSet {
   std::vector<Particle> particles_;
   Weights weights_;
   std::size_t best_ = 0;
+  double to_become_best_ = 1.0;
 };
 
 /// All particles are moved by the same, where their paths end; then the poses are drawn anew around

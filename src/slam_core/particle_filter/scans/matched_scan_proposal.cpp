@@ -1,100 +1,74 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
-#include <array>
+#include <Eigen/LU>
 #include <cmath>
 
-#include "slam_core/geometry/angle.hpp"
 #include "slam_core/particle_filter/scans/scan_proposal.hpp"
 
 namespace slam::particle_filter {
 namespace {
 
-using grid_map::MatchObjective;
+using scan_matching::Match;
+using scan_matching::PosePrior;
 
-/// A step along each axis of the robot's frame [m, m, rad].
-using Steps = Eigen::Array3d;
-
-Pose2 moved(const Pose2& pose, const Steps& step) {
-  return pose * Pose2(step.x(), step.y(), step.z());
+/// A match may lead further off than motion and drift let expect: a map errs as well.
+Eigen::Matrix3d widened(const Eigen::Matrix3d& covariance) {
+  constexpr double kPosition = 0.03, kHeading = 0.02;  // [m], [rad]
+  Eigen::Matrix3d wide = covariance;
+  wide.diagonal() += Eigen::Vector3d(kPosition, kPosition, kHeading).cwiseAbs2();
+  return wide;
 }
 
-/// How far neighbours of a lattice about a mode lie apart, as wide as the objective bends there.
-Steps stepsAbout(const Pose2& mode, const MatchObjective& objective) {
-  const Steps probe(0.02, 0.02, 0.01);
-  constexpr double kSigmas = 1.5, kLeast = 0.1, kMost = 4.0;
-  const double at_mode = objective.log(mode);
-  Steps steps;
-  for (int axis = 0; axis < 3; ++axis) {
-    Steps step = Steps::Zero();
-    step[axis] = probe[axis];
-    const double drop =
-        2.0 * at_mode - objective.log(moved(mode, step)) - objective.log(moved(mode, -step));
-    const double sigma = drop > 0.0 ? 1.0 / std::sqrt(drop) : kMost;  // in probes
-    steps[axis] = kSigmas * probe[axis] * std::clamp(sigma, kLeast, kMost);
-  }
-  return steps;
+PosePrior searchPrior(const PoseGaussian& prior) {
+  return {prior.mean, widened(prior.covariance).inverse()};
 }
 
-/// What the objective makes of the poses of a lattice of three by three by three.
-class Samples {
- public:
-  Samples(const Pose2& mode, const Steps& steps, const MatchObjective& objective) {
-    std::size_t k = 0;
-    for (const double x : {-1.0, 0.0, 1.0})
-      for (const double y : {-1.0, 0.0, 1.0})
-        for (const double turn : {-1.0, 0.0, 1.0}) {
-          const Pose2 pose = moved(mode, steps * Steps(x, y, turn));
-          deviations_[k] = pose.vector() - mode.vector();
-          deviations_[k].z() = wrapAngle(deviations_[k].z());
-          logs_[k++] = objective.log(pose);
-        }
-  }
+bool tellsNothing(const ScanInMap& scan, const PoseGaussian& prior) {
+  const auto& points = scan.scan.front();
+  return points.ends.empty() || scan.map.isEmpty() || !points.isOnMap(prior.mean);
+}
 
-  double largestLog() const { return *std::max_element(logs_.begin(), logs_.end()); }
+/// By three sigmas a prior has lost its say, as in the match itself.
+double logOfPrior(const PosePrior& prior, const Pose2& pose) {
+  constexpr double kSquaredSigmas = 9.0;
+  const Eigen::Vector3d d = difference(pose, prior.pose);
+  const double squared = d.dot(prior.information * d);
+  return -0.5 * squared / (1.0 + squared / kSquaredSigmas);
+}
 
-  /// Mean and covariance of the deviations from the mode.
-  /// @param sum of the weights relative to the largest, written
-  std::pair<Eigen::Vector3d, Eigen::Matrix3d> moments(double& sum) const {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-    const double largest = largestLog();
-    sum = 0.0;
-    for (std::size_t k = 0; k < logs_.size(); ++k) {
-      const double weight = std::exp(logs_[k] - largest);
-      sum += weight;
-      mean += weight * deviations_[k];
-      moment += weight * deviations_[k] * deviations_[k].transpose();
-    }
-    mean /= sum;
-    return {mean, moment / sum - mean * mean.transpose()};
-  }
-
- private:
-  static constexpr std::size_t kCount = 27;
-  std::array<Eigen::Vector3d, kCount> deviations_;
-  std::array<double, kCount> logs_;
-};
+/// What is left of the pose's uncertainty by motion and match.
+Eigen::Matrix3d covarianceOf(const PoseGaussian& prior, const Match& match) {
+  constexpr double kFloor = 1e-10;
+  if (match.was_searched) return match.information.inverse();
+  const Eigen::Matrix3d P = prior.covariance + kFloor * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d posterior = (P.inverse() + match.information).inverse();
+  return 0.5 * (posterior + posterior.transpose());
+}
 
 }  // namespace
 
-ScanDraft MatchedScanProposal::propose(const grid_map::ScanLikelihood& likelihood,
-                                       const grid_map::ScanPoints& scan,
-                                       const grid_map::GridMap& map, const PoseGaussian& prior,
-                                       RandomStream&) const {
-  const bool is_nothing_to_match = scan.ends.empty() || map.isEmpty();
-  if (is_nothing_to_match || prior.isCertain() || !scan.isOnMap(prior.mean))
-    return {prior, likelihood.log(map, scan, prior.mean)};
-  const MatchObjective objective(likelihood, map, scan, prior.mean, prior.covariance);
-  const Pose2 mode = matcher_->match(objective).pose;
-  const Steps steps = stepsAbout(mode, objective);
-  const Samples samples(mode, steps, objective);
-  double sum = 0.0;
-  const auto [mean, covariance] = samples.moments(sum);
-  // each sample stands for a cell of the lattice
-  const double log_integral = samples.largestLog() + std::log(sum) + steps.log().sum();
-  return {{Pose2::fromVector(mode.vector() + mean), covariance}, log_integral};
+std::optional<Pose2> MatchedScanProposal::search(const ScanInMap& scan,
+                                                 const PoseGaussian& prior) const {
+  if (tellsNothing(scan, prior)) return std::nullopt;
+  const auto match = matcher_.match(scan.map, scan.scan, searchPrior(prior));
+  if (!match.was_searched) return std::nullopt;
+  return prior.mean.between(match.pose);
+}
+
+ScanDraft MatchedScanProposal::propose(const ScanInMap& scan, const PoseGaussian& prior,
+                                       const std::optional<Pose2>& elsewhere, RandomStream&) const {
+  if (tellsNothing(scan, prior)) return {prior, scan.log(prior.mean)};
+  const auto wide = searchPrior(prior);
+  auto match = matcher_.matchNearby(scan.map, scan.scan, wide);
+  if (elsewhere && matcher_.isDoubtful(match))
+    match = matcher_.orAround(prior.mean * *elsewhere, scan.map, scan.scan, match);
+  if (!match.is_determined) return {prior, scan.log(prior.mean)};
+  const Eigen::Matrix3d posterior = wide.information + match.information;
+  const double log_shrinking =
+      0.5 * std::log(wide.information.determinant() / posterior.determinant());
+  const double log_evidence = scan.log(match.pose) + logOfPrior(wide, match.pose) + log_shrinking;
+  return {{match.pose, covarianceOf(prior, match)}, log_evidence};
 }
 
 }  // namespace slam::particle_filter

@@ -8,8 +8,8 @@ namespace slam::particle_filter {
 void ScanConfig::describe(Fields& fields) {
   describePolicies(fields);
   describeUpdates(fields);
+  describeDrift(fields);
   describeLikelihood(fields);
-  describeSearch(fields);
 }
 
 void ScanConfig::describePolicies(Fields& fields) {
@@ -21,17 +21,14 @@ void ScanConfig::describePolicies(Fields& fields) {
              {{"integral", Weighting::kIntegral}, {"likelihood", Weighting::kLikelihood}},
              "a particle's weight: the scan's likelihood over all poses that the motion may have "
              "led to (integral), or at the middle of the proposal (likelihood)");
-  fields.add("matcher", &matcher,
-             {{"hill_climbing", Matcher::kHillClimbing}, {"correlative", Matcher::kCorrelative}},
-             "how that place is found: in steps from where the motion leads, or by searching a "
-             "whole window around that (correlative), slower, for odometry that slips");
 }
 
 void ScanConfig::describeUpdates(Fields& fields) {
   fields
       .add("update_distance", &update_distance,
-           "a scan is used when the robot has gone so far since the last one; between them poses "
-           "are the odometry's")
+           "a scan updates the particles when the robot has gone so far since the last one that "
+           "did; "
+           "between them scans follow the robot for all particles together")
       .unit("m")
       .in(Range::atLeast(0));
   fields.add("update_angle", &update_angle, "or when it has turned by so much")
@@ -44,13 +41,13 @@ void ScanConfig::describeUpdates(Fields& fields) {
 
 void ScanConfig::describeLikelihood(Fields& fields) {
   fields
-      .add("spacing", &spacing,
-           "of ends of beams that lie closer together than this only one is matched")
-      .unit("m")
-      .in(Range::atLeast(0));
-  fields
       .add("outlier", &outlier,
            "likelihood of an end that has nothing to do with the map, relative to the best")
+      .unit("1")
+      .in(Range::open(0, 1));
+  fields
+      .add("unknown", &unknown,
+           "likelihood of an end where the map knows nothing, relative to the best")
       .unit("1")
       .in(Range::open(0, 1));
   fields
@@ -75,24 +72,16 @@ void ScanConfig::describeLikelihood(Fields& fields) {
       .in(Range::open(0, 1));
 }
 
-void ScanConfig::describeSearch(Fields& fields) {
-  fields.add("step_position", &step_position, "first step of hill climbing")
-      .unit("m")
-      .in(Range::above(0));
-  fields.add("step_heading", &step_heading, "first step of hill climbing")
-      .unit("rad")
-      .in(Range::above(0));
-  fields.add("step_halvings", &step_halvings, "how often the steps are halved")
-      .unit("1")
-      .in(Range::closed(1, 20));
+void ScanConfig::describeDrift(Fields& fields) {
   fields
-      .add("window_position", &window_position,
-           "correlative: half the edge of the square that is searched")
+      .add("drift_position", &drift_position,
+           "standard deviation by which the way between updates errs after a metre, however well "
+           "the scans fit one another; it grows with the root of the way")
       .unit("m")
-      .in(Range::closed(0, 5));
-  fields.add("window_heading", &window_heading, "correlative: half the angle that is searched")
+      .in(Range::closed(0, 1));
+  fields.add("drift_heading", &drift_heading, "the same of its heading")
       .unit("rad")
-      .in(Range::closed(0, 3.1416));
+      .in(Range::closed(0, 1));
 }
 
 }  // namespace slam::particle_filter

@@ -5,12 +5,10 @@
 
 namespace slam::particle_filter {
 
-ScanDraft MotionScanProposal::propose(const grid_map::ScanLikelihood& likelihood,
-                                      const grid_map::ScanPoints& scan,
-                                      const grid_map::GridMap& map, const PoseGaussian& prior,
-                                      RandomStream& random) const {
+ScanDraft MotionScanProposal::propose(const ScanInMap& scan, const PoseGaussian& prior,
+                                      const std::optional<Pose2>&, RandomStream& random) const {
   const Pose2 pose = prior.sample(random);
-  return {{pose}, likelihood.log(map, scan, pose)};
+  return {{pose}, scan.log(pose)};
 }
 
 }  // namespace slam::particle_filter

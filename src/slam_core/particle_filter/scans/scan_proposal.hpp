@@ -3,16 +3,23 @@
 
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "slam_core/common/random.hpp"
-#include "slam_core/grid_map/scan_matcher.hpp"
 #include "slam_core/particle_filter/particles/pose_gaussian.hpp"
+#include "slam_core/scan_matching/scan_evidence.hpp"
+#include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
 namespace slam::particle_filter {
+
+/// A scan and the map of a particle.
+struct ScanInMap {
+  const scan_matching::ScanLevels& scan;
+  scan_matching::MapView map;
+  const scan_matching::ScanEvidence& evidence;
+
+  double log(const Pose2& pose) const { return evidence.log(map.finest().map, scan.front(), pose); }
+};
 
 /// What a particle makes of a scan.
 struct ScanDraft {
@@ -27,36 +34,40 @@ class ScanProposal {
  public:
   virtual ~ScanProposal() = default;
 
+  /// To be called once a scan, for the most likely particle.
+  /// @param prior where motion alone puts it
+  /// @return where else the others should look, seen from where motion puts them
+  virtual std::optional<Pose2> search(const ScanInMap& /*scan*/,
+                                      const PoseGaussian& /*prior*/) const {
+    return std::nullopt;
+  }
   /// For several threads at once.
   /// @param prior where motion alone puts this particle
-  virtual ScanDraft propose(const grid_map::ScanLikelihood& likelihood,
-                            const grid_map::ScanPoints& scan, const grid_map::GridMap& map,
-                            const PoseGaussian& prior, RandomStream& random) const = 0;
+  /// @param elsewhere of search()
+  virtual ScanDraft propose(const ScanInMap& scan, const PoseGaussian& prior,
+                            const std::optional<Pose2>& elsewhere, RandomStream& random) const = 0;
 };
 
 /// The motion prior; the scan weighs the pose drawn (thesis 5.7; Thrun, Burgard, Fox 2005, ch. 13).
 class MotionScanProposal final : public ScanProposal {
  public:
-  ScanDraft propose(const grid_map::ScanLikelihood& likelihood, const grid_map::ScanPoints& scan,
-                    const grid_map::GridMap& map, const PoseGaussian& prior,
-                    RandomStream& random) const override;
+  ScanDraft propose(const ScanInMap& scan, const PoseGaussian& prior,
+                    const std::optional<Pose2>& elsewhere, RandomStream& random) const override;
 };
 
-/// A Gaussian about the place where scan and motion fit the map best, from samples around it; their
-/// sum is the integral of likelihood and motion (Grisetti, Stachniss, Burgard 2007, alg. 1). The
-/// samples stand on a lattice as wide as the peak: so few drawn at random would be noise in the
-/// weights. Where there is nothing to match it is the motion prior.
+/// The Gaussian that a match of the scan with the particle's map and the motion leave of the pose;
+/// the evidence is its integral (Laplace's approximation; Grisetti, Stachniss, Burgard 2007, Eq.
+/// 12). Where there is nothing to match it is the motion prior.
 class MatchedScanProposal final : public ScanProposal {
  public:
-  explicit MatchedScanProposal(std::unique_ptr<grid_map::ScanMatcher> matcher)
-      : matcher_(std::move(matcher)) {}
+  explicit MatchedScanProposal(const scan_matching::MatcherConfig& matcher) : matcher_(matcher) {}
 
-  ScanDraft propose(const grid_map::ScanLikelihood& likelihood, const grid_map::ScanPoints& scan,
-                    const grid_map::GridMap& map, const PoseGaussian& prior,
-                    RandomStream& random) const override;
+  std::optional<Pose2> search(const ScanInMap& scan, const PoseGaussian& prior) const override;
+  ScanDraft propose(const ScanInMap& scan, const PoseGaussian& prior,
+                    const std::optional<Pose2>& elsewhere, RandomStream& random) const override;
 
  private:
-  std::unique_ptr<grid_map::ScanMatcher> matcher_;
+  scan_matching::ScanToMapMatcher matcher_;
 };
 
 }  // namespace slam::particle_filter

@@ -6,30 +6,24 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
+
+#include "slam_core/grid_map/scan_insertion.hpp"
 
 namespace slam::particle_filter {
 namespace {
 
-using grid_map::CorrelativeMatching;
-using grid_map::HillClimbing;
 using grid_map::Tile;
 
 UpdateTrigger triggerOf(const ScanConfig& config) {
   return {config.update_distance, config.update_angle, durationFromSeconds(config.update_interval)};
 }
 
-std::unique_ptr<grid_map::ScanMatcher> matcherOf(const ScanConfig& config) {
-  const HillClimbing::Steps steps{config.step_position, config.step_heading, config.step_halvings};
-  if (config.matcher == ScanConfig::Matcher::kHillClimbing)
-    return std::make_unique<HillClimbing>(steps);
-  return std::make_unique<CorrelativeMatching>(
-      CorrelativeMatching::Window{config.window_position, config.window_heading}, steps);
-}
-
-std::unique_ptr<ScanProposal> proposalOf(const ScanConfig& config) {
+std::unique_ptr<ScanProposal> proposalOf(const ScanConfig& config,
+                                         const scan_matching::MatcherConfig& matcher) {
   if (config.proposal == ScanConfig::Proposal::kMotion)
     return std::make_unique<MotionScanProposal>();
-  return std::make_unique<MatchedScanProposal>(matcherOf(config));
+  return std::make_unique<MatchedScanProposal>(matcher);
 }
 
 std::unique_ptr<ScanWeighting> weightingOf(const ScanConfig& config) {
@@ -41,62 +35,78 @@ std::unique_ptr<ScanWeighting> weightingOf(const ScanConfig& config) {
 }  // namespace
 
 ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan,
-                       bool map_is_fixed)
+                       const scan_matching::MatcherConfig& matcher, bool map_is_fixed)
     : map_config_(map),
       config_(scan),
+      spacing_(matcher.spacing),
       map_is_fixed_(map_is_fixed),
-      model_(map),
-      likelihood_(scan.outlier, scan.beam_information),
-      proposal_(proposalOf(scan)),
+      models_(scan_matching::levelModels(map)),
+      evidence_(scan.outlier, scan.unknown, scan.beam_information),
+      proposal_(proposalOf(scan, matcher)),
       weighting_(weightingOf(scan)),
+      follower_(matcher, {scan.drift_position, scan.drift_heading}),
       trigger_(triggerOf(scan)),
-      fit_(model_, scan.lost_share) {
+      doubt_(scan.lost_share) {
   relocate({});
 }
 
 void ScanUpdate::relocate(const PoseEstimate& around) {
   trigger_ = triggerOf(config_);
-  fit_.forget();
+  doubt_.forget();
+  follower_.restart();
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
   to_robot.topLeftCorner<2, 2>() = around.pose.rotation().transpose();
-  motion_.emplace();
-  motion_->covariance = to_robot * around.covariance * to_robot.transpose();
+  told_.emplace();
+  told_->covariance = to_robot * around.covariance * to_robot.transpose();
 }
 
-void ScanUpdate::move(const Motion& motion) {
-  trigger_.move(motion.increment);
-  motion_ = motion_ ? joined(*motion_, motion) : motion;
-}
+void ScanUpdate::move(const Motion& motion) { follower_.move(motion); }
 
-bool ScanUpdate::take(const LaserScan& scan) {
-  if (!trigger_.isDue(scan.stamp)) return false;
+bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& pose) {
+  correction_ = {};
+  auto levels = scan_matching::pointsOf(scan, models_, spacing_);
+  if (levels.front().beams.empty()) return false;
+  follower_.follow(mapOf(best), levels, scan.stamp, pose);
+  correction_ = follower_.correction();
+  motion_ = follower_.motion();
+  if (!trigger_.isDue(motion_.increment, scan.stamp)) return false;
+  if (told_) motion_ = joined(*told_, motion_);
   stamp_ = scan.stamp;
-  scan_ = pointsOf(scan, model_, config_.spacing);
-  return !scan_.beams.empty();
+  scan_ = std::move(levels);
+  return true;
+}
+
+scan_matching::MapView ScanUpdate::mapOf(const Particle& particle) const {
+  return {{{{models_[0], particle.grid}, {models_[1], particle.coarse_grid}}}};
+}
+
+ScanInMap ScanUpdate::inMapOf(const Particle& particle) const {
+  return {scan_, mapOf(particle), evidence_};
 }
 
 Eigen::Matrix3d ScanUpdate::covarianceAt(const Pose2& pose) const {
-  if (!motion_) return Eigen::Matrix3d::Zero();
-  const Pose2 start = pose * motion_->increment.inverse();
+  const Pose2 start = pose * motion_.increment.inverse();
   Eigen::Matrix3d J_u;
-  start.compose(motion_->increment, nullptr, &J_u);
-  return J_u * motion_->covariance * J_u.transpose();
+  start.compose(motion_.increment, nullptr, &J_u);
+  return J_u * motion_.covariance * J_u.transpose();
 }
 
 Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                            const PoseBelief&, const Execution& execution) {
   Drafts drafts(particles.size());
-  execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned) {
-    const auto& grid = particles[i].grid;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
     auto& prior = drafts.priors[i];
-    prior.mean = particles[i].pose;
-    if (motion) prior = prior.moved(*motion);
+    prior.mean = motion ? particles[i].pose * motion->increment : particles[i].pose;
     prior.covariance = covarianceAt(prior.mean);
+  }
+  const auto best = particles.best();
+  const auto elsewhere = proposal_->search(inMapOf(particles[best]), drafts.priors[best]);
+  execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned) {
+    const auto scan = inMapOf(particles[i]);
     auto stream = execution.streams.of(RandomStreams::Purpose::kPropose, i);
-    const auto draft = proposal_->propose(likelihood_, scan_, grid, prior, stream);
+    const auto draft = proposal_->propose(scan, drafts.priors[i], elsewhere, stream);
     drafts.proposals[i] = draft.pose;
-    drafts.log_factors[i] =
-        weighting_->logFactor(likelihood_, scan_, grid, draft) / config_.weight_smoothing;
+    drafts.log_factors[i] = weighting_->logFactor(scan, draft) / config_.weight_smoothing;
   });
   return drafts;
 }
@@ -110,10 +120,11 @@ void ScanUpdate::inform(const PoseEstimate& moments, const ParticleSet&,
 Lesson ScanUpdate::learn(ParticleSet& particles, const Ancestors&, PoseBelief&,
                          const Execution& execution, Account& account) {
   const auto& best = particles[particles.best()];
-  fit_.judge(best.grid, scan_, best.pose);
-  account.figures["contradicting_ends"] = fit_.contradictingShare();
+  doubt_.judge(scan_matching::agreementOf(models_[0], best.grid, scan_[0], best.pose));
+  account.figures["contradicting_ends"] = doubt_.agreement().contradictingShare();
   trigger_.restart(stamp_);
-  motion_.reset();
+  follower_.beginMotion();
+  told_.reset();
   return map_is_fixed_ ? Lesson() : insert(particles, execution, account);
 }
 
@@ -127,7 +138,9 @@ Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution,
   }
   std::atomic<std::size_t> beyond{0};
   execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned) {
-    beyond += grid_map::insertScan(model_, scan_, particles[i].pose, particles[i].grid);
+    auto& particle = particles[i];
+    beyond += grid_map::insertScan(models_[0], scan_[0], particle.pose, particle.grid);
+    grid_map::insertScan(models_[1], scan_[1], particle.pose, particle.coarse_grid);
   });
   account.counters.add("beams_beyond_map", beyond);
   if (beyond == 0) return {Status::ok(), true};
@@ -137,23 +150,21 @@ Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution,
 }
 
 bool ScanUpdate::hasRoomFor(std::size_t maps, const grid_map::GridMap::Memory& memory) const {
-  Eigen::Vector2d least = scan_.origin, most = scan_.origin;
-  for (const auto& beam : scan_.beams) {
-    least = least.cwiseMin(beam.end);
-    most = most.cwiseMax(beam.end);
+  double tiles = 0.0;
+  for (const auto& scan : scan_) {
+    Eigen::Vector2d least = scan.origin, most = scan.origin;
+    for (const auto& beam : scan.beams) {
+      least = least.cwiseMin(beam.end);
+      most = most.cwiseMax(beam.end);
+    }
+    // in whatever direction it lies, and with a tile begun on either side
+    const double diagonal = (most - least).norm() / Tile::kSize + 2.0;
+    const Eigen::Array2d edges = (most - least).array() / Tile::kSize + 2.0;
+    tiles += std::min(edges.prod() * 2.0, diagonal * diagonal);
   }
-  // in whatever direction it lies, and with a tile begun on either side
-  const double diagonal = (most - least).norm() / Tile::kSize + 2.0;
-  const Eigen::Array2d edges = (most - least).array() / Tile::kSize + 2.0;
-  const double tiles = std::min(edges.prod() * 2.0, diagonal * diagonal);
   const double bytes = static_cast<double>(maps) * tiles * sizeof(Tile);
   constexpr double kMegabyte = 1e6;
   return static_cast<double>(memory.bytes()) + bytes <= kMegabyte * map_config_.largest_memory;
-}
-
-std::size_t ScanUpdate::mostTiles() const {
-  const double edge = Tile::kSize * map_config_.resolution;
-  return static_cast<std::size_t>(std::ceil(map_config_.largest_area / (edge * edge)));
 }
 
 }  // namespace slam::particle_filter

@@ -7,30 +7,34 @@
 #include <optional>
 
 #include "slam_core/grid_map/grid_map_config.hpp"
-#include "slam_core/grid_map/scan_insertion.hpp"
-#include "slam_core/grid_map/scan_points.hpp"
 #include "slam_core/particle_filter/particles/sensor_update.hpp"
 #include "slam_core/particle_filter/scans/scan_config.hpp"
-#include "slam_core/particle_filter/scans/scan_fit_monitor.hpp"
+#include "slam_core/particle_filter/scans/scan_follower.hpp"
 #include "slam_core/particle_filter/scans/scan_proposal.hpp"
 #include "slam_core/particle_filter/scans/scan_weighting.hpp"
 #include "slam_core/particle_filter/scans/update_trigger.hpp"
+#include "slam_core/scan_matching/scan_doubt.hpp"
 
 namespace slam::particle_filter {
 
 /// Laser scans in the filter, whose particles carry grid maps (Grisetti, Stachniss, Burgard 2007;
-/// thesis 5.7).
+/// thesis 5.7). Every scan corrects the motion (ScanFollower); after some way one updates the
+/// particles.
 class ScanUpdate final : public SensorUpdate {
  public:
-  /// No scan has come yet. @param map, scan are valid
-  ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan, bool map_is_fixed);
+  /// No scan has come yet. @param map, scan, matcher are valid
+  ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan,
+             const scan_matching::MatcherConfig& matcher, bool map_is_fixed);
 
   /// The next scan is used wherever the robot is.
   /// @param around a pose: by its covariance a particle may be off, beyond what it was drawn by
   void relocate(const PoseEstimate& around);
   void move(const Motion& motion);
   /// @return whether the scan is due for an update and has beams that tell something
-  bool take(const LaserScan& scan);
+  /// @param best the most likely particle @param pose where the wheels have put it
+  bool take(const LaserScan& scan, const Particle& best, const Pose2& pose);
+  /// What the last scan taken makes of the motion up to it: to be appended to that.
+  const Pose2& correction() const { return correction_; }
 
   Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                  const PoseBelief& belief, const Execution& execution) override;
@@ -39,12 +43,14 @@ class ScanUpdate final : public SensorUpdate {
   Lesson learn(ParticleSet& particles, const Ancestors& ancestors, PoseBelief& belief,
                const Execution& execution, Account& account) override;
 
-  bool isLost() const { return fit_.isLost(); }
-  const grid_map::BeamModel& model() const { return model_; }
+  bool isLost() const { return doubt_.isLost(); }
+  const scan_matching::LevelModels& models() const { return models_; }
   /// Tiles in the rectangle of the largest map.
-  std::size_t mostTiles() const;
+  std::size_t mostTiles() const { return grid_map::mostTiles(map_config_); }
 
  private:
+  scan_matching::MapView mapOf(const Particle& particle) const;
+  ScanInMap inMapOf(const Particle& particle) const;
   /// The covariance by which a particle that is here may be off since the last scan. What landmarks
   /// have said since has moved the particles: that tells where to look, not how sure the place is.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
@@ -54,18 +60,22 @@ class ScanUpdate final : public SensorUpdate {
 
   grid_map::GridMapConfig map_config_;
   ScanConfig config_;
+  double spacing_;
   bool map_is_fixed_;
-  grid_map::BeamModel model_;
-  grid_map::ScanLikelihood likelihood_;
+  scan_matching::LevelModels models_;
+  scan_matching::ScanEvidence evidence_;
   std::unique_ptr<ScanProposal> proposal_;
   std::unique_ptr<ScanWeighting> weighting_;
+  ScanFollower follower_;
   UpdateTrigger trigger_;
-  ScanFitMonitor fit_;
-  std::optional<Motion> motion_;  ///< since the last update
+  scan_matching::ScanDoubt doubt_;
+  std::optional<Motion> told_;  ///< by how much the robot may be off the place that it was given
+  Pose2 correction_;
 
   // of the step
   Stamp stamp_;
-  grid_map::ScanPoints scan_;
+  Motion motion_;  ///< since the last update
+  scan_matching::ScanLevels scan_;
 };
 
 }  // namespace slam::particle_filter

@@ -3,10 +3,6 @@
 
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "slam_core/particle_filter/scans/scan_proposal.hpp"
 
 namespace slam::particle_filter {
@@ -16,17 +12,14 @@ namespace slam::particle_filter {
 class ScanWeighting {
  public:
   virtual ~ScanWeighting() = default;
-  virtual double logFactor(const grid_map::ScanLikelihood& likelihood,
-                           const grid_map::ScanPoints& scan, const grid_map::GridMap& map,
-                           const ScanDraft& draft) const = 0;
+  virtual double logFactor(const ScanInMap& scan, const ScanDraft& draft) const = 0;
 };
 
 /// The likelihood of the scan at the middle of the proposal, given the particle's map (thesis 5.7).
 class LikelihoodScanWeighting final : public ScanWeighting {
  public:
-  double logFactor(const grid_map::ScanLikelihood& likelihood, const grid_map::ScanPoints& scan,
-                   const grid_map::GridMap& map, const ScanDraft& draft) const override {
-    return likelihood.log(map, scan, draft.pose.mean);
+  double logFactor(const ScanInMap& scan, const ScanDraft& draft) const override {
+    return scan.log(draft.pose.mean);
   }
 };
 
@@ -34,8 +27,7 @@ class LikelihoodScanWeighting final : public ScanWeighting {
 /// Eq. 12): it does not depend on the pose drawn, which leaves the least variance to the weights.
 class IntegralScanWeighting final : public ScanWeighting {
  public:
-  double logFactor(const grid_map::ScanLikelihood&, const grid_map::ScanPoints&,
-                   const grid_map::GridMap&, const ScanDraft& draft) const override {
+  double logFactor(const ScanInMap&, const ScanDraft& draft) const override {
     return draft.log_evidence;
   }
 };

@@ -19,24 +19,18 @@ class UpdateTrigger {
   UpdateTrigger(double distance, double angle, Duration interval)
       : distance_(distance), angle_(angle), interval_(interval) {}
 
-  void move(const Pose2& increment) {
-    way_ += increment.position().norm();
-    turn_ += std::abs(increment.theta());
-  }
-  bool isDue(Stamp stamp) const {
-    if (!last_ || way_ >= distance_ || turn_ >= angle_) return true;
+  /// @param step since the last scan that was used
+  bool isDue(const Pose2& step, Stamp stamp) const {
+    if (!last_) return true;
+    if (step.position().norm() >= distance_ || std::abs(step.theta()) >= angle_) return true;
     return interval_ > Duration::zero() && stamp - *last_ >= interval_;
   }
-  void restart(Stamp stamp) {
-    last_ = stamp;
-    way_ = turn_ = 0.0;
-  }
+  void restart(Stamp stamp) { last_ = stamp; }
 
  private:
   double distance_, angle_;
   Duration interval_;
   std::optional<Stamp> last_;
-  double way_ = 0.0, turn_ = 0.0;
 };
 
 }  // namespace slam::particle_filter

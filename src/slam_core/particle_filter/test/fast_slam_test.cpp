@@ -283,9 +283,9 @@ TEST(PfConfigTest, RefusesAThresholdOfBeingLostThatIsNeverReached) {
 TEST(PfConfigTest, RefusesAMatcherThatIsNotKnown) {
   FastSlam filter;
   as<MapChooser>(filter).useMap(MapKind::kGrid);
-  Settings settings({}, {}, {"scan_matching.matcher=guessing"});
+  Settings settings({}, {}, {"scan_matching.proposal=guessing"});
   const auto faults = test::faultsOf([&] { filter.configure(settings); });
-  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.matcher", "'guessing'", "correlative"}));
+  EXPECT_TRUE(test::oneSays(faults, {"scan_matching.proposal", "'guessing'", "matched"}));
 }
 
 }  // namespace

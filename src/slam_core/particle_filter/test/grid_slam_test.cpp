@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
@@ -50,15 +51,51 @@ double run(FastSlam& filter, RoomDrive& drive, int steps) {
 }
 
 TEST(GridSlam, MapsARoomAndStaysOnIt) {
-  for (const auto matcher :
-       {ScanConfig::Matcher::kHillClimbing, ScanConfig::Matcher::kCorrelative}) {
-    ScanConfig scan;
-    scan.matcher = matcher;
-    const auto filter = made(gridConfig(), scan);
-    RoomDrive drive(1);
-    EXPECT_LT(run(*filter, drive, 2 * kLap), 0.15);
-    ASSERT_TRUE(as<GridMapper>(*filter).grid());
-    EXPECT_GT(test::shareOnWalls(*as<GridMapper>(*filter).grid(), drive.room()), 0.8);
+  const auto filter = made();
+  RoomDrive drive(1);
+  EXPECT_LT(run(*filter, drive, 2 * kLap), 0.1);
+  ASSERT_TRUE(as<GridMapper>(*filter).grid());
+  EXPECT_GT(test::shareOnWalls(*as<GridMapper>(*filter).grid(), drive.room()), 0.8);
+}
+
+/// What a robot file says of the wheels counts beside what scans say of them.
+TEST(GridSlam, ComesRoundWithARobotFileThatIsWrongByTenInEitherDirection) {
+  for (const double factor : {0.01, 100.0}) {
+    const auto filter = made();
+    RoomDrive drive(2);
+    for (int i = 0; i < 2 * kLap; ++i) {
+      auto step = drive.next();
+      if (i > 0) step.motion.covariance *= factor;
+      EXPECT_EQ(take(*filter, step).message, "");
+      EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
+    }
+  }
+}
+
+TEST(GridSlam, StaysOnTheMapWhereWheelsSlip) {
+  const auto filter = made();
+  RoomDrive drive(3);
+  for (int i = 0; i < kLap; ++i) {
+    auto step = drive.next();
+    if (i == 70) step.motion.increment = step.motion.increment * Pose2(0.0, 0.0, 0.3);
+    if (i == 100) step.motion.increment = step.motion.increment * Pose2(0.2, 0.0, 0.0);
+    EXPECT_EQ(take(*filter, step).message, "");
+    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
+    EXPECT_LT(std::abs(filter->pose().pose.between(step.truth).theta()), 0.05) << i;
+  }
+}
+
+TEST(GridSlam, StaysOnTheMapWhereOdometryFreezesAndThenJumps) {
+  const auto filter = made();
+  RoomDrive drive(4);
+  Pose2 held;
+  for (int i = 0; i < kLap; ++i) {
+    auto step = drive.next();
+    held = held * step.motion.increment;
+    const bool is_frozen = i >= 60 && i < 66;
+    step.motion.increment = is_frozen ? Pose2() : std::exchange(held, Pose2());
+    take(*filter, step);
+    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
   }
 }
 
@@ -111,7 +148,7 @@ TEST(GridSlam, GivesTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(GridSlam, CarriesThePoseBetweenUpdatesWithoutTouchingParticles) {
+TEST(GridSlam, ScansCorrectTheMotionBetweenUpdatesWithoutTouchingParticles) {
   const auto filter = made();
   RoomDrive drive(5);
   run(*filter, drive, 1);
@@ -120,11 +157,13 @@ TEST(GridSlam, CarriesThePoseBetweenUpdatesWithoutTouchingParticles) {
   for (int i = 0; i < 2; ++i) {
     const auto before = filter->pose();
     const auto particle = filter->particleSet()[3].pose;
-    const auto step = drive.next();
+    auto step = drive.next();
+    step.motion.increment = step.motion.increment * Pose2(0.05, 0.0, 0.05);  // it slips
     take(*filter, step);
     EXPECT_EQ(filter->particleSet()[3].pose.vector(), particle.vector());
-    const Pose2 moved = before.pose.between(filter->pose().pose);
-    EXPECT_LT((moved.vector() - step.motion.increment.vector()).norm(), 1e-12);
+    const Pose2 error = step.truth.between(filter->pose().pose);
+    EXPECT_LT(error.position().norm(), 0.03);
+    EXPECT_LT(std::abs(error.theta()), 0.02);
     EXPECT_GT(filter->pose().covariance(0, 0), before.covariance(0, 0));
   }
   EXPECT_EQ(filter->particleSet().memory().paths.posesInUse(), poses_held);
@@ -292,7 +331,7 @@ int countLost(FastSlam& filter, RoomDrive& drive, int steps) {
 }
 
 TEST(GridSlam, ARobotCarriedAwayWhileItMapsIsToldLost) {
-  for (const int carried : {30, 50, 70}) {
+  for (const int carried : {40, 50, 90}) {  // elsewhere another place looks alike
     const auto filter = made();
     RoomDrive drive(20);
     EXPECT_EQ(countLost(*filter, drive, 2 * kLap), 0);
@@ -313,7 +352,7 @@ TEST(GridSlam, ARobotCarriedAwayInAFixedMapIsToldLostUntilItGetsANewPose) {
   RoomDrive drive(22);
   filter->set(PoseEstimate{Pose2(), 1e-3 * Eigen::Matrix3d::Identity()});
   EXPECT_EQ(countLost(*filter, drive, 40), 0);
-  for (int i = 0; i < 60; ++i) drive.next();
+  for (int i = 0; i < 30; ++i) drive.next();
   EXPECT_GT(countLost(*filter, drive, 20), 10);
   const auto step = drive.next();
   filter->set(PoseEstimate{step.truth, 1e-3 * Eigen::Matrix3d::Identity()});

@@ -17,6 +17,7 @@ namespace {
 using test::RoomDrive;
 
 constexpr double kSpacing = 0.05;
+const auto kModels = levelModels({});
 
 PosePrior priorAt(const Pose2& pose, double sigma) {
   return {pose, Eigen::Matrix3d(Eigen::Matrix3d::Identity() / (sigma * sigma))};
@@ -28,7 +29,7 @@ class MatchingInARoom : public testing::Test {
   MatchingInARoom() {
     for (int i = 0; i < 145; ++i) {
       const auto step = drive.next();
-      map.insert(map.pointsOf(step.scan, kSpacing), step.truth);
+      map.insert(pointsOf(step.scan, kModels, kSpacing), step.truth);
     }
     take(drive.next());
   }
@@ -38,7 +39,7 @@ class MatchingInARoom : public testing::Test {
     truth = step.truth;
   }
   Match matched(const PosePrior& prior) const {
-    return matcher.match(map, map.pointsOf(scan, kSpacing), prior);
+    return matcher.match(map.view(), pointsOf(scan, kModels, kSpacing), prior);
   }
   void expectTruth(const Pose2& found) const {
     const Pose2 error = truth.between(found);

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/particle_filter/scans/scan_follower.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <utility>
+
+namespace slam::particle_filter {
+namespace {
+
+constexpr double kMetresPerRadian = 0.5;  // a turn errs as much as such a way
+
+/// The covariance without its negative part.
+Eigen::Matrix3d positivePart(const Eigen::Matrix3d& P) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(0.5 * (P + P.transpose()));
+  return axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         axes.eigenvectors().transpose();
+}
+
+}  // namespace
+
+ScanFollower::ScanFollower(const scan_matching::MatcherConfig& matcher, const Drift& drift)
+    : variance_per_metre_(std::pow(drift.position, 2), std::pow(drift.position, 2),
+                          std::pow(drift.heading, 2)),
+      tracker_(matcher) {}
+
+void ScanFollower::restart() {
+  tracker_.restart({});
+  wheels_.reset();
+  correction_ = {};
+  beginMotion();
+}
+
+void ScanFollower::move(const Motion& motion) {
+  wheels_ = wheels_ ? joined(*wheels_, motion) : motion;
+}
+
+void ScanFollower::follow(const scan_matching::MapView& map, const scan_matching::ScanLevels& scan,
+                          Stamp stamp, const Pose2& pose) {
+  const auto wheels = std::exchange(wheels_, std::nullopt).value_or(Motion());
+  tracker_.moveTo(pose * wheels.increment.inverse());
+  const auto before = tracker_.robot();
+  tracker_.track(map, scan, stamp, wheels);
+  const auto& after = tracker_.robot();
+  correction_ = pose.between(after.pose);
+  Motion step;
+  step.increment = before.pose.between(after.pose);
+  Eigen::Matrix3d J_before, J_u;
+  before.pose.compose(step.increment, &J_before, &J_u);
+  const Eigen::Matrix3d growth =
+      after.covariance - J_before * before.covariance * J_before.transpose();
+  const double way =
+      step.increment.position().norm() + kMetresPerRadian * std::abs(step.increment.theta());
+  step.covariance = J_u.transpose() * positivePart(growth) * J_u;
+  step.covariance.diagonal() += way * variance_per_metre_;
+  motion_ = joined(motion_, step);
+}
+
+}  // namespace slam::particle_filter

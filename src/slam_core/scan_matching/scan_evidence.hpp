@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/grid_map/beam_model.hpp"
+#include "slam_core/grid_map/grid_map.hpp"
+#include "slam_core/grid_map/scan_points.hpp"
+
+namespace slam::scan_matching {
+
+/// How likely a scan is from a pose in a map, of which a part may be unknown: for each end the
+/// likelihood that its cell has, mixed with that of an end that has nothing to do with the map (the
+/// likelihood field of Thrun, Burgard, Fox 2005, ch. 6.4). Where the map knows nothing, an end is
+/// less likely than at a surface and more likely than where beams have passed.
+class ScanEvidence {
+ public:
+  /// @param outlier likelihood of an end that has nothing to do with the map, relative to the best
+  /// @param unknown likelihood of an end where nothing is known, relative to the best
+  /// @param information share of an end's information that counts: neighbours err alike
+  ScanEvidence(double outlier, double unknown, double information);
+
+  /// Not above 0, which is where all ends fit best.
+  /// @param pose T_map_base
+  double log(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
+             const Pose2& pose) const;
+
+ private:
+  std::array<double, 256> logs_;
+  double log_unknown_;
+};
+
+}  // namespace slam::scan_matching
