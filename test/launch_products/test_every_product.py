@@ -25,7 +25,9 @@ PROMISED = {"backend=ekf": LANDMARKS,
             "pointmap=true": {"/points"},
             "map=grid": {"/map", "/map_metadata"},
             "odometry=visual": {"/visual_odometry/odom"},
-            "odometry=visual_wheel": {"/visual_odometry/odom"}}
+            "odometry=visual_wheel": {"/visual_odometry/odom"},
+            "odometry=laser": {"/laser_odometry/odom"},
+            "odometry=laser_wheel": {"/laser_odometry/odom"}}
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
 

@@ -22,6 +22,18 @@ grid_map::LogOdds surelyFree(const grid_map::BeamModel& model) {
   return cell;
 }
 
+/// Whether a beam has passed through what stands in the map, well before its end.
+bool isStopped(const grid_map::GridMap& map, const Eigen::Vector2d& origin,
+               const Eigen::Vector2d& end) {
+  constexpr double kMargin = 8.0;  // [cells], beyond the noise of ends and the thickness of walls
+  const double length = (end - origin).norm();
+  const Eigen::Vector2d direction = (end - origin) / length;
+  for (double along = kMargin; along < length - kMargin; along += 1.0)
+    if (grid_map::BeamModel::isOccupied(map.logOdds(grid_map::cellOf(origin + along * direction))))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap& map,
@@ -30,14 +42,16 @@ Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap&
   if (!scan.isOnMap(pose)) return agreement;
   const auto surely_free = surelyFree(model);
   const Pose2 in_cells = scan.inCells(pose);
-  for (const auto& end : scan.ends) {
-    const auto cell = grid_map::cellOf(in_cells.transform(end));
+  const Eigen::Vector2d origin = in_cells.transform(scan.origin);
+  for (const auto& scan_end : scan.ends) {
+    const Eigen::Vector2d end = in_cells.transform(scan_end);
+    const auto cell = grid_map::cellOf(end);
     const auto* const tile = map.tile(cell);
-    if (tile == nullptr) continue;
     const auto at = Tile::at(cell);
-    if (tile->likelihood[at] >= kNear)
+    const bool is_known = tile != nullptr && tile->log_odds[at] != grid_map::kUnseen;
+    if (tile != nullptr && tile->likelihood[at] >= kNear)
       ++agreement.agreeing;
-    else if (tile->log_odds[at] != grid_map::kUnseen && tile->log_odds[at] <= surely_free)
+    else if (is_known ? tile->log_odds[at] <= surely_free : isStopped(map, origin, end))
       ++agreement.contradicting;
   }
   return agreement;

@@ -10,8 +10,9 @@
 
 namespace slam::scan_matching {
 
-/// What the ends of a scan say of a map where the map knows something: an end at a surface agrees
-/// with it, one where beams have passed contradicts it. An end where nothing is known says nothing.
+/// What a scan says of a map where the map knows something: an end at a surface agrees with it, one
+/// where beams have passed contradicts it, and so does one in the unknown whose beam has passed
+/// through a surface. Other ends in the unknown say nothing.
 struct Agreement {
   int agreeing = 0, contradicting = 0;
 

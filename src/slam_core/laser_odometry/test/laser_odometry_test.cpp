@@ -249,7 +249,7 @@ TEST(LocalMap, HoldsTheLastMetresOfTheWayAndNoMore) {
   std::size_t largest = 0;
   for (int i = 0; i < 400; ++i) {
     const Pose2 pose(0.5 * i, 0.0, 0.0);
-    map.insert(pointsOf(scan, scan_matching::levelModels({}), 0.02), pose);
+    map.insert(scan_matching::pointsOf(scan, scan_matching::levelModels({}), 0.02), pose);
     if (i == 100) largest = map.bytes();
     const auto& grid = map.view().finest().map;
     EXPECT_FALSE(grid.isEmpty());
