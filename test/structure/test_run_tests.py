@@ -102,7 +102,7 @@ class Leftovers(unittest.TestCase):
 
 
 class BrokenTracer(unittest.TestCase):
-    PROGRAM = ('case $ASAN_OPTIONS in *=0) exit {0};; esac; '
+    PROGRAM = ("case $ASAN_OPTIONS in *=0) exit {0};; esac; "
                'echo "==1==LeakSanitizer has encountered a fatal error."; exit 1')
 
     def report_on(self, code_without_leaks):
