@@ -26,10 +26,10 @@ void setCovariance(boost::array<double, 36>& covariance, const Eigen::Matrix3d& 
 }  // namespace
 
 MotionPublisher::MotionPublisher(ros::NodeHandle handle, const slam::OdometrySource& source)
-    : drawer_(dynamic_cast<const slam::ViewDrawer*>(&source)),
-      odometry_(handle.advertise<nav_msgs::Odometry>(source.name() + "_odometry/odom", kQueue)) {
-  if (drawer_ != nullptr)
-    image_ = handle.advertise<sensor_msgs::Image>(source.name() + "_odometry/image", 2);
+    : drawer_(dynamic_cast<const slam::ViewDrawer*>(&source)) {
+  const auto place = source.name() + "_odometry";
+  odometry_ = handle.advertise<nav_msgs::Odometry>(place + "/odom", kQueue);
+  if (drawer_ != nullptr) image_ = handle.advertise<sensor_msgs::Image>(place + "/image", 2);
 }
 
 void MotionPublisher::publish(const slam::Motion& motion) {
