@@ -12,6 +12,7 @@
 namespace slam::grid_slam {
 namespace {
 
+using scan_matching::MapDrift;
 using scan_matching::Match;
 using scan_matching::ScanLevels;
 

@@ -10,9 +10,9 @@
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/grid_slam/grid_slam_config.hpp"
-#include "slam_core/grid_slam/map_drift.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/map_drift.hpp"
 #include "slam_core/scan_matching/scan_doubt.hpp"
 #include "slam_core/scan_matching/scan_map.hpp"
 #include "slam_core/scan_matching/scan_tracker.hpp"
@@ -79,7 +79,7 @@ class GridSlam final : public Backend, GridMapper, MapKeeper {
   std::uint64_t revision_ = 0;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_{0.0, 0.0};
-  MapDrift drift_{0.0, 0.0};
+  scan_matching::MapDrift drift_{0.0, 0.0};
   std::optional<Motion> carried_;  ///< since the last scan
   scan_matching::ScanDoubt doubt_;
   int unmatched_in_a_row_ = 0;  ///< up to the last scan

@@ -91,7 +91,7 @@ Match ScanTracker::move(const Motion& motion) {
   Eigen::Matrix3d J_pose, J_u;
   Match found;
   found.pose = robot_.pose.compose(motion.increment, &J_pose, &J_u);
-  step_ = {motion.increment, motion.covariance};
+  step_ = {motion.increment, motion.covariance, Eigen::Matrix3d::Identity()};
   robot_ = {found.pose, symmetric(J_pose * robot_.covariance * J_pose.transpose() +
                                   J_u * motion.covariance * J_u.transpose())};
   return found;
@@ -121,7 +121,7 @@ void ScanTracker::take(const Match& found, const PosePrior& prior, const Motion&
   robot_.pose.compose(motion.increment, &F, &G);
   step_.increment = robot_.pose.inverse(&J_inverse).compose(found.pose, &J_to_before, &J_after);
   const Eigen::Matrix3d A = J_after * left * F + J_to_before * J_inverse;
-  const Eigen::Matrix3d B = J_after * left * G;
+  const Eigen::Matrix3d B = step_.of_motion = J_after * left * G;
   step_.covariance = symmetric(A * robot_.covariance * A.transpose() + B * noise * B.transpose() +
                                J_after * P * found.information * P * J_after.transpose());
   robot_ = {found.pose, P};

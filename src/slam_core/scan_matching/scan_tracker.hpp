@@ -28,6 +28,8 @@ class SweepInterval {
 struct ScanStep {
   Pose2 increment;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta) of the increment
+  /// The part of an error of the motion that was told which the scan has left in the increment.
+  Eigen::Matrix3d of_motion = Eigen::Matrix3d::Identity();
 };
 
 /// Follows a robot through a map from scan to scan: each is looked for where the last pose and the

@@ -73,7 +73,6 @@ void FastSlam::reset() {
                                              scans_ ? scans_->mostTiles() : 0);
   if (scans_) particles_->requireToBecomeBest(kWorthAnotherMap);
   landmarks_ = LandmarkUpdate(landmarksOf(config_));
-  if (scans_) scans_->relocate({});
   inputs_ = {};
   account_ = {};
   shown_grid_ = {nullptr, shown_grid_.revision + 1};
@@ -82,6 +81,7 @@ void FastSlam::reset() {
   belief_ = {};
   belief_.estimate = {Pose2(), sigma.cwiseAbs2().asDiagonal()};
   belief_.bound.restart(belief_.estimate.covariance);
+  if (scans_) scans_->restart(belief_.estimate);
   auto stream = execution_.streams.of(Purpose::kPlace);
   particle_filter::relocate(*particles_, Pose2(), belief_.estimate, stream);
 }
@@ -120,6 +120,7 @@ Status FastSlam::replaceMap() {
   const double inflation = has_joint ? 1.0 : config_.load_inflation;
   particles_->replaceMaps(map.landmarks, inflation, grid, coarse);
   landmarks_.load(map.landmarks);
+  if (scans_) scans_->restart({map.robot.pose, Eigen::Matrix3d::Zero()});
   belief_.bound.load(map.landmarks, inflation);
   if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
   return status;
@@ -155,7 +156,8 @@ FastSlam::Step FastSlam::takeInputs() {
   step.has_seen = landmarks_.take(observations, account_);
   if (step.has_seen || (!scans_ && step.latest)) step.update = &landmarks_;
   if (!scans_ || !scan) return step;
-  if (scans_->take(*scan, best(), best().pose * carriedIncrement())) {
+  step.is_followed = true;
+  if (scans_->take(*scan, best(), best().followed * carriedIncrement())) {
     step.update = &*scans_;
     step.has_seen = true;
   }
@@ -163,10 +165,16 @@ FastSlam::Step FastSlam::takeInputs() {
   return step;
 }
 
-void FastSlam::correct(const Pose2& correction, Step& step) {
-  if (!step.latest) return;
-  step.latest->increment = step.latest->increment * correction;
-  belief_.carried->increment = belief_.carried->increment * correction;
+void FastSlam::correct(const ScanCorrection& correction, Step& step) {
+  const auto carried = belief_.carried.value_or(Motion());
+  for (std::size_t i = 0; i < particles_->size(); ++i) {
+    auto& particle = (*particles_)[i];
+    const Pose2 strayed = particle.followed.between(particle.pose);
+    particle.pose = particle.followed * corrected(strayed, carried.increment, correction);
+    particle.followed = particle.pose;
+  }
+  belief_.carried = corrected(carried, correction);
+  if (step.latest) step.latest = corrected(*step.latest, correction);
 }
 
 /// The particles stay where they are; what is told of them moves on.
@@ -180,6 +188,10 @@ Status FastSlam::carry(const Step& step) {
     pose = pose.compose(increment, &J_pose, &J_u);
     covariance = J_pose * covariance * J_pose.transpose() + J_u * Q * J_u.transpose();
   }
+  if (step.is_followed) {
+    scans_->inform(belief_.estimate, *particles_, belief_.bound);
+    covariance = belief_.bound.told(covariance);
+  }
   if (step.stamp != Stamp())
     record(*particles_, step.stamp, step.latest ? step.latest->increment : Pose2(), false);
   return Status::ok();
@@ -190,6 +202,8 @@ Drafts FastSlam::propose(const Step& step) {
   auto& place = belief_.told_place;
   if (place && motion) place = place->moved(*motion);
   auto drafts = step.update->propose(*particles_, motion, belief_, execution_);
+  for (std::size_t i = 0; scans_ && motion && i < particles_->size(); ++i)
+    (*particles_)[i].followed = (*particles_)[i].followed * motion->increment;
   if (step.has_seen) place.reset();
   return drafts;
 }
@@ -238,6 +252,7 @@ Status FastSlam::draw(const Drafts& drafts, const Ancestors& ancestors,
     auto& particle = (*particles_)[i];
     auto stream = execution_.streams.of(Purpose::kDraw, i);
     particle.pose = drafts.proposals[ancestors[i]].sample(stream);
+    if (&update != &landmarks_) particle.followed = particle.pose;
     log_corrections[i] = update.logCorrection(drafts, ancestors[i], particle);
   });
   return statusOfWeights(particles_->weigh(log_corrections));

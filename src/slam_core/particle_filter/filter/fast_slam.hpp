@@ -70,6 +70,7 @@ class FastSlam final : public Backend,
     std::optional<Motion> latest;    ///< since the last step
     SensorUpdate* update = nullptr;  ///< of the sensor that saw something, or by motion alone
     bool has_seen = false;
+    bool is_followed = false;  ///< by a scan, whether that is due for an update or not
   };
   struct ShownGrid {
     const void* identity = nullptr;
@@ -92,7 +93,7 @@ class FastSlam final : public Backend,
   void relocate();
   Step takeInputs();
   /// The motion that the step ends with, by what scans say of it.
-  void correct(const Pose2& correction, Step& step);
+  void correct(const ScanCorrection& correction, Step& step);
   Status carry(const Step& step);
   Drafts propose(const Step& step);
   Status weigh(const Drafts& drafts, SensorUpdate& update);

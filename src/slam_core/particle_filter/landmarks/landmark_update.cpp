@@ -145,7 +145,8 @@ void LandmarkUpdate::begin(const Ancestors& ancestors, PoseBelief& belief) {
 /// A landmark that does not fit loses credit only where the particle, and the filter as a whole,
 /// can be trusted instead of it.
 void LandmarkUpdate::updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const {
-  auto& [pose, map, grid, path, coarse_grid] = particle;
+  const auto& pose = particle.pose;
+  auto& map = particle.map;
   const auto& sight = association_.of(ancestor);
   const auto* const predictions = predictionsOf(ancestor);
   const bool is_trusted =

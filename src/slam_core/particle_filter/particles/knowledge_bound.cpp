@@ -89,6 +89,11 @@ void KnowledgeBound::restart(const Eigen::Matrix3d& pose) {
   pose_since_ = genealogy_.now();
 }
 
+void KnowledgeBound::setPose(const Eigen::Matrix3d& covariance) {
+  pose_ = covariance;
+  pose_since_ = Genealogy::kNever;
+}
+
 void KnowledgeBound::load(const LandmarkMap& map, double inflation) {
   landmarks_.clear();
   pose_since_ = Genealogy::kNever;

@@ -30,7 +30,8 @@ class KnowledgeBound {
   void restart(const Eigen::Matrix3d& pose);
   /// Landmarks from elsewhere: what their errors have in common the particles have never known.
   void load(const LandmarkMap& map, double inflation);
-  void setPose(const Eigen::Matrix3d& covariance) { pose_ = covariance; }
+  /// What the particles' spread has never shown.
+  void setPose(const Eigen::Matrix3d& covariance);
   /// Of the particles that it stands beside, to be told of their weights and resampling.
   Genealogy& genealogy() { return genealogy_; }
 

@@ -17,6 +17,9 @@ struct Particle {
   grid_map::GridMap grid;  ///< empty where the filter makes none
   SharedPath path;
   grid_map::GridMap coarse_grid;  ///< the same in larger cells
+  /// Where motion alone has led it since the last scan: what landmarks have moved it by since then
+  /// lies between this and its pose.
+  Pose2 followed;
 };
 
 }  // namespace slam::particle_filter

@@ -11,7 +11,7 @@ namespace slam::particle_filter {
 ParticleSet::ParticleSet(std::size_t count, unsigned lanes, std::size_t most_tiles)
     : memory_{ParticleMap::Memory(lanes), grid_map::GridMap::Memory(most_tiles), {}},
       particles_(count, {Pose2(), ParticleMap(memory_.maps), grid_map::GridMap(memory_.grids),
-                         SharedPath(memory_.paths), grid_map::GridMap(memory_.grids)}),
+                         SharedPath(memory_.paths), grid_map::GridMap(memory_.grids), Pose2()}),
       weights_(count) {}
 
 bool ParticleSet::weigh(const std::vector<double>& log_factors) {
@@ -66,15 +66,16 @@ void relocate(ParticleSet& particles, const Pose2& increment, const PoseEstimate
   const double others = 1.0 - weights[0];
   const bool is_centred = size > 2 && others > 0.0;  // a single other one would be no deviation
   for (std::size_t i = 0; i < size; ++i) {
-    auto& [pose, map, grid, path, coarse] = particles[i];
-    pose = pose * increment;
-    path.append(pose);
+    auto& particle = particles[i];
+    particle.pose = particle.pose * increment;
+    particle.path.append(particle.pose);
   }
   for (std::size_t i = 1; i < size; ++i) {
     if (is_centred) deviations[i] -= mean / others;
     particles[i].pose = Pose2::fromVector(around.pose.vector() + deviations[i]);
   }
   particles[0].pose = around.pose;
+  for (std::size_t i = 0; i < size; ++i) particles[i].followed = particles[i].pose;
 }
 
 void record(ParticleSet& particles, Stamp stamp, const Pose2& odometry, bool has_learned) {

@@ -19,7 +19,37 @@ Eigen::Matrix3d positivePart(const Eigen::Matrix3d& P) {
          axes.eigenvectors().transpose();
 }
 
+Eigen::Matrix3d turnOf(const Pose2& increment) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = increment.rotation();
+  return turn;
+}
+
+/// The part of an error that is left, for errors in the frame where the robot was before it moved.
+Eigen::Matrix3d beforeMotion(const Pose2& increment, const Eigen::Matrix3d& left) {
+  const Eigen::Matrix3d turn = turnOf(increment);
+  return turn * left * turn.transpose();
+}
+
+/// The other way round.
+Eigen::Matrix3d afterMotion(const Pose2& increment, const Eigen::Matrix3d& left) {
+  const Eigen::Matrix3d turn = turnOf(increment);
+  return turn.transpose() * left * turn;
+}
+
 }  // namespace
+
+Motion corrected(const Motion& motion, const ScanCorrection& correction) {
+  const Eigen::Matrix3d left = beforeMotion(motion.increment, correction.left);
+  Motion after = motion;
+  after.increment = motion.increment * correction.pose;
+  after.covariance = left * motion.covariance * left.transpose();
+  return after;
+}
+
+Pose2 corrected(const Pose2& deviation, const Pose2& motion, const ScanCorrection& correction) {
+  return Pose2::fromVector(beforeMotion(motion, correction.left) * deviation.vector());
+}
 
 ScanFollower::ScanFollower(const scan_matching::MatcherConfig& matcher, const Drift& drift)
     : variance_per_metre_(std::pow(drift.position, 2), std::pow(drift.position, 2),
@@ -44,7 +74,8 @@ void ScanFollower::follow(const scan_matching::MapView& map, const scan_matching
   const auto before = tracker_.robot();
   tracker_.track(map, scan, stamp, wheels);
   const auto& after = tracker_.robot();
-  correction_ = pose.between(after.pose);
+  correction_ = {pose.between(after.pose),
+                 afterMotion(tracker_.step().increment, tracker_.step().of_motion)};
   Motion step;
   step.increment = before.pose.between(after.pose);
   Eigen::Matrix3d J_before, J_u;

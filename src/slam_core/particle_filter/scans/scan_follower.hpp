@@ -11,6 +11,18 @@
 
 namespace slam::particle_filter {
 
+/// What a scan says of the way that the wheels have led since the scan before.
+struct ScanCorrection {
+  Pose2 pose;  ///< where it puts the robot, seen from where the wheels did
+  /// The part of an error of the wheels that it leaves, (x, y, theta) in the robot's frame.
+  Eigen::Matrix3d left = Eigen::Matrix3d::Identity();
+};
+
+/// The motion up to a scan with what that says of it.
+Motion corrected(const Motion& motion, const ScanCorrection& correction);
+/// What is left of `deviation`, by which a particle has strayed before `motion` up to the scan.
+Pose2 corrected(const Pose2& deviation, const Pose2& motion, const ScanCorrection& correction);
+
 /// Follows the robot from scan to scan in the map of the most likely particle, once for all: what
 /// wheels did wrong between two updates is put right before any particle moves.
 class ScanFollower {
@@ -30,18 +42,20 @@ class ScanFollower {
   void follow(const scan_matching::MapView& map, const scan_matching::ScanLevels& scan, Stamp stamp,
               const Pose2& pose);
 
-  /// Where the last scan has put the robot, seen from where the wheels did.
-  const Pose2& correction() const { return correction_; }
+  /// Of the last scan.
+  const ScanCorrection& correction() const { return correction_; }
   /// Since the last restart() or beginMotion(); its covariance is what scans leave of that of the
   /// wheels, and the drift of the map that they were matched with.
   const Motion& motion() const { return motion_; }
   void beginMotion() { motion_ = {}; }
+  /// Of the robot among the parts of the map around it, in (x, y, theta).
+  const Eigen::Matrix3d& covariance() const { return tracker_.robot().covariance; }
 
  private:
   Eigen::Vector3d variance_per_metre_;
   scan_matching::ScanTracker tracker_;
   std::optional<Motion> wheels_;  ///< since the last scan
-  Pose2 correction_;
+  ScanCorrection correction_;
   Motion motion_;
 };
 

@@ -19,6 +19,11 @@ UpdateTrigger triggerOf(const ScanConfig& config) {
   return {config.update_distance, config.update_angle, durationFromSeconds(config.update_interval)};
 }
 
+scan_matching::MapDrift driftOf(const ScanConfig& config, bool map_is_fixed) {
+  if (map_is_fixed) return {0.0, 0.0};
+  return {config.drift_position, config.drift_heading};
+}
+
 std::unique_ptr<ScanProposal> proposalOf(const ScanConfig& config,
                                          const scan_matching::MatcherConfig& matcher) {
   if (config.proposal == ScanConfig::Proposal::kMotion)
@@ -45,9 +50,15 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
       proposal_(proposalOf(scan, matcher)),
       weighting_(weightingOf(scan)),
       follower_(matcher, {scan.drift_position, scan.drift_heading}),
+      drift_(driftOf(scan, map_is_fixed)),
       trigger_(triggerOf(scan)),
       doubt_(scan.lost_share) {
-  relocate({});
+  restart({});
+}
+
+void ScanUpdate::restart(const PoseEstimate& first) {
+  drift_.restart(first);
+  relocate({first.pose});
 }
 
 void ScanUpdate::relocate(const PoseEstimate& around) {
@@ -111,10 +122,12 @@ Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Mot
   return drafts;
 }
 
-/// Nothing is known beyond the particles' spread.
+/// What all particles have in common, how far the map has turned above all, their spread does not
+/// show.
 void ScanUpdate::inform(const PoseEstimate& moments, const ParticleSet&,
                         KnowledgeBound& bound) const {
-  bound.setPose(moments.covariance);
+  const Eigen::Matrix3d drifted = follower_.covariance() + drift_.covarianceAt(moments.pose);
+  bound.setPose(atLeast<3>(drifted, moments.covariance));
 }
 
 Lesson ScanUpdate::learn(ParticleSet& particles, const Ancestors&, PoseBelief&,
@@ -128,8 +141,7 @@ Lesson ScanUpdate::learn(ParticleSet& particles, const Ancestors&, PoseBelief&,
   return map_is_fixed_ ? Lesson() : insert(particles, execution, account);
 }
 
-Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution,
-                          Account& account) const {
+Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution, Account& account) {
   if (!hasRoomFor(particles.size(), particles.memory().grids)) {
     account.counters.add("scans_without_memory");
     return {Status::warning(
@@ -142,6 +154,7 @@ Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution,
     beyond += grid_map::insertScan(models_[0], scan_[0], particle.pose, particle.grid);
     grid_map::insertScan(models_[1], scan_[1], particle.pose, particle.coarse_grid);
   });
+  drift_.add(particles[particles.best()].pose);
   account.counters.add("beams_beyond_map", beyond);
   if (beyond == 0) return {Status::ok(), true};
   return {Status::warning("beams end beyond the largest grid map, what lies there is not mapped: "

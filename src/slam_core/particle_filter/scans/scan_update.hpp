@@ -13,6 +13,7 @@
 #include "slam_core/particle_filter/scans/scan_proposal.hpp"
 #include "slam_core/particle_filter/scans/scan_weighting.hpp"
 #include "slam_core/particle_filter/scans/update_trigger.hpp"
+#include "slam_core/scan_matching/map_drift.hpp"
 #include "slam_core/scan_matching/scan_doubt.hpp"
 
 namespace slam::particle_filter {
@@ -26,15 +27,18 @@ class ScanUpdate final : public SensorUpdate {
   ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan,
              const scan_matching::MatcherConfig& matcher, bool map_is_fixed);
 
+  /// The map begins there, or is a loaded one that the robot is in there.
+  void restart(const PoseEstimate& first);
   /// The next scan is used wherever the robot is.
   /// @param around a pose: by its covariance a particle may be off, beyond what it was drawn by
   void relocate(const PoseEstimate& around);
   void move(const Motion& motion);
   /// @return whether the scan is due for an update and has beams that tell something
-  /// @param best the most likely particle @param pose where the wheels have put it
+  /// @param best the most likely particle @param pose where the wheels have led it since the last
+  /// scan
   bool take(const LaserScan& scan, const Particle& best, const Pose2& pose);
-  /// What the last scan taken makes of the motion up to it: to be appended to that.
-  const Pose2& correction() const { return correction_; }
+  /// What the last scan taken makes of the motion up to it.
+  const ScanCorrection& correction() const { return correction_; }
 
   Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                  const PoseBelief& belief, const Execution& execution) override;
@@ -54,7 +58,7 @@ class ScanUpdate final : public SensorUpdate {
   /// The covariance by which a particle that is here may be off since the last scan. What landmarks
   /// have said since has moved the particles: that tells where to look, not how sure the place is.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
-  Lesson insert(ParticleSet& particles, const Execution& execution, Account& account) const;
+  Lesson insert(ParticleSet& particles, const Execution& execution, Account& account);
   /// Whether as many maps may take the scan in without needing more memory than there is.
   bool hasRoomFor(std::size_t maps, const grid_map::GridMap::Memory& memory) const;
 
@@ -67,10 +71,11 @@ class ScanUpdate final : public SensorUpdate {
   std::unique_ptr<ScanProposal> proposal_;
   std::unique_ptr<ScanWeighting> weighting_;
   ScanFollower follower_;
+  scan_matching::MapDrift drift_;
   UpdateTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
   std::optional<Motion> told_;  ///< by how much the robot may be off the place that it was given
-  Pose2 correction_;
+  ScanCorrection correction_;
 
   // of the step
   Stamp stamp_;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/grid_slam/map_drift.hpp"
+#include "slam_core/scan_matching/map_drift.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace slam::grid_slam {
+namespace slam::scan_matching {
 namespace {
 
 constexpr double kEdge = 1.0;  // of a square [m]
@@ -51,4 +51,4 @@ void MapDrift::add(const Pose2& pose) {
   oldest_.emplace(squareOf(pose, 0, 0), places_.size() - 1);
 }
 
-}  // namespace slam::grid_slam
+}  // namespace slam::scan_matching

@@ -10,7 +10,7 @@
 
 #include "slam_core/models/landmark_map.hpp"
 
-namespace slam::grid_slam {
+namespace slam::scan_matching {
 
 /// How sure a map is of where its parts are that was drawn scan by scan and closes no loops. A part
 /// errs by what the robot erred when it drew it. Back there, the robot is as sure again; beyond, it
@@ -38,4 +38,4 @@ class MapDrift {
   std::unordered_map<std::uint64_t, std::size_t> oldest_;  ///< of each square of the plane
 };
 
-}  // namespace slam::grid_slam
+}  // namespace slam::scan_matching

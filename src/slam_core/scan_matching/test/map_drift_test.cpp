@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/grid_slam/map_drift.hpp"
+#include "slam_core/scan_matching/map_drift.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace slam::grid_slam {
+namespace slam::scan_matching {
 namespace {
 
 const Eigen::Matrix3d kFirst = 1e-6 * Eigen::Matrix3d::Identity();
@@ -53,4 +53,4 @@ TEST(MapDrift, ALoadedMapIsTheReference) {
 }
 
 }  // namespace
-}  // namespace slam::grid_slam
+}  // namespace slam::scan_matching
