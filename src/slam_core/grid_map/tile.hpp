@@ -53,7 +53,7 @@ class CountedTile {
 /// A square part of a map, its cells row by row. Each property has an array of its own: matching
 /// reads the likelihood only.
 struct Tile : CountedTile {
-  static constexpr int kBits = 5;
+  static constexpr int kBits = 4;
   static constexpr std::int32_t kSize = 1 << kBits;
   static constexpr std::size_t kCells = std::size_t{kSize} * kSize;
 
