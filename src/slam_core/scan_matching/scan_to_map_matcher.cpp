@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "slam_core/grid_map/scan_matcher.hpp"
+#include "slam_core/scan_matching/place_search.hpp"
 
 namespace slam::scan_matching {
 namespace {
@@ -19,8 +19,6 @@ constexpr double kMostContradict = 0.5;
 constexpr double kWorthAStep = 0.05, kWorthAJump = 0.4;
 /// Of all ends, by a place that is worth a jump.
 constexpr double kExplained = 0.75;
-/// Of an end that has nothing to do with the map, relative to the best.
-constexpr double kOutlier = 0.05;
 
 /// The scan with fewer ends, that are as far apart as about two cells: they tell as well where it
 /// fits roughly, and sooner.
@@ -95,13 +93,8 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
 
 Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, const Pose2& middle,
                                  double position, double heading) const {
-  const grid_map::ScanLikelihood likelihood(kOutlier, 1.0);
-  const Eigen::Matrix3d covariance =
-      Eigen::Vector3d(position * position, position * position, heading * heading).asDiagonal();
-  const auto few = thinned(scan[0]);
-  const grid_map::MatchObjective objective(likelihood, map.finest().map, few, middle, covariance);
-  const grid_map::CorrelativeMatching correlative({position, heading}, {});
-  return refinedWithin(map, scan, correlative.match(objective).pose, position, heading);
+  const PlaceSearch search(map.finest().map, thinned(scan[0]), middle, {position, heading});
+  return refinedWithin(map, scan, search.best().value_or(middle), position, heading);
 }
 
 /// What a search has found is all that is known of the place.

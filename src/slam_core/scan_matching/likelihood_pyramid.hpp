@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "slam_core/grid_map/grid_map.hpp"
+
+namespace slam::scan_matching {
+
+/// The likelihoods of a part of a map in rasters of falling detail: in level k a cell holds the
+/// largest of the square with an edge of 2^k cells of which it is the lower left one. So it is at
+/// least that of any cell to which a shift of less than that edge leads (Hess, Kohler, Rapp, Andor
+/// 2016).
+class LikelihoodPyramid {
+ public:
+  /// @param least, most the cells that it holds
+  /// @param levels at least 1
+  LikelihoodPyramid(const grid_map::GridMap& map, grid_map::CellIndex least,
+                    grid_map::CellIndex most, int levels);
+
+  int levels() const { return static_cast<int>(levels_.size()); }
+  /// Of a cell between least and most, in any level; a shift adds width() for a row up, 1 for a
+  /// column to the right.
+  std::int32_t at(grid_map::CellIndex cell) const {
+    return (cell.y - least_.y) * width_ + (cell.x - least_.x);
+  }
+  std::int32_t width() const { return width_; }
+  const std::uint8_t* level(int k) const { return levels_[static_cast<std::size_t>(k)].data(); }
+
+ private:
+  void fill(const grid_map::GridMap& map);
+
+  grid_map::CellIndex least_;
+  std::int32_t width_, height_;
+  std::vector<std::vector<std::uint8_t>> levels_;
+};
+
+}  // namespace slam::scan_matching

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/grid_map/grid_map.hpp"
+#include "slam_core/grid_map/scan_points.hpp"
+#include "slam_core/scan_matching/likelihood_pyramid.hpp"
+
+namespace slam::scan_matching {
+
+/// Half the edges of the box of poses that a scan is searched in.
+struct SearchWindow {
+  double position;  ///< [m]
+  double heading;   ///< [rad]
+};
+
+/// Where a scan fits a map best in a window, whatever lies between there and its middle: among all
+/// cells and headings by branch and bound (Olson 2009; Hess, Kohler, Rapp, Andor 2016). The measure
+/// is the likelihood of the scan's ends (Thrun, Burgard, Fox 2005, ch. 6.4) times a Gaussian as
+/// wide as the window.
+class PlaceSearch {
+ public:
+  /// @param middle T_map_base; where the scan has no ends or this is no place on a map, nothing is
+  /// found
+  PlaceSearch(const grid_map::GridMap& map, const grid_map::ScanPoints& scan, const Pose2& middle,
+              const SearchWindow& window);
+
+  /// T_map_base, to a cell.
+  std::optional<Pose2> best() const;
+  /// The best one among those that lie further from `place` than `apart` in position or in heading.
+  std::optional<Pose2> bestApartFrom(const Pose2& place, const SearchWindow& apart) const;
+
+ private:
+  /// The scan from the middle at one heading.
+  struct Turned {
+    double heading;  ///< beyond that of the middle [rad]
+    int log_prior;
+    std::vector<std::int32_t> ends;  ///< the cells that they fall in, as the pyramid counts
+  };
+  /// Shifts at one heading, a square of them.
+  struct Node {
+    int bound = 0;  ///< nothing in it is better
+    std::size_t turned = 0;
+    std::int32_t x = 0, y = 0;  ///< the shift of its lower left corner [cells]
+  };
+  /// What is not searched.
+  struct Exclusion {
+    double x, y, heading;  ///< beyond the middle [cells, cells, rad]
+    double radius, angle;  ///< [cells], [rad]
+  };
+
+  std::vector<std::vector<grid_map::CellIndex>> turn(const grid_map::ScanPoints& scan);
+  std::optional<Pose2> search(const std::optional<Exclusion>& exclusion) const;
+  /// Goes down to the cells below a node as long as they may be better than the best so far.
+  void descend(const Node& node, int level, const std::optional<Exclusion>& exclusion,
+               Node& best) const;
+  bool isWithin(const Node& node, int level, const Exclusion& exclusion) const;
+  /// @param enough where the sum falls to this, it is not taken to its end
+  int boundOf(const Node& node, int level, int enough) const;
+
+  Pose2 middle_;
+  SearchWindow window_;
+  double cells_per_metre_;
+  std::int32_t reach_;  ///< [cells]
+  std::array<int, 256> logs_;
+  std::vector<Turned> turned_;
+  std::optional<LikelihoodPyramid> pyramid_;
+};
+
+}  // namespace slam::scan_matching
