@@ -17,6 +17,8 @@ constexpr double kMostContradict = 0.5;
 /// By how much better a place must fit that the prior did not lead to, of all ends: among many
 /// places some fit by chance.
 constexpr double kWorthAStep = 0.05, kWorthAJump = 0.4;
+/// By how much a place that is worth a jump must fit better than all that are not near it.
+constexpr double kBetterThanRivals = 0.1;
 /// Of all ends, by a place that is worth a jump.
 constexpr double kExplained = 0.75;
 
@@ -49,7 +51,8 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan,
              kWorthAStep);
   if (best.agreement.contradictingShare() > kMostContradict) {
     const auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
-    if (found.agreement.agreeing > kExplained * ends && !isDoubtful(found))
+    if (found.agreement.agreeing > kExplained * ends && !isDoubtful(found) &&
+        !hasRival(found, map, scan))
       consider(found, kWorthAJump);
   }
   return best;
@@ -89,6 +92,16 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
   match.prior_weight = fine.prior_weight;
   match.agreement = agreementOf(model, grid, scan[0], match.pose);
   return match;
+}
+
+bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map,
+                                const ScanLevels& scan) const {
+  constexpr SearchWindow kAround{10.0, M_PI}, kApart{0.5, 0.3};  // [m], [rad]
+  const PlaceSearch search(map.finest().map, thinned(scan[0]), found.pose, kAround);
+  const auto place = search.bestApartFrom(found.pose, kApart);
+  if (!place) return false;
+  const auto rival = refinedWithin(map, scan, *place, kApart.position, kApart.heading);
+  return !isBetter(found, rival, kBetterThanRivals * static_cast<double>(scan[0].ends.size()));
 }
 
 Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, const Pose2& middle,

@@ -43,6 +43,8 @@ class ScanToMapMatcher {
                  const Match& nearby) const;
 
  private:
+  /// Whether the scan fits about as well elsewhere.
+  bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                 const PosePrior& prior) const;
   Match searched(const MapView& map, const ScanLevels& scan, const Pose2& middle, double position,

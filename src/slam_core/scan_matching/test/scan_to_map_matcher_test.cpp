@@ -74,6 +74,23 @@ TEST_F(MatchingInARoom, FindsBackAfterWheelsThatStoodStillWhileTheRobotMoved) {
   expectTruth(match.pose);
 }
 
+/// Carried from anywhere to anywhere in the room, mostly out of reach of any window.
+TEST_F(MatchingInARoom, ARobotCarriedAwayHardlyEverFitsAPlaceThatLooksAlike) {
+  std::vector<RoomDrive::Step> steps;
+  for (int i = 0; i < 145; ++i) steps.push_back(drive.next());
+  int sure = 0, wrong = 0;
+  for (std::size_t from = 0; from < steps.size(); from += 5)
+    for (std::size_t to = 0; to < steps.size(); to += 5) {
+      take(steps[to]);
+      const auto match = matched(priorAt(steps[from].truth, 0.05));
+      if (matcher.isDoubtful(match)) continue;
+      ++sure;
+      wrong += truth.between(match.pose).position().norm() > 0.3;
+    }
+  EXPECT_GT(sure, 100) << "near enough to where it was";
+  EXPECT_LT(wrong, 10) << "of 841; 17 where a jump does not have to beat its rivals";
+}
+
 TEST_F(MatchingInARoom, ErrsByAsMuchAsItSays) {
   double squares = 0.0;
   constexpr int kScans = 100;
