@@ -50,7 +50,8 @@ void GridMapConfig::describe(Fields& fields) {
   fields
       .add(
           "largest_memory", &largest_memory,
-          "for the maps of all particles together; before they need more they are kept as they are")
+          "for the map, or those of all particles together; before they need more they are kept as "
+          "they are")
       .unit("MB")
       .in(Range::above(0));
 }
@@ -58,6 +59,11 @@ void GridMapConfig::describe(Fields& fields) {
 std::size_t mostTiles(const GridMapConfig& config) {
   const double edge = Tile::kSize * config.resolution;
   return static_cast<std::size_t>(std::ceil(config.largest_area / (edge * edge)));
+}
+
+bool isWithinMemory(double bytes, const GridMapConfig& config) {
+  constexpr double kMegabyte = 1e6;
+  return bytes <= kMegabyte * config.largest_memory;
 }
 
 }  // namespace slam::grid_map

@@ -27,5 +27,7 @@ struct GridMapConfig {
 
 /// Tiles in the rectangle of the largest map. @param config is valid
 std::size_t mostTiles(const GridMapConfig& config);
+/// Whether maps may be so large.
+bool isWithinMemory(double bytes, const GridMapConfig& config);
 
 }  // namespace slam::grid_map

@@ -152,6 +152,13 @@ Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
 /// A scan that fits nothing shows what the map does not have yet: the robot goes on from there,
 /// less sure of where that is.
 Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
+  if (!grid_map::isWithinMemory(
+          static_cast<double>(map_->bytes()) + scan_matching::mostBytesFor(scan), map_config_)) {
+    counters_.add("scans_without_memory");
+    return Status::warning(
+        "the grid map would need more than grid_map.largest_memory and is kept as it is: raise it "
+        "or grid_map.resolution");
+  }
   const auto& pose = tracker_.robot().pose;
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);

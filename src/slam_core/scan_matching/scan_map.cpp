@@ -10,17 +10,24 @@
 namespace slam::scan_matching {
 namespace {
 
+using grid_map::Tile;
+
+/// An end has to be near the middle of some cell.
+grid_map::GridMapConfig inReach(grid_map::GridMapConfig config) {
+  config.sigma = std::max(config.sigma, config.resolution);
+  return config;
+}
+
 grid_map::GridMapConfig coarser(grid_map::GridMapConfig config) {
   config.resolution *= kCoarser;
-  // an end has to be near the middle of some cell
-  config.sigma = std::max(kCoarser * config.sigma, config.resolution);
-  return config;
+  config.sigma *= kCoarser;
+  return inReach(config);
 }
 
 }  // namespace
 
 LevelModels levelModels(const grid_map::GridMapConfig& config) {
-  return {grid_map::BeamModel(config), grid_map::BeamModel(coarser(config))};
+  return {grid_map::BeamModel(inReach(config)), grid_map::BeamModel(coarser(config))};
 }
 
 ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spacing) {
@@ -28,9 +35,25 @@ ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spa
           grid_map::pointsOf(scan, models[1], kCoarser * spacing)};
 }
 
+double mostBytesFor(const ScanLevels& scan) {
+  double tiles = 0.0;
+  for (const auto& level : scan) {
+    Eigen::Vector2d least = level.origin, most = level.origin;
+    for (const auto& beam : level.beams) {
+      least = least.cwiseMin(beam.end);
+      most = most.cwiseMax(beam.end);
+    }
+    // in whatever direction it lies, and with a tile begun on either side
+    const double diagonal = (most - least).norm() / Tile::kSize + 2.0;
+    const Eigen::Array2d edges = (most - least).array() / Tile::kSize + 2.0;
+    tiles += std::min(edges.prod() * 2.0, diagonal * diagonal);
+  }
+  return tiles * sizeof(Tile);
+}
+
 ScanMap::ScanMap(const grid_map::GridMapConfig& config)
     : memory_(grid_map::mostTiles(config)),
-      levels_{Level{grid_map::BeamModel(config), grid_map::GridMap(memory_)},
+      levels_{Level{grid_map::BeamModel(inReach(config)), grid_map::GridMap(memory_)},
               Level{grid_map::BeamModel(coarser(config)), grid_map::GridMap(memory_)}} {}
 
 std::size_t ScanMap::insert(const ScanLevels& scan, const Pose2& pose) {

@@ -148,6 +148,22 @@ TEST_F(GridSlamInARoom, SaysThatItHasNoMapToLocaliseIn) {
   EXPECT_NE(told.message.find("no map to localise in"), std::string::npos);
 }
 
+TEST_F(GridSlamInARoom, SaysWhenThereIsNotEnoughMemoryAndKeepsTheMap) {
+  DrivenBackend small({"grid", "grid", {"grid_map.largest_memory=0.5"}});
+  Status told;
+  Pose2 truth;
+  for (int i = 0; i < 145; ++i) {
+    const auto next = drive.next();
+    truth = next.truth;
+    small.inputs().offer(next.motion);
+    small.inputs().set(next.scan);
+    if (const auto step = small->execute(); !step.isOk()) told = step;
+  }
+  EXPECT_NE(told.message.find("grid_map.largest_memory"), std::string::npos) << told.message;
+  EXPECT_FALSE(small.as<GridMapper>().grid()->cells.empty());
+  EXPECT_LT(distance(*small, truth), 0.5) << "it goes on with what it has";
+}
+
 TEST_F(GridSlamInARoom, RefusesAMapWithoutAGrid) {
   for (int i = 0; i < 20; ++i) step();
   const auto before = backend->pose();

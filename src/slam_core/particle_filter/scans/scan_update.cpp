@@ -13,8 +13,6 @@
 namespace slam::particle_filter {
 namespace {
 
-using grid_map::Tile;
-
 UpdateTrigger triggerOf(const ScanConfig& config) {
   return {config.update_distance, config.update_angle, durationFromSeconds(config.update_interval)};
 }
@@ -163,21 +161,8 @@ Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution, Ac
 }
 
 bool ScanUpdate::hasRoomFor(std::size_t maps, const grid_map::GridMap::Memory& memory) const {
-  double tiles = 0.0;
-  for (const auto& scan : scan_) {
-    Eigen::Vector2d least = scan.origin, most = scan.origin;
-    for (const auto& beam : scan.beams) {
-      least = least.cwiseMin(beam.end);
-      most = most.cwiseMax(beam.end);
-    }
-    // in whatever direction it lies, and with a tile begun on either side
-    const double diagonal = (most - least).norm() / Tile::kSize + 2.0;
-    const Eigen::Array2d edges = (most - least).array() / Tile::kSize + 2.0;
-    tiles += std::min(edges.prod() * 2.0, diagonal * diagonal);
-  }
-  const double bytes = static_cast<double>(maps) * tiles * sizeof(Tile);
-  constexpr double kMegabyte = 1e6;
-  return static_cast<double>(memory.bytes()) + bytes <= kMegabyte * map_config_.largest_memory;
+  const double bytes = static_cast<double>(maps) * scan_matching::mostBytesFor(scan_);
+  return grid_map::isWithinMemory(static_cast<double>(memory.bytes()) + bytes, map_config_);
 }
 
 }  // namespace slam::particle_filter
