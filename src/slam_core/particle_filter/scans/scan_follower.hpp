@@ -27,8 +27,10 @@ class ScanFollower {
   void move(const Motion& motion);
   /// @param map of the particle that is followed
   /// @param pose where the wheels have put it
-  void follow(const scan_matching::MapView& map, const scan_matching::ScanLevels& scan, Stamp stamp,
-              const Pose2& pose);
+  /// @return what the scan fits there
+  scan_matching::Match follow(const scan_matching::MapView& map,
+                              const scan_matching::ScanLevels& scan, Stamp stamp,
+                              const Pose2& pose);
 
   /// Where the last scan has put the robot, seen from where the wheels did.
   const Pose2& correction() const { return correction_; }
