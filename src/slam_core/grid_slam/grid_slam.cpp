@@ -39,7 +39,7 @@ void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapCo
   models_ = scan_matching::levelModels(grid);
   spacing_ = matcher.spacing;
   tracker_ = scan_matching::ScanTracker(matcher);
-  doubt_ = scan_matching::ScanDoubt(config.lost_share);
+  doubt_ = scan_matching::ScanDoubt(config.lost_share, matcher.false_alarm_hours);
   trigger_ = {config.insert_distance, config.insert_angle};
   drift_ =
       mapIsFixed() ? MapDrift(0.0, 0.0) : MapDrift(config.drift_position, config.drift_heading);
@@ -65,6 +65,7 @@ void GridSlam::describe(Ports& ports) {
 
 void GridSlam::describe(Capabilities& capabilities) {
   capabilities.offer<GridMapper>(*this);
+  capabilities.offer<LostReporter>(*this);
   capabilities.offer<MapKeeper>(*this);
 }
 
@@ -136,11 +137,13 @@ Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
   if (is_unmatched) counters_.add("unmatched");
   unmatched_in_a_row_ = is_unmatched ? unmatched_in_a_row_ + 1 : 0;
   if (found.was_searched) counters_.add("searched");
+  if (found.jumped) counters_.add("jumped");
+  doubt_.judge(found, stamp);
   return found;
 }
 
 Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
-  if (doubt_.judge(found.agreement)) {
+  if (!doubt_.admits()) {
     counters_.add("contradicting");
     return Status::ok();
   }
@@ -179,9 +182,7 @@ Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
 Status GridSlam::onTheWhole() const {
   if (mapIsFixed() && map_->isEmpty())
     return Status::warning("there is no map to localise in; load one");
-  if (doubt_.isLost())
-    return Status::alarm(
-        "the latest scans contradict the map: the pose may be lost; set an initial pose");
+  if (const auto told = doubt_.status(); !told.isOk()) return told;
   if (unmatched_in_a_row_ >= kManyUnmatched)
     return Status::warning(
         "the last scans fit nothing in the map, so that motion alone tells the pose: check whether "
@@ -204,6 +205,8 @@ Component::Figures GridSlam::figures() const {
   constexpr double kMegabyte = 1e6;
   return {{"contradicting_ends", doubt_.agreement().contradictingShare()},
           {"known_ends", static_cast<double>(doubt_.agreement().known())},
+          {"lost_statistic", doubt_.statistic()},
+          {"lost_for_s", seconds(doubt_.lostFor())},
           {"map_megabytes", static_cast<double>(map_->bytes()) / kMegabyte}};
 }
 

@@ -8,6 +8,7 @@
 
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/grid_slam/grid_slam_config.hpp"
 #include "slam_core/models/laser_scan.hpp"
@@ -25,9 +26,10 @@ namespace slam::grid_slam {
 ///
 /// The told covariance is that of the robot among the parts of the map around it, and that of these
 /// parts (MapDrift). Counted: "unmatched" scans, that fit nothing: motion alone tells where they go
-/// into the map; "searched" ones; "contradicting" ones, which do not go into the map;
+/// into the map; "searched" ones; "jumped" ones, found by a wide search;
+/// "contradicting" ones, which do not go into the map;
 /// "beams_beyond_map".
-class GridSlam final : public Backend, GridMapper, MapKeeper {
+class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
  public:
   /// @throw ConfigError
   void configure(const GridSlamConfig& config, const grid_map::GridMapConfig& grid,
@@ -58,6 +60,7 @@ class GridSlam final : public Backend, GridMapper, MapKeeper {
   // what it offers as capabilities
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override { return revision_; }
+  std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
   MapState state() const override;
   void set(const MapState& map) override { inputs_.map = map; }
 

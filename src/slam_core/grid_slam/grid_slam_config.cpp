@@ -37,8 +37,9 @@ void GridSlamConfig::describe(Fields& fields) {
       .in(Range::closed(0, 1));
   fields
       .add("lost_share", &lost_share,
-           "the robot is told lost when a larger share of a scan's ends than this, of those where "
-           "the map knows something, lies where the map is free; such a scan does not go into it")
+           "a scan does not go into the map when a larger share of its ends than this, of those "
+           "where "
+           "the map knows something, lies where the map is free")
       .unit("1")
       .in(Range::open(0, 1));
 }

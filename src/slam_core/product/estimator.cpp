@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/lost_reporter.hpp"
 
 namespace slam {
 namespace {
@@ -183,6 +184,8 @@ void Estimator::reportStep(const Intake::Step& step) {
   frames_.complete(report.odometry_frame, report.base_frame);
   report.has_motion = carrier_ != nullptr;
   report.statistics = statistics();
+  if (const auto* reporter = capabilities_.find<LostReporter>())
+    report.is_lost = reporter->lostSince().has_value();
   report.restarted = step.restart;
   pose_ = FilterPose::of(report.stamp, report.pose.pose);
   report_ = std::move(report);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "slam_core/contract/landmark_mapper.hpp"
@@ -19,6 +20,7 @@ struct StepReport {
   std::string odometry_frame, base_frame;
   bool has_motion = true;       ///< else nobody knows where the odometry has the robot
   UpdateStatistics statistics;  ///< of back-ends that map landmarks
+  std::optional<bool> is_lost;  ///< of back-ends that test it
   bool restarted = false;       ///< time began anew with this step
 
   bool hasTrigger() const { return !trigger.empty(); }

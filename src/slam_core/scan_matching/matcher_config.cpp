@@ -44,6 +44,13 @@ void MatcherConfig::describe(Fields& fields) {
   fields.add("wide_heading", &wide_heading, "half the angle of that window")
       .unit("rad")
       .in(Range::closed(0.05, 3.1416));
+  fields
+      .add(
+          "false_alarm_hours", &false_alarm_hours,
+          "mean time under way between two false alarms that the robot is lost; a longer one makes "
+          "true alarms come later")
+      .unit("h")
+      .in(Range::closed(0.1, 1e9));
 }
 
 }  // namespace slam::scan_matching

@@ -19,6 +19,7 @@ struct MatcherConfig {
   double window_heading = 0.4;
   double wide_position = 1.2;
   double wide_heading = 1.6;
+  double false_alarm_hours = 1000.0;
 
   void describe(Fields& fields);
 };

@@ -3,43 +3,67 @@
 
 #pragma once
 
-#include <algorithm>
+#include <optional>
 
-#include "slam_core/scan_matching/agreement.hpp"
+#include "slam_core/common/status.hpp"
+#include "slam_core/common/time.hpp"
+#include "slam_core/scan_matching/scan_to_map_matcher.hpp"
+#include "slam_core/scan_matching/usual_fit.hpp"
 
 namespace slam::scan_matching {
 
-/// Whether scans still fit the map they are matched with. People and moved chairs make some ends
-/// contradict it; where most do, it is the robot that is not where it should be. Doubt lasts for
-/// some scans: a robot that draws a map anew where it takes itself to be soon fits it.
+/// Whether the robot is where it takes itself to be, by a sequential test on how much of each scan
+/// contradicts the map: the logarithm of the likelihood of "lost" over that of "right" is summed
+/// over the scans and never falls below zero (CUSUM, Page 1954). Between two false alarms of a
+/// threshold h there are at least e^h independent scans in the mean (Lorden 1971), so that the
+/// threshold follows from how seldom a false alarm may come. What is right is learnt (UsualFit).
+///
+/// Scans that follow one another closely see the same and err alike: one counts by the way and the
+/// time since the last. An alarm ends when the sum is back at zero, which takes more scans that fit
+/// than it took scans that do not, or with a new place.
 class ScanDoubt {
  public:
-  /// @param lost_share of the ends in known cells that contradict the map
-  explicit ScanDoubt(double lost_share = 0.5) : lost_share_(lost_share) {}
+  /// @param lost_share of the ends in known cells; a scan of which more contradicts the map does
+  /// not go into it @param false_alarm_hours mean time between two false alarms, of a robot under
+  /// way [h]
+  explicit ScanDoubt(double lost_share = 0.5, double false_alarm_hours = 1000.0);
 
-  /// To be called for each scan, before it goes into the map. @return whether this one contradicts
-  bool judge(const Agreement& agreement) {
-    agreement_ = agreement;
-    scans_in_doubt_ = std::max(0, scans_in_doubt_ - 1);
-    const bool contradicts = agreement.contradictingShare() > lost_share_;
-    if (contradicts) scans_in_doubt_ = kLasting;
-    return contradicts;
-  }
-  /// Whether the last scan, or one of the few before it, contradicted the map.
-  bool isLost() const { return scans_in_doubt_ > 0; }
+  /// To be called for each scan, before it goes into the map.
+  void judge(const Match& match, Stamp stamp);
+  /// Whether the last scan may go into the map. While the robot is lost, one that rather speaks for
+  /// that may not: the map would be drawn anew around the wrong place.
+  bool admits() const;
+  bool isLost() const { return lost_since_.has_value(); }
+  /// The scan with which the doubt began that led to the alarm.
+  const std::optional<Stamp>& lostSince() const { return lost_since_; }
+  /// An alarm while the robot is lost, and a warning where the last scan was found far from where
+  /// motion led.
+  Status status() const;
+
+  /// The sum relative to the threshold: 1 and more raises an alarm.
+  double statistic() const { return sum_ / threshold_; }
+  /// Between the scan with which the doubt began and the last one, while the robot is lost.
+  Duration lostFor() const { return lost_since_ ? stamp_ - *lost_since_ : Duration::zero(); }
   /// Of the last scan.
   const Agreement& agreement() const { return agreement_; }
   /// A new place or map: what was seen before says nothing of it.
-  void forget() {
-    agreement_ = {};
-    scans_in_doubt_ = 0;
-  }
+  void forget();
 
  private:
-  static constexpr int kLasting = 5;  // [scans]
-  double lost_share_;
+  /// Of the last scan, in independent ones; 1 at most.
+  double weightOf(const Pose2& pose, Stamp stamp) const;
+  void add(double evidence, Stamp stamp);
+
+  double lost_share_, threshold_;
+  UsualFit usual_;
+  double sum_ = 0.0;
+  double evidence_ = 0.0;  ///< of the last scan
+  Stamp began_;            ///< the sum was last at zero before this scan
+  std::optional<Stamp> lost_since_;
+  std::optional<Pose2> pose_;    ///< of the last scan
+  std::optional<Pose2> jumped_;  ///< of the last scan, seen from where motion led
+  Stamp stamp_;
   Agreement agreement_;
-  int scans_in_doubt_ = 0;  ///< to come
 };
 
 }  // namespace slam::scan_matching

@@ -50,7 +50,8 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan,
     consider(searched(map, scan, prior.pose, config_.window_position, config_.window_heading),
              kWorthAStep);
   if (best.agreement.contradictingShare() > kMostContradict) {
-    const auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
+    auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
+    found.jumped = prior.pose.between(found.pose);
     if (found.agreement.agreeing > kExplained * ends && !isDoubtful(found) &&
         !hasRival(found, map, scan))
       consider(found, kWorthAJump);

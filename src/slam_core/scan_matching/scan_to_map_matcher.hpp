@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include "slam_core/scan_matching/agreement.hpp"
 #include "slam_core/scan_matching/matcher_config.hpp"
 #include "slam_core/scan_matching/registration.hpp"
@@ -18,6 +20,8 @@ struct Match {
   double prior_weight = 1.0;   ///< what has been left of the prior; 0 where it was searched
   bool is_determined = false;  ///< enough ends fit to say something
   bool was_searched = false;   ///< where the prior led nothing fitted
+  /// By a wide search: seen from where the prior led.
+  std::optional<Pose2> jumped;
 };
 
 /// Finds where a scan fits a map: from the prior on in the fine resolution (registerScan()), and

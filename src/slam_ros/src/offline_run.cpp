@@ -174,6 +174,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     if (report->hasTrigger()) {
       metrics_.addUpdate(time);
       metrics_.addLatency(report->stamp, time);
+      if (report->is_lost) metrics_.addLost(report->stamp, *report->is_lost);
     }
     writer.write(*report);
   }

@@ -55,6 +55,25 @@ std::optional<double> meanEntropy(const slam::OccupancyGrid& grid) {
   return sum / static_cast<double>(known);
 }
 
+void LostTime::add(slam::Stamp stamp, bool is_lost) {
+  if (was_lost_ && stamp > last_) lost_ += stamp - last_;
+  if (is_lost && !was_lost_) {
+    ++alarms_;
+    if (!first_) first_ = slam::seconds(stamp - start_);
+  }
+  was_lost_ = is_lost;
+  last_ = std::max(last_, stamp);
+}
+
+double LostTime::share() const {
+  return last_ > start_ ? slam::seconds(lost_) / slam::seconds(last_ - start_) : 0.0;
+}
+
+void RunMetrics::addLost(slam::Stamp stamp, bool is_lost) {
+  if (!lost_) lost_.emplace(stamp);
+  lost_->add(stamp, is_lost);
+}
+
 double RunMetrics::wallSeconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
@@ -81,6 +100,11 @@ std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_m
     metrics["latency_ms_p99"] = percentile(latency_ms_, 0.99);
   }
   if (map_entropy_) metrics["map_entropy_bits"] = *map_entropy_;
+  if (lost_) {
+    metrics["lost_alarms"] = lost_->alarms();
+    if (lost_->first()) metrics["lost_first_s"] = *lost_->first();
+    metrics["lost_share_of_time"] = lost_->share();
+  }
   metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime) +
                      seconds(of_children.ru_utime) + seconds(of_children.ru_stime);
   metrics["wall_s"] = wall;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/grid_slam/grid_slam.hpp"
 #include "slam_core/product/test/driven_backend.hpp"
@@ -113,12 +114,17 @@ TEST_F(GridSlamInARoom, TellsThatItIsLostWhereScansContradictTheMap) {
   for (int i = 0; i < 145; ++i) step();
   ASSERT_TRUE(status.isOk());
   const auto revision = backend.as<GridMapper>().gridRevision();
-  auto carried = drive.next();
-  for (auto& beam : carried.scan.beams) beam.range = 0.5f;  // a cupboard
-  give(carried, true);
-  EXPECT_FALSE(status.isOk());
+  constexpr unsigned kScans = 150;
+  for (unsigned i = 0; i < kScans; ++i) {
+    auto carried = drive.next();
+    for (auto& beam : carried.scan.beams) beam.range = 0.5f;  // a cupboard
+    carried.motion.increment = Pose2();
+    give(carried, true);
+  }
+  EXPECT_TRUE(status.is_alarm);
   EXPECT_NE(status.message.find("the pose may be lost"), std::string::npos);
-  EXPECT_EQ(backend->counters()["contradicting"], 1u);
+  EXPECT_TRUE(backend.as<LostReporter>().lostSince());
+  EXPECT_EQ(backend->counters()["contradicting"], kScans);
   EXPECT_EQ(backend.as<GridMapper>().gridRevision(), revision) << "it does not go into the map";
 }
 
@@ -139,6 +145,29 @@ TEST_F(GridSlamInARoom, KeepsALoadedMapWhereItOnlyLocalises) {
   EXPECT_EQ(localising->counters()["unmatched"], 0u);
   EXPECT_LT(std::sqrt(localising->pose().covariance(0, 0)), 0.05);
   EXPECT_EQ(localising.as<GridMapper>().grid()->cells, cells);
+}
+
+TEST_F(GridSlamInARoom, TellsThatItIsLostInALoadedMapUntilItGetsItsPlace) {
+  for (int i = 0; i < 145; ++i) step();
+  DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});
+  localising.as<MapKeeper>().set(backend.as<MapKeeper>().state());
+  localising->execute();
+  const auto follow = [&](int steps, bool has_motion) {
+    int alarms = 0;
+    for (int i = 0; i < steps; ++i) {
+      const auto next = drive.next();
+      if (has_motion) localising.inputs().offer(next.motion);
+      localising.inputs().set(next.scan);
+      alarms += localising->execute().is_alarm;
+    }
+    return alarms;
+  };
+  EXPECT_EQ(follow(40, true), 0);
+  for (int i = 0; i < 40; ++i) drive.next();  // carried
+  EXPECT_GT(follow(50, true), 0) << "within 5 m";
+  EXPECT_TRUE(localising.as<LostReporter>().lostSince());
+  localising->set(PoseEstimate{drive.next().truth, 1e-4 * Eigen::Matrix3d::Identity()});
+  EXPECT_EQ(follow(40, true), 0);
 }
 
 TEST_F(GridSlamInARoom, SaysThatItHasNoMapToLocaliseIn) {

@@ -278,7 +278,8 @@ Status FastSlam::summary(std::initializer_list<Status> of_steps) {
 Status FastSlam::onTheWhole() const {
   if (config_.mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
-  if (landmarks_.isLost() || (scans_ && scans_->isLost()))
+  if (scans_ && !scans_->doubt().status().isOk()) return scans_->doubt().status();
+  if (landmarks_.isLost())
     return Status::alarm(
         "the latest observations are far less likely than they should be: the pose may be lost; "
         "set an initial pose");

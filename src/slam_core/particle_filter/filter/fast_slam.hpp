@@ -9,6 +9,7 @@
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/particle_filter/filter/pf_config.hpp"
@@ -28,6 +29,7 @@ namespace slam::particle_filter {
 class FastSlam final : public Backend,
                        LandmarkMapper,
                        GridMapper,
+                       LostReporter,
                        PoseSampler,
                        PathReviser,
                        MapKeeper,
@@ -46,7 +48,7 @@ class FastSlam final : public Backend,
   Status execute() override;
   PoseEstimate pose() const override;
   Counters counters() const override { return account_.counters; }
-  Figures figures() const override { return {account_.figures.begin(), account_.figures.end()}; }
+  Figures figures() const override;
   void reset() override;
 
   const ParticleSet& particleSet() const { return *particles_; }
@@ -82,6 +84,7 @@ class FastSlam final : public Backend,
   UpdateStatistics statistics() const override { return account_.statistics; }
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override { return shown_grid_.revision; }
+  std::optional<Stamp> lostSince() const override;
   std::vector<Pose2> particles() const override;
   std::vector<StampedPose> path() const override;
   MapState state() const override;

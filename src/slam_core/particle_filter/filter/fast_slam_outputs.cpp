@@ -20,10 +20,25 @@ void FastSlam::describe(Ports& ports) {
 void FastSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
+  if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<PoseSampler>(*this);
   capabilities.offer<PathReviser>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<MapChooser>(*this);
+}
+
+Component::Figures FastSlam::figures() const {
+  Figures figures(account_.figures.begin(), account_.figures.end());
+  if (!scans_) return figures;
+  const auto& doubt = scans_->doubt();
+  figures.emplace_back("contradicting_ends", doubt.agreement().contradictingShare());
+  figures.emplace_back("lost_statistic", doubt.statistic());
+  figures.emplace_back("lost_for_s", seconds(doubt.lostFor()));
+  return figures;
+}
+
+std::optional<Stamp> FastSlam::lostSince() const {
+  return scans_ ? scans_->doubt().lostSince() : std::nullopt;
 }
 
 PoseEstimate FastSlam::pose() const {

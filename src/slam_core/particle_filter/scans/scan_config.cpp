@@ -66,7 +66,8 @@ void ScanConfig::describeLikelihood(Fields& fields) {
       .in(Range::atLeast(1));
   fields
       .add("lost_share", &lost_share,
-           "the robot is told lost when a larger share of a scan's ends than this, of those where "
+           "a scan does not go into the maps when a larger share of its ends than this, of those "
+           "where "
            "the map knows something, lies where the map is free")
       .unit("1")
       .in(Range::open(0, 1));

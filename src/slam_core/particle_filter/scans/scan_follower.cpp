@@ -67,12 +67,13 @@ void ScanFollower::move(const Motion& motion) {
   wheels_ = wheels_ ? joined(*wheels_, motion) : motion;
 }
 
-void ScanFollower::follow(const scan_matching::MapView& map, const scan_matching::ScanLevels& scan,
-                          Stamp stamp, const Pose2& pose) {
+scan_matching::Match ScanFollower::follow(const scan_matching::MapView& map,
+                                          const scan_matching::ScanLevels& scan, Stamp stamp,
+                                          const Pose2& pose) {
   const auto wheels = std::exchange(wheels_, std::nullopt).value_or(Motion());
   tracker_.moveTo(pose * wheels.increment.inverse());
   const auto before = tracker_.robot();
-  tracker_.track(map, scan, stamp, wheels);
+  const auto found = tracker_.track(map, scan, stamp, wheels);
   const auto& after = tracker_.robot();
   correction_ = {pose.between(after.pose),
                  afterMotion(tracker_.step().increment, tracker_.step().of_motion)};
@@ -87,6 +88,7 @@ void ScanFollower::follow(const scan_matching::MapView& map, const scan_matching
   step.covariance = J_u.transpose() * positivePart(growth) * J_u;
   step.covariance.diagonal() += way * variance_per_metre_;
   motion_ = joined(motion_, step);
+  return found;
 }
 
 }  // namespace slam::particle_filter

@@ -39,8 +39,10 @@ class ScanFollower {
   void move(const Motion& motion);
   /// @param map of the particle that is followed
   /// @param pose where the wheels have put it
-  void follow(const scan_matching::MapView& map, const scan_matching::ScanLevels& scan, Stamp stamp,
-              const Pose2& pose);
+  /// @return what the scan fits there
+  scan_matching::Match follow(const scan_matching::MapView& map,
+                              const scan_matching::ScanLevels& scan, Stamp stamp,
+                              const Pose2& pose);
 
   /// Of the last scan.
   const ScanCorrection& correction() const { return correction_; }

@@ -50,7 +50,7 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
       follower_(matcher, {scan.drift_position, scan.drift_heading}),
       drift_(driftOf(scan, map_is_fixed)),
       trigger_(triggerOf(scan)),
-      doubt_(scan.lost_share) {
+      doubt_(scan.lost_share, matcher.false_alarm_hours) {
   restart({});
 }
 
@@ -75,7 +75,7 @@ bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& 
   correction_ = {};
   auto levels = scan_matching::pointsOf(scan, models_, spacing_);
   if (levels.front().beams.empty()) return false;
-  follower_.follow(mapOf(best), levels, scan.stamp, pose);
+  doubt_.judge(follower_.follow(mapOf(best), levels, scan.stamp, pose), scan.stamp);
   correction_ = follower_.correction();
   motion_ = follower_.motion();
   if (!trigger_.isDue(motion_.increment, scan.stamp)) return false;
@@ -130,13 +130,11 @@ void ScanUpdate::inform(const PoseEstimate& moments, const ParticleSet&,
 
 Lesson ScanUpdate::learn(ParticleSet& particles, const Ancestors&, PoseBelief&,
                          const Execution& execution, Account& account) {
-  const auto& best = particles[particles.best()];
-  doubt_.judge(scan_matching::agreementOf(models_[0], best.grid, scan_[0], best.pose));
-  account.figures["contradicting_ends"] = doubt_.agreement().contradictingShare();
   trigger_.restart(stamp_);
   follower_.beginMotion();
   told_.reset();
-  return map_is_fixed_ ? Lesson() : insert(particles, execution, account);
+  if (!doubt_.admits()) account.counters.add("contradicting");
+  return map_is_fixed_ || !doubt_.admits() ? Lesson() : insert(particles, execution, account);
 }
 
 Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution, Account& account) {

@@ -47,7 +47,8 @@ class ScanUpdate final : public SensorUpdate {
   Lesson learn(ParticleSet& particles, const Ancestors& ancestors, PoseBelief& belief,
                const Execution& execution, Account& account) override;
 
-  bool isLost() const { return doubt_.isLost(); }
+  /// Whether the scans still fit the map of the most likely particle.
+  const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const scan_matching::LevelModels& models() const { return models_; }
   /// Tiles in the rectangle of the largest map.
   std::size_t mostTiles() const { return grid_map::mostTiles(map_config_); }

@@ -9,7 +9,6 @@
 
 #include "slam_core/grid_map/scan_insertion.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
-#include "slam_core/scan_matching/scan_doubt.hpp"
 #include "slam_core/scan_matching/scan_evidence.hpp"
 
 namespace slam::scan_matching {
@@ -38,34 +37,17 @@ struct MappedRoom {
   Pose2 truth;
 };
 
-TEST(ScanDoubt, KnowsWhatContradictsTheMapHoweverLittleACellIsBelieved) {
+TEST(Agreement, KnowsWhatContradictsTheMapHoweverLittleACellIsBelieved) {
   for (const double miss : {0.3, 0.4, 0.49})
     for (const double largest : {0.6, 0.7, 0.72, 0.97}) {
       grid_map::GridMapConfig config;
       config.miss_probability = miss;
       config.largest_probability = largest;
       const MappedRoom room(config);
-      ScanDoubt doubt;
-      EXPECT_FALSE(doubt.judge(room.agreementAt(Pose2()))) << miss << " " << largest;
-      EXPECT_FALSE(doubt.isLost());
-      EXPECT_TRUE(doubt.judge(room.agreementAt(Pose2(0, 0, 0.7)))) << miss << " " << largest;
-      EXPECT_TRUE(doubt.isLost());
+      EXPECT_LT(room.agreementAt(Pose2()).contradictingShare(), 0.05) << miss << " " << largest;
+      EXPECT_GT(room.agreementAt(Pose2(0, 0, 0.7)).contradictingShare(), 0.5)
+          << miss << " " << largest;
     }
-}
-
-TEST(ScanDoubt, LastsForSomeScansUntilTheRobotIsPutElsewhere) {
-  const MappedRoom room;
-  ScanDoubt doubt;
-  doubt.judge(room.agreementAt(Pose2(0, 0, 0.7)));
-  for (int i = 0; i < 4; ++i) {
-    EXPECT_FALSE(doubt.judge(room.agreementAt(Pose2())));
-    EXPECT_TRUE(doubt.isLost()) << i;
-  }
-  doubt.judge(room.agreementAt(Pose2()));
-  EXPECT_FALSE(doubt.isLost());
-  doubt.judge(room.agreementAt(Pose2(0, 0, 0.7)));
-  doubt.forget();
-  EXPECT_FALSE(doubt.isLost());
 }
 
 TEST(ScanEvidence, PrefersWallsToTheUnknownAndTheUnknownToWhereBeamsPassed) {

@@ -24,6 +24,26 @@ double percentile(std::vector<double> values, double share);
 /// for a grid that knows no cell.
 std::optional<double> meanEntropy(const slam::OccupancyGrid& grid);
 
+/// When a back-end took the robot for lost.
+class LostTime {
+ public:
+  explicit LostTime(slam::Stamp start) : start_(start), last_(start) {}
+  void add(slam::Stamp stamp, bool is_lost);
+
+  std::size_t alarms() const { return alarms_; }
+  /// Of the first alarm, since the first step [s]; nothing without one.
+  std::optional<double> first() const { return first_; }
+  /// Of the time of all steps.
+  double share() const;
+
+ private:
+  slam::Stamp start_, last_;
+  slam::Duration lost_{};
+  std::size_t alarms_ = 0;
+  bool was_lost_ = false;
+  std::optional<double> first_;
+};
+
 /// What a run cost, and what it itself knows of its grid map, for metrics.json.
 class RunMetrics {
  public:
@@ -36,6 +56,9 @@ class RunMetrics {
     update_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
   }
   std::size_t updates() const { return update_ms_.size(); }
+  /// Whether the back-end takes the robot for lost after the step of this stamp, for those that
+  /// test it.
+  void addLost(slam::Stamp stamp, bool is_lost);
   /// Work on what makes a step of this stamp, before it is due: an image's, a scan's.
   void addFrontEnd(slam::Stamp stamp, Clock::duration time) { front_end_[stamp] += time; }
   /// The back-end's time for the step of this stamp, which ends what addFrontEnd() began.
@@ -55,6 +78,7 @@ class RunMetrics {
   std::vector<double> update_ms_, latency_ms_;
   std::map<slam::Stamp, Clock::duration> front_end_;
   std::optional<double> map_entropy_;
+  std::optional<LostTime> lost_;
 };
 
 }  // namespace slam_ros

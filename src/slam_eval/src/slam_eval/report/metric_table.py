@@ -121,6 +121,15 @@ KEYS = {
         "Points off the walls", "m", ".4f",
         "Root mean square distance of the points from the nearest true surface; those more than "
         "0.3 m away belong to none.", "Map", True),
+    "lost_alarms": Key(
+        "Alarms that the robot is lost", "", "d",
+        "How often the scans told that the pose is lost or the map wrong.", "Consistency"),
+    "lost_first_s": Key(
+        "First of these alarms", "s", ".1f",
+        "When the first of them was raised, since the first step.", "Consistency"),
+    "lost_share_of_time": Key(
+        "Time lost", "", ".4f",
+        "Share of the run's time for which such an alarm lasted.", "Consistency"),
     "updates": Key("Updates", "", "d", "Steps the back-end made.", "Cost"),
     "update_ms_p50": Key("Update time, median", "ms", ".3f",
                          "Half of the steps took less time than this.", "Cost"),

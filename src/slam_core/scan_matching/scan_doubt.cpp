@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/scan_matching/scan_doubt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slam::scan_matching {
+namespace {
+
+/// In wrong places a third of a scan contradicts the map in the mean, and anything may.
+constexpr ShareDistribution kLost{1.5, 3.0};
+/// Now and then a scan that has nothing to do with the map is taken in the right place, once in
+/// e^this scans: no single scan tells more.
+constexpr double kMostOfAScan = 6.0;
+/// A wide search finds a robot that was carried in one case of two, and something in one of 800
+/// scans else.
+constexpr double kOfAJump = 6.0;
+/// A scan is independent of another one after this way, turn, or time, in which people walk on.
+constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
+/// Relative to the threshold: up to this the robot counts as right, and its scans are learnt from.
+constexpr double kRight = 0.4;
+/// Relative to the threshold: more is not summed up, so that a robot that is right again is told.
+constexpr double kMost = 2.0;
+
+}  // namespace
+
+ScanDoubt::ScanDoubt(double lost_share, double false_alarm_hours) : lost_share_(lost_share) {
+  constexpr double kScansInAnHour = 3600.0;  // independent ones of a robot under way: one a second
+  threshold_ = std::log(kScansInAnHour * false_alarm_hours);
+}
+
+void ScanDoubt::judge(const Match& match, Stamp stamp) {
+  const double weight = weightOf(match.pose, stamp);
+  agreement_ = match.agreement;
+  jumped_ = match.jumped;
+  evidence_ =
+      std::clamp(kLost.logLikelihood(agreement_) - usual_.distribution().logLikelihood(agreement_),
+                 -kMostOfAScan, kMostOfAScan);
+  add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
+  if (statistic() < kRight) usual_.learn(agreement_, weight);
+  pose_ = match.pose;
+  stamp_ = stamp;
+}
+
+double ScanDoubt::weightOf(const Pose2& pose, Stamp stamp) const {
+  if (!pose_) return 1.0;
+  const Pose2 step = pose_->between(pose);
+  return std::min(1.0, step.position().norm() / kWay + std::abs(step.theta()) / kTurn +
+                           std::max(0.0, seconds(stamp - stamp_)) / kTime);
+}
+
+void ScanDoubt::add(double evidence, Stamp stamp) {
+  if (sum_ == 0.0) began_ = stamp;
+  sum_ = std::clamp(sum_ + evidence, 0.0, kMost * threshold_);
+  if (sum_ == 0.0) lost_since_.reset();
+  if (sum_ >= threshold_ && !lost_since_) lost_since_ = began_;
+}
+
+bool ScanDoubt::admits() const {
+  if (agreement_.contradictingShare() > lost_share_) return false;
+  return !isLost() || evidence_ <= 0.0;
+}
+
+Status ScanDoubt::status() const {
+  constexpr double kDegrees = 180.0 / M_PI;
+  if (lost_since_)
+    return Status::alarm(
+        fmt::format("scans have contradicted the map since {:.1f} s: the pose may be lost, or the "
+                    "map is wrong; set an initial pose or load another map",
+                    1e-9 * static_cast<double>(nanoseconds(*lost_since_))));
+  if (jumped_)
+    return Status::warning(fmt::format(
+        "a scan was found {:.1f} m and {:.0f} degrees from where motion led: the robot was carried "
+        "or its wheels slipped; check the pose, and set an initial pose where it is wrong",
+        jumped_->position().norm(), kDegrees * std::abs(jumped_->theta())));
+  return Status::ok();
+}
+
+void ScanDoubt::forget() {
+  sum_ = evidence_ = 0.0;
+  lost_since_.reset();
+  pose_.reset();
+  jumped_.reset();
+  agreement_ = {};
+}
+
+}  // namespace slam::scan_matching
