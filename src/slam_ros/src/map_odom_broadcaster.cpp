@@ -17,7 +17,8 @@ constexpr double kPoll = 0.01;  // [s] of the wall
 
 MapOdomBroadcaster::MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame,
                                        const OutputsConfig& config)
-    : map_frame_(std::move(map_frame)),
+    : handle_(handle),
+      map_frame_(std::move(map_frame)),
       interval_(slam::durationFromSeconds(1.0 / config.tf_rate)),
       tolerance_(slam::durationFromSeconds(config.transform_tolerance)) {
   const auto poll = [this](const ros::WallTimerEvent&) { sendIfDue(fromRos(ros::Time::now())); };
@@ -25,10 +26,21 @@ MapOdomBroadcaster::MapOdomBroadcaster(ros::NodeHandle handle, std::string map_f
 }
 
 void MapOdomBroadcaster::update(const slam::StepReport& report) {
-  T_map_odom_ = report.pose.pose * report.odometry_pose.inverse();
   odometry_frame_ = report.odometry_frame;
-  base_frame_ = report.has_motion ? "" : report.base_frame;
+  if (report.has_motion)
+    T_map_odom_ = report.pose.pose * report.odometry_pose.inverse();
+  else
+    updateWithoutMotion(report);
   send(report.stamp);
+}
+
+void MapOdomBroadcaster::updateWithoutMotion(const slam::StepReport& report) {
+  if (!watch_) watch_.emplace(handle_, frameId(report.odometry_frame), frameId(report.base_frame));
+  base_frame_ = watch_->isTaken() ? "" : report.base_frame;
+  if (!watch_->isTaken())
+    T_map_odom_ = report.pose.pose;
+  else if (const auto T_odom_base = watch_->at(report.stamp))
+    T_map_odom_ = report.pose.pose * T_odom_base->inverse();
 }
 
 void MapOdomBroadcaster::reset() {

@@ -10,7 +10,12 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
+#include <deque>
+#include <mutex>
+#include <optional>
 #include <string>
+
+#include "slam_core/contract/stamped_pose.hpp"
 
 namespace slam_ros {
 
@@ -24,12 +29,18 @@ class EdgeWatch {
   bool isTaken() const { return is_taken_; }
   /// The node that publishes the edge, when isTaken().
   const std::string& publisher() const { return publisher_; }
+  /// The edge as the other node publishes it, at a time or, where that is still to come, the latest
+  /// one before; nothing where that is older than what is kept.
+  std::optional<slam::Pose2> at(slam::Stamp stamp) const;
 
  private:
   void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
+  void keep(const slam::StampedPose& edge);
 
   std::string parent_, child_, publisher_;
   std::atomic<bool> is_taken_{false};  ///< written last: then publisher_ does not change
+  mutable std::mutex mutex_;
+  std::deque<slam::StampedPose> edges_;  ///< the latest ones, by stamp
   ros::CallbackQueue queue_;
   ros::Subscriber transforms_;
   ros::AsyncSpinner spinner_{1, &queue_};

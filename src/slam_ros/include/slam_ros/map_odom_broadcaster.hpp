@@ -10,6 +10,7 @@
 #include <string>
 
 #include "slam_core/product/estimator.hpp"
+#include "slam_ros/edge_watch.hpp"
 #include "slam_ros/outputs_config.hpp"
 #include "slam_ros/transform_publisher.hpp"
 
@@ -17,7 +18,8 @@ namespace slam_ros {
 
 /// `map -> odom` from the estimate and the odometry pose of the same stamp: at every step, and in
 /// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product
-/// without motion nobody publishes `odom -> base`: then this does, as the identity.
+/// without motion the odometry pose is what another node publishes as `odom -> base`; where none
+/// does, this one publishes that as the identity.
 class MapOdomBroadcaster {
  public:
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config);
@@ -27,11 +29,15 @@ class MapOdomBroadcaster {
   void reset();
 
  private:
+  /// `map -> odom` of a step without motion.
+  void updateWithoutMotion(const slam::StepReport& report);
   void sendIfDue(slam::Stamp now);
   void send(slam::Stamp now);
 
+  ros::NodeHandle handle_;
   std::string map_frame_, odometry_frame_;
-  std::string base_frame_;  ///< in a product without motion
+  std::string base_frame_;          ///< in a product without motion whose edge nobody publishes
+  std::optional<EdgeWatch> watch_;  ///< in a product without motion
   slam::Duration interval_, tolerance_;
   std::optional<slam::Stamp> due_;  ///< of the ROS clock
   slam::Pose2 T_map_odom_;
