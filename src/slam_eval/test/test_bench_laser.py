@@ -65,14 +65,14 @@ class Bench:
                                      path=name), Usage(1.0, 2.0, 30.0)
 
     def measure(self, *names):
-        """The section for logs of these names."""
+        """The sections for logs of these names."""
         self.context.options.logs = [self.folder / name for name in names]
         for given in self.context.options.logs:
             given.touch()
         with mock.patch.object(logs, "run_ours", self.run_ours), \
                 mock.patch.object(logs, "read_run", lambda run: run), \
                 mock.patch.object(logs, "make_rawlog", side_effect=BenchError("no odometry")):
-            return logs.measure(self.context)
+            return list(logs.measure(self.context))
 
 
 class Logs(unittest.TestCase):
@@ -83,15 +83,16 @@ class Logs(unittest.TestCase):
 
     def test_only_a_product_that_draws_random_numbers_runs_with_all_seeds(self):
         bench = self.bench()
-        section = bench.measure("a.bag", "b.bag")
+        sections = bench.measure("a.bag", "b.bag")
         pf = [("pf", f"seed={seed}") for seed in (1, 2, 3)]
         self.assertEqual(bench.calls, [("scan", "seed=1"), ("scan", "seed=2"), *pf,
                                        ("scan", "seed=1"), *pf])
-        self.assertEqual(section.failures, [])
-        self.assertEqual([p.is_file() for p in section.pictures.values()], [True, True])
+        self.assertEqual([section.title for section in sections], ["a", "b", "All logs"])
+        self.assertEqual([section.failures for section in sections], [[], [], []])
+        self.assertTrue(all(p.is_file() for s in sections[:2] for p in s.pictures.values()))
 
     def test_a_log_without_relations_gets_no_errors_and_says_so(self):
-        text = self.bench().measure("a.bag").markdown()
+        text = self.bench().measure("a.bag")[0].markdown()
         self.assertIn("No relations stand beside this log", text)
         self.assertIn("| product | seed | CPU [s] | memory [MB] |", text)
         self.assertIn("rbpf-slam is left out: no odometry.", text)
@@ -102,24 +103,23 @@ class Logs(unittest.TestCase):
                 raise BenchError("it ended with exit code 1")
             return path(0.001 * seed)
 
-        section = self.bench(runs).measure("a.bag", "b.txt", "c.bag")
-        self.assertEqual(section.failures[0], "a, scan: it ended with exit code 1")
-        self.assertRegex(section.failures[1], "^b: .*b.txt is no log that is known here")
-        self.assertEqual(len(section.failures), 3)
-        self.assertIn("Failed: a, scan: it ended", section.markdown())
-        self.assertEqual(section.markdown().count("| pf "), 6)
+        first, second, third, _ = self.bench(runs).measure("a.bag", "b.txt", "c.bag")
+        self.assertEqual(first.failures, ["scan: it ended with exit code 1"])
+        self.assertIn("Failed: scan: it ended with exit code 1", first.markdown())
+        self.assertRegex(second.failures[0], "b.txt is no log that is known here")
+        self.assertEqual([s.markdown().count("| pf ") for s in (first, third)], [3, 3])
 
     def test_bad_relations_are_told_before_anything_runs(self):
         bench = self.bench()
         (bench.folder / "a.relations").write_text("1 2 3\n")
-        section = bench.measure("a.bag")
+        section = bench.measure("a.bag")[0]
         self.assertEqual((len(section.failures), bench.calls), (1, []))
         self.assertIn("a.relations:1: 3 fields where", section.failures[0])
 
     def test_without_a_log_it_says_where_it_looked(self):
         bench = self.bench()
         with mock.patch.object(logs, "default_logs", list):
-            self.assertIn("no log was given", bench.measure().paragraphs[0])
+            self.assertIn("no log was given", bench.measure()[0].paragraphs[0])
 
     def test_logs_of_one_name_are_told_apart(self):
         self.assertEqual(log.names_of([pathlib.Path("x/a.clf"), pathlib.Path("y/a.clf"),

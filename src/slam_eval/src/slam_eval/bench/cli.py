@@ -21,6 +21,7 @@ from slam_eval.bench.grid import office as grid_office
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.progress import Progress
 from slam_eval.bench.harness.runs import Context
+from slam_eval.bench.harness.table import Section
 from slam_eval.bench.laser import logs as laser_logs
 from slam_eval.bench.laser import odometry as laser_odometry
 from slam_eval.bench.pf import circles
@@ -112,24 +113,27 @@ def _work_folder(keep):
         shutil.rmtree(path, ignore_errors=True)
 
 
+def sections_of(made):
+    """A part's only section, or its sections as they come."""
+    return [made] if isinstance(made, Section) else made
+
+
 def run_parts(parts, names, context, page, text):
-    """Measure the named parts, print each when it is done; returns the names that failed."""
+    """Measure the named parts, print each section when it is done; returns the names of the parts
+    that failed, or in which something did."""
     failed = []
     for name in names:
         try:
-            section = parts[name](context)
+            for section in sections_of(parts[name](context)):
+                context.progress.end()
+                print(f"\n{section.markdown()}", end="", flush=True)
+                text += f"\n{section.markdown(context.out)}"
+                write_atomically(page, text)
+                failed += [name] if section.failures else []
         except (BenchError, InputError) as error:
             context.progress.end()
             print(f"slam_bench: part {name}: {error}", file=sys.stderr)
             failed.append(name)
-            continue
-        context.progress.end()
-        for failure in section.failures:
-            print(f"slam_bench: part {name}: {failure}", file=sys.stderr)
-        failed += [name] if section.failures else []
-        print(f"\n{section.markdown()}", end="", flush=True)
-        text += f"\n{section.markdown(context.out)}"
-        write_atomically(page, text)
     return failed
 
 
@@ -140,11 +144,11 @@ def bench(options):
     benchmark = BENCHMARKS[options.benchmark]
     page, text = out / f"bench_{options.benchmark}.md", heading(benchmark.title)
     print(text, end="", flush=True)
+    write_atomically(page, text)
     with _work_folder(options.keep) as work:
         context = Context(out, work, Progress(), options)
         failed = run_parts(benchmark.parts, options.only, context, page, text)
-    if page.is_file():
-        print(f"\nTables and pictures: {page}")
+    print(f"\nTables and pictures: {page}")
     return 1 if failed else 0
 
 

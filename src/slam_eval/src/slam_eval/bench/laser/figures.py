@@ -53,7 +53,7 @@ def judged(name, rows):
 
 def describe(name, rows):
     """The table of a log and its verdicts, as paragraphs."""
-    return [f"**{name}**", *([table(HEADER, lines_of(rows, FORMS))] if rows else []),
+    return [*([table(HEADER, lines_of(rows, FORMS))] if rows else []),
             *filter(None, [judged(name, rows)])]
 
 

@@ -36,7 +36,7 @@ class LogRuns:
         tolerance = self._context.options.tolerance
         errors = self._log.judge(trajectory, odometry, tolerance)
         if self._log.relations is not None and errors is None:
-            self.failures.append(f"{self._log.name}: {product} has poses for none of the relations")
+            self.failures.append(f"{product} has poses for none of the relations")
         self.rows.append(row(product, seed, errors, usage))
 
     def _run(self, product, seed):
@@ -91,12 +91,12 @@ def _picture(context, log, runs, section):
     if runs.shown:
         path = context.out / f"laser_{log.name}.png"
         plot_maps(runs.shown, path)
-        section.pictures[f"{log.name}: maps and paths, seed 1"] = path
+        section.pictures["maps and paths, seed 1"] = path
 
 
-def _measure(context, log, label, unseeded, section):
-    """The rows of a log; its table goes into the section. unseeded: products that were seen not to
-    depend on the seed; more may be added."""
+def _measure(context, log, label, unseeded):
+    """(section, rows) of a log. unseeded: products that were seen not to depend on the seed; more
+    may be added."""
     products = context.options.products or laser_products()
     runs, said = LogRuns(context, log, label, unseeded), []
     if log.relations is None:
@@ -105,31 +105,36 @@ def _measure(context, log, label, unseeded, section):
         try:
             runs.run_product(product)
         except (BenchError, InputError) as error:
-            runs.failures.append(f"{log.name}, {product}: {error}")
+            runs.failures.append(f"{product}: {error}")
     said.append(runs.run_peer())
-    section.paragraphs += [*describe(log.name, runs.rows), *filter(None, said)]
-    section.failures += runs.failures
+    section = Section(log.name, [*describe(log.name, runs.rows), *filter(None, said)],
+                      failures=runs.failures)
     _picture(context, log, runs, section)
-    return runs.rows
+    return section, runs.rows
+
+
+def _on_all(rows):
+    """The section behind those of the logs. rows: of each log, by its name."""
+    if not rows:
+        return Section("No logs", ["Left out: no log was given, and there are none in the shared "
+                                   "data ($SLAM_DATA_DIR/laser/*.clf)."])
+    return Section("All logs", [*overview(rows), REMARK, PEERS_REMARK])
 
 
 def measure(context):
-    """The section of this part."""
+    """A section for each log, and one on all of them."""
     paths = context.options.logs or default_logs()
-    section, rows, unseeded = Section("Laser logs"), {}, set()
-    if not paths:
-        section.paragraphs.append("Left out: no log was given, and there are none in the shared "
-                                  "data ($SLAM_DATA_DIR/laser/*.clf).")
-        return section
+    rows, unseeded = {}, set()
     for i, (name, path) in enumerate(zip(names_of(paths), paths)):
         try:
             log = open_log(context, name, path)
             label = f"log {i + 1} of {len(paths)}, {name}"
-            rows[name] = _measure(context, log, label, unseeded, section)
+            section, rows[name] = _measure(context, log, label, unseeded)
         except (BenchError, InputError) as error:
-            section.failures.append(f"{name}: {error}")
+            yield Section(name, failures=[str(error)])
             continue
         if log.is_imported and context.options.keep is None:
             log.bag.unlink()
-    section.paragraphs += [*overview(rows), REMARK, PEERS_REMARK]
-    return section
+        yield section
+    if rows or not paths:
+        yield _on_all(rows)
