@@ -144,11 +144,13 @@ void ScanTracker::take(const Match& found, const PosePrior& prior, const Motion&
 void ScanTracker::follow(const Pose2& step, Duration interval) {
   const double dt = seconds(interval);
   const Eigen::Vector3d seen = step.log() / std::max(kLeast, dt);
+  const auto is_confirmed = (shares_.array() > kConfirmed).eval();
+  const Eigen::Vector3d shares = is_confirmed.select(1.0, shares_.array());
   if (shares_.isZero())
     velocity_ *= kFading;
   else
-    velocity_ += shares_.cwiseProduct(seen - velocity_);
-  unconfirmed_ = (shares_.array() > kConfirmed).select(0.0, unconfirmed_ + dt);
+    velocity_ += shares.cwiseProduct(seen - velocity_);
+  unconfirmed_ = is_confirmed.select(0.0, unconfirmed_ + dt);
 }
 
 bool InsertionTrigger::isDue(const Pose2& pose) const {
