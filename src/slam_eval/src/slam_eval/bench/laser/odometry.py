@@ -12,9 +12,12 @@ from slam_eval.bench.harness.table import lines_of, Section, table
 
 PROGRAM = "slam_eval_laser_odometry"
 WORLDS = ("office", "corridor")
-RATE = 40           # [Hz]
-SECONDS = 120       # of a drive, at most
-RELATIVE_SIGMA = 0.01  # of the simulated laser
+RATE = 40      # [Hz]
+SECONDS = 120  # of a drive, at most
+# What the robot file of the simulated robot says of its laser and its wheels.
+ROBOT = ("laser.relative_sigma=0.01", "wheel_odometry.drive=differential",
+         "wheel_odometry.alpha1=1e-4", "wheel_odometry.alpha2=2e-5",
+         "wheel_odometry.alpha3=2e-3", "wheel_odometry.alpha4=2.5e-3")
 
 HEADER = ["odometry", "world", "seed", "scans", "mean [ms]", "p99 [ms]", "max [ms]", "drift [%]",
           "heading [deg/m]", "NEES"]
@@ -49,7 +52,7 @@ def _drive(context, world, seed):
     command = [workspace_program("slam_eval", PROGRAM),
                "--world", simulation_file("worlds", world),
                "--robot", simulation_file("robots", "segway"), "--seed", seed, "--rate", RATE,
-               "--duration", SECONDS, "--set", f"laser.relative_sigma={RELATIVE_SIGMA}"]
+               "--duration", SECONDS, "--set", *ROBOT]
     call(context, f"laser odometry, {world}, seed {seed} of {context.options.seeds}", command, log)
     return rows_of(parse_result(log.read_text(encoding="utf-8")), seed)
 
