@@ -82,7 +82,7 @@ Status LaserOdometry::execute() {
   const auto told = last_ && source_ ? source_(*last_, stamp) : std::nullopt;
   const Pose2 before = tracker_.robot().pose;
   const auto found = tracker_.track(map_->view(), points, stamp, told);
-  const bool is_sure = map_->view().isEmpty() || judge(found, told.has_value());
+  const bool is_sure = !map_->view().isEmpty() && judge(found, told.has_value());
   if (last_) motion_ = motionTo(stamp, before, is_sure, told.has_value());
   learn(points, stamp, is_sure);
   last_ = stamp;
@@ -147,7 +147,9 @@ void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp, bool is_sure) {
     last_sure_ = stamp;
     counters_.add("maps");
   }
-  if (!is_elsewhere && !(is_sure && trigger_.isDue(pose))) return;
+  const bool is_first = map_->view().isEmpty();
+  if (is_first) last_sure_ = stamp;
+  if (!is_elsewhere && !is_first && !(is_sure && trigger_.isDue(pose))) return;
   map_->insert(scan, pose);
   trigger_.note(pose);
 }
@@ -155,7 +157,7 @@ void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp, bool is_sure) {
 Status LaserOdometry::explain(Stamp stamp) const {
   const std::string instead =
       source_ ? "; the wheels' motion is used meanwhile" : "; the last velocity is used meanwhile";
-  if (last_sure_ != stamp && !map_->view().isEmpty())
+  if (last_sure_ != stamp && motion_)
     return Status::warning(
         "the laser's scans do not tell the robot's motion: they fit nothing of "
         "what was seen before" +

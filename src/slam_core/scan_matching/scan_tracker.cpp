@@ -13,7 +13,9 @@ namespace slam::scan_matching {
 namespace {
 
 constexpr double kLeast = 0.02;        // interval that tells a velocity [s]
-constexpr double kFading = 0.8;        // of a velocity that no scan confirms
+constexpr double kFading = 0.8;        // of a velocity, by a scan that fits nothing
+constexpr double kConfirmed = 0.5;     // share of a step that a scan determines
+constexpr double kFastest = 1.0;       // by which a velocity may be off [m/s], [rad/s]
 constexpr double kSweepsMeant = 50.0;  // scans that the usual interval is the mean of, about
 
 /// Of a robot that speeds up, brakes and turns as it likes since its last velocity.
@@ -29,6 +31,7 @@ Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transp
 
 /// Of the error of a prior, in each of the robot's directions, what a scan determines.
 Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
+  if (!found.is_determined) return Eigen::Vector3d::Zero();
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
   to_robot.topLeftCorner<2, 2>() = prior.pose.rotation().transpose();
   const Eigen::Matrix3d gain =
@@ -60,13 +63,20 @@ void ScanTracker::restart(const PoseEstimate& place) {
   slip_ = {};
   sweeps_ = {};
   velocity_.setZero();
+  shares_.setZero();
+  unconfirmed_.setZero();
 }
 
-/// By the last velocity.
+/// By the last velocity. Where no scan has confirmed it for a time, what it is off by makes an
+/// error that grows with that time.
 Motion ScanTracker::motionOf(Duration interval) const {
+  const double dt = seconds(interval);
   Motion motion;
-  motion.increment = Pose2::exp(seconds(interval) * velocity_);
+  motion.increment = Pose2::exp(dt * velocity_);
   motion.covariance = noiseOfVelocity(interval);
+  const Eigen::Array3d grown = (unconfirmed_ + dt).square() - unconfirmed_.square();
+  motion.covariance.diagonal().array() +=
+      kFastest * kFastest * (unconfirmed_ > 0.0).select(grown, 0.0);
   return motion;
 }
 
@@ -77,11 +87,11 @@ Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp
     interval = sweeps_.plausible(stamp - *stamp_);
     sweeps_.note(stamp - *stamp_);
   }
+  if (told) unconfirmed_.setZero();
   const auto motion = told ? *told : motionOf(interval);
   const Pose2 before = robot_.pose;
   const auto found = map.isEmpty() ? move(motion) : match(map, scan, motion, told.has_value());
-  if (interval > Duration::zero())
-    follow(before.between(found.pose), found.is_determined, interval);
+  if (interval > Duration::zero()) follow(before.between(found.pose), interval);
   stamp_ = stamp;
   return found;
 }
@@ -91,6 +101,7 @@ Match ScanTracker::move(const Motion& motion) {
   Eigen::Matrix3d J_pose, J_u;
   Match found;
   found.pose = robot_.pose.compose(motion.increment, &J_pose, &J_u);
+  shares_.setZero();
   step_ = {motion.increment, motion.covariance, Eigen::Matrix3d::Identity()};
   robot_ = {found.pose, symmetric(J_pose * robot_.covariance * J_pose.transpose() +
                                   J_u * motion.covariance * J_u.transpose())};
@@ -106,6 +117,9 @@ Match ScanTracker::match(const MapView& map, const ScanLevels& scan, const Motio
   const auto found = matcher_.match(map, scan, prior);
   if (is_told && found.is_determined)
     slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
+  const auto usual = SlipEstimate().covarianceOf(motion.increment);
+  shares_ =
+      sharesOf(found, priorAfter(robot_.pose, Eigen::Matrix3d::Zero(), motion.increment, usual));
   take(found, prior, motion, noise);
   return found;
 }
@@ -127,11 +141,16 @@ void ScanTracker::take(const Match& found, const PosePrior& prior, const Motion&
   robot_ = {found.pose, P};
 }
 
-void ScanTracker::follow(const Pose2& step, bool is_confirmed, Duration interval) {
-  if (is_confirmed)
-    velocity_ = step.log() / std::max(kLeast, seconds(interval));
-  else
+void ScanTracker::follow(const Pose2& step, Duration interval) {
+  const double dt = seconds(interval);
+  const Eigen::Vector3d seen = step.log() / std::max(kLeast, dt);
+  const auto is_confirmed = (shares_.array() > kConfirmed).eval();
+  const Eigen::Vector3d shares = is_confirmed.select(1.0, shares_.array());
+  if (shares_.isZero())
     velocity_ *= kFading;
+  else
+    velocity_ += shares.cwiseProduct(seen - velocity_);
+  unconfirmed_ = is_confirmed.select(0.0, unconfirmed_ + dt);
 }
 
 bool InsertionTrigger::isDue(const Pose2& pose) const {

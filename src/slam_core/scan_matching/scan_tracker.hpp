@@ -63,7 +63,7 @@ class ScanTracker {
   void take(const Match& found, const PosePrior& prior, const Motion& motion,
             const Eigen::Matrix3d& noise);
   /// Notes the velocity of the step to the last scan.
-  void follow(const Pose2& step, bool is_confirmed, Duration interval);
+  void follow(const Pose2& step, Duration interval);
 
   ScanToMapMatcher matcher_;
   PoseEstimate robot_;
@@ -71,7 +71,10 @@ class ScanTracker {
   SlipEstimate slip_;
   std::optional<Stamp> stamp_;  ///< of the last scan
   SweepInterval sweeps_;
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();   ///< of the body [m/s, m/s, rad/s]
+  Eigen::Vector3d shares_ = Eigen::Vector3d::Zero();     ///< of a usual step, what the last scan
+                                                         ///< determines in each direction
+  Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();  ///< so long is each of the velocity [s]
 };
 
 /// Says when the robot has gone or turned far enough for a scan to tell something new.

@@ -12,11 +12,11 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "odometry_drift.hpp"
 #include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
 #include "slam_sim/world_file.hpp"
-#include "vo_drift.hpp"
 #include "vo_scenarios.hpp"
 
 // Visual odometry by itself on simulated drives: drift beside that of the wheels, whether its

@@ -117,6 +117,17 @@ class Parts(unittest.TestCase):
         self.assertEqual(failed, ["first"])
         self.assertIn("## Second", text)
 
+    def test_a_part_of_several_sections_shows_each_and_what_failed_in_it(self):
+        def several(_):
+            yield table.Section("First", failures=["no such log"])
+            yield table.Section("Second")
+
+        with tempfile.TemporaryDirectory() as folder:
+            failed, text = self.run_parts({"several": several}, pathlib.Path(folder))
+        self.assertEqual(failed, ["several"])
+        self.assertIn("Failed: no such log", text)
+        self.assertIn("## Second", text)
+
 
 class MrptConfiguration(unittest.TestCase):
 

@@ -11,7 +11,7 @@
 namespace slam::eval {
 namespace {
 
-constexpr char kStep[] = "STEP image.0000 0.5 -2.0 0.1 0.04 0.001 0.09 0.002 0.003 0.01\n";
+constexpr char kStepLine[] = "STEP image.0000 0.5 -2.0 0.1 0.04 0.001 0.09 0.002 0.003 0.01\n";
 
 class Circles : public testing::Test {
  protected:
@@ -27,7 +27,7 @@ class Circles : public testing::Test {
 };
 
 TEST_F(Circles, TurnsItsAxesIntoThoseOfRep103) {
-  const auto log = read(std::string("# a comment\n\n") + kStep);
+  const auto log = read(std::string("# a comment\n\n") + kStepLine);
   ASSERT_EQ(log.steps.size(), 1u);
   const auto& step = log.steps[0];
   EXPECT_EQ(step.displacement, Eigen::Vector3d(2.0, -0.5, -0.1)) << "forward, left, mirrored turn";
@@ -38,7 +38,7 @@ TEST_F(Circles, TurnsItsAxesIntoThoseOfRep103) {
 
 TEST_F(Circles, PropagatesACartesianCovarianceToRangeAndBearing) {
   // four metres ahead and three to the right
-  const auto log = read(std::string(kStep) + "LANDMARK_C 3 -4 0.9 0.01 0 0.04 17\n");
+  const auto log = read(std::string(kStepLine) + "LANDMARK_C 3 -4 0.9 0.01 0 0.04 17\n");
   ASSERT_EQ(log.steps[0].readings.size(), 1u);
   const auto& reading = log.steps[0].readings[0];
   EXPECT_EQ(reading.id, 17);
@@ -51,7 +51,7 @@ TEST_F(Circles, PropagatesACartesianCovarianceToRangeAndBearing) {
 }
 
 TEST_F(Circles, TakesTheFirstOfSeveralIdsAndKeepsThoseWithout) {
-  const auto log = read(std::string(kStep) +
+  const auto log = read(std::string(kStepLine) +
                         "LANDMARK 1 -4 0.9 0.01 0 0.04 5 6 7\n"
                         "LANDMARK_C 1 -3 0.9 0.01 0 0.04 -1\n");
   ASSERT_EQ(log.steps[0].readings.size(), 2u);
@@ -62,27 +62,27 @@ TEST_F(Circles, TakesTheFirstOfSeveralIdsAndKeepsThoseWithout) {
 }
 
 TEST_F(Circles, NamesFileAndLineOfWhatIsWrong) {
-  EXPECT_NE(failure(std::string(kStep) + "STEP image 1 2 3\n").find("map.circles:2: 5 columns"),
+  EXPECT_NE(failure(std::string(kStepLine) + "STEP image 1 2 3\n").find("map.circles:2: 5 columns"),
             std::string::npos);
   EXPECT_NE(failure("LANDMARK 1 -4 0.9 0.01 0 0.04 5\n").find("before the first step"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "CIRCLE 1\n").find("neither STEP nor LANDMARK"),
+  EXPECT_NE(failure(std::string(kStepLine) + "CIRCLE 1\n").find("neither STEP nor LANDMARK"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1 -4 0.9 0.01 0 -0.04 5\n")
+  EXPECT_NE(failure(std::string(kStepLine) + "LANDMARK 1 -4 0.9 0.01 0 -0.04 5\n")
                 .find("not positive definite"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1 x 0.9 0.01 0 0.04 5\n").find("'x'"),
+  EXPECT_NE(failure(std::string(kStepLine) + "LANDMARK 1 x 0.9 0.01 0 0.04 5\n").find("'x'"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 0 0 0.9 0.01 0 0.04 5\n").find("no bearing"),
+  EXPECT_NE(failure(std::string(kStepLine) + "LANDMARK 0 0 0.9 0.01 0 0.04 5\n").find("no bearing"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1 -4 good 0.01 0 0.04 5\n").find("'good'"),
+  EXPECT_NE(failure(std::string(kStepLine) + "LANDMARK 1 -4 good 0.01 0 0.04 5\n").find("'good'"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1e300 -4 0.9 0.01 0 0.04 5\n")
+  EXPECT_NE(failure(std::string(kStepLine) + "LANDMARK 1e300 -4 0.9 0.01 0 0.04 5\n")
                 .find("map.circles:2: column 2: 1e+300"),
             std::string::npos);
   EXPECT_NE(failure("STEP image.0000 0.5 -2.0 0.1 1e300 0 1e300 0 0 0.01\n").find("column 6"),
             std::string::npos);
-  EXPECT_NE(failure(std::string(kStep) + "LANDMARK 1 -4 0.9 0.01 0 0.04 -5\n")
+  EXPECT_NE(failure(std::string(kStepLine) + "LANDMARK 1 -4 0.9 0.01 0 0.04 -5\n")
                 .find("the id -5 is negative"),
             std::string::npos);
   EXPECT_NE(failure("# nothing\n").find("holds no steps"), std::string::npos);

@@ -97,7 +97,7 @@ class RoomDrive {
   /// The first scan is taken before the robot moves: it defines the map's frame.
   Step next() {
     const bool stands = count_ == 0;
-    const Pose2 way = stands ? Pose2() : Pose2::exp({0.1, 0.0, 0.1 / kRadius});
+    const Pose2 way = stands ? Pose2() : Pose2::exp({way_of_step, 0.0, way_of_step / kRadius});
     const Eigen::Matrix3d Q = stands ? Eigen::Matrix3d(1e-10 * Q_) : Q_;
     Step step;
     step.motion.sequence = count_;
@@ -133,11 +133,13 @@ class RoomDrive {
   }
 
   int beams = 181;
+  double way_of_step = 0.1;  ///< [m]
+  Duration interval = std::chrono::milliseconds(100);
 
  private:
   static constexpr double kRadius = 2.3;
   Stamp stamp() const {
-    return stampFromNanoseconds(1000000000000) + count_ * std::chrono::milliseconds(100);
+    return stampFromNanoseconds(1000000000000) + static_cast<std::int64_t>(count_) * interval;
   }
 
   RandomStream random_;

@@ -21,6 +21,9 @@ from slam_eval.bench.grid import office as grid_office
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.progress import Progress
 from slam_eval.bench.harness.runs import Context
+from slam_eval.bench.harness.table import Section
+from slam_eval.bench.laser import logs as laser_logs
+from slam_eval.bench.laser import odometry as laser_odometry
 from slam_eval.bench.pf import circles
 from slam_eval.bench.pf import mrclam as pf_mrclam
 from slam_eval.bench.pf import office as pf_office
@@ -56,6 +59,12 @@ BENCHMARKS = {
         {"intel": intel.measure, "sena": sena.measure,
          "office": grid_office.measure, "scan": scan.measure,
          "threads": threads.measure_grid}, command_line.add_grid),
+    "laser": Benchmark(
+        "products that map with a laser",
+        "all products that make a grid of a laser's scans on logs, beside MRPT's rbpf-slam; time "
+        "and drift of laser odometry",
+        {"logs": laser_logs.measure, "odometry": laser_odometry.measure},
+        command_line.add_laser),
     "pointmap": Benchmark(
         "the point map", "what a scan into a point map costs, and how thick its walls are",
         {"scan": pointmap.measure_scan, "office": pointmap.measure_office},
@@ -104,21 +113,27 @@ def _work_folder(keep):
         shutil.rmtree(path, ignore_errors=True)
 
 
+def sections_of(made):
+    """A part's only section, or its sections as they come."""
+    return [made] if isinstance(made, Section) else made
+
+
 def run_parts(parts, names, context, page, text):
-    """Measure the named parts, print each when it is done; returns the names that failed."""
+    """Measure the named parts, print each section when it is done; returns the names of the parts
+    that failed, or in which something did."""
     failed = []
     for name in names:
         try:
-            section = parts[name](context)
+            for section in sections_of(parts[name](context)):
+                context.progress.end()
+                print(f"\n{section.markdown()}", end="", flush=True)
+                text += f"\n{section.markdown(context.out)}"
+                write_atomically(page, text)
+                failed += [name] if section.failures else []
         except (BenchError, InputError) as error:
             context.progress.end()
             print(f"slam_bench: part {name}: {error}", file=sys.stderr)
             failed.append(name)
-            continue
-        context.progress.end()
-        print(f"\n{section.markdown()}", end="", flush=True)
-        text += f"\n{section.markdown(context.out)}"
-        write_atomically(page, text)
     return failed
 
 
@@ -129,11 +144,11 @@ def bench(options):
     benchmark = BENCHMARKS[options.benchmark]
     page, text = out / f"bench_{options.benchmark}.md", heading(benchmark.title)
     print(text, end="", flush=True)
+    write_atomically(page, text)
     with _work_folder(options.keep) as work:
         context = Context(out, work, Progress(), options)
         failed = run_parts(benchmark.parts, options.only, context, page, text)
-    if len(failed) < len(options.only):
-        print(f"\nTables and pictures: {page}")
+    print(f"\nTables and pictures: {page}")
     return 1 if failed else 0
 
 

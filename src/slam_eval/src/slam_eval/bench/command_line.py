@@ -96,6 +96,32 @@ def add_grid(parser):
                         help="simulated drives of the part office (%(default)s)")
 
 
+def _seconds(text):
+    value = float(text)
+    if not 0.0 <= value < float("inf"):
+        raise ValueError(text)
+    return value
+
+
+def add_laser(parser):
+    """Options of `slam_bench laser`."""
+    parser.add_argument("logs", metavar="LOG", type=_file, nargs="*",
+                        help="CARMEN logs (.clf, .log), rawlogs or bags; relations are those of the "
+                        "file with .relations instead (default: laser/*.clf in $SLAM_DATA_DIR, else "
+                        "in shared/data beside the repository)")
+    parser.add_argument("--seeds", metavar="N", type=count, default=3,
+                        help="runs of each product that draws random numbers, with the seeds 1 to N "
+                        "(%(default)s)")
+    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
+                        help="instead of all whose map is a grid and whose odometry a log can have")
+    parser.add_argument("--robot", metavar="NAME",
+                        help="robot file (default: the one that the log names; of CARMEN logs "
+                        "carmen)")
+    parser.add_argument("--tolerance", metavar="S", type=_seconds, default=0.2,
+                        help="how far a relation's stamp may be from that of the nearest scan [s] "
+                        "(%(default)s)")
+
+
 def add_pointmap(parser):
     """Options of `slam_bench pointmap`."""
     parser.add_argument("--seeds", metavar="N", type=count, default=3,

@@ -4,6 +4,7 @@
 import numpy as np
 
 from slam_eval.geometry import se2
+from slam_eval.plot import plan
 from slam_eval.plot import style as look
 
 _COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK, look.ERROR, look.TRUTH)
@@ -141,4 +142,25 @@ def plot_seeds(errors, goal, path):
         axes.set_ylabel("ATE [m]")
         axes.set_title("Trajectory error by seed")
         look.plain(axes)
+        look.save(figure, path)
+
+
+def plot_maps(runs, path):
+    """Grids and paths of some runs (by their titles) of one log side by side, each in its own
+    frame."""
+    columns = min(len(runs), 2)
+    rows = -(-len(runs) // columns)
+    with look.style():
+        figure, grid = look.plt.subplots(rows, columns, squeeze=False, constrained_layout=True,
+                                         figsize=(5.2 * columns, 4.6 * rows))
+        for axes in grid.flat[len(runs):]:
+            axes.axis("off")
+        for axes, (title, run) in zip(grid.flat, runs.items()):
+            estimate = run.final or run.trajectory
+            plan.draw_grid(axes, run.grid and run.grid.known_part())
+            plan.draw_path(axes, estimate.stamps, estimate.poses[:, :2], color=look.ESTIMATE,
+                           linewidth=0.7, zorder=3)
+            axes.set_aspect("equal", adjustable="datalim")
+            axes.set_title(title, fontsize=10)
+            look.plain(axes)
         look.save(figure, path)

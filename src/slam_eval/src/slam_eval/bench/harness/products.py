@@ -2,9 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The products that are measured, and what a simulated drive has to hold for them."""
 
+import yaml
+
+from slam_eval.bench.harness.programs import package_folder
+
 EKF_WHEEL = "ekf_wheel"
 PF_WHEEL_GRID = "pf_wheel_grid"
 SENSORS = "odom,camera"
+ODOMETRY_OF_LOGS = ("none", "wheel", "laser", "laser_wheel")
 
 
 def sensors_for(product):
@@ -16,3 +21,16 @@ def twin_of(product):
     """For one of our products that look at the ceiling the one with wheels instead, else None."""
     backend, _, odometry = product.partition("_")
     return f"{backend}_wheel" if odometry in ("visual", "visual_wheel") else None
+
+
+def makes_a_grid(features):
+    """Whether a product of these features makes its map of a log's scans, and needs no camera."""
+    return (features.get("map") == "grid" and features.get("odometry") in ODOMETRY_OF_LOGS
+            and features.get("detector", "none") == "none")
+
+
+def laser_products():
+    """The shipped products that make a grid of a laser's scans."""
+    files = sorted((package_folder("slam_launch") / "products").glob("*.yaml"))
+    return [path.stem for path in files
+            if makes_a_grid(yaml.safe_load(path.read_text(encoding="utf-8")))]

@@ -18,14 +18,19 @@ def workspace_program(package, name):
                      "build it and source its setup.bash")
 
 
-def simulation_file(kind, name):
-    """A file of the package slam_sim (kind: worlds, robots), in its source folder or installed."""
+def package_folder(name):
+    """The folder of a package of ours, in its source folder or installed. Raises BenchError."""
     import rospkg  # only here: the rest of slam_eval needs no ROS
     try:
-        return pathlib.Path(rospkg.RosPack().get_path("slam_sim")) / kind / f"{name}.yaml"
+        return pathlib.Path(rospkg.RosPack().get_path(name))
     except rospkg.ResourceNotFound:
-        raise BenchError(f"the package slam_sim with its {kind} is not there; source the "
-                         "workspace's setup.bash") from None
+        raise BenchError(f"the package {name} is not there; source the workspace's "
+                         "setup.bash") from None
+
+
+def simulation_file(kind, name):
+    """A file of the package slam_sim (kind: worlds, robots)."""
+    return package_folder("slam_sim") / kind / f"{name}.yaml"
 
 
 def system_program(name):

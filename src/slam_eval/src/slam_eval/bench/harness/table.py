@@ -9,15 +9,18 @@ ABSENT = "-"
 
 @dataclasses.dataclass
 class Section:
-    """A part of the result: title, paragraphs (tables are paragraphs) and pictures by caption."""
+    """A part of the result: title, paragraphs (tables are paragraphs) and pictures by caption; a
+    sentence for each thing that failed while others did not."""
 
     title: str
     paragraphs: list = dataclasses.field(default_factory=list)
     pictures: dict = dataclasses.field(default_factory=dict)
+    failures: list = dataclasses.field(default_factory=list)
 
     def markdown(self, folder=None):
         """The section as text; pictures only where the folder of the text is given."""
-        blocks = [f"## {self.title}", *self.paragraphs]
+        blocks = [f"## {self.title}", *self.paragraphs,
+                  *(f"Failed: {failure}" for failure in self.failures)]
         if folder is not None:
             blocks += [f"![{caption}]({pathlib.Path(path).relative_to(folder)})"
                        for caption, path in self.pictures.items()]

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "vo_drift.hpp"
+#include "odometry_drift.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
