@@ -21,6 +21,7 @@ from slam_eval.bench.grid import office as grid_office
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.progress import Progress
 from slam_eval.bench.harness.runs import Context
+from slam_eval.bench.lost import drives as lost_drives
 from slam_eval.bench.pf import circles
 from slam_eval.bench.pf import mrclam as pf_mrclam
 from slam_eval.bench.pf import office as pf_office
@@ -56,6 +57,10 @@ BENCHMARKS = {
         {"intel": intel.measure, "sena": sena.measure,
          "office": grid_office.measure, "scan": scan.measure,
          "threads": threads.measure_grid}, command_line.add_grid),
+    "lost": Benchmark(
+        "whether a robot is lost", "false alarms, and what is told of wrong maps and of robots that "
+        "were carried away, over drives through random buildings",
+        {"drives": lost_drives.measure}, command_line.add_lost),
     "pointmap": Benchmark(
         "the point map", "what a scan into a point map costs, and how thick its walls are",
         {"scan": pointmap.measure_scan, "office": pointmap.measure_office},
