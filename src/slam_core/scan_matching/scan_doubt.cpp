@@ -23,6 +23,9 @@ constexpr double kOfAJump = 6.0;
 constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
 /// Relative to the threshold: up to this the robot counts as right, and its scans are learnt from.
 constexpr double kRight = 0.4;
+/// Relative to the threshold: from here on, and during an alarm, scans that speak for a wrong place
+/// stay out of the map.
+constexpr double kDoubtful = 0.75;
 /// Relative to the threshold: more is not summed up, so that a robot that is right again is told.
 constexpr double kMost = 2.0;
 
@@ -62,7 +65,7 @@ void ScanDoubt::add(double evidence, Stamp stamp) {
 
 bool ScanDoubt::admits() const {
   if (agreement_.contradictingShare() > lost_share_) return false;
-  return !isLost() || evidence_ <= 0.0;
+  return (!isLost() && statistic() < kDoubtful) || evidence_ <= 0.0;
 }
 
 Status ScanDoubt::status() const {
@@ -81,6 +84,7 @@ Status ScanDoubt::status() const {
 }
 
 void ScanDoubt::forget() {
+  usual_ = {};
   sum_ = evidence_ = 0.0;
   lost_since_.reset();
   pose_.reset();

@@ -30,8 +30,8 @@ class ScanDoubt {
 
   /// To be called for each scan, before it goes into the map.
   void judge(const Match& match, Stamp stamp);
-  /// Whether the last scan may go into the map. While the robot is lost, one that rather speaks for
-  /// that may not: the map would be drawn anew around the wrong place.
+  /// Whether the last scan may go into the map. While the robot is lost or nearly so, one that
+  /// rather speaks for that may not: the map would be drawn anew around the wrong place.
   bool admits() const;
   bool isLost() const { return lost_since_.has_value(); }
   /// The scan with which the doubt began that led to the alarm.

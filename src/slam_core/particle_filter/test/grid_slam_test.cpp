@@ -344,6 +344,16 @@ TEST(GridSlam, ARobotCarriedAwayWhileItMapsIsToldLostOrFoundAgain) {
   }
 }
 
+TEST(GridSlam, ARobotCarriedToAPlaceThatLooksAlikeIsToldWithinFiveMetres) {
+  for (const int carried : {60, 70}) {
+    const auto filter = made();
+    RoomDrive drive(20);
+    EXPECT_EQ(countLost(*filter, drive, 2 * kLap), 0);
+    for (int i = 0; i < carried; ++i) drive.next();
+    EXPECT_GT(countLost(*filter, drive, 50), 0) << carried;
+  }
+}
+
 TEST(GridSlam, ARobotCarriedAwayInAFixedMapIsToldLostUntilItGetsANewPose) {
   const auto mapper = made();
   RoomDrive first(21);

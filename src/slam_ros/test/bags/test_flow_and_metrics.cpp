@@ -36,6 +36,24 @@ TEST(MeanEntropy, IsOfTheKnownCellsOnly) {
   EXPECT_NE(metrics.toJson(slam::Duration(1), 0).find("map_entropy_bits"), std::string::npos);
 }
 
+TEST(LostTime, CountsAlarmsAndTheTimeThatTheyLast) {
+  RunMetrics metrics;
+  const auto json = [&] { return nlohmann::json::parse(metrics.toJson(slam::Duration(1), 0)); };
+  EXPECT_FALSE(json().contains("lost_alarms")) << "of back-ends that do not test it";
+  const auto at = [](int s) { return slam::stampFromNanoseconds(s * 1000000000LL); };
+  metrics.addLost(at(100), false);
+  EXPECT_EQ(json()["lost_alarms"], 0);
+  EXPECT_FALSE(json().contains("lost_first_s"));
+  EXPECT_EQ(json()["lost_share_of_time"], 0.0);
+  for (const int s : {102, 103, 104}) metrics.addLost(at(s), true);
+  metrics.addLost(at(106), false);
+  metrics.addLost(at(109), true);
+  metrics.addLost(at(110), true);
+  EXPECT_EQ(json()["lost_alarms"], 2);
+  EXPECT_DOUBLE_EQ(json()["lost_first_s"], 2.0);
+  EXPECT_DOUBLE_EQ(json()["lost_share_of_time"], 0.5);
+}
+
 TEST(FlowWindow, IsFullForOneInputOnlyUntilAcknowledged) {
   FlowWindow window(2);
   for (int ns : {1, 2}) window.sent("motion", stamp(ns));

@@ -24,6 +24,7 @@ from slam_eval.bench.harness.runs import Context
 from slam_eval.bench.harness.table import Section
 from slam_eval.bench.laser import logs as laser_logs
 from slam_eval.bench.laser import odometry as laser_odometry
+from slam_eval.bench.lost import drives as lost_drives
 from slam_eval.bench.pf import circles
 from slam_eval.bench.pf import mrclam as pf_mrclam
 from slam_eval.bench.pf import office as pf_office
@@ -65,6 +66,10 @@ BENCHMARKS = {
         "and drift of laser odometry",
         {"logs": laser_logs.measure, "odometry": laser_odometry.measure},
         command_line.add_laser),
+    "lost": Benchmark(
+        "whether a robot is lost", "false alarms, and what is told of wrong maps and of robots that "
+        "were carried away, over drives through random buildings",
+        {"drives": lost_drives.measure}, command_line.add_lost),
     "pointmap": Benchmark(
         "the point map", "what a scan into a point map costs, and how thick its walls are",
         {"scan": pointmap.measure_scan, "office": pointmap.measure_office},

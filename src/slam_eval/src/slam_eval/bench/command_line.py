@@ -169,6 +169,16 @@ def add_online(parser):
                         help="a nodelet a component or one for all (%(default)s)")
 
 
+def add_lost(parser):
+    """Options of `slam_bench lost`."""
+    parser.add_argument("--product", metavar="NAME", default="scan_grid_wheel",
+                        help="what is measured: a product with a grid and wheels (%(default)s)")
+    parser.add_argument("--drives", metavar="N", type=count, default=20,
+                        help="random buildings, with a drive through each (%(default)s)")
+    parser.add_argument("--first", metavar="SEED", type=count, default=1,
+                        help="seed of the first building (%(default)s)")
+
+
 def parse(arguments, benchmarks):
     """The options of the call; benchmarks: Benchmark by name, the first one counts without name."""
     parser = argparse.ArgumentParser(

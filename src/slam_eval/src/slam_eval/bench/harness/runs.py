@@ -50,16 +50,18 @@ def simulate(context, name, world, seed, sensors, label=None):
 
 
 def run_ours(context, name, bag, robot=None, product=EKF_WHEEL, settings=(),
-             label=None):
+             label=None, load_map=None):
     """Run a product offline on a bag; returns (folder of the run, usage).
 
     robot: its name or file, instead of the one that the bag names.
     settings: section.key=value, instead of the files' values.
+    load_map: the folder of another run, to start with its map.
     """
     folder = context.work / f"{name}_run"
     command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag,
                "--out", folder]
     command += ["--robot", robot] if robot else []
+    command += ["--load-map", load_map] if load_map else []
     command += [word for setting in settings for word in ("--set", setting)]
     usage = call(context, f"{label or name}: {product}", command,
                  context.work / f"{name}_run.log")
