@@ -56,7 +56,15 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan,
         !hasRival(found, map, scan))
       consider(found, kWorthAJump);
   }
-  return best;
+  return believed(best, prior);
+}
+
+Match ScanToMapMatcher::believed(Match match, const PosePrior& prior) const {
+  if (match.agreement.contradictingShare() <= kMostContradict) return match;
+  Match nothing;
+  nothing.pose = prior.pose;
+  nothing.agreement = match.agreement;
+  return nothing;
 }
 
 Match ScanToMapMatcher::matchNearby(const MapView& map, const ScanLevels& scan,

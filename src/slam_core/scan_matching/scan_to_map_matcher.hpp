@@ -37,6 +37,9 @@ class ScanToMapMatcher {
   Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior) const;
 
   // The same in steps, for who searches once for many maps.
+  /// A scan that contradicts most of the map even so tells nothing: the robot is where the prior
+  /// leads.
+  Match believed(Match match, const PosePrior& prior) const;
   /// Without any search.
   Match matchNearby(const MapView& map, const ScanLevels& scan, const PosePrior& prior) const;
   /// Whether so much contradicts the map that a better place is worth a search.

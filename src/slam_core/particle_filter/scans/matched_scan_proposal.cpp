@@ -63,6 +63,7 @@ ScanDraft MatchedScanProposal::propose(const ScanInMap& scan, const PoseGaussian
   auto match = matcher_.matchNearby(scan.map, scan.scan, wide);
   if (elsewhere && matcher_.isDoubtful(match))
     match = matcher_.orAround(prior.mean * *elsewhere, scan.map, scan.scan, match);
+  match = matcher_.believed(match, wide);
   if (!match.is_determined) return {prior, scan.log(prior.mean)};
   const Eigen::Matrix3d posterior = wide.information + match.information;
   const double log_shrinking =

@@ -199,12 +199,11 @@ TEST_P(LaserTrouble, GlassAndPeople) {
   EXPECT_TRUE(isRight(last.truth, 0.15));
 }
 
-/// The particle filter may go where such a scan fits by chance, and is less sure from then on.
 TEST_P(LaserTrouble, OneScanTurnedOnItsHead) {
   run(drive, 40);
   run(drive, 1, [](auto& step) { test::mirror(step.scan); });
   const auto last = run(drive, 40);
-  EXPECT_TRUE(GetParam().name == "pf_wheel" || isRight(last.truth));
+  EXPECT_TRUE(isRight(last.truth));
 }
 
 /// Nobody can tell the world from its mirror image once the map is drawn anew.
