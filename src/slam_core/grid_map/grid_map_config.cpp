@@ -15,7 +15,7 @@ void GridMapConfig::describe(Fields& fields) {
       .add("usable_range", &usable_range,
            "what a beam meets further away is not mapped and not matched")
       .unit("m")
-      .in(Range::above(0));
+      .in(Range{0, 1000, true, false});
   fields
       .add("free_range", &free_range,
            "up to here a beam that met nothing tells that there is nothing; 0: it tells nothing, "
@@ -41,7 +41,7 @@ void GridMapConfig::describe(Fields& fields) {
       .in(Range::open(0.5, 0.9995));
   fields.add("sigma", &sigma, "standard deviation of the distance of a beam's end from what it met")
       .unit("m")
-      .in(Range::above(0));
+      .in(Range{0, 0.5, true, false});
   fields
       .add("largest_area", &largest_area,
            "of the rectangle that holds the map; what lies beyond is not mapped")

@@ -7,6 +7,7 @@
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/geometry/covariance.hpp"
 #include "slam_core/grid_map/grid_conversion.hpp"
 
 namespace slam::grid_slam {
@@ -20,10 +21,6 @@ const Registrar<Backend, GridSlam> kRegistrar("grid");
 const SectionRegistrar<GridSlamConfig> kSectionRegistrar;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
-
-constexpr int kManyUnmatched = 10;  // scans in a row
-
-Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
 
 }  // namespace
 
@@ -39,7 +36,7 @@ void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapCo
   models_ = scan_matching::levelModels(grid);
   spacing_ = matcher.spacing;
   tracker_ = scan_matching::ScanTracker(matcher);
-  doubt_ = scan_matching::ScanDoubt(config.lost_share, matcher.false_alarm_hours);
+  doubt_ = scan_matching::ScanDoubt(config.lost_share, matcher.false_alarm_hours, mapIsFixed());
   trigger_ = {config.insert_distance, config.insert_angle};
   drift_ =
       mapIsFixed() ? MapDrift(0.0, 0.0) : MapDrift(config.drift_position, config.drift_heading);
@@ -79,7 +76,7 @@ void GridSlam::reset() {
   drift_.restart({Pose2(), sigma.cwiseAbs2().asDiagonal()});
   carried_.reset();
   doubt_.forget();
-  unmatched_in_a_row_ = 0;
+  watch_.restart();
   inputs_ = {};
   counters_.clear();
 }
@@ -122,7 +119,7 @@ void GridSlam::relocate() {
   trigger_.restart();
   carried_.reset();
   doubt_.forget();
-  unmatched_in_a_row_ = 0;
+  watch_.restart();
 }
 
 void GridSlam::move() {
@@ -131,13 +128,9 @@ void GridSlam::move() {
 }
 
 Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
-  const auto found =
-      tracker_.track(map_->view(), scan, stamp, std::exchange(carried_, std::nullopt));
-  const bool is_unmatched = !map_->isEmpty() && !found.is_determined;
-  if (is_unmatched) counters_.add("unmatched");
-  unmatched_in_a_row_ = is_unmatched ? unmatched_in_a_row_ + 1 : 0;
-  if (found.was_searched) counters_.add("searched");
-  if (found.jumped) counters_.add("jumped");
+  const auto motion = std::exchange(carried_, std::nullopt);
+  const auto found = tracker_.track(map_->view(), scan, stamp, motion);
+  watch_.note(scan, map_->isEmpty(), found, motion.has_value(), counters_);
   doubt_.judge(found, stamp);
   return found;
 }
@@ -183,11 +176,7 @@ Status GridSlam::onTheWhole() const {
   if (mapIsFixed() && map_->isEmpty())
     return Status::warning("there is no map to localise in; load one");
   if (const auto told = doubt_.status(); !told.isOk()) return told;
-  if (unmatched_in_a_row_ >= kManyUnmatched)
-    return Status::warning(
-        "the last scans fit nothing in the map, so that motion alone tells the pose: check whether "
-        "the laser is blind, and scan_to_map.spacing and grid_map.usable_range");
-  return Status::ok();
+  return watch_.status();
 }
 
 PoseEstimate GridSlam::pose() const {

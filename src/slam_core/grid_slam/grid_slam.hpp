@@ -17,6 +17,7 @@
 #include "slam_core/scan_matching/scan_doubt.hpp"
 #include "slam_core/scan_matching/scan_map.hpp"
 #include "slam_core/scan_matching/scan_tracker.hpp"
+#include "slam_core/scan_matching/scan_watch.hpp"
 
 namespace slam::grid_slam {
 
@@ -25,10 +26,8 @@ namespace slam::grid_slam {
 /// loop is closed: the map is as good as the scans follow one another.
 ///
 /// The told covariance is that of the robot among the parts of the map around it, and that of these
-/// parts (MapDrift). Counted: "unmatched" scans, that fit nothing: motion alone tells where they go
-/// into the map; "searched" ones; "jumped" ones, found by a wide search;
-/// "contradicting" ones, which do not go into the map;
-/// "beams_beyond_map".
+/// parts (MapDrift). Counted: as ScanWatch; "contradicting" scans, which do not go into the map;
+/// "scans_without_memory"; "beams_beyond_map".
 class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
  public:
   /// @throw ConfigError
@@ -85,7 +84,7 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
   scan_matching::MapDrift drift_{0.0, 0.0};
   std::optional<Motion> carried_;  ///< since the last scan
   scan_matching::ScanDoubt doubt_;
-  int unmatched_in_a_row_ = 0;  ///< up to the last scan
+  scan_matching::ScanWatch watch_;
   Inputs inputs_;
   Counters counters_;
 };

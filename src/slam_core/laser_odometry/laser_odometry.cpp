@@ -20,8 +20,7 @@ const Registrar<OdometrySource, LaserOdometry> kRegistrar("laser");
 const SectionRegistrar<LaserOdometryConfig> kSectionRegistrar;
 
 constexpr Duration kLongestGap = std::chrono::seconds(10);
-constexpr double kMostContradict = 0.5;  // of the ends in known cells
-constexpr double kSlipLeaves = 0.25;     // of the prior's weight
+constexpr double kSlipLeaves = 0.25;  // of the prior's weight
 /// Of a motion, so that it is never certain [m^2, rad^2].
 constexpr double kLeastVariance = 1e-8;
 
@@ -67,7 +66,7 @@ void LaserOdometry::reset() {
   last_sure_.reset();
   ahead_.reset();
   agreement_ = {};
-  has_slipped_ = false;
+  is_sure_ = has_slipped_ = false;
   motion_.reset();
   next_sequence_ = 0;
   counters_.clear();
@@ -82,11 +81,11 @@ Status LaserOdometry::execute() {
   const auto told = last_ && source_ ? source_(*last_, stamp) : std::nullopt;
   const Pose2 before = tracker_.robot().pose;
   const auto found = tracker_.track(map_->view(), points, stamp, told);
-  const bool is_sure = !map_->view().isEmpty() && judge(found, told.has_value());
-  if (last_) motion_ = motionTo(stamp, before, is_sure, told.has_value());
-  learn(points, stamp, is_sure);
+  is_sure_ = !map_->view().isEmpty() && judge(found, told.has_value());
+  if (last_) motion_ = motionTo(stamp, before, told.has_value());
+  learn(points, stamp);
   last_ = stamp;
-  return explain(stamp);
+  return explain();
 }
 
 /// A scan that is stamped wrongly, far ahead, must not make the rest late: it waits for another one
@@ -110,7 +109,7 @@ bool LaserOdometry::isLate(Stamp stamp) {
 
 bool LaserOdometry::judge(const Match& found, bool is_told) {
   agreement_ = found.agreement;
-  const bool contradicts = found.agreement.contradictingShare() > kMostContradict;
+  const bool contradicts = found.agreement.mostlyContradicts();
   has_slipped_ = is_told && found.is_determined && !contradicts && found.prior_weight < kSlipLeaves;
   if (!found.is_determined) counters_.add("unmatched");
   if (found.was_searched) counters_.add("searched");
@@ -119,7 +118,7 @@ bool LaserOdometry::judge(const Match& found, bool is_told) {
   return found.is_determined && !contradicts;
 }
 
-Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, bool is_sure, bool is_told) {
+Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, bool is_told) {
   const auto& step = tracker_.step();
   Motion motion;
   motion.sequence = next_sequence_++;
@@ -129,19 +128,19 @@ Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, bool is_sure, b
   motion.covariance = step.covariance + kLeastVariance * Eigen::Matrix3d::Identity();
   motion.odometry_start = before;
   motion.odometry_end = tracker_.robot().pose;
-  if (is_sure || is_told) return motion;
+  if (is_sure_ || is_told) return motion;
   const double dt = seconds(stamp - *last_);
   const double way = config_.max_speed * dt, turn = std::min(config_.max_turn_rate * dt, M_PI);
   motion.covariance.diagonal() += Eigen::Vector3d(way * way, way * way, turn * turn);
   return motion;
 }
 
-void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp, bool is_sure) {
+void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp) {
   if (scan[0].beams.empty()) return;
   const auto& pose = tracker_.robot().pose;
-  if (is_sure) last_sure_ = stamp;
+  if (is_sure_) last_sure_ = stamp;
   const bool is_elsewhere =
-      !is_sure && seconds(stamp - last_sure_.value_or(stamp)) > config_.patience;
+      !is_sure_ && seconds(stamp - last_sure_.value_or(stamp)) > config_.patience;
   if (is_elsewhere) {
     map_->reset();
     last_sure_ = stamp;
@@ -149,15 +148,15 @@ void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp, bool is_sure) {
   }
   const bool is_first = map_->view().isEmpty();
   if (is_first) last_sure_ = stamp;
-  if (!is_elsewhere && !is_first && !(is_sure && trigger_.isDue(pose))) return;
+  if (!is_elsewhere && !is_first && !(is_sure_ && trigger_.isDue(pose))) return;
   map_->insert(scan, pose);
   trigger_.note(pose);
 }
 
-Status LaserOdometry::explain(Stamp stamp) const {
+Status LaserOdometry::explain() const {
   const std::string instead =
       source_ ? "; the wheels' motion is used meanwhile" : "; the last velocity is used meanwhile";
-  if (last_sure_ != stamp && motion_)
+  if (!is_sure_ && motion_)
     return Status::warning(
         "the laser's scans do not tell the robot's motion: they fit nothing of "
         "what was seen before" +

@@ -46,9 +46,9 @@ class LaserOdometry final : public OdometrySource {
   bool isLate(Stamp stamp);
   /// Whether the scan tells where the robot is.
   bool judge(const scan_matching::Match& found, bool is_told);
-  Motion motionTo(Stamp stamp, const Pose2& before, bool is_sure, bool is_told);
-  void learn(const scan_matching::ScanLevels& scan, Stamp stamp, bool is_sure);
-  Status explain(Stamp stamp) const;
+  Motion motionTo(Stamp stamp, const Pose2& before, bool is_told);
+  void learn(const scan_matching::ScanLevels& scan, Stamp stamp);
+  Status explain() const;
 
   LaserOdometryConfig config_;
   double spacing_ = 0.0;
@@ -61,6 +61,7 @@ class LaserOdometry final : public OdometrySource {
   std::optional<Stamp> last_, last_sure_;  ///< scan; scan that told where the robot is
   std::optional<Stamp> ahead_;          ///< of a scan whose stamp jumped, until another confirms it
   scan_matching::Agreement agreement_;  ///< of the last scan
+  bool is_sure_ = false;                ///< the last scan told where the robot is
   bool has_slipped_ = false;            ///< on the way to the last scan
   std::optional<Motion> motion_;
   std::uint64_t next_sequence_ = 0;

@@ -53,6 +53,8 @@ Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap&
       ++agreement.agreeing;
     else if (is_known ? tile->log_odds[at] <= surely_free : isStopped(map, origin, end))
       ++agreement.contradicting;
+    else
+      ++agreement.silent;
   }
   return agreement;
 }

@@ -15,6 +15,7 @@ namespace slam::scan_matching {
 /// through a surface. Other ends in the unknown say nothing.
 struct Agreement {
   int agreeing = 0, contradicting = 0;
+  int silent = 0;  ///< ends in the unknown that say nothing
 
   int known() const { return agreeing + contradicting; }
   int surplus() const { return agreeing - contradicting; }
@@ -23,6 +24,8 @@ struct Agreement {
     constexpr int kEnough = 10;
     return known() < kEnough ? 0.0 : static_cast<double>(contradicting) / known();
   }
+  /// Such a scan does not tell where the robot is.
+  bool mostlyContradicts() const { return contradictingShare() > 0.5; }
 };
 
 /// @param model of the beams that the map is made of

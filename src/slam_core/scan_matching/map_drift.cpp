@@ -3,7 +3,6 @@
 
 #include "slam_core/scan_matching/map_drift.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace slam::scan_matching {
@@ -21,19 +20,20 @@ std::uint64_t squareOf(const Pose2& pose, int right, int up) {
 }  // namespace
 
 void MapDrift::restart(const PoseEstimate& first) {
-  places_.assign(1, first);
+  last_ = first;
   oldest_.clear();
-  oldest_.emplace(squareOf(first.pose, 0, 0), 0);
+  oldest_.emplace(squareOf(first.pose, 0, 0), Place{0, first});
 }
 
 const PoseEstimate& MapDrift::nearest(const Pose2& pose) const {
-  auto oldest = places_.size() - 1;
+  const Place* oldest = nullptr;
   for (int right = -1; right <= 1; ++right)
     for (int up = -1; up <= 1; ++up) {
       const auto found = oldest_.find(squareOf(pose, right, up));
-      if (found != oldest_.end()) oldest = std::min(oldest, found->second);
+      if (found == oldest_.end()) continue;
+      if (oldest == nullptr || found->second.age_rank < oldest->age_rank) oldest = &found->second;
     }
-  return places_[oldest];
+  return oldest == nullptr ? last_ : oldest->pose;
 }
 
 Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
@@ -47,8 +47,8 @@ Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
 }
 
 void MapDrift::add(const Pose2& pose) {
-  places_.push_back({pose, covarianceAt(pose)});
-  oldest_.emplace(squareOf(pose, 0, 0), places_.size() - 1);
+  last_ = {pose, covarianceAt(pose)};
+  oldest_.emplace(squareOf(pose, 0, 0), Place{oldest_.size(), last_});
 }
 
 }  // namespace slam::scan_matching

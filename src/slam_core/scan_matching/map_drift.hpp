@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <unordered_map>
-#include <vector>
 
 #include "slam_core/models/landmark_map.hpp"
 
@@ -34,8 +33,12 @@ class MapDrift {
   const PoseEstimate& nearest(const Pose2& pose) const;
 
   Eigen::Vector3d variance_per_metre_;
-  std::vector<PoseEstimate> places_;
-  std::unordered_map<std::uint64_t, std::size_t> oldest_;  ///< of each square of the plane
+  struct Place {
+    std::size_t age_rank;  ///< the oldest: 0
+    PoseEstimate pose;
+  };
+  std::unordered_map<std::uint64_t, Place> oldest_;  ///< of each square of the plane
+  PoseEstimate last_;
 };
 
 }  // namespace slam::scan_matching

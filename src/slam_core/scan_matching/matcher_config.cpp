@@ -36,11 +36,12 @@ void MatcherConfig::describe(Fields& fields) {
       .unit("rad")
       .in(Range::closed(0.05, 3.1416));
   fields
-      .add("wide_position", &wide_position,
-           "half the edge of the window where most ends contradict the map, as after wheels that "
-           "stood still while the robot moved")
+      .add(
+          "wide_position", &wide_position,
+          "half the edge of the window where many ends contradict the map, as after wheels that "
+          "stood still while the robot moved, or where a long loop has come round to its beginning")
       .unit("m")
-      .in(Range::closed(0.05, 5));
+      .in(Range::closed(0.05, 20));
   fields.add("wide_heading", &wide_heading, "half the angle of that window")
       .unit("rad")
       .in(Range::closed(0.05, 3.1416));

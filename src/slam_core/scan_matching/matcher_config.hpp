@@ -17,7 +17,7 @@ struct MatcherConfig {
   double doubt_share = 0.1;
   double window_position = 0.4;
   double window_heading = 0.4;
-  double wide_position = 4.0;
+  double wide_position = 6.0;
   double wide_heading = 1.6;
   double false_alarm_hours = 1000.0;
 

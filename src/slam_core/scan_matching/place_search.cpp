@@ -39,15 +39,25 @@ int levelsFor(std::int32_t reach) {
   return levels;
 }
 
+double furthestOf(const grid_map::ScanPoints& scan) {
+  double furthest = 1.0;
+  for (const auto& end : scan.ends) furthest = std::max(furthest, end.norm());
+  return furthest;
+}
+
 /// So close that between two headings no end moves by much more than a cell.
 double headingStep(const grid_map::ScanPoints& scan) {
   constexpr double kLeast = 0.005;
-  double furthest = 1.0;
-  for (const auto& end : scan.ends) furthest = std::max(furthest, end.norm());
-  return std::max(kLeast, 1.0 / furthest);
+  return std::max(kLeast, 1.0 / furthestOf(scan));
 }
 
 }  // namespace
+
+bool PlaceSearch::isWithinMemory(const grid_map::ScanPoints& scan, const SearchWindow& window) {
+  constexpr double kMostCells = 1e7;  // of a raster, of which there are kMostLevels
+  const double edge = 2.0 * (furthestOf(scan) + scan.cells_per_metre * window.position);
+  return edge * edge <= kMostCells;
+}
 
 PlaceSearch::PlaceSearch(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
                          const Pose2& middle, const SearchWindow& window)
@@ -56,7 +66,7 @@ PlaceSearch::PlaceSearch(const grid_map::GridMap& map, const grid_map::ScanPoint
       cells_per_metre_(scan.cells_per_metre),
       reach_(static_cast<std::int32_t>(std::ceil(window.position * scan.cells_per_metre))),
       logs_(likelihoodLogs()) {
-  if (scan.ends.empty() || !scan.isOnMap(middle)) return;
+  if (scan.ends.empty() || !scan.isOnMap(middle) || !isWithinMemory(scan, window)) return;
   const auto ends = turn(scan);
   CellIndex least = ends.front().front(), most = least;
   for (const auto& turned : ends)

@@ -32,6 +32,9 @@ class PlaceSearch {
   PlaceSearch(const grid_map::GridMap& map, const grid_map::ScanPoints& scan, const Pose2& middle,
               const SearchWindow& window);
 
+  /// Whether the rasters stay within some hundred megabytes; where not, nothing is found.
+  static bool isWithinMemory(const grid_map::ScanPoints& scan, const SearchWindow& window);
+
   /// T_map_base, to a cell.
   std::optional<Pose2> best() const;
   /// The best one among those that lie further from `place` than `apart` in position or in heading.

@@ -19,6 +19,8 @@ constexpr double kMostOfAScan = 6.0;
 /// A wide search finds a robot that was carried in one case of two, and something in one of 800
 /// scans else.
 constexpr double kOfAJump = 6.0;
+/// A place that a loaded map does not show is less usual than a wrong pose.
+constexpr double kOfNothingKnown = 1.0;
 /// A scan is independent of another one after this way, turn, or time, in which people walk on.
 constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
 /// Relative to the threshold: up to this the robot counts as right, and its scans are learnt from.
@@ -31,7 +33,8 @@ constexpr double kMost = 2.0;
 
 }  // namespace
 
-ScanDoubt::ScanDoubt(double lost_share, double false_alarm_hours) : lost_share_(lost_share) {
+ScanDoubt::ScanDoubt(double lost_share, double false_alarm_hours, bool map_is_fixed)
+    : lost_share_(lost_share), map_is_fixed_(map_is_fixed) {
   constexpr double kScansInAnHour = 3600.0;  // independent ones of a robot under way: one a second
   threshold_ = std::log(kScansInAnHour * false_alarm_hours);
 }
@@ -40,13 +43,18 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   const double weight = weightOf(match.pose, stamp);
   agreement_ = match.agreement;
   jumped_ = match.jumped;
-  evidence_ =
-      std::clamp(kLost.logLikelihood(agreement_) - usual_.distribution().logLikelihood(agreement_),
-                 -kMostOfAScan, kMostOfAScan);
+  evidence_ = evidenceOf(match);
   add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
   if (statistic() < kRight) usual_.learn(agreement_, weight);
   pose_ = match.pose;
   stamp_ = stamp;
+}
+
+double ScanDoubt::evidenceOf(const Match& match) const {
+  const auto& seen = match.agreement;
+  if (map_is_fixed_ && !match.is_determined && seen.silent > seen.known()) return kOfNothingKnown;
+  return std::clamp(kLost.logLikelihood(seen) - usual_.distribution().logLikelihood(seen),
+                    -kMostOfAScan, kMostOfAScan);
 }
 
 double ScanDoubt::weightOf(const Pose2& pose, Stamp stamp) const {

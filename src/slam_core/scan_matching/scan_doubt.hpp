@@ -25,8 +25,9 @@ class ScanDoubt {
  public:
   /// @param lost_share of the ends in known cells; a scan of which more contradicts the map does
   /// not go into it @param false_alarm_hours mean time between two false alarms, of a robot under
-  /// way [h]
-  explicit ScanDoubt(double lost_share = 0.5, double false_alarm_hours = 1000.0);
+  /// way [h] @param map_is_fixed in it, scans that fit nothing speak for "lost"
+  explicit ScanDoubt(double lost_share = 0.5, double false_alarm_hours = 1000.0,
+                     bool map_is_fixed = false);
 
   /// To be called for each scan, before it goes into the map.
   void judge(const Match& match, Stamp stamp);
@@ -52,9 +53,11 @@ class ScanDoubt {
  private:
   /// Of the last scan, in independent ones; 1 at most.
   double weightOf(const Pose2& pose, Stamp stamp) const;
+  double evidenceOf(const Match& match) const;
   void add(double evidence, Stamp stamp);
 
   double lost_share_, threshold_;
+  bool map_is_fixed_;
   UsualFit usual_;
   double sum_ = 0.0;
   double evidence_ = 0.0;  ///< of the last scan

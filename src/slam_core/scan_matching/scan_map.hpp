@@ -25,9 +25,9 @@ using LevelModels = std::array<grid_map::BeamModel, kLevels>;
 /// @param config of the finest, valid
 LevelModels levelModels(const grid_map::GridMapConfig& config);
 /// @param spacing of the ends to match in the finest [m]
+ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spacing);
 /// That a scan may need where a map has nothing yet, all levels together.
 double mostBytesFor(const ScanLevels& scan);
-ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spacing);
 
 /// A map in several resolutions, whoever owns it; the finest first.
 struct MapView {

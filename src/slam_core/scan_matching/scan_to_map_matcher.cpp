@@ -13,7 +13,8 @@ namespace {
 
 /// Of all ends: where as many agree with the map, the coarse resolution would tell nothing new.
 constexpr double kSettled = 0.9;
-constexpr double kMostContradict = 0.5;
+/// Of the ends in known cells: where more contradict the map, a wide search is worth its time.
+constexpr double kManyContradict = 0.3;
 /// By how much better a place must fit that the prior did not lead to, of all ends: among many
 /// places some fit by chance.
 constexpr double kWorthAStep = 0.05, kWorthAJump = 0.4;
@@ -33,44 +34,59 @@ grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
   return scan;
 }
 
+/// In the finest resolution that leaves it within memory.
+PlaceSearch searchOf(const MapView& map, const ScanLevels& scan, const Pose2& middle,
+                     const SearchWindow& window) {
+  const std::size_t level = PlaceSearch::isWithinMemory(scan[0], window) ? 0 : 1;
+  return {map.levels[level].map, thinned(scan[level]), middle, window};
+}
+
+double endsOf(const ScanLevels& scan) { return static_cast<double>(scan[0].ends.size()); }
+
 bool isBetter(const Match& found, const Match& best, double surplus) {
-  return found.agreement.surplus() > best.agreement.surplus() + surplus;
+  return found.is_determined && found.agreement.surplus() > best.agreement.surplus() + surplus;
 }
 
 }  // namespace
 
-Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan,
-                              const PosePrior& prior) const {
+Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
+                              bool may_seek_widely) const {
   auto best = matchNearby(map, scan, prior);
-  const auto ends = static_cast<double>(scan[0].ends.size());
-  const auto consider = [&best, ends](const Match& found, double worth) {
-    if (isBetter(found, best, worth * ends)) best = found;
-  };
-  if (isDoubtful(best))
-    consider(searched(map, scan, prior.pose, config_.window_position, config_.window_heading),
-             kWorthAStep);
-  if (best.agreement.contradictingShare() > kMostContradict) {
-    auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
-    found.jumped = prior.pose.between(found.pose);
-    if (found.agreement.agreeing > kExplained * ends && !isDoubtful(found) &&
-        !hasRival(found, map, scan))
-      consider(found, kWorthAJump);
+  if (isDoubtful(best)) {
+    const auto found =
+        searched(map, scan, prior.pose, config_.window_position, config_.window_heading);
+    if (isBetter(found, best, kWorthAStep * endsOf(scan))) best = found;
   }
+  if (may_seek_widely && best.agreement.contradictingShare() > kManyContradict)
+    best = soughtWidely(map, scan, prior, best);
   return believed(best, prior);
 }
 
+Match ScanToMapMatcher::soughtWidely(const MapView& map, const ScanLevels& scan,
+                                     const PosePrior& prior, const Match& nearby) const {
+  auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
+  found.jumped = prior.pose.between(found.pose);
+  const bool is_worth_it =
+      found.agreement.agreeing > kExplained * endsOf(scan) && !isDoubtful(found) &&
+      isBetter(found, nearby, kWorthAJump * endsOf(scan)) && !hasRival(found, map, scan);
+  auto best = is_worth_it ? found : nearby;
+  best.was_sought_widely = true;
+  return best;
+}
+
 Match ScanToMapMatcher::believed(Match match, const PosePrior& prior) const {
-  if (match.agreement.contradictingShare() <= kMostContradict) return match;
+  if (!match.agreement.mostlyContradicts()) return match;
   Match nothing;
   nothing.pose = prior.pose;
   nothing.agreement = match.agreement;
+  nothing.was_sought_widely = match.was_sought_widely;
   return nothing;
 }
 
 Match ScanToMapMatcher::matchNearby(const MapView& map, const ScanLevels& scan,
                                     const PosePrior& prior) const {
   const auto best = refined(map, scan, prior.pose, prior);
-  if (best.agreement.agreeing >= kSettled * static_cast<double>(scan[0].ends.size())) return best;
+  if (best.agreement.agreeing >= kSettled * endsOf(scan)) return best;
   const auto coarse =
       registerScan(map.levels[1].map, scan[1], prior.pose, prior, kCoarser * config_.sigma);
   if (!coarse.isDetermined()) return best;
@@ -86,7 +102,7 @@ Match ScanToMapMatcher::orAround(const Pose2& place, const MapView& map, const S
                                  const Match& nearby) const {
   const auto found =
       refinedWithin(map, scan, place, config_.window_position, config_.window_heading);
-  const double worth = kWorthAStep * static_cast<double>(scan[0].ends.size());
+  const double worth = kWorthAStep * endsOf(scan);
   return isBetter(found, nearby, worth) ? found : nearby;
 }
 
@@ -96,9 +112,12 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
   const auto fine = registerScan(grid, scan[0], start, prior, config_.sigma);
   Match match;
   match.is_determined = fine.isDetermined();
-  match.pose = match.is_determined ? fine.pose : start;
-  match.information = fine.information / config_.correlation;
-  match.prior_weight = fine.prior_weight;
+  match.pose = start;
+  if (match.is_determined) {
+    match.pose = fine.pose;
+    match.information = fine.information / config_.correlation;
+    match.prior_weight = fine.prior_weight;
+  }
   match.agreement = agreementOf(model, grid, scan[0], match.pose);
   return match;
 }
@@ -106,16 +125,16 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
 bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map,
                                 const ScanLevels& scan) const {
   constexpr SearchWindow kAround{10.0, M_PI}, kApart{0.5, 0.3};  // [m], [rad]
-  const PlaceSearch search(map.finest().map, thinned(scan[0]), found.pose, kAround);
+  const auto search = searchOf(map, scan, found.pose, kAround);
   const auto place = search.bestApartFrom(found.pose, kApart);
   if (!place) return false;
   const auto rival = refinedWithin(map, scan, *place, kApart.position, kApart.heading);
-  return !isBetter(found, rival, kBetterThanRivals * static_cast<double>(scan[0].ends.size()));
+  return !isBetter(found, rival, kBetterThanRivals * endsOf(scan));
 }
 
 Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, const Pose2& middle,
                                  double position, double heading) const {
-  const PlaceSearch search(map.finest().map, thinned(scan[0]), middle, {position, heading});
+  const auto search = searchOf(map, scan, middle, {position, heading});
   return refinedWithin(map, scan, search.best().value_or(middle), position, heading);
 }
 
@@ -125,6 +144,7 @@ Match ScanToMapMatcher::refinedWithin(const MapView& map, const ScanLevels& scan
   const Eigen::Vector3d sigma(position, position, heading);
   const PosePrior found{middle, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
   auto match = refined(map, scan, found.pose, found);
+  if (!match.is_determined) return match;
   match.information += found.information;
   match.prior_weight = 0.0;
   match.was_searched = true;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/geometry/covariance.hpp"
 #include "slam_core/scan_matching/motion_prior.hpp"
 
 namespace slam::scan_matching {
@@ -26,8 +27,6 @@ Eigen::Matrix3d noiseOfVelocity(Duration interval) {
   const double way = kAcceleration * squared, turn = kTurningAcceleration * squared;
   return Eigen::Vector3d(way * way, way * way, turn * turn).asDiagonal();
 }
-
-Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
 
 /// Of the error of a prior, in each of the robot's directions, what a scan determines.
 Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
@@ -60,10 +59,12 @@ void ScanTracker::restart(const PoseEstimate& place) {
   robot_ = place;
   step_ = {};
   stamp_.reset();
+  sought_widely_.reset();
   slip_ = {};
   sweeps_ = {};
   velocity_.setZero();
   shares_.setZero();
+  was_known_.setConstant(true);
   unconfirmed_.setZero();
 }
 
@@ -90,8 +91,10 @@ Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp
   if (told) unconfirmed_.setZero();
   const auto motion = told ? *told : motionOf(interval);
   const Pose2 before = robot_.pose;
-  const auto found = map.isEmpty() ? move(motion) : match(map, scan, motion, told.has_value());
-  if (interval > Duration::zero()) follow(before.between(found.pose), interval);
+  const auto found =
+      map.isEmpty() ? move(motion) : match(map, scan, stamp, motion, told.has_value());
+  if (interval > Duration::zero())
+    learnVelocity(before.between(found.pose), interval, found.jumped.has_value());
   stamp_ = stamp;
   return found;
 }
@@ -103,31 +106,37 @@ Match ScanTracker::move(const Motion& motion) {
   found.pose = robot_.pose.compose(motion.increment, &J_pose, &J_u);
   shares_.setZero();
   step_ = {motion.increment, motion.covariance, Eigen::Matrix3d::Identity()};
-  robot_ = {found.pose, symmetric(J_pose * robot_.covariance * J_pose.transpose() +
-                                  J_u * motion.covariance * J_u.transpose())};
+  robot_ = {found.pose, withinATurn(symmetric(J_pose * robot_.covariance * J_pose.transpose() +
+                                              J_u * motion.covariance * J_u.transpose()))};
   return found;
 }
 
-Match ScanTracker::match(const MapView& map, const ScanLevels& scan, const Motion& motion,
-                         bool is_told) {
+bool ScanTracker::maySeekWidely(Stamp stamp) const {
+  constexpr Duration kPause = std::chrono::milliseconds(500);
+  return !sought_widely_ || stamp - *sought_widely_ >= kPause || stamp < *sought_widely_;
+}
+
+Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp,
+                         const Motion& motion, bool is_told) {
   const Eigen::Matrix3d noise =
       motion.covariance + (is_told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);
   auto prior = priorAfter(robot_.pose, robot_.covariance, motion.increment, noise);
   prior.is_measured = is_told;
-  const auto found = matcher_.match(map, scan, prior);
+  const auto found = matcher_.match(map, scan, prior, maySeekWidely(stamp));
+  if (found.was_sought_widely) sought_widely_ = stamp;
   if (is_told && found.is_determined)
     slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
   const auto usual = SlipEstimate().covarianceOf(motion.increment);
   shares_ =
       sharesOf(found, priorAfter(robot_.pose, Eigen::Matrix3d::Zero(), motion.increment, usual));
-  take(found, prior, motion, noise);
+  update(found, prior, motion, noise);
   return found;
 }
 
 // F, G: Jacobians of the motion by the pose before and by the increment; K: the part of an error of
 // the prior that the scan takes out; J_before, J_after: those of the step by the two poses.
-void ScanTracker::take(const Match& found, const PosePrior& prior, const Motion& motion,
-                       const Eigen::Matrix3d& noise) {
+void ScanTracker::update(const Match& found, const PosePrior& prior, const Motion& motion,
+                         const Eigen::Matrix3d& noise) {
   const Eigen::Matrix3d prior_left = found.prior_weight * prior.information;
   const Eigen::Matrix3d P = symmetric((prior_left + found.information).inverse());
   const Eigen::Matrix3d left = P * prior_left;  // I - K
@@ -138,19 +147,21 @@ void ScanTracker::take(const Match& found, const PosePrior& prior, const Motion&
   const Eigen::Matrix3d B = step_.of_motion = J_after * left * G;
   step_.covariance = symmetric(A * robot_.covariance * A.transpose() + B * noise * B.transpose() +
                                J_after * P * found.information * P * J_after.transpose());
-  robot_ = {found.pose, P};
+  robot_ = {found.pose, withinATurn(P)};
 }
 
-void ScanTracker::follow(const Pose2& step, Duration interval) {
+void ScanTracker::learnVelocity(const Pose2& step, Duration interval, bool is_correction) {
   const double dt = seconds(interval);
   const Eigen::Vector3d seen = step.log() / std::max(kLeast, dt);
-  const auto is_confirmed = (shares_.array() > kConfirmed).eval();
-  const Eigen::Vector3d shares = is_confirmed.select(1.0, shares_.array());
+  const auto is_known = (shares_.array() > kConfirmed).eval();
+  if (is_correction) was_known_.setConstant(false);
+  const Eigen::Array3d shares = was_known_.select(is_known.select(1.0, shares_.array()), 0.0);
   if (shares_.isZero())
     velocity_ *= kFading;
   else
-    velocity_ += shares.cwiseProduct(seen - velocity_);
-  unconfirmed_ = is_confirmed.select(0.0, unconfirmed_ + dt);
+    velocity_.array() += shares * (seen - velocity_).array();
+  unconfirmed_ = (is_known && was_known_).select(0.0, unconfirmed_ + dt);
+  was_known_ = is_known;
 }
 
 bool InsertionTrigger::isDue(const Pose2& pose) const {

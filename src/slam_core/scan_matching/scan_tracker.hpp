@@ -58,22 +58,28 @@ class ScanTracker {
  private:
   Motion motionOf(Duration interval) const;
   Match move(const Motion& motion);
-  Match match(const MapView& map, const ScanLevels& scan, const Motion& motion, bool is_told);
+  Match match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Motion& motion,
+              bool is_told);
+  /// A robot that is lost is not sought widely with each scan: others must go on.
+  bool maySeekWidely(Stamp stamp) const;
   /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
-  void take(const Match& found, const PosePrior& prior, const Motion& motion,
-            const Eigen::Matrix3d& noise);
-  /// Notes the velocity of the step to the last scan.
-  void follow(const Pose2& step, Duration interval);
+  void update(const Match& found, const PosePrior& prior, const Motion& motion,
+              const Eigen::Matrix3d& noise);
+  /// From the step to the last scan, where both poses were known: else it corrects the one before.
+  void learnVelocity(const Pose2& step, Duration interval, bool is_correction);
 
   ScanToMapMatcher matcher_;
   PoseEstimate robot_;
   ScanStep step_;
   SlipEstimate slip_;
-  std::optional<Stamp> stamp_;  ///< of the last scan
+  std::optional<Stamp> stamp_;          ///< of the last scan
+  std::optional<Stamp> sought_widely_;  ///< the last time
   SweepInterval sweeps_;
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();   ///< of the body [m/s, m/s, rad/s]
-  Eigen::Vector3d shares_ = Eigen::Vector3d::Zero();     ///< of a usual step, what the last scan
-                                                         ///< determines in each direction
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]
+  Eigen::Vector3d shares_ = Eigen::Vector3d::Zero();    ///< of a usual step, what the last scan
+                                                        ///< determines in each direction
+  /// In which directions the last scan told the pose.
+  Eigen::Array<bool, 3, 1> was_known_ = Eigen::Array<bool, 3, 1>::Constant(true);
   Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();  ///< so long is each of the velocity [s]
 };
 

@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -115,6 +116,14 @@ class RawlogWriter {
     if (is_frame) write(scan);
   }
 
+  const mrpt::poses::CPose3D& mountOf(const sensor_msgs::LaserScan& scan) const {
+    const auto mount = mounts_.find(scan.header.frame_id);
+    if (mount == mounts_.end())
+      throw std::runtime_error("/tf_static has no '" + scan.header.frame_id +
+                               "' before its first scan: where the laser sits is not known");
+    return mount->second;
+  }
+
   bool isDue() const {
     if (!last_) return true;
     const Pose2 increment = last_->between(*now_);
@@ -130,8 +139,7 @@ class RawlogWriter {
     mrpt::obs::CActionCollection actions;
     actions.insert(motion);
     mrpt::obs::CSensoryFrame frame;
-    frame.insert(
-        mrpt::obs::CObservation2DRangeScan::Create(toMrpt(scan, mounts_[scan.header.frame_id])));
+    frame.insert(mrpt::obs::CObservation2DRangeScan::Create(toMrpt(scan, mountOf(scan))));
     auto archive = mrpt::serialization::archiveFrom(file_);
     archive << actions << frame;
     last_ = now_;
@@ -156,10 +164,14 @@ void convert(const Options& options) {
   }
   RawlogWriter writer(options);
   const std::vector<std::string> topics = {"/tf_static", "/odom", "/scan"};
-  for (const auto& message : rosbag::View(bag, rosbag::TopicQuery(topics))) writer.take(message);
-  writer.finish();
-  if (writer.frames() == 0)
-    throw std::runtime_error(options.bag + " has no scan on /scan after odometry on /odom");
+  try {
+    for (const auto& message : rosbag::View(bag, rosbag::TopicQuery(topics))) writer.take(message);
+    writer.finish();
+    if (writer.frames() == 0) throw std::runtime_error("it has no scan on /scan after odometry");
+  } catch (const std::runtime_error& error) {
+    std::remove(options.rawlog.c_str());  // a part of a log passes for a whole one
+    throw std::runtime_error(options.bag + " makes no rawlog: " + error.what());
+  }
 }
 
 }  // namespace

@@ -13,7 +13,9 @@
 namespace slam_ros {
 namespace {
 
-constexpr std::size_t kKept = 200;  // edges: some seconds of a driver's
+constexpr slam::Duration kKept = std::chrono::seconds(10);
+constexpr std::size_t kMost = 10000;  // edges: of those ten seconds, and of the owner's
+constexpr double kSlowest = 1.0;      // [s] between two edges of a driver
 
 slam::StampedPose edgeOf(const geometry_msgs::TransformStamped& message) {
   geometry_msgs::Pose pose;
@@ -33,16 +35,31 @@ EdgeWatch::EdgeWatch(ros::NodeHandle handle, std::string parent, std::string chi
 }
 
 void EdgeWatch::onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
-  if (event.getPublisherName() == ros::this_node::getName()) return;
+  const bool is_this_node = event.getPublisherName() == ros::this_node::getName();
   for (const auto& transform : event.getMessage()->transforms) {
     if (frameId(transform.header.frame_id) != parent_ ||
         frameId(transform.child_frame_id) != child_)
       continue;
-    keep(edgeOf(transform));
+    const auto edge = edgeOf(transform);
+    if (is_this_node && isOwn(edge.stamp)) continue;
+    keep(edge);
     if (!isTaken()) publisher_ = event.getPublisherName();
     is_taken_ = true;
   }
 }
+
+void EdgeWatch::noteOwn(slam::Stamp stamp) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  own_.push_back(stamp);
+  if (own_.size() > kMost) own_.pop_front();
+}
+
+bool EdgeWatch::isOwn(slam::Stamp stamp) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::find(own_.rbegin(), own_.rend(), stamp) != own_.rend();
+}
+
+bool EdgeWatch::hasListened() const { return (ros::WallTime::now() - began_).toSec() > kSlowest; }
 
 /// Time that goes back begins anew.
 void EdgeWatch::keep(const slam::StampedPose& edge) {
@@ -50,7 +67,7 @@ void EdgeWatch::keep(const slam::StampedPose& edge) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!edges_.empty() && edge.stamp < edges_.back().stamp) edges_.clear();
   edges_.push_back(edge);
-  if (edges_.size() > kKept) edges_.pop_front();
+  while (edges_.size() > kMost || edges_.front().stamp < edge.stamp - kKept) edges_.pop_front();
 }
 
 std::optional<slam::Pose2> EdgeWatch::at(slam::Stamp stamp) const {

@@ -36,7 +36,7 @@ void MapOdomBroadcaster::update(const slam::StepReport& report) {
 
 void MapOdomBroadcaster::updateWithoutMotion(const slam::StepReport& report) {
   if (!watch_) watch_.emplace(handle_, frameId(report.odometry_frame), frameId(report.base_frame));
-  base_frame_ = watch_->isTaken() ? "" : report.base_frame;
+  base_frame_ = watch_->isTaken() || !watch_->hasListened() ? "" : report.base_frame;
   if (!watch_->isTaken())
     T_map_odom_ = report.pose.pose;
   else if (const auto T_odom_base = watch_->at(report.stamp))
@@ -60,8 +60,9 @@ void MapOdomBroadcaster::send(slam::Stamp now) {
   if (odometry_frame_.empty()) return;
   const auto stamp = toRos(now + tolerance_);
   publisher_.publish(stamp, map_frame_, odometry_frame_, T_map_odom_);
-  if (!base_frame_.empty())
-    base_publisher_.publish(stamp, odometry_frame_, base_frame_, slam::Pose2());
+  if (base_frame_.empty()) return;
+  watch_->noteOwn(fromRos(stamp));
+  base_publisher_.publish(stamp, odometry_frame_, base_frame_, slam::Pose2());
 }
 
 }  // namespace slam_ros

@@ -20,7 +20,8 @@ MotionOutputs::MotionOutputs(ros::NodeHandle handle, const OdometryNodeletConfig
       warn_(std::move(warn)),
       shown_(handle, source) {
   if (config_.publish_motion) motion_ = handle.advertise<slam_msgs::Motion>(motion_topic, kQueue);
-  if (config_.publish_tf) watch_.emplace(handle, frameId(frames_.odom), frameId(frames_.base));
+  if (config_.publish_tf && config_.publish_motion)
+    watch_.emplace(handle, frameId(frames_.odom), frameId(frames_.base));
 }
 
 void MotionOutputs::publish(slam::Motion motion) {
@@ -28,9 +29,11 @@ void MotionOutputs::publish(slam::Motion motion) {
   motion.odometry_frame = is_taken || !config_.publish_motion ? ownFrame() : "";
   frames_.complete(motion.odometry_frame, motion.base_frame);
   if (config_.publish_motion) motion_.publish(boost::make_shared<slam_msgs::Motion>(toMsg(motion)));
-  if (watch_ && !is_taken && config_.publish_motion)
+  if (watch_ && !is_taken) {
+    watch_->noteOwn(motion.end);
     transform_.publish(toRos(motion.end), motion.odometry_frame, motion.base_frame,
                        motion.odometry_end);
+  }
   shown_.publish(motion);
 }
 

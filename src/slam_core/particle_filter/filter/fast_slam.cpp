@@ -58,7 +58,7 @@ FastSlam::Step FastSlam::takeInputs() {
   if (step.has_seen || (!scans_ && step.latest)) step.update = &landmarks_;
   if (!scans_ || !scan) return step;
   step.is_followed = true;
-  if (scans_->take(*scan, best(), best().followed * carriedIncrement())) {
+  if (scans_->take(*scan, best(), best().followed * carriedIncrement(), account_)) {
     step.update = &*scans_;
     step.has_seen = true;
   }
@@ -179,12 +179,11 @@ Status FastSlam::summary(std::initializer_list<Status> of_steps) {
 Status FastSlam::onTheWhole() const {
   if (config_.mapIsFixed() && best().map.size() == 0 && best().grid.isEmpty())
     return Status::warning("there is no map to localise in; load one");
-  if (scans_ && !scans_->doubt().status().isOk()) return scans_->doubt().status();
   if (landmarks_.isLost())
     return Status::alarm(
         "the latest observations are far less likely than they should be: the pose may be lost; "
         "set an initial pose");
-  return Status::ok();
+  return scans_ ? scans_->status() : Status::ok();
 }
 
 }  // namespace slam::particle_filter

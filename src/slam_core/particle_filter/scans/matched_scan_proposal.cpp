@@ -51,7 +51,8 @@ Eigen::Matrix3d covarianceOf(const PoseGaussian& prior, const Match& match) {
 std::optional<Pose2> MatchedScanProposal::search(const ScanInMap& scan,
                                                  const PoseGaussian& prior) const {
   if (tellsNothing(scan, prior)) return std::nullopt;
-  const auto match = matcher_.match(scan.map, scan.scan, searchPrior(prior));
+  constexpr bool kMaySeekWidely = false;  // ScanFollower has done so
+  const auto match = matcher_.match(scan.map, scan.scan, searchPrior(prior), kMaySeekWidely);
   if (!match.was_searched) return std::nullopt;
   return prior.mean.between(match.pose);
 }

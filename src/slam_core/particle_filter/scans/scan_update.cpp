@@ -50,7 +50,7 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
       follower_(matcher, {scan.drift_position, scan.drift_heading}),
       drift_(driftOf(scan, map_is_fixed)),
       trigger_(triggerOf(scan)),
-      doubt_(scan.lost_share, matcher.false_alarm_hours) {
+      doubt_(scan.lost_share, matcher.false_alarm_hours, map_is_fixed) {
   restart({});
 }
 
@@ -62,6 +62,7 @@ void ScanUpdate::restart(const PoseEstimate& first) {
 void ScanUpdate::relocate(const PoseEstimate& around) {
   trigger_ = triggerOf(config_);
   doubt_.forget();
+  watch_.restart();
   follower_.restart();
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
   to_robot.topLeftCorner<2, 2>() = around.pose.rotation().transpose();
@@ -71,14 +72,17 @@ void ScanUpdate::relocate(const PoseEstimate& around) {
 
 void ScanUpdate::move(const Motion& motion) { follower_.move(motion); }
 
-bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& pose) {
+bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& pose,
+                      Account& account) {
   correction_ = {};
   auto levels = scan_matching::pointsOf(scan, models_, spacing_);
-  if (levels.front().beams.empty()) return false;
-  doubt_.judge(follower_.follow(mapOf(best), levels, scan.stamp, pose), scan.stamp);
+  const auto map = mapOf(best);
+  const auto found = follower_.follow(map, levels, scan.stamp, pose);
+  watch_.note(levels, map.isEmpty(), found, true, account.counters);
+  doubt_.judge(found, scan.stamp);
   correction_ = follower_.correction();
   motion_ = follower_.motion();
-  if (!trigger_.isDue(motion_.increment, scan.stamp)) return false;
+  if (levels.front().beams.empty() || !trigger_.isDue(motion_.increment, scan.stamp)) return false;
   if (told_) motion_ = joined(*told_, motion_);
   stamp_ = scan.stamp;
   scan_ = std::move(levels);

@@ -15,6 +15,7 @@
 #include "slam_core/particle_filter/scans/update_trigger.hpp"
 #include "slam_core/scan_matching/map_drift.hpp"
 #include "slam_core/scan_matching/scan_doubt.hpp"
+#include "slam_core/scan_matching/scan_watch.hpp"
 
 namespace slam::particle_filter {
 
@@ -36,7 +37,7 @@ class ScanUpdate final : public SensorUpdate {
   /// @return whether the scan is due for an update and has beams that tell something
   /// @param best the most likely particle @param pose where the wheels have led it since the last
   /// scan
-  bool take(const LaserScan& scan, const Particle& best, const Pose2& pose);
+  bool take(const LaserScan& scan, const Particle& best, const Pose2& pose, Account& account);
   /// What the last scan taken makes of the motion up to it.
   const ScanCorrection& correction() const { return correction_; }
 
@@ -49,6 +50,8 @@ class ScanUpdate final : public SensorUpdate {
 
   /// Whether the scans still fit the map of the most likely particle.
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
+  /// Of the latest scans.
+  Status status() const { return moreUrgent(doubt_.status(), watch_.status()); }
   const scan_matching::LevelModels& models() const { return models_; }
   /// Tiles in the rectangle of the largest map.
   std::size_t mostTiles() const { return grid_map::mostTiles(map_config_); }
@@ -75,6 +78,7 @@ class ScanUpdate final : public SensorUpdate {
   scan_matching::MapDrift drift_;
   UpdateTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
+  scan_matching::ScanWatch watch_;
   std::optional<Motion> told_;  ///< by how much the robot may be off the place that it was given
   ScanCorrection correction_;
 

@@ -7,48 +7,10 @@
 #include <utility>
 
 #include "slam_core/common/test/faults.hpp"
-#include "slam_core/models/test/simulated_room.hpp"
-#include "slam_core/particle_filter/filter/fast_slam.hpp"
-#include "slam_core/product/test/component_driver.hpp"
+#include "slam_core/particle_filter/test/filter_in_a_room.hpp"
 
 namespace slam::particle_filter {
 namespace {
-
-using test::RoomDrive;
-
-constexpr int kLap = 145;
-
-PfConfig gridConfig() {
-  PfConfig config;
-  config.particles = 15;
-  config.resampling_threshold = 0.5;
-  return config;
-}
-
-std::unique_ptr<FastSlam> made(const PfConfig& config = gridConfig(), const ScanConfig& scan = {},
-                               const grid_map::GridMapConfig& grid = {}) {
-  auto filter = std::make_unique<FastSlam>();
-  as<MapChooser>(*filter).useMap(MapKind::kGrid);
-  filter->configure(config, grid, scan);
-  return filter;
-}
-
-Status take(FastSlam& filter, const RoomDrive::Step& step) {
-  give(step.motion, filter);
-  give(step.scan, filter);
-  return filter.execute();
-}
-
-/// @return the largest distance between pose and truth [m]
-double run(FastSlam& filter, RoomDrive& drive, int steps) {
-  double worst = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    const auto step = drive.next();
-    EXPECT_EQ(take(filter, step).message, "");
-    worst = std::max(worst, (filter.pose().pose.position() - step.truth.position()).norm());
-  }
-  return worst;
-}
 
 TEST(GridSlam, MapsARoomAndStaysOnIt) {
   const auto filter = made();
@@ -69,33 +31,6 @@ TEST(GridSlam, ComesRoundWithARobotFileThatIsWrongByTenInEitherDirection) {
       EXPECT_EQ(take(*filter, step).message, "");
       EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
     }
-  }
-}
-
-TEST(GridSlam, StaysOnTheMapWhereWheelsSlip) {
-  const auto filter = made();
-  RoomDrive drive(3);
-  for (int i = 0; i < kLap; ++i) {
-    auto step = drive.next();
-    if (i == 70) step.motion.increment = step.motion.increment * Pose2(0.0, 0.0, 0.3);
-    if (i == 100) step.motion.increment = step.motion.increment * Pose2(0.2, 0.0, 0.0);
-    EXPECT_EQ(take(*filter, step).message, "");
-    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
-    EXPECT_LT(std::abs(filter->pose().pose.between(step.truth).theta()), 0.05) << i;
-  }
-}
-
-TEST(GridSlam, StaysOnTheMapWhereOdometryFreezesAndThenJumps) {
-  const auto filter = made();
-  RoomDrive drive(4);
-  Pose2 held;
-  for (int i = 0; i < kLap; ++i) {
-    auto step = drive.next();
-    held = held * step.motion.increment;
-    const bool is_frozen = i >= 60 && i < 66;
-    step.motion.increment = is_frozen ? Pose2() : std::exchange(held, Pose2());
-    take(*filter, step);
-    EXPECT_LT((filter->pose().pose.position() - step.truth.position()).norm(), 0.1) << i;
   }
 }
 
@@ -320,57 +255,6 @@ TEST(GridSlam, GoesOnWithAMapThatWasSavedInTheMiddle) {
   EXPECT_EQ(next->execute().message, "");
   EXPECT_LT(run(*next, drive, kLap), 0.12);
   EXPECT_GT(test::shareOnWalls(*as<GridMapper>(*next).grid(), drive.room()), 0.75);
-}
-
-/// @return how many steps were told as lost
-int countLost(FastSlam& filter, RoomDrive& drive, int steps) {
-  int lost = 0;
-  for (int i = 0; i < steps; ++i)
-    lost += test::oneSays({take(filter, drive.next()).message}, {"may be lost", "initial pose"});
-  return lost;
-}
-
-TEST(GridSlam, ARobotCarriedAwayWhileItMapsIsToldLostOrFoundAgain) {
-  for (const int carried : {20, 30, 40, 50, 90, 100, 110}) {  // the far side looks alike
-    const auto filter = made();
-    RoomDrive drive(20);
-    EXPECT_EQ(countLost(*filter, drive, 2 * kLap), 0);
-    for (int i = 0; i < carried; ++i) drive.next();
-    const int lost = countLost(*filter, drive, 10);
-    const auto step = drive.next();
-    take(*filter, step);
-    const double error = (filter->pose().pose.position() - step.truth.position()).norm();
-    EXPECT_TRUE(lost > 0 || error < 0.2) << carried << " steps: " << error << " m off";
-  }
-}
-
-TEST(GridSlam, ARobotCarriedToAPlaceThatLooksAlikeIsToldWithinFiveMetres) {
-  for (const int carried : {60, 70}) {
-    const auto filter = made();
-    RoomDrive drive(20);
-    EXPECT_EQ(countLost(*filter, drive, 2 * kLap), 0);
-    for (int i = 0; i < carried; ++i) drive.next();
-    EXPECT_GT(countLost(*filter, drive, 50), 0) << carried;
-  }
-}
-
-TEST(GridSlam, ARobotCarriedAwayInAFixedMapIsToldLostUntilItGetsANewPose) {
-  const auto mapper = made();
-  RoomDrive first(21);
-  run(*mapper, first, kLap);
-  auto config = gridConfig();
-  config.mode = BackendMode::kLocalization;
-  const auto filter = made(config);
-  as<MapKeeper>(*filter).set(as<MapKeeper>(*mapper).state());
-  RoomDrive drive(22);
-  filter->set(PoseEstimate{Pose2(), 1e-3 * Eigen::Matrix3d::Identity()});
-  EXPECT_EQ(countLost(*filter, drive, 40), 0);
-  for (int i = 0; i < 30; ++i) drive.next();
-  EXPECT_GT(countLost(*filter, drive, 20), 10);
-  const auto step = drive.next();
-  filter->set(PoseEstimate{step.truth, 1e-3 * Eigen::Matrix3d::Identity()});
-  take(*filter, step);
-  EXPECT_EQ(countLost(*filter, drive, 40), 0);
 }
 
 TEST(GridSlam, TellsOfALoadedGridThatIsNone) {

@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
+#include <ros/time.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
@@ -19,13 +20,18 @@
 
 namespace slam_ros {
 
-/// Notices when another node publishes one edge of the tree of transforms: a child must not have
+/// Notices when somebody else publishes one edge of the tree of transforms: a child must not have
 /// two parents that disagree. It listens in a thread of its own: the transforms of a whole robot
 /// are many, and the images need not wait for them.
 class EdgeWatch {
  public:
   EdgeWatch(ros::NodeHandle handle, std::string parent, std::string child);
 
+  /// What is about to be published by the owner of this watch, so that it is not taken for another
+  /// publisher's in the same process.
+  void noteOwn(slam::Stamp stamp);
+  /// Whether it has listened for so long that a driver would have been heard.
+  bool hasListened() const;
   bool isTaken() const { return is_taken_; }
   /// The node that publishes the edge, when isTaken().
   const std::string& publisher() const { return publisher_; }
@@ -35,12 +41,15 @@ class EdgeWatch {
 
  private:
   void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
+  bool isOwn(slam::Stamp stamp) const;
   void keep(const slam::StampedPose& edge);
 
   std::string parent_, child_, publisher_;
   std::atomic<bool> is_taken_{false};  ///< written last: then publisher_ does not change
   mutable std::mutex mutex_;
   std::deque<slam::StampedPose> edges_;  ///< the latest ones, by stamp
+  std::deque<slam::Stamp> own_;          ///< of the latest edges of the owner
+  ros::WallTime began_ = ros::WallTime::now();
   ros::CallbackQueue queue_;
   ros::Subscriber transforms_;
   ros::AsyncSpinner spinner_{1, &queue_};

@@ -19,7 +19,7 @@ namespace slam_ros {
 /// `map -> odom` from the estimate and the odometry pose of the same stamp: at every step, and in
 /// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product
 /// without motion the odometry pose is what another node publishes as `odom -> base`; where none
-/// does, this one publishes that as the identity.
+/// has done so for a second, this one publishes that as the identity.
 class MapOdomBroadcaster {
  public:
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config);

@@ -121,35 +121,56 @@ class Carried:
     then: float = 30.0
 
 
+class _Shift:
+    """Takes a part out of a drive: what comes after it moves up in time, and odometry goes on."""
+
+    def __init__(self, start, carried):
+        self._carried = carried
+        self._lifted = genpy.Time.from_sec(start + carried.at) if carried else None
+        self._put = genpy.Time.from_sec(start + carried.until) if carried else None
+        self._by, self._moved = 0, None
+        self.robot = (0.0, 0.0, 0.0)
+
+    def is_out(self, time):
+        return self._carried is not None and self._lifted <= time < self._put
+
+    def is_over(self, time):
+        return self._carried is not None and (time - self._put).to_sec() > self._carried.then
+
+    def stamp(self, raw, time):
+        """Sets the stamp in the message, and returns the time of its record."""
+        if self._carried and time >= self._put:
+            self._by = (self._put - self._lifted).to_nsec()
+        seconds, nanoseconds = _STAMP.unpack_from(raw, _STAMP_AT)
+        _STAMP.pack_into(raw, _STAMP_AT, *divmod(seconds * 10**9 + nanoseconds - self._by, 10**9))
+        return genpy.Time(*divmod(time.to_nsec() - self._by, 10**9))
+
+    def move(self, raw):
+        """Odometry goes on from where the robot was lifted."""
+        place = _read_place(ODOMETRY, raw)
+        if self._by and self._moved is None:
+            self._moved = compose(self.robot, inverse(place))
+        self.robot = compose(self._moved, place) if self._moved else place
+        _write_place(ODOMETRY, raw, self.robot)
+
+
 def rewrite(source, target, people=None, carried=None):
     """A bag like another one, with what happens to the robot; transforms of motion are left out."""
     with rosbag.Bag(str(source)) as bag, rosbag.Bag(str(target), "w") as out:
         start = bag.get_start_time()
-        lifted = genpy.Time.from_sec(start + carried.at) if carried else None
-        put = genpy.Time.from_sec(start + carried.until) if carried else None
-        robot, moved, shift = (0.0, 0.0, 0.0), None, 0
+        shift = _Shift(start, carried)
         for topic, (kind, raw, *rest), time in bag.read_messages(raw=True):
             if topic == "/tf":
                 continue
-            is_drive = kind in (ODOMETRY, SCAN, POSE)
-            if is_drive and carried and time >= lifted:
-                if time < put:
-                    continue
-                if (time - put).to_sec() > carried.then:
-                    break
-                shift = (put - lifted).to_nsec()
             raw = bytearray(raw)
-            if is_drive:
-                seconds, rest_ns = _STAMP.unpack_from(raw, _STAMP_AT)
-                stamp = seconds * 10**9 + rest_ns - shift
-                _STAMP.pack_into(raw, _STAMP_AT, *divmod(stamp, 10**9))
-                time = genpy.Time(*divmod(time.to_nsec() - shift, 10**9))
+            if kind in (ODOMETRY, SCAN, POSE):
+                if shift.is_out(time):
+                    continue
+                if shift.is_over(time):
+                    break
+                time = shift.stamp(raw, time)
             if kind == ODOMETRY:
-                place = _read_place(kind, raw)
-                if shift and moved is None:
-                    moved = compose(robot, inverse(place))
-                robot = compose(moved, place) if moved else place
-                _write_place(kind, raw, robot)
+                shift.move(raw)
             elif kind == SCAN and people:
-                people.hide(time.to_sec() - start, robot, raw)
+                people.hide(time.to_sec() - start, shift.robot, raw)
             out.write(topic, (kind, bytes(raw), *rest), time, raw=True)

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace slam {
+
+/// Without what rounding has made different on both sides of the diagonal.
+inline Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
+
+/// A covariance of (x, y, theta) whose heading is no more unsure than one that may be anything.
+inline Eigen::Matrix3d withinATurn(const Eigen::Matrix3d& P) {
+  constexpr double kUniform = M_PI * M_PI / 3.0;
+  if (P(2, 2) <= kUniform) return P;
+  const double scale = std::sqrt(kUniform / P(2, 2));
+  const Eigen::DiagonalMatrix<double, 3> S(1.0, 1.0, scale);
+  return S * P * S;
+}
+
+}  // namespace slam

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/scan_matching/scan_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_core/models/test/simulated_room.hpp"
+
+namespace slam::scan_matching {
+namespace {
+
+constexpr double kSpacing = 0.02;
+constexpr Duration kInterval = std::chrono::milliseconds(100);
+
+/// A robot in a room that has been mapped.
+class TrackedRobot : public testing::Test {
+ protected:
+  TrackedRobot() {
+    for (int i = 0; i < 145; ++i) {
+      last = drive.next();
+      map.insert(pointsOf(last.scan, models, kSpacing), last.truth);
+    }
+    tracker.restart({last.truth, 1e-6 * Eigen::Matrix3d::Identity()});
+    stamp = last.scan.stamp;
+  }
+
+  /// @param is_blind without any beam
+  void scan(LaserScan seen, bool is_blind = false) {
+    if (is_blind) seen.beams.clear();
+    stamp += kInterval;
+    tracker.track(map.view(), pointsOf(seen, models, kSpacing), stamp, std::nullopt);
+  }
+  double error() const { return (tracker.robot().pose.position() - last.truth.position()).norm(); }
+
+  test::RoomDrive drive{3};
+  test::RoomDrive::Step last;
+  LevelModels models = levelModels({});
+  ScanMap map{grid_map::GridMapConfig()};
+  ScanTracker tracker;
+  Stamp stamp;
+};
+
+TEST_F(TrackedRobot, WhatAScanCorrectsAfterBlindOnesIsNotTakenForSpeed) {
+  for (int i = 0; i < 3; ++i) scan(last.scan);  // it stands
+  for (int i = 0; i < 10; ++i) last = drive.next();
+  for (int i = 0; i < 10; ++i) scan(last.scan, true);
+  scan(last.scan);
+  ASSERT_LT(error(), 0.03);
+  const Pose2 before = tracker.robot().pose;
+  scan(last.scan, true);
+  EXPECT_LT(before.between(tracker.robot().pose).position().norm(), 0.02) << "it stands again";
+}
+
+TEST_F(TrackedRobot, ABlindLaserLeavesAHeadingThatMayBeAnything) {
+  for (int i = 0; i < 3000; ++i) scan(last.scan, true);
+  const auto& P = tracker.robot().covariance;
+  EXPECT_LE(P(2, 2), M_PI * M_PI / 3.0 + 1e-9);
+  EXPECT_GT(P(2, 2), 1.0);
+  EXPECT_TRUE(P.allFinite());
+}
+
+}  // namespace
+}  // namespace slam::scan_matching
