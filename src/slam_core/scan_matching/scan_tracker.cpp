@@ -19,10 +19,12 @@ constexpr double kConfirmed = 0.5;     // share of a step that a scan determines
 constexpr double kFastest = 1.0;       // by which a velocity may be off [m/s], [rad/s]
 constexpr double kSweepsMeant = 50.0;  // scans that the usual interval is the mean of, about
 
+/// Standard deviations [m/s^2], [rad/s^2]; a velocity that seems to change faster than by so many
+/// of them is noise.
+constexpr double kAcceleration = 2.0, kTurningAcceleration = 4.0, kHardest = 1.5;
+
 /// Of a robot that speeds up, brakes and turns as it likes since its last velocity.
 Eigen::Matrix3d noiseOfVelocity(Duration interval) {
-  constexpr double kAcceleration = 2.0;         // [m/s^2]
-  constexpr double kTurningAcceleration = 4.0;  // [rad/s^2]
   const double squared = std::pow(seconds(interval), 2);
   const double way = kAcceleration * squared, turn = kTurningAcceleration * squared;
   return Eigen::Vector3d(way * way, way * way, turn * turn).asDiagonal();
@@ -153,13 +155,15 @@ void ScanTracker::update(const Match& found, const PosePrior& prior, const Motio
 void ScanTracker::learnVelocity(const Pose2& step, Duration interval, bool is_correction) {
   const double dt = seconds(interval);
   const Eigen::Vector3d seen = step.log() / std::max(kLeast, dt);
+  const Eigen::Array3d most =
+      kHardest * dt * Eigen::Array3d(kAcceleration, kAcceleration, kTurningAcceleration);
   const auto is_known = (shares_.array() > kConfirmed).eval();
   if (is_correction) was_known_.setConstant(false);
   const Eigen::Array3d shares = was_known_.select(is_known.select(1.0, shares_.array()), 0.0);
   if (shares_.isZero())
     velocity_ *= kFading;
   else
-    velocity_.array() += shares * (seen - velocity_).array();
+    velocity_.array() += (shares * (seen - velocity_).array()).min(most).max(-most);
   unconfirmed_ = (is_known && was_known_).select(0.0, unconfirmed_ + dt);
   was_known_ = is_known;
 }
