@@ -12,7 +12,7 @@ namespace slam {
 inline Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
 
 /// A covariance of (x, y, theta) whose heading is no more unsure than one that may be anything.
-inline Eigen::Matrix3d withinATurn(const Eigen::Matrix3d& P) {
+inline Eigen::Matrix3d clampedHeading(const Eigen::Matrix3d& P) {
   constexpr double kUniform = M_PI * M_PI / 3.0;
   if (P(2, 2) <= kUniform) return P;
   const double scale = std::sqrt(kUniform / P(2, 2));

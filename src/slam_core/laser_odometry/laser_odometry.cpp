@@ -37,7 +37,9 @@ void LaserOdometry::configure(const LaserOdometryConfig& config, const MatcherCo
   map.resolution = config.resolution;
   map_.emplace(map, config.map_way);
   models_ = scan_matching::levelModels(map);
-  tracker_ = scan_matching::ScanTracker(matcher);
+  constexpr bool kMayJump = false;
+  tracker_ =
+      scan_matching::ScanTracker(matcher, {config.max_speed, config.max_turn_rate, kMayJump});
   trigger_ = {config.insert_distance, config.insert_angle};
   reset();
 }
@@ -109,13 +111,12 @@ bool LaserOdometry::isLate(Stamp stamp) {
 
 bool LaserOdometry::judge(const Match& found, bool is_told) {
   agreement_ = found.agreement;
-  const bool contradicts = found.agreement.mostlyContradicts();
-  has_slipped_ = is_told && found.is_determined && !contradicts && found.prior_weight < kSlipLeaves;
+  has_slipped_ = is_told && found.is_determined && found.prior_weight < kSlipLeaves;
   if (!found.is_determined) counters_.add("unmatched");
   if (found.was_searched) counters_.add("searched");
-  if (contradicts) counters_.add("contradicting");
+  if (found.agreement.mostlyContradicts()) counters_.add("contradicting");
   if (has_slipped_) counters_.add("slips");
-  return found.is_determined && !contradicts;
+  return found.is_determined;
 }
 
 Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, bool is_told) {

@@ -20,9 +20,9 @@ namespace slam::laser_odometry {
 /// fits nothing the last velocity is assumed to hold, with a standard deviation of max_speed dt,
 /// or the motion source is asked.
 ///
-/// Counted: "unmatched" scans, that fit nothing; "contradicting" ones, of which most contradicts
-/// the map; "searched" ones, for which a window was searched; "late", "stamp_jump"; "slips", where
-/// the scans contradict what the motion source told; "maps" that were begun anew.
+/// Counted: "unmatched" scans, that fit nothing; of them "contradicting" ones, of which most
+/// contradicts the map; "searched" ones, that a search in a window has found; "late", "stamp_jump";
+/// "slips", where the scans contradict what the motion source told; "maps" that were begun anew.
 class LaserOdometry final : public OdometrySource {
  public:
   /// Tells the motion between two stamps from another source; nothing where it does not cover them.

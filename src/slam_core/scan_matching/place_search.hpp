@@ -35,6 +35,8 @@ class PlaceSearch {
   /// Whether the rasters stay within some hundred megabytes; where not, nothing is found.
   static bool isWithinMemory(const grid_map::ScanPoints& scan, const SearchWindow& window);
 
+  /// Whether there is something to search, and memory for it.
+  bool isWithinReach() const { return pyramid_.has_value(); }
   /// T_map_base, to a cell.
   std::optional<Pose2> best() const;
   /// The best one among those that lie further from `place` than `apart` in position or in heading.

@@ -45,16 +45,16 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   jumped_ = match.jumped;
   evidence_ = evidenceOf(match);
   add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
-  if (statistic() < kRight) usual_.learn(agreement_, weight);
+  if (match.is_determined && statistic() < kRight) usual_.learn(agreement_, weight);
   pose_ = match.pose;
   stamp_ = stamp;
 }
 
 double ScanDoubt::evidenceOf(const Match& match) const {
   const auto& seen = match.agreement;
-  if (map_is_fixed_ && !match.is_determined && seen.silent > seen.known()) return kOfNothingKnown;
-  return std::clamp(kLost.logLikelihood(seen) - usual_.distribution().logLikelihood(seen),
-                    -kMostOfAScan, kMostOfAScan);
+  const double ratio = kLost.logLikelihood(seen) - usual_.distribution().logLikelihood(seen);
+  const bool is_beside_map = map_is_fixed_ && !match.is_determined && seen.silent > seen.known();
+  return std::clamp(ratio, is_beside_map ? kOfNothingKnown : -kMostOfAScan, kMostOfAScan);
 }
 
 double ScanDoubt::weightOf(const Pose2& pose, Stamp stamp) const {
@@ -80,7 +80,7 @@ Status ScanDoubt::status() const {
   constexpr double kDegrees = 180.0 / M_PI;
   if (lost_since_)
     return Status::alarm(
-        fmt::format("scans have contradicted the map since {:.1f} s: the pose may be lost, or the "
+        fmt::format("scans have not fitted the map since {:.1f} s: the pose may be lost, or the "
                     "map is wrong; set an initial pose or load another map",
                     1e-9 * static_cast<double>(nanoseconds(*lost_since_))));
   if (jumped_)

@@ -50,19 +50,19 @@ bool isBetter(const Match& found, const Match& best, double surplus) {
 }  // namespace
 
 Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
-                              bool may_seek_widely) const {
+                              bool may_use_wide_window) const {
   auto best = matchNearby(map, scan, prior);
   if (isDoubtful(best)) {
     const auto found =
         searched(map, scan, prior.pose, config_.window_position, config_.window_heading);
     if (isBetter(found, best, kWorthAStep * endsOf(scan))) best = found;
   }
-  if (may_seek_widely && best.agreement.contradictingShare() > kManyContradict)
-    best = soughtWidely(map, scan, prior, best);
+  if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
+    best = foundFarAway(map, scan, prior, best);
   return believed(best, prior);
 }
 
-Match ScanToMapMatcher::soughtWidely(const MapView& map, const ScanLevels& scan,
+Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
                                      const PosePrior& prior, const Match& nearby) const {
   auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
   found.jumped = prior.pose.between(found.pose);
@@ -70,7 +70,7 @@ Match ScanToMapMatcher::soughtWidely(const MapView& map, const ScanLevels& scan,
       found.agreement.agreeing > kExplained * endsOf(scan) && !isDoubtful(found) &&
       isBetter(found, nearby, kWorthAJump * endsOf(scan)) && !hasRival(found, map, scan);
   auto best = is_worth_it ? found : nearby;
-  best.was_sought_widely = true;
+  best.wide_search_done = true;
   return best;
 }
 
@@ -79,7 +79,7 @@ Match ScanToMapMatcher::believed(Match match, const PosePrior& prior) const {
   Match nothing;
   nothing.pose = prior.pose;
   nothing.agreement = match.agreement;
-  nothing.was_sought_widely = match.was_sought_widely;
+  nothing.wide_search_done = match.wide_search_done;
   return nothing;
 }
 
@@ -126,6 +126,7 @@ bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map,
                                 const ScanLevels& scan) const {
   constexpr SearchWindow kAround{10.0, M_PI}, kApart{0.5, 0.3};  // [m], [rad]
   const auto search = searchOf(map, scan, found.pose, kAround);
+  if (!search.isWithinReach()) return true;  // who knows
   const auto place = search.bestApartFrom(found.pose, kApart);
   if (!place) return false;
   const auto rival = refinedWithin(map, scan, *place, kApart.position, kApart.heading);

@@ -17,10 +17,10 @@ struct Match {
   Pose2 pose;                                             ///< T_map_base, with the prior's help
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan has of it
   Agreement agreement;
-  double prior_weight = 1.0;       ///< what has been left of the prior; 0 where it was searched
-  bool is_determined = false;      ///< enough ends fit to say something
-  bool was_searched = false;       ///< where the prior led nothing fitted
-  bool was_sought_widely = false;  ///< whether or not a place was found so
+  double prior_weight = 1.0;      ///< what has been left of the prior; 0 where it was searched
+  bool is_determined = false;     ///< enough ends fit to say something
+  bool was_searched = false;      ///< where the prior led nothing fitted
+  bool wide_search_done = false;  ///< whether or not a place was found so
   /// By a wide search: seen from where the prior led.
   std::optional<Pose2> jumped;
 };
@@ -34,9 +34,9 @@ class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
 
-  /// @param map not empty @param may_seek_widely what takes some ten milliseconds
+  /// @param map not empty @param may_use_wide_window what takes some ten milliseconds
   Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
-              bool may_seek_widely = true) const;
+              bool may_use_wide_window = true) const;
 
   // The same in steps, for who searches once for many maps.
   /// A scan that contradicts most of the map even so tells nothing: the robot is where the prior
@@ -55,7 +55,7 @@ class ScanToMapMatcher {
   /// Whether the scan fits about as well elsewhere.
   bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan) const;
   /// A far place that is worth a jump, or `nearby`.
-  Match soughtWidely(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
+  Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                 const PosePrior& prior) const;

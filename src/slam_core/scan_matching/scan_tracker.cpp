@@ -51,17 +51,21 @@ void SweepInterval::note(Duration interval) {
 }
 
 Duration SweepInterval::plausible(Duration interval) const {
-  constexpr double kIrregular = 0.5, kLongest = 3.0;  // of the usual interval
+  constexpr double kLongest = 3.0;  // of the usual interval
   if (usual_ == 0.0) return interval;
-  if (spread_ > kIrregular * usual_) return durationFromSeconds(usual_);
-  return std::min(interval, durationFromSeconds(kLongest * usual_));
+  return std::min(likely(interval), durationFromSeconds(kLongest * usual_));
+}
+
+Duration SweepInterval::likely(Duration interval) const {
+  constexpr double kIrregular = 0.5;  // of the usual interval
+  return spread_ > kIrregular * usual_ ? durationFromSeconds(usual_) : interval;
 }
 
 void ScanTracker::restart(const PoseEstimate& place) {
   robot_ = place;
   step_ = {};
   stamp_.reset();
-  sought_widely_.reset();
+  wide_search_.reset();
   slip_ = {};
   sweeps_ = {};
   velocity_.setZero();
@@ -85,9 +89,10 @@ Motion ScanTracker::motionOf(Duration interval) const {
 
 Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp,
                          const std::optional<Motion>& told) {
-  Duration interval{};
+  Duration interval{}, gap{};
   if (stamp_ && stamp > *stamp_) {
     interval = sweeps_.plausible(stamp - *stamp_);
+    gap = sweeps_.likely(stamp - *stamp_);
     sweeps_.note(stamp - *stamp_);
   }
   if (told) unconfirmed_.setZero();
@@ -95,8 +100,8 @@ Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp
   const Pose2 before = robot_.pose;
   const auto found =
       map.isEmpty() ? move(motion) : match(map, scan, stamp, motion, told.has_value());
-  if (interval > Duration::zero())
-    learnVelocity(before.between(found.pose), interval, found.jumped.has_value());
+  if (gap > Duration::zero())
+    learnVelocity(before.between(found.pose), gap, found.jumped.has_value());
   stamp_ = stamp;
   return found;
 }
@@ -108,14 +113,15 @@ Match ScanTracker::move(const Motion& motion) {
   found.pose = robot_.pose.compose(motion.increment, &J_pose, &J_u);
   shares_.setZero();
   step_ = {motion.increment, motion.covariance, Eigen::Matrix3d::Identity()};
-  robot_ = {found.pose, withinATurn(symmetric(J_pose * robot_.covariance * J_pose.transpose() +
-                                              J_u * motion.covariance * J_u.transpose()))};
+  robot_ = {found.pose, clampedHeading(symmetric(J_pose * robot_.covariance * J_pose.transpose() +
+                                                 J_u * motion.covariance * J_u.transpose()))};
   return found;
 }
 
-bool ScanTracker::maySeekWidely(Stamp stamp) const {
+bool ScanTracker::mayUseWideWindow(Stamp stamp) const {
   constexpr Duration kPause = std::chrono::milliseconds(500);
-  return !sought_widely_ || stamp - *sought_widely_ >= kPause || stamp < *sought_widely_;
+  if (!limits_.may_jump) return false;
+  return !wide_search_ || stamp - *wide_search_ >= kPause || stamp < *wide_search_;
 }
 
 Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp,
@@ -124,8 +130,8 @@ Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp
       motion.covariance + (is_told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);
   auto prior = priorAfter(robot_.pose, robot_.covariance, motion.increment, noise);
   prior.is_measured = is_told;
-  const auto found = matcher_.match(map, scan, prior, maySeekWidely(stamp));
-  if (found.was_sought_widely) sought_widely_ = stamp;
+  const auto found = matcher_.match(map, scan, prior, mayUseWideWindow(stamp));
+  if (found.wide_search_done) wide_search_ = stamp;
   if (is_told && found.is_determined)
     slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
   const auto usual = SlipEstimate().covarianceOf(motion.increment);
@@ -149,7 +155,7 @@ void ScanTracker::update(const Match& found, const PosePrior& prior, const Motio
   const Eigen::Matrix3d B = step_.of_motion = J_after * left * G;
   step_.covariance = symmetric(A * robot_.covariance * A.transpose() + B * noise * B.transpose() +
                                J_after * P * found.information * P * J_after.transpose());
-  robot_ = {found.pose, withinATurn(P)};
+  robot_ = {found.pose, clampedHeading(P)};
 }
 
 void ScanTracker::learnVelocity(const Pose2& step, Duration interval, bool is_correction) {
@@ -164,6 +170,8 @@ void ScanTracker::learnVelocity(const Pose2& step, Duration interval, bool is_co
     velocity_ *= kFading;
   else
     velocity_.array() += (shares * (seen - velocity_).array()).min(most).max(-most);
+  const Eigen::Array3d fastest(limits_.speed, limits_.speed, limits_.turn_rate);
+  velocity_ = velocity_.array().min(fastest).max(-fastest);
   unconfirmed_ = (is_known && was_known_).select(0.0, unconfirmed_ + dt);
   was_known_ = is_known;
 }

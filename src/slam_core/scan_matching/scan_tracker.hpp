@@ -19,6 +19,8 @@ class SweepInterval {
   void note(Duration interval);
   /// An interval that is stamped so, or what it is more likely to be.
   Duration plausible(Duration interval) const;
+  /// The same for a gap, however long: scans may have been lost.
+  Duration likely(Duration interval) const;
 
  private:
   double usual_ = 0.0, spread_ = 0.0;  ///< mean, and mean distance from it [s]; 0: none yet
@@ -32,11 +34,18 @@ struct ScanStep {
   Eigen::Matrix3d of_motion = Eigen::Matrix3d::Identity();
 };
 
+/// What a robot does at most.
+struct MotionLimits {
+  double speed = 10.0, turn_rate = 10.0;  ///< [m/s], [rad/s]
+  bool may_jump = true;                   ///< it may be found far from where it was
+};
+
 /// Follows a robot through a map from scan to scan: each is looked for where the last pose and the
 /// motion since then lead, or the last velocity where no motion is known.
 class ScanTracker {
  public:
-  explicit ScanTracker(const MatcherConfig& config = {}) : matcher_(config) {}
+  explicit ScanTracker(const MatcherConfig& config = {}, const MotionLimits& limits = {})
+      : matcher_(config), limits_(limits) {}
 
   /// The robot is there; what was known of its velocity, slips and the scans' stamps is forgotten.
   void restart(const PoseEstimate& place);
@@ -61,7 +70,7 @@ class ScanTracker {
   Match match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Motion& motion,
               bool is_told);
   /// A robot that is lost is not sought widely with each scan: others must go on.
-  bool maySeekWidely(Stamp stamp) const;
+  bool mayUseWideWindow(Stamp stamp) const;
   /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
   void update(const Match& found, const PosePrior& prior, const Motion& motion,
               const Eigen::Matrix3d& noise);
@@ -69,11 +78,12 @@ class ScanTracker {
   void learnVelocity(const Pose2& step, Duration interval, bool is_correction);
 
   ScanToMapMatcher matcher_;
+  MotionLimits limits_;
   PoseEstimate robot_;
   ScanStep step_;
   SlipEstimate slip_;
-  std::optional<Stamp> stamp_;          ///< of the last scan
-  std::optional<Stamp> sought_widely_;  ///< the last time
+  std::optional<Stamp> stamp_;        ///< of the last scan
+  std::optional<Stamp> wide_search_;  ///< the last time
   SweepInterval sweeps_;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]
   Eigen::Vector3d shares_ = Eigen::Vector3d::Zero();    ///< of a usual step, what the last scan

@@ -34,7 +34,7 @@ Status ScanWatch::status() const {
   if (unmatched_ >= kMany)
     return Status::warning(
         fmt::format("the last scans fit nothing in the map, so that {} alone tells the pose: set "
-                    "an initial pose if it is wrong, or load the map of this place",
+                    "an initial pose if it is wrong, and check the laser and grid_map.usable_range",
                     instead));
   return Status::ok();
 }

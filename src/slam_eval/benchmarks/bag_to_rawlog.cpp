@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -162,16 +163,19 @@ void convert(const Options& options) {
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(options.bag + " cannot be read as a bag: " + error.what());
   }
-  RawlogWriter writer(options);
+  const std::string part = options.rawlog + ".part";
   const std::vector<std::string> topics = {"/tf_static", "/odom", "/scan"};
   try {
+    RawlogWriter writer({options.bag, part, options.distance, options.angle});
     for (const auto& message : rosbag::View(bag, rosbag::TopicQuery(topics))) writer.take(message);
     writer.finish();
-    if (writer.frames() == 0) throw std::runtime_error("it has no scan on /scan after odometry");
-  } catch (const std::runtime_error& error) {
-    std::remove(options.rawlog.c_str());  // a part of a log passes for a whole one
+    if (writer.frames() == 0) throw std::runtime_error("no scan on /scan after odometry on /odom");
+  } catch (const std::exception& error) {
+    std::remove(part.c_str());  // a part of a log would pass for a whole one
     throw std::runtime_error(options.bag + " makes no rawlog: " + error.what());
   }
+  if (std::rename(part.c_str(), options.rawlog.c_str()) != 0)
+    throw std::runtime_error(options.rawlog + " cannot be written");
 }
 
 }  // namespace

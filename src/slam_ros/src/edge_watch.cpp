@@ -41,40 +41,46 @@ void EdgeWatch::onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>&
         frameId(transform.child_frame_id) != child_)
       continue;
     const auto edge = edgeOf(transform);
-    if (is_this_node && isOwn(edge.stamp)) continue;
+    if (!edge.pose.isFinite() || (is_this_node && isOwn(edge))) continue;
     keep(edge);
     if (!isTaken()) publisher_ = event.getPublisherName();
     is_taken_ = true;
   }
 }
 
-void EdgeWatch::noteOwn(slam::Stamp stamp) {
+void EdgeWatch::noteOwn(const slam::StampedPose& edge) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  own_.push_back(stamp);
+  own_.push_back(edge);
   if (own_.size() > kMost) own_.pop_front();
 }
 
-bool EdgeWatch::isOwn(slam::Stamp stamp) const {
+bool EdgeWatch::isOwn(const slam::StampedPose& edge) const {
+  constexpr double kRounding = 1e-9;  // [m], [rad]
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::find(own_.rbegin(), own_.rend(), stamp) != own_.rend();
+  return std::any_of(own_.rbegin(), own_.rend(), [&edge](const slam::StampedPose& own) {
+    return own.stamp == edge.stamp && own.pose.between(edge.pose).log().norm() < kRounding;
+  });
 }
 
 bool EdgeWatch::hasListened() const { return (ros::WallTime::now() - began_).toSec() > kSlowest; }
 
-/// Time that goes back begins anew.
+/// Time that goes back begins anew; edges that have overtaken one another are put in order.
 void EdgeWatch::keep(const slam::StampedPose& edge) {
-  if (!edge.pose.isFinite()) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!edges_.empty() && edge.stamp < edges_.back().stamp) edges_.clear();
-  edges_.push_back(edge);
+  if (!edges_.empty() && edge.stamp < edges_.back().stamp - kKept) edges_.clear();
+  edges_.insert(behind(edge.stamp), edge);
   while (edges_.size() > kMost || edges_.front().stamp < edge.stamp - kKept) edges_.pop_front();
+}
+
+std::deque<slam::StampedPose>::const_iterator EdgeWatch::behind(slam::Stamp stamp) const {
+  return std::upper_bound(
+      edges_.begin(), edges_.end(), stamp,
+      [](slam::Stamp sought, const slam::StampedPose& edge) { return sought < edge.stamp; });
 }
 
 std::optional<slam::Pose2> EdgeWatch::at(slam::Stamp stamp) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto after = std::upper_bound(
-      edges_.begin(), edges_.end(), stamp,
-      [](slam::Stamp sought, const slam::StampedPose& edge) { return sought < edge.stamp; });
+  const auto after = behind(stamp);
   if (after == edges_.begin()) return std::nullopt;
   const auto& before = *std::prev(after);
   if (after == edges_.end()) return before.pose;

@@ -61,7 +61,7 @@ void MapOdomBroadcaster::send(slam::Stamp now) {
   const auto stamp = toRos(now + tolerance_);
   publisher_.publish(stamp, map_frame_, odometry_frame_, T_map_odom_);
   if (base_frame_.empty()) return;
-  watch_->noteOwn(fromRos(stamp));
+  watch_->noteOwn({fromRos(stamp), slam::Pose2()});
   base_publisher_.publish(stamp, odometry_frame_, base_frame_, slam::Pose2());
 }
 

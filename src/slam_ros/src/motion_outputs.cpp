@@ -30,7 +30,7 @@ void MotionOutputs::publish(slam::Motion motion) {
   frames_.complete(motion.odometry_frame, motion.base_frame);
   if (config_.publish_motion) motion_.publish(boost::make_shared<slam_msgs::Motion>(toMsg(motion)));
   if (watch_ && !is_taken) {
-    watch_->noteOwn(motion.end);
+    watch_->noteOwn({motion.end, motion.odometry_end});
     transform_.publish(toRos(motion.end), motion.odometry_frame, motion.base_frame,
                        motion.odometry_end);
   }

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "slam_core/geometry/covariance.hpp"
 #include "slam_core/particle_filter/scans/scan_proposal.hpp"
 
 namespace slam::particle_filter {
@@ -43,7 +44,7 @@ Eigen::Matrix3d covarianceOf(const PoseGaussian& prior, const Match& match) {
   if (match.was_searched) return match.information.inverse();
   const Eigen::Matrix3d P = prior.covariance + kFloor * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d posterior = (P.inverse() + match.information).inverse();
-  return 0.5 * (posterior + posterior.transpose());
+  return symmetric(posterior);
 }
 
 }  // namespace
@@ -51,8 +52,8 @@ Eigen::Matrix3d covarianceOf(const PoseGaussian& prior, const Match& match) {
 std::optional<Pose2> MatchedScanProposal::search(const ScanInMap& scan,
                                                  const PoseGaussian& prior) const {
   if (tellsNothing(scan, prior)) return std::nullopt;
-  constexpr bool kMaySeekWidely = false;  // ScanFollower has done so
-  const auto match = matcher_.match(scan.map, scan.scan, searchPrior(prior), kMaySeekWidely);
+  constexpr bool kMayUseWideWindow = false;  // ScanFollower has done so
+  const auto match = matcher_.match(scan.map, scan.scan, searchPrior(prior), kMayUseWideWindow);
   if (!match.was_searched) return std::nullopt;
   return prior.mean.between(match.pose);
 }

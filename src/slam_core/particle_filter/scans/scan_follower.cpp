@@ -7,6 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "slam_core/geometry/covariance.hpp"
+
+#include "slam_core/geometry/covariance.hpp"
+
 namespace slam::particle_filter {
 namespace {
 
@@ -14,7 +18,7 @@ constexpr double kMetresPerRadian = 0.5;  // a turn errs as much as such a way
 
 /// The covariance without its negative part.
 Eigen::Matrix3d positivePart(const Eigen::Matrix3d& P) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(0.5 * (P + P.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(symmetric(P));
   return axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).asDiagonal() *
          axes.eigenvectors().transpose();
 }

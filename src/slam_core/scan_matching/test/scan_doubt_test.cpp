@@ -24,6 +24,7 @@ class DoubtfulDrive {
   /// @param share of the ends that contradict the map @param step way to the next scan [m]
   void scan(double share, double step = 0.1) {
     Match match;
+    match.is_determined = true;
     way_ += step;
     match.pose = Pose2(way_, 0.0, 0.0);
     match.agreement.contradicting = static_cast<int>(std::lround(share * kEnds));

@@ -54,6 +54,22 @@ TEST_F(TrackedRobot, WhatAScanCorrectsAfterBlindOnesIsNotTakenForSpeed) {
   EXPECT_LT(before.between(tracker.robot().pose).position().norm(), 0.02) << "it stands again";
 }
 
+TEST_F(TrackedRobot, AVelocityStaysBelowWhatTheRobotCanDo) {
+  MotionLimits limits;
+  limits.speed = 0.3;
+  tracker = ScanTracker(MatcherConfig(), limits);
+  tracker.restart({last.truth, 1e-6 * Eigen::Matrix3d::Identity()});
+  for (int i = 0; i < 20; ++i) {
+    last = drive.next();
+    scan(last.scan);
+  }
+  ASSERT_LT(error(), 0.03);
+  const Pose2 before = tracker.robot().pose;
+  scan(last.scan, true);
+  EXPECT_LT(before.between(tracker.robot().pose).position().norm(),
+            0.3 * std::sqrt(2.0) * 0.1 + 1e-6);
+}
+
 TEST_F(TrackedRobot, ABlindLaserLeavesAHeadingThatMayBeAnything) {
   for (int i = 0; i < 3000; ++i) scan(last.scan, true);
   const auto& P = tracker.robot().covariance;

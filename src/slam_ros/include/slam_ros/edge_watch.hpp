@@ -29,7 +29,7 @@ class EdgeWatch {
 
   /// What is about to be published by the owner of this watch, so that it is not taken for another
   /// publisher's in the same process.
-  void noteOwn(slam::Stamp stamp);
+  void noteOwn(const slam::StampedPose& edge);
   /// Whether it has listened for so long that a driver would have been heard.
   bool hasListened() const;
   bool isTaken() const { return is_taken_; }
@@ -41,14 +41,15 @@ class EdgeWatch {
 
  private:
   void onTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
-  bool isOwn(slam::Stamp stamp) const;
+  bool isOwn(const slam::StampedPose& edge) const;
   void keep(const slam::StampedPose& edge);
+  std::deque<slam::StampedPose>::const_iterator behind(slam::Stamp stamp) const;
 
   std::string parent_, child_, publisher_;
   std::atomic<bool> is_taken_{false};  ///< written last: then publisher_ does not change
   mutable std::mutex mutex_;
   std::deque<slam::StampedPose> edges_;  ///< the latest ones, by stamp
-  std::deque<slam::Stamp> own_;          ///< of the latest edges of the owner
+  std::deque<slam::StampedPose> own_;    ///< the owner's latest ones
   ros::WallTime began_ = ros::WallTime::now();
   ros::CallbackQueue queue_;
   ros::Subscriber transforms_;
