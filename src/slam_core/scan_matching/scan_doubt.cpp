@@ -45,7 +45,7 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   jumped_ = match.jumped;
   evidence_ = evidenceOf(match);
   add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
-  if (match.is_determined && statistic() < kRight) usual_.learn(agreement_, weight);
+  if (statistic() < kRight) usual_.learn(agreement_, weight);
   pose_ = match.pose;
   stamp_ = stamp;
 }
