@@ -8,10 +8,11 @@
 
 namespace slam {
 
-/// Without what rounding has made different on both sides of the diagonal.
+/// Takes out what rounding has made different on both sides of the diagonal.
 inline Eigen::Matrix3d symmetric(const Eigen::Matrix3d& P) { return 0.5 * (P + P.transpose()); }
 
-/// A covariance of (x, y, theta) whose heading is no more unsure than one that may be anything.
+/// Limits the heading's variance in a covariance of (x, y, theta) to that of a heading that may be
+/// anything.
 inline Eigen::Matrix3d clampedHeading(const Eigen::Matrix3d& P) {
   constexpr double kUniform = M_PI * M_PI / 3.0;
   if (P(2, 2) <= kUniform) return P;

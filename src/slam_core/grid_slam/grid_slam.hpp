@@ -25,9 +25,9 @@ namespace slam::grid_slam {
 /// 2011; thesis, Table 3.1). It needs no odometry; where motion comes it says where to look. No
 /// loop is closed: the map is as good as the scans follow one another.
 ///
-/// The reported covariance is that of the robot among the parts of the map around it, and that of these
-/// parts (MapDrift). Counted: as ScanWatch; "contradicting" scans, which do not go into the map;
-/// "scans_without_memory"; "beams_beyond_map".
+/// The reported covariance is that of the robot among the parts of the map around it, and that of
+/// these parts (MapDrift). Counted: as ScanWatch; "contradicting" scans, which do not go into the
+/// map; "scans_without_memory"; "beams_beyond_map".
 class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
  public:
   /// @throw ConfigError

@@ -32,7 +32,7 @@ class PlaceSearch {
   PlaceSearch(const grid_map::GridMap& map, const grid_map::ScanPoints& scan, const Pose2& middle,
               const SearchWindow& window);
 
-  /// Whether the rasters stay within some hundred megabytes; where not, nothing is found.
+  /// Whether the rasters stay below 70 MB; where they would not, nothing is found.
   static bool isWithinMemory(const grid_map::ScanPoints& scan, const SearchWindow& window);
 
   /// Whether there is something to search, and memory for it.

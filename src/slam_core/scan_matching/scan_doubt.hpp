@@ -25,7 +25,8 @@ class ScanDoubt {
  public:
   /// @param lost_share of the ends in known cells; a scan of which more contradicts the map does
   /// not go into it @param false_alarm_hours mean time between two false alarms, of a robot under
-  /// way [h] @param map_is_fixed in it, scans that fit nothing speak for "lost"
+  /// way [h] @param map_is_fixed the map stays as it is; then scans that fit nothing speak for
+  /// "lost"
   explicit ScanDoubt(double lost_share = 0.5, double false_alarm_hours = 1000.0,
                      bool map_is_fixed = false);
 

@@ -13,7 +13,8 @@ namespace {
 
 /// Of all ends: where as many agree with the map, the coarse resolution would tell nothing new.
 constexpr double kSettled = 0.9;
-/// Of the ends in known cells: where more contradict the map, a wide search is worth its time.
+/// A wide search is worth its time where more than this share of the ends in known cells
+/// contradicts the map.
 constexpr double kManyContradict = 0.3;
 /// By how much better a place must fit that the prior did not lead to, of all ends: among many
 /// places some fit by chance.
@@ -34,7 +35,7 @@ grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
   return scan;
 }
 
-/// In the finest resolution that leaves it within memory.
+/// The search runs in the finest resolution that leaves it within memory.
 PlaceSearch searchOf(const MapView& map, const ScanLevels& scan, const Pose2& middle,
                      const SearchWindow& window) {
   const std::size_t level = PlaceSearch::isWithinMemory(scan[0], window) ? 0 : 1;
@@ -126,7 +127,7 @@ bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map,
                                 const ScanLevels& scan) const {
   constexpr SearchWindow kAround{10.0, M_PI}, kApart{0.5, 0.3};  // [m], [rad]
   const auto search = searchOf(map, scan, found.pose, kAround);
-  if (!search.isWithinReach()) return true;  // who knows
+  if (!search.isWithinReach()) return true;  // none has been ruled out
   const auto place = search.bestApartFrom(found.pose, kApart);
   if (!place) return false;
   const auto rival = refinedWithin(map, scan, *place, kApart.position, kApart.heading);

@@ -20,7 +20,7 @@ struct Match {
   double prior_weight = 1.0;      ///< what has been left of the prior; 0 where it was searched
   bool is_determined = false;     ///< enough ends fit to say something
   bool was_searched = false;      ///< where the prior led nothing fitted
-  bool wide_search_done = false;  ///< whether or not a place was found so
+  bool wide_search_done = false;  ///< it may have found nothing
   /// By a wide search: seen from where the prior led.
   std::optional<Pose2> jumped;
 };
@@ -34,7 +34,8 @@ class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
 
-  /// @param map not empty @param may_use_wide_window what takes some ten milliseconds
+  /// @param map not empty @param may_use_wide_window a search in it takes some
+  /// ten milliseconds
   Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
               bool may_use_wide_window = true) const;
 
@@ -54,7 +55,7 @@ class ScanToMapMatcher {
  private:
   /// Whether the scan fits about as well elsewhere.
   bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan) const;
-  /// A far place that is worth a jump, or `nearby`.
+  /// Searches the wide window. @return a place there that is worth a jump, else `nearby`
   Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,

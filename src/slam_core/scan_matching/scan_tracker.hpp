@@ -19,7 +19,7 @@ class SweepInterval {
   void note(Duration interval);
   /// An interval that is stamped so, or what it is more likely to be.
   Duration plausible(Duration interval) const;
-  /// The same for a gap, however long: scans may have been lost.
+  /// A gap of any length counts in full here, since scans may have been lost.
   Duration likely(Duration interval) const;
 
  private:
@@ -34,10 +34,10 @@ struct ScanStep {
   Eigen::Matrix3d of_motion = Eigen::Matrix3d::Identity();
 };
 
-/// What a robot does at most.
+/// The robot moves no faster than this.
 struct MotionLimits {
   double speed = 10.0, turn_rate = 10.0;  ///< [m/s], [rad/s]
-  bool may_jump = true;                   ///< it may be found far from where it was
+  bool may_jump = true;                   ///< a scan may find it far from where it was
 };
 
 /// Follows a robot through a map from scan to scan: each is looked for where the last pose and the
@@ -69,12 +69,13 @@ class ScanTracker {
   Match move(const Motion& motion);
   Match match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Motion& motion,
               bool is_told);
-  /// A robot that is lost is not sought widely with each scan: others must go on.
+  /// A wide search for each scan of a lost robot would take too long.
   bool mayUseWideWindow(Stamp stamp) const;
   /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
   void update(const Match& found, const PosePrior& prior, const Motion& motion,
               const Eigen::Matrix3d& noise);
-  /// From the step to the last scan, where both poses were known: else it corrects the one before.
+  /// The step to the last scan tells a velocity where both of its poses were known. Else it
+  /// corrects the first of them.
   void learnVelocity(const Pose2& step, Duration interval, bool is_correction);
 
   ScanToMapMatcher matcher_;
@@ -88,7 +89,7 @@ class ScanTracker {
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]
   Eigen::Vector3d shares_ = Eigen::Vector3d::Zero();    ///< of a usual step, what the last scan
                                                         ///< determines in each direction
-  /// In which directions the last scan told the pose.
+  /// The last scan told the pose in these directions.
   Eigen::Array<bool, 3, 1> was_known_ = Eigen::Array<bool, 3, 1>::Constant(true);
   Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();  ///< so long is each of the velocity [s]
 };

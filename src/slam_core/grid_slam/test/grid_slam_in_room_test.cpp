@@ -180,7 +180,7 @@ TEST_F(GridSlamInARoom, TellsThatItIsLostInALoadedMapUntilItGetsItsPlace) {
   EXPECT_EQ(follow(40, true), 0);
 }
 
-/// Where a loaded map shows nothing, nothing contradicts it.
+/// A robot beside a loaded map sees nothing that contradicts it.
 TEST_F(GridSlamInARoom, TellsThatItIsLostBesideALoadedMap) {
   for (int i = 0; i < 145; ++i) step();
   DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});

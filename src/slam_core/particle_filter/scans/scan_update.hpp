@@ -50,7 +50,7 @@ class ScanUpdate final : public SensorUpdate {
 
   /// Whether the scans still fit the map of the most likely particle.
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
-  /// Of the latest scans.
+  /// Says whether the latest scans tell where the robot is.
   Status status() const { return moreUrgent(doubt_.status(), watch_.status()); }
   const scan_matching::LevelModels& models() const { return models_; }
   /// Tiles in the rectangle of the largest map.

@@ -320,11 +320,13 @@ TEST(GridSlam, RefusesParametersThatMakeNoGrid) {
   grid_map::GridMapConfig grid;
   ScanConfig scan;
   grid.resolution = 0.0;
+  grid.sigma = 10.0;
   grid.hit_probability = 0.4;
   scan.outlier = 0.0;
   const auto faults = test::faultsOf([&] { filter.configure(gridConfig(), grid, scan); });
-  EXPECT_EQ(faults.size(), 3u);
+  EXPECT_EQ(faults.size(), 4u);
   EXPECT_TRUE(test::oneSays(faults, {"grid_map.resolution", "0 is not allowed"}));
+  EXPECT_TRUE(test::oneSays(faults, {"grid_map.sigma", "10 is not allowed"}));
   EXPECT_TRUE(test::oneSays(faults, {"scan_matching.outlier", "0 is not allowed"}));
 }
 

@@ -124,5 +124,15 @@ TEST_F(PlaceSearchInARoom, APyramidIsNowhereBelowACellThatAShiftLeadsTo) {
   }
 }
 
+TEST_F(PlaceSearchInARoom, FindsNothingWhereItsRastersWouldNotFitIntoMemory) {
+  constexpr SearchWindow kWindow{1.0, 0.3};
+  ASSERT_TRUE(PlaceSearch(map, scan, truth, kWindow).best());
+  scan.ends.emplace_back(5000.0, 0.0);  // [cells]
+  const PlaceSearch search(map, scan, truth, kWindow);
+  EXPECT_FALSE(PlaceSearch::isWithinMemory(scan, kWindow));
+  EXPECT_FALSE(search.isWithinReach());
+  EXPECT_FALSE(search.best());
+}
+
 }  // namespace
 }  // namespace slam::scan_matching

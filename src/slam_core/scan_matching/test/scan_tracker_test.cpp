@@ -70,6 +70,17 @@ TEST_F(TrackedRobot, AVelocityStaysBelowWhatTheRobotCanDo) {
             0.3 * std::sqrt(2.0) * 0.1 + 1e-6);
 }
 
+TEST_F(TrackedRobot, IsFoundFarAwayOnlyWhereItMayJump) {
+  for (const bool may_jump : {true, false}) {
+    MotionLimits limits;
+    limits.may_jump = may_jump;
+    tracker = ScanTracker(MatcherConfig(), limits);
+    tracker.restart({last.truth * Pose2(1.5, 0.3, 0.5), 1e-6 * Eigen::Matrix3d::Identity()});
+    for (int i = 0; i < 5; ++i) scan(last.scan);
+    EXPECT_EQ(error() < 0.1, may_jump) << error();
+  }
+}
+
 TEST_F(TrackedRobot, ABlindLaserLeavesAHeadingThatMayBeAnything) {
   for (int i = 0; i < 3000; ++i) scan(last.scan, true);
   const auto& P = tracker.robot().covariance;

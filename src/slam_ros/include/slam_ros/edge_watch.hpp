@@ -27,8 +27,8 @@ class EdgeWatch {
  public:
   EdgeWatch(ros::NodeHandle handle, std::string parent, std::string child);
 
-  /// What is about to be published by the owner of this watch, so that it is not taken for another
-  /// publisher's in the same process.
+  /// The owner of this watch calls it before it publishes an edge: a driver in the same process has
+  /// the same name, and only what it publishes tells them apart.
   void noteOwn(const slam::StampedPose& edge);
   /// Whether it has listened for so long that a driver would have been heard.
   bool hasListened() const;
