@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph/bayes_tree.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "slam_core/graph/elimination.hpp"
+
+// Symbols: a clique with frontal variables f and separator s holds L_ff and L_sf of the Cholesky
+// factor L, y_f = L_ff^-1 (g_f + what its children leave), and leaves g_s - L_sf y_f to its parent.
+// The solution follows from the root down: L_ff^T x_f = y_f - L_sf^T x_s.
+
+namespace slam::graph {
+
+Key BayesTree::addVariable(int rows) {
+  const auto key = static_cast<Key>(rows_.size());
+  offsets_.push_back(static_cast<int>(solution_.size()));
+  rows_.push_back(rows);
+  clique_of_.push_back(-1);
+  has_moved_.push_back(0);
+  row_of_.push_back(-1);
+  open_.push_back(key);
+  const auto size = solution_.size() + rows;
+  solution_.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+  spread_.conservativeResizeLike(Eigen::VectorXd::Zero(size));
+  return key;
+}
+
+FactorId BayesTree::addFactor(QuadraticFactor factor) {
+  touched_.insert(touched_.end(), factor.keys.begin(), factor.keys.end());
+  FactorId id = static_cast<FactorId>(factors_.size());
+  if (free_factors_.empty()) {
+    factors_.emplace_back();
+  } else {
+    id = free_factors_.back();
+    free_factors_.pop_back();
+  }
+  factors_[index(id)] = {std::move(factor), -1};
+  open_factors_.push_back(id);
+  return id;
+}
+
+void BayesTree::replace(FactorId id, const Eigen::MatrixXd& H, const Eigen::VectorXd& g) {
+  auto& stored = factors_[index(id)];
+  stored.factor.H = H;
+  stored.factor.g = g;
+  if (stored.clique >= 0) changed_.push_back(stored.clique);
+}
+
+void BayesTree::removeFactor(FactorId id) {
+  const int holder = factors_[index(id)].clique;
+  auto& holders = holder >= 0 ? clique(holder).factors : open_factors_;
+  holders.erase(std::find(holders.begin(), holders.end(), id));
+  if (holder >= 0) changed_.push_back(holder);
+  factors_[index(id)] = {};
+  free_factors_.push_back(id);
+}
+
+int BayesTree::newClique() {
+  if (free_.empty()) {
+    cliques_.emplace_back();
+    return static_cast<int>(cliques_.size()) - 1;
+  }
+  const int i = free_.back();
+  free_.pop_back();
+  return i;
+}
+
+/// Takes a clique off, and all above it.
+void BayesTree::open(int i) {
+  while (i >= 0 && !clique(i).is_open) {
+    auto& taken = clique(i);
+    for (std::size_t k = 0; k < index(taken.frontals); ++k) {
+      clique_of_[index(taken.keys[k])] = -1;
+      open_.push_back(taken.keys[k]);
+    }
+    for (const FactorId id : taken.factors) factors_[index(id)].clique = -1;
+    open_factors_.insert(open_factors_.end(), taken.factors.begin(), taken.factors.end());
+    orphans_.insert(orphans_.end(), taken.children.begin(), taken.children.end());
+    taken.factors.clear();
+    taken.children.clear();
+    taken.is_open = true;
+    free_.push_back(i);
+    i = std::exchange(taken.parent, -1);
+  }
+}
+
+void BayesTree::openAll() {
+  for (const int i : changed_) open(i);
+  for (const Key key : touched_) open(clique_of_[index(key)]);
+  changed_.clear();
+  touched_.clear();
+  const auto is_open = [this](int i) { return clique(i).is_open; };
+  orphans_.erase(std::remove_if(orphans_.begin(), orphans_.end(), is_open), orphans_.end());
+  roots_.erase(std::remove_if(roots_.begin(), roots_.end(), is_open), roots_.end());
+  std::sort(open_.begin(), open_.end());
+}
+
+void BayesTree::update(const std::vector<Key>& last) {
+  openAll();
+  if (!open_.empty()) Elimination(*this, last).run();
+  open_.clear();
+  open_factors_.clear();
+  orphans_.clear();
+}
+
+void BayesTree::substitute(Clique& c) {
+  int rows = 0;
+  for (const Key key : c.keys) {
+    row_of_[index(key)] = rows;
+    rows += rows_[index(key)];
+  }
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(rows);
+  const auto add = [&](const Key* keys, std::size_t size, const Eigen::VectorXd& part) {
+    int row = 0;
+    for (const Key* key = keys; key != keys + size; ++key) {
+      const int n = rows_[index(*key)];
+      for (int k = 0; k < n; ++k) g[row_of_[index(*key)] + k] += part[row + k];
+      row += n;
+    }
+  };
+  for (const FactorId id : c.factors) {
+    const auto& factor = factors_[index(id)].factor;
+    add(factor.keys.data(), factor.keys.size(), factor.g);
+  }
+  for (const int i : c.children) {
+    const auto& child = clique(i);
+    add(child.keys.data() + child.frontals, child.keys.size() - index(child.frontals),
+        child.schur_rhs);
+  }
+  const int f = c.frontal_rows;
+  c.rhs = c.columns.topRows(f).triangularView<Eigen::Lower>().solve(g.head(f));
+  c.schur_rhs = g.tail(rows - f);
+  c.schur_rhs.noalias() -= c.columns.bottomRows(rows - f) * c.rhs;
+  c.is_due = true;
+}
+
+void BayesTree::solve(double threshold) {
+  for (const Key key : moved_) has_moved_[index(key)] = 0;
+  moved_.clear();
+  std::vector<int> next = roots_;
+  while (!next.empty()) {
+    auto& c = clique(next.back());
+    next.pop_back();
+    if (solve(c, threshold)) next.insert(next.end(), c.children.begin(), c.children.end());
+  }
+}
+
+/// @return whether what the clique depends on has moved
+bool BayesTree::solve(Clique& c, double threshold) {
+  bool is_due = std::exchange(c.is_due, false);
+  for (auto i = index(c.frontals); i < c.keys.size() && !is_due; ++i)
+    is_due = has_moved_[index(c.keys[i])] != 0;
+  if (!is_due) return false;
+  const int f = c.frontal_rows;
+  Eigen::VectorXd separator(c.rows - f);
+  int row = 0;
+  for (auto i = index(c.frontals); i < c.keys.size(); ++i) {
+    const auto k = index(c.keys[i]);
+    separator.segment(row, rows_[k]) = spread_.segment(offsets_[k], rows_[k]);
+    row += rows_[k];
+  }
+  Eigen::VectorXd x = c.rhs;
+  x.noalias() -= c.columns.bottomRows(c.rows - f).transpose() * separator;
+  c.columns.topRows(f).triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+  row = 0;
+  for (std::size_t i = 0; i < index(c.frontals); ++i) {
+    const auto k = index(c.keys[i]);
+    const auto now = x.segment(row, rows_[k]);
+    row += rows_[k];
+    solution_.segment(offsets_[k], rows_[k]) = now;
+    auto spread = spread_.segment(offsets_[k], rows_[k]);
+    if ((now - spread).cwiseAbs().maxCoeff() <= threshold) continue;
+    spread = now;
+    has_moved_[k] = 1;
+    moved_.push_back(c.keys[i]);
+  }
+  return true;
+}
+
+void BayesTree::moveOrigin(Key key) {
+  solution_.segment(offsets_[index(key)], rows(key)).setZero();
+  spread_.segment(offsets_[index(key)], rows(key)).setZero();
+}
+
+std::vector<BayesTree::ForwardRows> BayesTree::forward(Key key) const {
+  std::vector<ForwardRows> result;
+  std::vector<std::pair<Key, Eigen::MatrixXd>> b = {
+      {key, Eigen::MatrixXd::Identity(rows(key), rows(key))}};  // what is left to substitute
+  for (int i = clique_of_[index(key)]; i >= 0; i = clique(i).parent) {
+    const auto& c = clique(i);
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(c.rows, rows(key));
+    int row = 0;
+    for (const Key k : c.keys) {
+      row_of_[index(k)] = row;
+      row += rows(k);
+    }
+    for (const auto& [k, values] : b) part.middleRows(row_of_[index(k)], rows(k)) = values;
+    const int f = c.frontal_rows;
+    auto y = part.topRows(f);
+    c.columns.topRows(f).triangularView<Eigen::Lower>().solveInPlace(y);
+    part.bottomRows(c.rows - f).noalias() -= c.columns.bottomRows(c.rows - f) * y;
+    b.clear();
+    for (auto k = index(c.frontals); k < c.keys.size(); ++k)
+      b.emplace_back(c.keys[k], part.middleRows(row_of_[index(c.keys[k])], rows(c.keys[k])));
+    result.push_back({i, y});
+  }
+  return result;
+}
+
+/// With L y = e, that of a and b is y_a^T y_b: the paths of two variables to the root have the
+/// cliques above their first common one in common.
+Eigen::MatrixXd BayesTree::covariance(const std::vector<Key>& keys) const {
+  std::vector<std::vector<ForwardRows>> paths;
+  std::vector<int> offsets = {0};
+  for (const Key key : keys) {
+    paths.push_back(forward(key));
+    offsets.push_back(offsets.back() + rows(key));
+  }
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(offsets.back(), offsets.back());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      auto block = covariance.block(offsets[i], offsets[j], rows(keys[i]), rows(keys[j]));
+      auto a = paths[i].rbegin();
+      auto b = paths[j].rbegin();
+      for (; a != paths[i].rend() && b != paths[j].rend() && a->clique == b->clique; ++a, ++b)
+        block.noalias() += a->rows.transpose() * b->rows;
+    }
+  covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
+  return covariance;
+}
+
+std::size_t BayesTree::bytes() const {
+  Eigen::Index numbers = 0;
+  for (const auto& c : cliques_)
+    numbers += c.columns.size() + c.schur.size() + c.rhs.size() + c.schur_rhs.size();
+  for (const auto& stored : factors_) numbers += stored.factor.H.size() + stored.factor.g.size();
+  return static_cast<std::size_t>(numbers) * sizeof(double);
+}
+
+}  // namespace slam::graph

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "slam_core/graph/quadratic_factor.hpp"
+
+namespace slam::graph {
+
+/// The Cholesky factor of sparse normal equations H x = g as a tree of cliques (Bayes tree: Kaess,
+/// Johannsson, Roberts, Ila, Leonard, Dellaert 2012). A factor that is new or has changed costs the
+/// elimination of the cliques between its variables and the root.
+///
+/// Call order: any number of changes, then update(), then solve().
+class BayesTree {
+ public:
+  /// @return the key of a new variable of as many rows; update() needs a factor that determines it
+  Key addVariable(int rows);
+  int variables() const { return static_cast<int>(rows_.size()); }
+  int rows(Key key) const { return rows_[index(key)]; }
+
+  FactorId addFactor(QuadraticFactor factor);
+  /// Replaces H and g of a factor.
+  void replace(FactorId id, const Eigen::MatrixXd& H, const Eigen::VectorXd& g);
+  void removeFactor(FactorId id);
+
+  /// Brings the tree up to date with all changes.
+  /// @param last variables to eliminate last, since the next factors will touch them
+  /// @throw std::domain_error where the factors do not determine all variables; the tree is then
+  /// of no more use
+  void update(const std::vector<Key>& last);
+
+  /// Computes the minimum, where it has moved.
+  /// @param threshold a variable that has moved less does not move those that depend on it
+  void solve(double threshold = 0.0);
+  Eigen::VectorBlock<const Eigen::VectorXd> solution(Key key) const {
+    return static_cast<const Eigen::VectorXd&>(solution_).segment(offsets_[index(key)], rows(key));
+  }
+  /// The variables that the last solve() has moved by more than the threshold.
+  const std::vector<Key>& moved() const { return moved_; }
+  /// The variable is now counted from its solution, which becomes 0. The gradients of all its
+  /// factors have to be replaced before the next update().
+  void moveOrigin(Key key);
+
+  /// The covariance of some variables, the inverse of H: rows in the order of the keys.
+  Eigen::MatrixXd covariance(const std::vector<Key>& keys) const;
+
+  std::size_t bytes() const;  ///< of the numbers it holds
+  /// How many rows the last update() has eliminated.
+  int eliminatedRows() const { return eliminated_rows_; }
+
+ private:
+  friend class Elimination;
+
+  /// Variables that are eliminated together (the frontal ones), and those that these depend on (the
+  /// separator).
+  struct Clique {
+    std::vector<Key> keys;  ///< frontal ones first
+    int frontals = 0;       ///< how many of the keys
+    int frontal_rows = 0, rows = 0;
+    Eigen::MatrixXd columns;  ///< of the Cholesky factor: the triangle, the separator's rows below
+    Eigen::MatrixXd schur;    ///< what elimination leaves on the separator; the lower half
+    Eigen::VectorXd rhs;      ///< of the triangular system
+    Eigen::VectorXd schur_rhs;      ///< what elimination leaves of g on the separator
+    std::vector<FactorId> factors;  ///< of which a frontal variable is the first one eliminated
+    std::vector<int> children;
+    int parent = -1;
+    bool is_open = false;  ///< it was taken off
+    bool is_due = false;   ///< its part of the solution has to be computed
+  };
+  struct StoredFactor {
+    QuadraticFactor factor;
+    int clique = -1;  ///< that holds it; -1: none yet
+  };
+  /// The part of the rows of L^-1 E, E the columns of a variable, that one clique holds.
+  struct ForwardRows {
+    int clique;
+    Eigen::MatrixXd rows;
+  };
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  Clique& clique(int i) { return cliques_[index(i)]; }
+  const Clique& clique(int i) const { return cliques_[index(i)]; }
+  int newClique();
+  void open(int clique);
+  void openAll();
+  void substitute(Clique& clique);
+  bool solve(Clique& clique, double threshold);
+  std::vector<ForwardRows> forward(Key key) const;
+
+  std::vector<int> rows_, offsets_;  ///< of each variable
+  std::vector<int> clique_of_;       ///< that eliminates a variable; -1: none yet
+  std::vector<Clique> cliques_;
+  std::vector<int> free_, roots_;
+  std::vector<StoredFactor> factors_;
+  std::vector<FactorId> free_factors_;
+
+  // since the last update()
+  std::vector<Key> open_;               ///< variables to eliminate
+  std::vector<FactorId> open_factors_;  ///< to eliminate
+  std::vector<int> orphans_;            ///< cliques whose parents were taken off
+  std::vector<int> changed_;            ///< cliques to open
+  std::vector<Key> touched_;            ///< variables whose cliques are to open
+  int eliminated_rows_ = 0;
+
+  Eigen::VectorXd solution_;
+  Eigen::VectorXd spread_;  ///< the part of the solution that the cliques below know of
+  std::vector<char> has_moved_;
+  std::vector<Key> moved_;
+  mutable std::vector<int> row_of_;  ///< of each variable in the clique at work
+};
+
+}  // namespace slam::graph

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "slam_core/graph/bayes_tree.hpp"
+
+namespace slam::graph {
+
+/// One elimination of the open variables of a tree: symbolic, then clique by clique in numbers
+/// (multifrontal: Liu 1992).
+class Elimination {
+ public:
+  Elimination(BayesTree& tree, const std::vector<Key>& last);
+  /// @throw std::domain_error where the factors do not determine all variables
+  void run();
+
+ private:
+  /// A variable at its place in the order, with the factors and cliques of which it is the first.
+  struct Column {
+    Key key;
+    std::vector<FactorId> factors;
+    std::vector<int> orphans;
+    std::vector<int> depends;   ///< the places that it depends on once eliminated, rising
+    std::vector<int> children;  ///< the places that depend on it first
+    int clique = -1;            ///< that it is a frontal variable of
+  };
+
+  void order(const std::vector<Key>& last);
+  void assign();
+  void findStructure();
+  void formCliques();
+  void eliminate(std::size_t column);
+  void gather(BayesTree::Clique& clique, std::size_t last);
+  void adopt(int id, const std::vector<int>& members);
+  Eigen::MatrixXd front(const BayesTree::Clique& clique);
+  void addFactor(const QuadraticFactor& factor, Eigen::MatrixXd& front) const;
+  void addSchur(const BayesTree::Clique& child, Eigen::MatrixXd& front) const;
+
+  int placeOf(Key key) const { return places_[BayesTree::index(key)]; }
+
+  BayesTree& tree_;
+  std::vector<int> places_;  ///< of each variable of the tree in the order
+  std::vector<Column> columns_;
+  std::vector<std::vector<int>> members_;  ///< columns of a new clique, at its last column
+};
+
+}  // namespace slam::graph

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+namespace slam::graph {
+
+/// The order in which to eliminate variables so that little fill arises (CCOLAMD: Davis, Gilbert,
+/// Larimore, Ng 2004).
+/// @param sets the variables that each factor joins, numbered from 0
+/// @param is_last variables that have to come last
+/// @return the variables, first eliminated first
+std::vector<int> eliminationOrder(int variables, const std::vector<std::vector<int>>& sets,
+                                  const std::vector<char>& is_last);
+
+}  // namespace slam::graph

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "slam_core/graph/variables.hpp"
+
+namespace slam::graph {
+
+/// The whitened residual r of a factor, r^T r its share of chi2, and its Jacobian J in corrections
+/// of the variables, columns in the order of the keys.
+struct LinearFactor {
+  static constexpr int kMostRows = 3, kMostColumns = 6;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1> r;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows, kMostColumns> J;
+};
+
+/// What a measurement says of one or two variables.
+class Factor {
+ public:
+  explicit Factor(std::vector<Key> keys) : keys_(std::move(keys)) {}
+  virtual ~Factor() = default;
+
+  const std::vector<Key>& keys() const { return keys_; }
+  virtual LinearFactor linearized(const Variables& variables) const = 0;
+
+ private:
+  std::vector<Key> keys_;
+};
+
+}  // namespace slam::graph

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph/factors.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "slam_core/models/observation_model.hpp"
+
+// Symbols: e the error of a measurement, W its weight, r = W e; J by corrections of poses, which
+// are twists (v, omega) in the robot's frame: x exp(v, omega) is x (v, omega) to first order.
+
+namespace slam::graph {
+namespace {
+
+/// By a twist of the second of two poses: that of their relative pose in coordinates (x, y, theta).
+Eigen::Matrix3d rotated(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return (Eigen::Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
+}
+
+}  // namespace
+
+Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& information) {
+  return Eigen::LLT<Eigen::MatrixXd>(information).matrixU();
+}
+
+Eigen::MatrixXd squareRootInformation(const Eigen::MatrixXd& covariance) {
+  return squareRoot(covariance.inverse());
+}
+
+PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)
+    : Factor({pose}), known_inverse_(known.inverse()), W_(W) {}
+
+LinearFactor PosePrior::linearized(const Variables& variables) const {
+  const Pose2 e = known_inverse_ * variables.pose(keys()[0]);
+  return {W_ * e.vector(), W_ * rotated(e.theta())};
+}
+
+PointPrior::PointPrior(Key point, const Eigen::Vector2d& known, const Eigen::Matrix2d& W)
+    : Factor({point}), known_(known), W_(W) {}
+
+LinearFactor PointPrior::linearized(const Variables& variables) const {
+  return {W_ * (variables.point(keys()[0]) - known_), W_};
+}
+
+Between::Between(Key a, Key b, const Pose2& a_b, const Eigen::Matrix3d& W)
+    : Factor({a, b}), a_b_(a_b), b_a_(a_b.inverse()), W_(W) {}
+
+LinearFactor Between::linearized(const Variables& variables) const {
+  const Pose2 a_b = variables.pose(keys()[0]).between(variables.pose(keys()[1]));
+  const Pose2 e = b_a_ * a_b;
+  // a twist of a moves b's place in a the other way, and turns it around a
+  Eigen::Matrix3d J_a = -rotated(-a_b_.theta());
+  J_a.topRightCorner<2, 1>() = J_a.topLeftCorner<2, 2>() * Eigen::Vector2d(-a_b.y(), a_b.x());
+  LinearFactor linear;
+  linear.r = W_ * e.vector();
+  linear.J.resize(3, 6);
+  linear.J.leftCols<3>().noalias() = W_ * J_a;
+  linear.J.rightCols<3>().noalias() = W_ * rotated(e.theta());
+  return linear;
+}
+
+RangeBearing::RangeBearing(Key pose, Key point, const Pose2& base_sensor, const Eigen::Vector2d& z,
+                           const Eigen::Matrix2d& W)
+    : Factor({pose, point}), base_sensor_(base_sensor), z_(z), W_(W) {}
+
+LinearFactor RangeBearing::linearized(const Variables& variables) const {
+  const RangeBearingModel model;
+  const auto& pose = variables.pose(keys()[0]);
+  ObservationModel::Jacobian23 J_pose;
+  Eigen::Matrix2d J_point;
+  const auto predicted =
+      model.predict(pose, base_sensor_, variables.point(keys()[1]), &J_pose, &J_point);
+  LinearFactor linear;
+  linear.r = -W_ * model.innovation(z_, predicted);
+  linear.J.resize(2, 5);
+  linear.J.leftCols<3>().noalias() = W_ * J_pose * rotated(pose.theta());
+  linear.J.rightCols<2>().noalias() = W_ * J_point;
+  return linear;
+}
+
+}  // namespace slam::graph

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/graph/factor.hpp"
+
+namespace slam::graph {
+
+// Weights are square roots of information matrices: W^T W = R^-1.
+/// @return the upper triangular square root of the inverse of a covariance
+Eigen::MatrixXd squareRootInformation(const Eigen::MatrixXd& covariance);
+/// @return the upper triangular square root of an information matrix
+Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& information);
+
+/// A pose is known: r = W (T_known^-1 T_map_base), the error as (x, y, theta).
+class PosePrior final : public Factor {
+ public:
+  PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W);
+  LinearFactor linearized(const Variables& variables) const override;
+
+ private:
+  Pose2 known_inverse_;
+  Eigen::Matrix3d W_;
+};
+
+/// A point is known [m].
+class PointPrior final : public Factor {
+ public:
+  PointPrior(Key point, const Eigen::Vector2d& known, const Eigen::Matrix2d& W);
+  LinearFactor linearized(const Variables& variables) const override;
+
+ private:
+  Eigen::Vector2d known_;
+  Eigen::Matrix2d W_;
+};
+
+/// The pose b is known relative to a: r = W (T_ab^-1 a^-1 b), the error as (x, y, theta), as in g2o
+/// (Kuemmerle, Grisetti, Strasdat, Konolige, Burgard 2011).
+class Between final : public Factor {
+ public:
+  Between(Key a, Key b, const Pose2& a_b, const Eigen::Matrix3d& W);
+  LinearFactor linearized(const Variables& variables) const override;
+  const Pose2& measured() const { return a_b_; }
+
+ private:
+  Pose2 a_b_, b_a_;
+  Eigen::Matrix3d W_;
+};
+
+/// Range [m] and bearing [rad] of a point from a sensor on the robot, Eq. 5.3.
+class RangeBearing final : public Factor {
+ public:
+  RangeBearing(Key pose, Key point, const Pose2& base_sensor, const Eigen::Vector2d& z,
+               const Eigen::Matrix2d& W);
+  LinearFactor linearized(const Variables& variables) const override;
+
+ private:
+  Pose2 base_sensor_;
+  Eigen::Vector2d z_;
+  Eigen::Matrix2d W_;
+};
+
+}  // namespace slam::graph

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph/optimizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace slam::graph {
+namespace {
+
+Eigen::MatrixXd hessian(const LinearFactor& linear) { return linear.J.transpose() * linear.J; }
+
+Eigen::VectorXd gradient(const LinearFactor& linear) { return -linear.J.transpose() * linear.r; }
+
+}  // namespace
+
+Key Optimizer::add(const Pose2& pose) {
+  terms_of_.emplace_back();
+  tree_.addVariable(3);
+  return variables_.add(pose);
+}
+
+Key Optimizer::add(const Eigen::Vector2d& point) {
+  terms_of_.emplace_back();
+  tree_.addVariable(2);
+  return variables_.add(point);
+}
+
+FactorId Optimizer::add(std::unique_ptr<Factor> factor) {
+  const auto linear = factor->linearized(variables_);
+  const auto id = tree_.addFactor({factor->keys(), hessian(linear), gradient(linear)});
+  if (index(id) >= terms_.size()) terms_.resize(index(id) + 1);
+  for (const Key key : factor->keys()) terms_of_[index(key)].push_back(id);
+  terms_[index(id)] = {std::move(factor), 1.0};
+  return id;
+}
+
+void Optimizer::remove(FactorId id) {
+  for (const Key key : terms_[index(id)].factor->keys()) {
+    auto& terms = terms_of_[index(key)];
+    terms.erase(std::find(terms.begin(), terms.end(), id));
+  }
+  terms_[index(id)] = {};
+  tree_.removeFactor(id);
+}
+
+void Optimizer::setWeight(FactorId id, double weight) {
+  terms_[index(id)].weight = weight;
+  refresh(id);
+}
+
+LinearFactor Optimizer::weighted(const Term& term, const Variables& variables) const {
+  auto linear = term.factor->linearized(variables);
+  if (term.weight == 1.0) return linear;
+  linear.r *= std::sqrt(term.weight);
+  linear.J *= std::sqrt(term.weight);
+  return linear;
+}
+
+void Optimizer::refresh(FactorId id) {
+  const auto linear = weighted(terms_[index(id)], variables_);
+  tree_.replace(id, hessian(linear), gradient(linear));
+}
+
+/// Factors of variables that are further from where they were linearised are linearised again.
+void Optimizer::relinearize(const std::vector<Key>& keys, double limit) {
+  std::vector<FactorId> changed;
+  for (const Key key : keys) {
+    const auto delta = tree_.solution(key);
+    if (delta.cwiseAbs().maxCoeff() <= limit) continue;
+    variables_.set(key, variables_.corrected(key, delta));
+    tree_.moveOrigin(key);
+    const auto& terms = terms_of_[index(key)];
+    changed.insert(changed.end(), terms.begin(), terms.end());
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  for (const FactorId id : changed) refresh(id);
+}
+
+void Optimizer::update(const std::vector<Key>& last) {
+  relinearize(tree_.moved(), limits_.correction);
+  tree_.update(last);
+  tree_.solve(limits_.change);
+}
+
+bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
+  constexpr double kConverged = 1e-4;
+  std::vector<Key> all(variables_.size());
+  std::iota(all.begin(), all.end(), 0);
+  for (int i = 0; i < most_steps; ++i) {
+    relinearize(all, 0.0);
+    tree_.update(last);
+    tree_.solve();
+    const auto has_moved = [this](Key key) {
+      return tree_.solution(key).cwiseAbs().maxCoeff() > kConverged;
+    };
+    if (std::none_of(all.begin(), all.end(), has_moved)) return true;
+  }
+  return false;
+}
+
+Variables Optimizer::estimate() const {
+  Variables estimate = variables_;
+  for (Key key = 0; index(key) < variables_.size(); ++key) estimate.set(key, pose(key));
+  return estimate;
+}
+
+double Optimizer::chi2(FactorId id) const {
+  return terms_[index(id)].factor->linearized(estimate()).r.squaredNorm();
+}
+
+double Optimizer::chi2() const {
+  const auto variables = estimate();
+  double sum = 0.0;
+  for (const auto& term : terms_)
+    if (term.factor) sum += weighted(term, variables).r.squaredNorm();
+  return sum;
+}
+
+}  // namespace slam::graph

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "slam_core/graph/bayes_tree.hpp"
+#include "slam_core/graph/factor.hpp"
+
+namespace slam::graph {
+
+struct OptimizerLimits {
+  /// A variable that is further [m, rad] from where its factors were linearised makes them be
+  /// linearised again.
+  double correction = 2e-2;
+  /// A change of a variable that is smaller [m, rad] does not reach other variables.
+  double change = 1e-3;
+};
+
+/// Nonlinear least squares over a graph that grows: one Gauss-Newton step for each update(), of
+/// which only what has changed is computed.
+class Optimizer {
+ public:
+  explicit Optimizer(const OptimizerLimits& limits = {}) : limits_(limits) {}
+
+  Key add(const Pose2& pose);
+  Key add(const Eigen::Vector2d& point);
+  FactorId add(std::unique_ptr<Factor> factor);
+  void remove(FactorId id);
+  /// Factor on the share of chi2 of a factor, 1 at first.
+  void setWeight(FactorId id, double weight);
+
+  /// One step. @param last variables that the next factors will touch
+  /// @throw std::domain_error where the factors do not determine all variables
+  void update(const std::vector<Key>& last);
+  /// Steps in which nothing is left out, until they are over.
+  /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1
+  /// mrad
+  bool optimize(const std::vector<Key>& last, int most_steps);
+
+  Pose2 pose(Key key) const { return variables_.corrected(key, tree_.solution(key)); }
+  Eigen::Vector2d point(Key key) const { return pose(key).position(); }
+  /// Of corrections of these variables (Variables), rows in the order of the keys.
+  Eigen::MatrixXd covariance(const std::vector<Key>& keys) const { return tree_.covariance(keys); }
+  /// Whitened, at the estimate, without its weight.
+  double chi2(FactorId id) const;
+  double chi2() const;  ///< of all factors, with their weights
+  /// The variables that the last step has moved by more than the limit of a change.
+  const std::vector<Key>& moved() const { return tree_.moved(); }
+  const BayesTree& tree() const { return tree_; }
+
+ private:
+  struct Term {
+    std::unique_ptr<Factor> factor;
+    double weight = 1.0;
+  };
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  void relinearize(const std::vector<Key>& keys, double limit);
+  void refresh(FactorId id);
+  LinearFactor weighted(const Term& term, const Variables& variables) const;
+  Variables estimate() const;
+
+  OptimizerLimits limits_;
+  Variables variables_;  ///< the origins of the corrections
+  std::vector<Term> terms_;
+  std::vector<std::vector<FactorId>> terms_of_;  ///< by variable
+  BayesTree tree_;
+};
+
+}  // namespace slam::graph

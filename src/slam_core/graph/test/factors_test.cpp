@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph/factors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "slam_core/geometry/test/numeric_jacobian.hpp"
+
+namespace slam::graph {
+namespace {
+
+Eigen::Matrix3d someWeight() {
+  return (Eigen::Matrix3d() << 10, 2, -1, 0, 5, 3, 0, 0, 20).finished();
+}
+
+/// Two poses and a point, and one factor of each kind, none of them satisfied.
+struct Example {
+  Example() {
+    const Key a = variables.add(Pose2(1, 2, 0.7)), b = variables.add(Pose2(-0.5, 3, 2.9));
+    const Key m = variables.add(Eigen::Vector2d(4, 1));
+    factors.push_back(std::make_unique<PosePrior>(a, Pose2(1.1, 1.8, 0.4), someWeight()));
+    factors.push_back(std::make_unique<PointPrior>(m, Eigen::Vector2d(4.2, 0.9),
+                                                   someWeight().topLeftCorner<2, 2>()));
+    factors.push_back(std::make_unique<Between>(a, b, Pose2(-0.3, 2, 2.5), someWeight()));
+    factors.push_back(std::make_unique<Between>(b, a, Pose2(0.3, -1, -1.5), someWeight()));
+    factors.push_back(std::make_unique<RangeBearing>(
+        b, m, Pose2(0.2, 0.1, 0.3), Eigen::Vector2d(4.5, 2.0), someWeight().topLeftCorner<2, 2>()));
+  }
+  Variables variables;
+  std::vector<std::unique_ptr<Factor>> factors;
+};
+
+/// The residual after corrections of the factor's variables.
+Eigen::VectorXd residual(const Factor& factor, Variables variables, const Eigen::VectorXd& delta) {
+  Eigen::Index row = 0;
+  for (const Key key : factor.keys()) {
+    variables.set(key, variables.corrected(key, delta.segment(row, variables.rows(key))));
+    row += variables.rows(key);
+  }
+  return factor.linearized(variables).r;
+}
+
+TEST(Factors, HaveTheJacobiansOfTheirResiduals) {
+  const Example example;
+  for (const auto& factor : example.factors) {
+    const auto linear = factor->linearized(example.variables);
+    const auto J = test::numericJacobian(
+        [&](const Eigen::VectorXd& delta) { return residual(*factor, example.variables, delta); },
+        Eigen::VectorXd::Zero(linear.J.cols()),
+        [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) -> Eigen::VectorXd {
+          return a - b;
+        });
+    EXPECT_TRUE(J.isApprox(linear.J, 1e-6)) << J << "\n\n" << linear.J;
+  }
+}
+
+TEST(Factors, HaveNoResidualWhereTheyAreSatisfied) {
+  Variables variables;
+  const Pose2 a(1, 2, 3), a_b(0.5, -0.2, 0.3);
+  const Key first = variables.add(a), second = variables.add(a * a_b);
+  EXPECT_LT(Between(first, second, a_b, someWeight()).linearized(variables).r.norm(), 1e-12);
+  EXPECT_LT(PosePrior(first, a, someWeight()).linearized(variables).r.norm(), 1e-12);
+}
+
+/// So a rigid motion of a part of the graph leaves its Jacobians as they are.
+TEST(Factors, OfTwoPosesDoNotDependOnWhereThePosesAre) {
+  Variables here, there;
+  const Pose2 a(1, 2, 3), a_b(0.5, -0.2, 0.3), motion(10, -5, 2);
+  here.add(a);
+  here.add(a * a_b);
+  there.add(motion * a);
+  there.add(motion * a * a_b);
+  const Between between(0, 1, Pose2(0.6, -0.1, 0.2), someWeight());
+  EXPECT_TRUE(between.linearized(here).J.isApprox(between.linearized(there).J, 1e-12));
+}
+
+TEST(Weights, AreSquareRootsOfInformation) {
+  const Eigen::Matrix3d information = someWeight().transpose() * someWeight();
+  const auto W = squareRoot(information);
+  EXPECT_TRUE((W.transpose() * W).isApprox(information, 1e-12));
+  const auto V = squareRootInformation(information.inverse());
+  EXPECT_TRUE((V.transpose() * V).isApprox(information, 1e-9));
+}
+
+}  // namespace
+}  // namespace slam::graph

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph/optimizer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "slam_core/common/random.hpp"
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/graph/factors.hpp"
+
+namespace slam::graph {
+namespace {
+
+const Eigen::Matrix3d kExact = 1e4 * Eigen::Matrix3d::Identity();
+
+/// A robot that drives twice around a square with noise, with a loop at each place of the second
+/// round.
+class Square {
+ public:
+  explicit Square(std::uint64_t seed) : random_(seed, 0) {
+    truth.emplace_back();
+    optimizer.add(Pose2());
+    optimizer.add(std::make_unique<PosePrior>(0, Pose2(), kExact));
+  }
+  Pose2 noisy(const Pose2& exact) {
+    return exact * Pose2(kSigma * random_.gaussian(), kSigma * random_.gaussian(),
+                         kSigma * random_.gaussian());
+  }
+  void step() {
+    const int i = static_cast<int>(truth.size());
+    const Pose2 ahead(1, 0, i % 10 == 0 ? M_PI / 2 : 0.0);
+    truth.push_back(truth.back() * ahead);
+    const Pose2 z = noisy(ahead);
+    optimizer.add(optimizer.pose(i - 1) * z);
+    optimizer.add(std::make_unique<Between>(i - 1, i, z, weight()));
+    if (i >= kRound) {
+      const int before = i - kRound;
+      const Pose2 relative = truth[static_cast<std::size_t>(before)].between(truth.back());
+      optimizer.add(std::make_unique<Between>(before, i, noisy(relative), weight()));
+    }
+    optimizer.update({i});
+  }
+  /// Normalised by the marginal covariance.
+  double squaredError(Key key) const {
+    const Eigen::Vector3d error =
+        optimizer.pose(key).between(truth[static_cast<std::size_t>(key)]).log();
+    return error.dot(optimizer.covariance({key}).inverse() * error);
+  }
+  static Eigen::Matrix3d weight() { return Eigen::Matrix3d::Identity() / kSigma; }
+
+  static constexpr int kRound = 40;
+  static constexpr double kSigma = 0.02;
+  Optimizer optimizer;
+  std::vector<Pose2> truth;
+
+ private:
+  RandomStream random_;
+};
+
+TEST(Optimizer, ComesToTheMinimumStepByStep) {
+  Square square(1);
+  for (int i = 0; i < 2 * Square::kRound; ++i) square.step();
+  const double chi2 = square.optimizer.chi2();
+  square.optimizer.optimize({2 * Square::kRound}, 20);
+  EXPECT_NEAR(chi2, square.optimizer.chi2(), 1e-3 * chi2);
+}
+
+TEST(Optimizer, KnowsHowLargeItsErrorsAre) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Square square(seed);
+    for (int i = 0; i < 60; ++i) square.step();
+    for (const Key key : {20, 40, 60}) {
+      sum += square.squaredError(key);
+      ++count;
+    }
+  }
+  EXPECT_NEAR(sum / count, 3.0, 0.6);  // 180 values of mean 3 and variance 6, some correlated
+}
+
+/// What chi2 is at the minimum is known: as many degrees of freedom as there are more rows of
+/// factors than of variables.
+TEST(Optimizer, LeavesAsMuchErrorAsThereAreLoops) {
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Square square(seed);
+    for (int i = 0; i < 60; ++i) square.step();
+    sum += square.optimizer.chi2();
+  }
+  EXPECT_NEAR(sum / 30, 3.0 * 21, 5.0);
+}
+
+TEST(Optimizer, FindsPosesAndPointsFromRangesAndBearings) {
+  Optimizer optimizer;
+  const std::vector<Eigen::Vector2d> points = {{2, 1}, {3, -1}, {1, 2}};
+  const std::vector<Pose2> poses = {Pose2(), Pose2(1, 0.2, 0.3), Pose2(1.8, 0.9, 0.9)};
+  const Pose2 sensor(0.1, 0, 0.2);
+  RandomStream random(3, 0);
+  std::vector<Key> pose_keys, point_keys;
+  for (const auto& pose : poses)
+    pose_keys.push_back(
+        optimizer.add(pose * Pose2(0.05 * random.gaussian(), 0.05 * random.gaussian(), 0.1)));
+  for (const auto& point : points)
+    point_keys.push_back(optimizer.add(
+        Eigen::Vector2d(point + 0.1 * Eigen::Vector2d(random.gaussian(), random.gaussian()))));
+  optimizer.add(std::make_unique<PosePrior>(pose_keys[0], poses[0], kExact));
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      const Eigen::Vector2d seen = (poses[i] * sensor).inverse().transform(points[j]);
+      optimizer.add(std::make_unique<RangeBearing>(
+          pose_keys[i], point_keys[j], sensor,
+          Eigen::Vector2d(seen.norm(), std::atan2(seen.y(), seen.x())),
+          100 * Eigen::Matrix2d::Identity()));
+    }
+  EXPECT_TRUE(optimizer.optimize({pose_keys.back()}, 20));
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    EXPECT_LT(optimizer.pose(pose_keys[i]).between(poses[i]).vector().norm(), 1e-3);
+  for (std::size_t j = 0; j < points.size(); ++j)
+    EXPECT_LT((optimizer.point(point_keys[j]) - points[j]).norm(), 1e-3);
+}
+
+TEST(Optimizer, ForgetsAFactorThatIsRemovedOrWeighsNothing) {
+  Square with(5), without(5);
+  for (int i = 0; i < 50; ++i) {
+    with.step();
+    without.step();
+  }
+  const auto id =
+      with.optimizer.add(std::make_unique<Between>(3, 30, Pose2(20, 5, 1), Square::weight()));
+  with.optimizer.optimize({50}, 20);
+  EXPECT_GT(with.optimizer.chi2(id), 100.0);
+  const double far = with.optimizer.pose(30).between(without.optimizer.pose(30)).vector().norm();
+  EXPECT_GT(far, 0.1);
+  const auto expectSame = [&] {
+    with.optimizer.optimize({50}, 20);
+    without.optimizer.optimize({50}, 20);
+    for (Key key = 0; key <= 50; ++key)
+      EXPECT_LT(with.optimizer.pose(key).between(without.optimizer.pose(key)).vector().norm(),
+                1e-4);
+  };
+  with.optimizer.setWeight(id, 1e-9);
+  expectSame();
+  with.optimizer.setWeight(id, 1.0);
+  with.optimizer.optimize({50}, 20);
+  with.optimizer.remove(id);
+  expectSame();
+}
+
+/// An error of heading of a whole radian at the last loop: the part between turns as a whole.
+TEST(Optimizer, TurnsAPartOfTheGraphFarInFewSteps) {
+  Optimizer optimizer;
+  const Eigen::Matrix3d loose = Eigen::Vector3d(100, 100, 1).asDiagonal();
+  optimizer.add(Pose2());
+  optimizer.add(std::make_unique<PosePrior>(0, Pose2(), kExact));
+  for (int i = 1; i <= 20; ++i) {
+    optimizer.add(optimizer.pose(i - 1) * Pose2(1, 0, 0));
+    optimizer.add(std::make_unique<Between>(i - 1, i, Pose2(1, 0, 0), i == 1 ? loose : kExact));
+    optimizer.update({i});
+  }
+  const Pose2 end = Pose2(1, 0, 1) * Pose2(19, 0, 0);
+  optimizer.add(std::make_unique<PosePrior>(20, end, kExact));
+  for (int i = 0; i < 4; ++i) optimizer.update({20});
+  for (int i = 1; i <= 20; ++i) {
+    const Pose2 expected = Pose2(1, 0, 1) * Pose2(i - 1, 0, 0);
+    EXPECT_LT(optimizer.pose(i).between(expected).vector().norm(), 1e-2);
+  }
+}
+
+}  // namespace
+}  // namespace slam::graph

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/graph/quadratic_factor.hpp"
+
+namespace slam::graph {
+
+/// The variables of a graph: poses T_map_base and points [m] in the map frame.
+///
+/// A correction of a pose is a twist in the robot's frame, x <- x exp(delta). So a rigid motion of
+/// a part of the graph leaves the Jacobians within it as they are, and the solution of the normal
+/// equations describes it without any error of linearisation. A correction of a point is added.
+class Variables {
+ public:
+  Key add(const Pose2& pose) { return append({pose, 3}); }
+  Key add(const Eigen::Vector2d& point) { return append({{point.x(), point.y(), 0.0}, 2}); }
+
+  std::size_t size() const { return variables_.size(); }
+  /// 3 for a pose, 2 for a point.
+  int rows(Key key) const { return variables_[static_cast<std::size_t>(key)].rows; }
+  const Pose2& pose(Key key) const { return variables_[static_cast<std::size_t>(key)].pose; }
+  Eigen::Vector2d point(Key key) const { return pose(key).position(); }
+
+  /// The variable after a correction.
+  Pose2 corrected(Key key, const Eigen::Ref<const Eigen::VectorXd>& delta) const {
+    const auto& variable = variables_[static_cast<std::size_t>(key)];
+    if (variable.rows == 3) return variable.pose * Pose2::exp(delta);
+    return {variable.pose.x() + delta.x(), variable.pose.y() + delta.y(), 0.0};
+  }
+  void set(Key key, const Pose2& value) { variables_[static_cast<std::size_t>(key)].pose = value; }
+
+ private:
+  struct Variable {
+    Pose2 pose;  ///< of a point: its position
+    int rows;
+  };
+  Key append(const Variable& variable) {
+    variables_.push_back(variable);
+    return static_cast<Key>(variables_.size()) - 1;
+  }
+
+  std::vector<Variable> variables_;
+};
+
+}  // namespace slam::graph
