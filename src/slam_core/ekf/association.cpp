@@ -7,16 +7,16 @@
 #include <cmath>
 #include <optional>
 
+#include "slam_core/association/gate.hpp"
 #include "slam_core/ekf/candidates.hpp"
 
 namespace slam::ekf {
 
 using association::Decision;
 
-/// The quantile of the chi-square distribution with two degrees of freedom has a closed form.
 Associator::Associator(const EkfConfig& config)
     : policy_(association::makePolicy(config.association)),
-      gate_(-2.0 * std::log(1.0 - config.gate_probability)),
+      gate_(association::gateOf(config.gate_probability)),
       linearizations_(config.iterations),
       map_is_fixed_(config.mapIsFixed()) {}
 
@@ -64,11 +64,6 @@ void Associator::sort(const LandmarkObservationArray& array, const EkfState& sta
   counters.add("gated", association.gated.size());
 }
 
-double outlierLogLikelihood(double gate, double nis, const Eigen::Matrix2d& S) {
-  return -0.5 * gate - (1.0 + 0.5 * gate) * std::log(nis / gate) - std::log(2.0 * M_PI) -
-         0.5 * std::log(S.determinant());
-}
-
 /// Where the prediction is far off, a right observation may fail its gate for the linearisation
 /// alone: the second look is iterated.
 bool Associator::passesGate(const Match& match, const EkfState& state,
@@ -90,7 +85,8 @@ bool Associator::passesGate(const Match& match, const EkfState& state,
   const bool passes = look(1) || (linearizations_ > 1 && look(linearizations_));
   if (!seen) return false;
   association.innovations.push_back(*seen);
-  if (!passes) association.gated_log_likelihood += outlierLogLikelihood(gate_, nis, seen->S);
+  if (!passes)
+    association.gated_log_likelihood += association::outlierLogLikelihood(gate_, nis, seen->S);
   return passes;
 }
 

@@ -24,12 +24,6 @@ struct Association {
   int unknown = 0;  ///< it is not told of which landmark, or of one that is not in a fixed map
 };
 
-/// The logarithm of the density of an innovation outside the gate, from its squared Mahalanobis
-/// distance: N(nu; 0, S) at the gate, and from there it falls like a power that keeps the normal
-/// distribution's share of all innovations outside. So it is a density with any gate, the values
-/// of S that are most likely do not depend on the gate, and an outlier costs more the smaller S is.
-double outlierLogLikelihood(double gate, double nis, const Eigen::Matrix2d& S);
-
 /// Brings the landmarks that may have been observed into the neighbourhood, asks the policy once
 /// for all observations of a stamp, and gates what it takes for known landmarks: each observation
 /// must pass the chi-square test on its own. Counted: "duplicate", "gated", "unknown_id",

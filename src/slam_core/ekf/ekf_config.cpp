@@ -5,6 +5,7 @@
 
 #include "slam_core/association/association_policy.hpp"
 #include "slam_core/ekf/linearization.hpp"
+#include "slam_core/models/landmark_map.hpp"
 
 namespace slam::ekf {
 

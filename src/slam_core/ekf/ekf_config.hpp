@@ -3,17 +3,12 @@
 
 #pragma once
 
-#include <cmath>
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
 
 namespace slam::ekf {
-
-/// A pose of which less is known [m], [rad]: the filter would compute with differences of numbers
-/// that are too large for them.
-constexpr double kLargestSigmaPosition = 1000.0, kLargestSigmaHeading = M_PI;
 
 /// Which landmarks an update touches: those of the neighbourhood, or all.
 enum class UpdateExtent { kCompressed, kDense };

@@ -22,11 +22,6 @@ const SectionRegistrar<EkfConfig> kSectionRegistrar;
 /// observations' sigmas.
 constexpr double kLargestReferenceEffect = 0.1;
 
-/// The standard deviations of (x, y, theta) that the filter can compute with at most.
-Eigen::Vector3d largestSigmas() {
-  return {kLargestSigmaPosition, kLargestSigmaPosition, kLargestSigmaHeading};
-}
-
 /// When this many observations at once are gated and none fits, they are no chance outliers.
 constexpr std::size_t kLost = 3;
 
@@ -56,7 +51,7 @@ void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
   state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()});
-  sightings_ = Sightings();
+  sightings_ = association::Sightings();
   statistics_ = {};
   counters_.clear();
   map_.reset();
@@ -119,7 +114,7 @@ StretchLimits EkfSlam::limits() const {
 void EkfSlam::replaceMap() {
   if (!map_) return;
   state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation);
-  sightings_ = Sightings(map_->landmarks);
+  sightings_ = association::Sightings(map_->landmarks);
   statistics_.prediction.F.setZero();
   map_.reset();
 }
@@ -169,7 +164,9 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
 }
 
 Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) {
-  const auto verdict = sightings_.judge(association);
+  std::vector<LandmarkId> fitting;
+  for (const auto& match : association.matches) fitting.push_back(match.z.id);
+  const auto verdict = sightings_.judge(fitting, association.gated);
   std::string ids;
   for (const auto& z : verdict.doubtful) {
     const auto m = initialized(z, sensor);

@@ -6,13 +6,13 @@
 #include <memory>
 #include <optional>
 
+#include "slam_core/association/sightings.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/ekf/association.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
 #include "slam_core/ekf/ekf_state.hpp"
-#include "slam_core/ekf/sightings.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam::ekf {
@@ -72,7 +72,7 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper {
   Associator associator_;
   EkfState::LinearizationPtr linearization_;
   EkfState state_;
-  Sightings sightings_;
+  association::Sightings sightings_;
   UpdateStatistics statistics_;
   Counters counters_;
 

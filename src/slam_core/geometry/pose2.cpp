@@ -51,6 +51,18 @@ Eigen::Vector3d Pose2::log() const {
           theta_};
 }
 
+Eigen::Matrix3d Pose2::twistJacobian() const {
+  const double c = std::cos(theta_), s = std::sin(theta_);
+  return (Eigen::Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
+}
+
+Eigen::Matrix3d Pose2::adjoint() const {
+  Eigen::Matrix3d Ad = twistJacobian();
+  Ad(0, 2) = y_;
+  Ad(1, 2) = -x_;
+  return Ad;
+}
+
 Pose2 Pose2::compose(const Pose2& b_c, Eigen::Matrix3d* J_ac_ab, Eigen::Matrix3d* J_ac_bc) const {
   const double c = std::cos(theta_), s = std::sin(theta_);
   const double dx = c * b_c.x_ - s * b_c.y_, dy = s * b_c.x_ + c * b_c.y_;

@@ -31,6 +31,11 @@ class Pose2 {
   /// The inverse of exp(): the twist that leads here along an arc.
   Eigen::Vector3d log() const;
 
+  /// The Jacobian of the coordinates of this * exp(twist) in a small twist.
+  Eigen::Matrix3d twistJacobian() const;
+  /// Ad: this * exp(twist) is exp(Ad twist) * this.
+  Eigen::Matrix3d adjoint() const;
+
   /// T_a_c = T_a_b (this) o T_b_c
   Pose2 compose(const Pose2& b_c, Eigen::Matrix3d* J_ac_ab = nullptr,
                 Eigen::Matrix3d* J_ac_bc = nullptr) const;

@@ -14,12 +14,11 @@ namespace slam::graph {
 /// The whitened residual r of a factor, r^T r its share of chi2, and its Jacobian J in corrections
 /// of the variables, columns in the order of the keys.
 struct LinearFactor {
-  static constexpr int kMostRows = 3, kMostColumns = 6;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1> r;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows, kMostColumns> J;
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;
 };
 
-/// What a measurement says of one or two variables.
+/// What a measurement says of some variables.
 class Factor {
  public:
   explicit Factor(std::vector<Key> keys) : keys_(std::move(keys)) {}

@@ -4,7 +4,7 @@
 #include "slam_core/graph/factors.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <utility>
 
 #include "slam_core/models/observation_model.hpp"
 
@@ -12,22 +12,14 @@
 // are twists (v, omega) in the robot's frame: x exp(v, omega) is x (v, omega) to first order.
 
 namespace slam::graph {
-namespace {
-
-/// By a twist of the second of two poses: that of their relative pose in coordinates (x, y, theta).
-Eigen::Matrix3d rotated(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return (Eigen::Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
-}
-
-}  // namespace
-
-Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& information) {
+Eigen::MatrixXd weightOfInformation(const Eigen::MatrixXd& information) {
   return Eigen::LLT<Eigen::MatrixXd>(information).matrixU();
 }
 
-Eigen::MatrixXd squareRootInformation(const Eigen::MatrixXd& covariance) {
-  return squareRoot(covariance.inverse());
+Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance) {
+  return Eigen::LLT<Eigen::MatrixXd>(covariance)
+      .matrixL()
+      .solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
 }
 
 PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)
@@ -35,7 +27,7 @@ PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)
 
 LinearFactor PosePrior::linearized(const Variables& variables) const {
   const Pose2 e = known_inverse_ * variables.pose(keys()[0]);
-  return {W_ * e.vector(), W_ * rotated(e.theta())};
+  return {W_ * e.vector(), W_ * e.twistJacobian()};
 }
 
 PointPrior::PointPrior(Key point, const Eigen::Vector2d& known, const Eigen::Matrix2d& W)
@@ -45,6 +37,25 @@ LinearFactor PointPrior::linearized(const Variables& variables) const {
   return {W_ * (variables.point(keys()[0]) - known_), W_};
 }
 
+JointPrior::JointPrior(std::vector<Key> keys, const Pose2& pose,
+                       std::vector<Eigen::Vector2d> points, Eigen::MatrixXd W)
+    : Factor(std::move(keys)),
+      pose_inverse_(pose.inverse()),
+      points_(std::move(points)),
+      W_(std::move(W)) {}
+
+LinearFactor JointPrior::linearized(const Variables& variables) const {
+  const Pose2 e_pose = pose_inverse_ * variables.pose(keys()[0]);
+  Eigen::VectorXd e(W_.cols());
+  e.head<3>() = e_pose.vector();
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    e.segment<2>(3 + 2 * static_cast<Eigen::Index>(i)) =
+        variables.point(keys()[i + 1]) - points_[i];
+  LinearFactor linear{W_ * e, W_};
+  linear.J.leftCols<3>() = W_.leftCols<3>() * e_pose.twistJacobian();
+  return linear;
+}
+
 Between::Between(Key a, Key b, const Pose2& a_b, const Eigen::Matrix3d& W)
     : Factor({a, b}), a_b_(a_b), b_a_(a_b.inverse()), W_(W) {}
 
@@ -52,13 +63,13 @@ LinearFactor Between::linearized(const Variables& variables) const {
   const Pose2 a_b = variables.pose(keys()[0]).between(variables.pose(keys()[1]));
   const Pose2 e = b_a_ * a_b;
   // a twist of a moves b's place in a the other way, and turns it around a
-  Eigen::Matrix3d J_a = -rotated(-a_b_.theta());
+  Eigen::Matrix3d J_a = -b_a_.twistJacobian();
   J_a.topRightCorner<2, 1>() = J_a.topLeftCorner<2, 2>() * Eigen::Vector2d(-a_b.y(), a_b.x());
   LinearFactor linear;
   linear.r = W_ * e.vector();
   linear.J.resize(3, 6);
   linear.J.leftCols<3>().noalias() = W_ * J_a;
-  linear.J.rightCols<3>().noalias() = W_ * rotated(e.theta());
+  linear.J.rightCols<3>().noalias() = W_ * e.twistJacobian();
   return linear;
 }
 
@@ -76,7 +87,7 @@ LinearFactor RangeBearing::linearized(const Variables& variables) const {
   LinearFactor linear;
   linear.r = -W_ * model.innovation(z_, predicted);
   linear.J.resize(2, 5);
-  linear.J.leftCols<3>().noalias() = W_ * J_pose * rotated(pose.theta());
+  linear.J.leftCols<3>().noalias() = W_ * J_pose * pose.twistJacobian();
   linear.J.rightCols<2>().noalias() = W_ * J_point;
   return linear;
 }

@@ -3,16 +3,17 @@
 
 #pragma once
 
+#include <vector>
+
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/graph/factor.hpp"
 
 namespace slam::graph {
 
-// Weights are square roots of information matrices: W^T W = R^-1.
-/// @return the upper triangular square root of the inverse of a covariance
-Eigen::MatrixXd squareRootInformation(const Eigen::MatrixXd& covariance);
-/// @return the upper triangular square root of an information matrix
-Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& information);
+// A weight W is a square root of an information matrix, W^T W = R^-1.
+Eigen::MatrixXd weightOfInformation(const Eigen::MatrixXd& information);
+/// @param covariance positive definite
+Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance);
 
 /// A pose is known: r = W (T_known^-1 T_map_base), the error as (x, y, theta).
 class PosePrior final : public Factor {
@@ -34,6 +35,21 @@ class PointPrior final : public Factor {
  private:
   Eigen::Vector2d known_;
   Eigen::Matrix2d W_;
+};
+
+/// A pose and some points are known together: r = W e, where e has the pose's error as (x, y,
+/// theta) in the known pose's frame, then those of the points in the map frame [m].
+class JointPrior final : public Factor {
+ public:
+  /// @param keys that of the pose first
+  JointPrior(std::vector<Key> keys, const Pose2& pose, std::vector<Eigen::Vector2d> points,
+             Eigen::MatrixXd W);
+  LinearFactor linearized(const Variables& variables) const override;
+
+ private:
+  Pose2 pose_inverse_;
+  std::vector<Eigen::Vector2d> points_;
+  Eigen::MatrixXd W_;
 };
 
 /// The pose b is known relative to a: r = W (T_ab^-1 a^-1 b), the error as (x, y, theta), as in g2o

@@ -52,6 +52,12 @@ void Optimizer::setWeight(FactorId id, double weight) {
   refresh(id);
 }
 
+void Optimizer::set(Key key, const Eigen::Vector2d& point) {
+  variables_.set(key, Pose2(point.x(), point.y(), 0.0));
+  tree_.moveOrigin(key);
+  for (const FactorId id : terms_of_[index(key)]) refresh(id);
+}
+
 LinearFactor Optimizer::weighted(const Term& term, const Variables& variables) const {
   auto linear = term.factor->linearized(variables);
   if (term.weight == 1.0) return linear;
@@ -69,9 +75,8 @@ void Optimizer::refresh(FactorId id) {
 void Optimizer::relinearize(const std::vector<Key>& keys, double limit) {
   std::vector<FactorId> changed;
   for (const Key key : keys) {
-    const auto delta = tree_.solution(key);
-    if (delta.cwiseAbs().maxCoeff() <= limit) continue;
-    variables_.set(key, variables_.corrected(key, delta));
+    if (!isFurther(key, limit)) continue;
+    variables_.set(key, pose(key));
     tree_.moveOrigin(key);
     const auto& terms = terms_of_[index(key)];
     changed.insert(changed.end(), terms.begin(), terms.end());
@@ -81,10 +86,12 @@ void Optimizer::relinearize(const std::vector<Key>& keys, double limit) {
   for (const FactorId id : changed) refresh(id);
 }
 
-void Optimizer::update(const std::vector<Key>& last) {
+bool Optimizer::update(const std::vector<Key>& last) {
   relinearize(tree_.moved(), limits_.correction);
   tree_.update(last);
   tree_.solve(limits_.change);
+  return std::any_of(moved().begin(), moved().end(),
+                     [this](Key key) { return isFurther(key, limits_.correction); });
 }
 
 bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
@@ -95,9 +102,7 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
     relinearize(all, 0.0);
     tree_.update(last);
     tree_.solve();
-    const auto has_moved = [this](Key key) {
-      return tree_.solution(key).cwiseAbs().maxCoeff() > kConverged;
-    };
+    const auto has_moved = [this](Key key) { return isFurther(key, kConverged); };
     if (std::none_of(all.begin(), all.end(), has_moved)) return true;
   }
   return false;

@@ -33,9 +33,14 @@ class Optimizer {
   /// Factor on the share of chi2 of a factor, 1 at first.
   void setWeight(FactorId id, double weight);
 
+  /// Moves a point; what its factors say of it stays.
+  void set(Key key, const Eigen::Vector2d& point);
+
   /// One step. @param last variables that the next factors will touch
+  /// @return whether a variable is so far from where its factors were linearised that another step
+  /// would linearise them again
   /// @throw std::domain_error where the factors do not determine all variables
-  void update(const std::vector<Key>& last);
+  bool update(const std::vector<Key>& last);
   /// Steps in which nothing is left out, until they are over.
   /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1
   /// mrad
@@ -60,6 +65,9 @@ class Optimizer {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void relinearize(const std::vector<Key>& keys, double limit);
+  bool isFurther(Key key, double limit) const {
+    return tree_.solution(key).cwiseAbs().maxCoeff() > limit;
+  }
   void refresh(FactorId id);
   LinearFactor weighted(const Term& term, const Variables& variables) const;
   Variables estimate() const;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,15 @@ struct PoseEstimate {
   Pose2 pose;                                            ///< T_map_base
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
 };
+
+/// Standard deviations of a pose above which back-ends would compute with differences of numbers
+/// that are too large for them.
+constexpr double kLargestSigmaPosition = 1000.0;  // [m]
+constexpr double kLargestSigmaHeading = M_PI;     // [rad]
+/// The same of (x, y, theta).
+inline Eigen::Vector3d largestSigmas() {
+  return {kLargestSigmaPosition, kLargestSigmaPosition, kLargestSigmaHeading};
+}
 
 /// The estimate with no more doubt than these standard deviations of (x, y, theta); what is
 /// correlated stays so.

@@ -13,11 +13,6 @@
 namespace slam {
 namespace {
 
-/// The standard deviations of (x, y, theta) that a back-end can compute with at most.
-Eigen::Vector3d largestSigmas() {
-  return {kLargestInputSigmaLength, kLargestInputSigmaLength, M_PI};
-}
-
 /// A warning, or that all is well where the sentence is empty.
 Status statusOf(const std::string& fault) {
   return fault.empty() ? Status::ok() : Status::warning(fault);

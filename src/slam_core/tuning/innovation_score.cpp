@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "slam_core/ekf/association.hpp"
+#include "slam_core/association/gate.hpp"
 
 namespace slam::tuning {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kOutOfView = 5.0;  ///< [s] from sighting to sighting
 double logDensity(const ObservationInnovation& z) {
   constexpr double kGate = 13.8;  // one of a thousand lies outside
   const double nis = z.nu.dot(z.S.inverse() * z.nu);
-  if (nis > kGate) return ekf::outlierLogLikelihood(kGate, nis, z.S);
+  if (nis > kGate) return association::outlierLogLikelihood(kGate, nis, z.S);
   return -0.5 * nis - std::log(2.0 * M_PI) - 0.5 * std::log(z.S.determinant());
 }
 

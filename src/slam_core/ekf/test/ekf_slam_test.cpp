@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "slam_core/association/gate.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/ekf/test/reference_ekf.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
@@ -184,12 +185,12 @@ TEST(OutlierLogLikelihood, IsADensityTogetherWithTheNormalOneInsideTheGate) {
   for (const double probability : {0.3, 0.5, 0.9, 0.9999}) {
     const double gate = -2.0 * std::log(1.0 - probability), root = std::sqrt(S.determinant());
     const double at_gate = -0.5 * gate - std::log(2.0 * M_PI * root);
-    EXPECT_NEAR(outlierLogLikelihood(gate, gate, S), at_gate, 1e-12);
+    EXPECT_NEAR(association::outlierLogLikelihood(gate, gate, S), at_gate, 1e-12);
     // An ellipse of squared distance d has the area pi d root.
     double outside = 0.0;
     constexpr double kStep = 1e-3;  // of log d
     for (double log_d = std::log(gate) + 0.5 * kStep; log_d < 60.0; log_d += kStep)
-      outside += std::exp(outlierLogLikelihood(gate, std::exp(log_d), S) + log_d) * M_PI * root;
+      outside += std::exp(association::outlierLogLikelihood(gate, std::exp(log_d), S) + log_d) * M_PI * root;
     EXPECT_NEAR(outside * kStep, 1.0 - probability, 1e-5 * (1.0 - probability));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/ekf/sightings.hpp"
+#include "slam_core/association/sightings.hpp"
 
 #include <gtest/gtest.h>
 

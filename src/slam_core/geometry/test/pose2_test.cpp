@@ -181,5 +181,25 @@ TEST(WrapAngle, StaysInTheHalfOpenInterval) {
   }
 }
 
+TEST(Pose2, AdjointTakesATwistToTheOtherSide) {
+  const Eigen::Vector3d twist(0.3, -0.2, 0.4);
+  for (const auto& a : examples())
+    expectSame(a * Pose2::exp(twist), Pose2::exp(a.adjoint() * twist) * a, 1e-9);
+}
+
+TEST(Pose2, TwistJacobianIsThatOfItsCoordinates) {
+  for (const auto& a : examples()) {
+    const auto J = test::numericJacobian(
+        [&](const Eigen::VectorXd& twist) -> Eigen::VectorXd {
+          return (a * Pose2::exp(twist)).vector();
+        },
+        Eigen::VectorXd::Zero(3),
+        [](const Eigen::VectorXd& x, const Eigen::VectorXd& y) -> Eigen::VectorXd {
+          return difference(x, y);
+        });
+    EXPECT_TRUE(J.isApprox(a.twistJacobian(), 1e-6));
+  }
+}
+
 }  // namespace
 }  // namespace slam

@@ -31,6 +31,9 @@ struct Example {
     factors.push_back(std::make_unique<Between>(b, a, Pose2(0.3, -1, -1.5), someWeight()));
     factors.push_back(std::make_unique<RangeBearing>(
         b, m, Pose2(0.2, 0.1, 0.3), Eigen::Vector2d(4.5, 2.0), someWeight().topLeftCorner<2, 2>()));
+    const Eigen::MatrixXd W = Eigen::MatrixXd::Random(5, 5);
+    factors.push_back(std::make_unique<JointPrior>(std::vector<Key>{b, m}, Pose2(-0.6, 3.2, 2.7),
+                                                   std::vector<Eigen::Vector2d>{{4.1, 1.3}}, W));
   }
   Variables variables;
   std::vector<std::unique_ptr<Factor>> factors;
@@ -82,9 +85,9 @@ TEST(Factors, OfTwoPosesDoNotDependOnWhereThePosesAre) {
 
 TEST(Weights, AreSquareRootsOfInformation) {
   const Eigen::Matrix3d information = someWeight().transpose() * someWeight();
-  const auto W = squareRoot(information);
+  const auto W = weightOfInformation(information);
   EXPECT_TRUE((W.transpose() * W).isApprox(information, 1e-12));
-  const auto V = squareRootInformation(information.inverse());
+  const auto V = weightOfCovariance(information.inverse());
   EXPECT_TRUE((V.transpose() * V).isApprox(information, 1e-9));
 }
 

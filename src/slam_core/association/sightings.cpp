@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/ekf/sightings.hpp"
+#include "slam_core/association/sightings.hpp"
 
 #include <algorithm>
 
-namespace slam::ekf {
+namespace slam::association {
 
 Sightings::Sightings(const LandmarkMap& map) {
   for (const auto& landmark : map) records_[landmark.id].fits = kConfirmed;
@@ -16,22 +16,23 @@ bool Sightings::isConfirmed(LandmarkId id) const {
   return found != records_.end() && found->second.fits >= kConfirmed;
 }
 
-bool Sightings::robotIsWhereItShould(const Association& association) const {
-  const auto witnesses = static_cast<std::size_t>(
-      std::count_if(association.matches.begin(), association.matches.end(),
-                    [this](const Match& match) { return isConfirmed(match.z.id); }));
-  return witnesses > 0 && witnesses >= association.gated.size();
+bool Sightings::robotIsWhereItShould(const std::vector<LandmarkId>& fitting,
+                                     std::size_t gated) const {
+  const auto witnesses = static_cast<std::size_t>(std::count_if(
+      fitting.begin(), fitting.end(), [this](LandmarkId id) { return isConfirmed(id); }));
+  return witnesses > 0 && witnesses >= gated;
 }
 
-Sightings::Verdict Sightings::judge(const Association& association) {
+Sightings::Verdict Sightings::judge(const std::vector<LandmarkId>& fitting,
+                                    const std::vector<LandmarkObservation>& gated) {
   Verdict verdict;
-  const bool counts = robotIsWhereItShould(association);
-  for (const auto& match : association.matches) {
-    auto& record = records_[match.z.id];
+  const bool counts = robotIsWhereItShould(fitting, gated.size());
+  for (const auto id : fitting) {
+    auto& record = records_[id];
     record = {std::min(record.fits + 1, kConfirmed), 0};
   }
   if (!counts) return verdict;
-  for (const auto& z : association.gated) {
+  for (const auto& z : gated) {
     auto& record = records_[z.id];
     ++record.misses;
     if (record.fits >= kConfirmed) {
@@ -46,4 +47,4 @@ Sightings::Verdict Sightings::judge(const Association& association) {
   return verdict;
 }
 
-}  // namespace slam::ekf
+}  // namespace slam::association

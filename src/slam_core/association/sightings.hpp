@@ -7,10 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "slam_core/ekf/association.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
-namespace slam::ekf {
+namespace slam::association {
 
 /// Of each landmark: how often it was seen where the map has it, and how often in a row elsewhere
 /// (after the evidence counter of Montemerlo 2003, ch. 3). A wrong reading that put a landmark into
@@ -28,7 +27,10 @@ class Sightings {
 
   /// Those of a loaded map are confirmed.
   explicit Sightings(const LandmarkMap& map = {});
-  Verdict judge(const Association& association);
+  /// @param fitting the landmarks of a stamp's observations that passed the gate
+  /// @param gated the observations that did not
+  Verdict judge(const std::vector<LandmarkId>& fitting,
+                const std::vector<LandmarkObservation>& gated);
 
  private:
   static constexpr int kConfirmed = 3;  ///< seen so often after the first time where it is
@@ -38,9 +40,9 @@ class Sightings {
     int fits = 0, misses = 0;
   };
   bool isConfirmed(LandmarkId id) const;
-  bool robotIsWhereItShould(const Association& association) const;
+  bool robotIsWhereItShould(const std::vector<LandmarkId>& fitting, std::size_t gated) const;
 
   std::unordered_map<LandmarkId, Record> records_;  // looked up only, never iterated
 };
 
-}  // namespace slam::ekf
+}  // namespace slam::association

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "slam_core/association/association_policy.hpp"
+#include "slam_core/common/counters.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/graph_slam/graph_config.hpp"
+#include "slam_core/graph_slam/landmark_graph.hpp"
+
+namespace slam::graph_slam {
+
+/// How the observations of one stamp relate to the graph.
+struct Association {
+  std::vector<Match> matches;               ///< of known landmarks, within the gate
+  std::vector<LandmarkObservation> unseen;  ///< of landmarks that are not in the graph yet
+  std::vector<Match> gated;                 ///< of known landmarks, outside the gate
+  bool is_solved = true;                    ///< the matches' covariance is positive definite
+};
+
+/// Asks the policy once for all observations of a stamp, and gates those that it takes for known
+/// landmarks: each must pass the chi-square test on its own. Counted: "duplicate", "gated",
+/// "unknown_id", "not_in_map".
+class Associator {
+ public:
+  Associator() = default;
+  explicit Associator(const GraphConfig& config);
+
+  /// @param statistics what is known of the innovations is added
+  Association associate(const LandmarkObservationArray& array, const LandmarkGraph& graph,
+                        UpdateStatistics& statistics, Counters& counters);
+
+ private:
+  void decide(const LandmarkObservationArray& array, const LandmarkGraph& graph);
+  std::vector<Match> sort(const LandmarkObservationArray& array, const LandmarkGraph& graph,
+                          Association& association, UpdateStatistics& statistics,
+                          Counters& counters) const;
+  void gate(const std::vector<Match>& known, const Pose2& sensor, const LandmarkGraph& graph,
+            Association& association, UpdateStatistics& statistics) const;
+
+  std::unique_ptr<association::AssociationPolicy> policy_;
+  double gate_ = 0.0;  ///< largest squared Mahalanobis distance
+  bool map_is_fixed_ = false;
+  std::vector<association::Decision> decisions_;
+};
+
+}  // namespace slam::graph_slam

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "slam_core/association/association_policy.hpp"
+#include "slam_core/graph_slam/landmark_graph.hpp"
+
+namespace slam::graph_slam {
+
+/// The graph's landmarks for a policy that asks for ids only.
+class IdCandidates : public association::CandidateSource {
+ public:
+  explicit IdCandidates(const LandmarkGraph& graph) : graph_(graph) {}
+
+  std::size_t size() const override { return graph_.landmarks(); }
+  std::optional<std::size_t> find(LandmarkId id) const override { return graph_.find(id); }
+  void candidates(std::size_t /*observation*/,
+                  std::vector<association::Candidate>& /*candidates*/) const override {}
+
+ protected:
+  const LandmarkGraph& graph_;
+};
+
+/// The graph's landmarks for a policy that asks for places as well.
+class PlaceCandidates final : public IdCandidates {
+ public:
+  /// @param gate largest squared Mahalanobis distance; all within it are found, and some beyond
+  PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph, double gate);
+
+  void candidates(std::size_t observation,
+                  std::vector<association::Candidate>& candidates) const override;
+  Eigen::Matrix2d crossCovariance(const association::Pairing& first,
+                                  const association::Pairing& second) const override;
+
+ private:
+  Match match(const association::Pairing& pairing) const {
+    return {pairing.landmark, array_.observations[pairing.observation]};
+  }
+
+  const LandmarkObservationArray& array_;
+  std::vector<std::vector<std::size_t>> near_;  ///< landmarks, by observation
+};
+
+}  // namespace slam::graph_slam

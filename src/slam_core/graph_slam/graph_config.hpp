@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include "slam_core/common/config_fields.hpp"
+#include "slam_core/contract/backend_mode.hpp"
+
+namespace slam::graph_slam {
+
+struct GraphConfig {
+  static constexpr const char* kSection = "graph";
+
+  BackendMode mode = BackendMode::kSlam;
+  std::string association = "known_ids";
+  double gate_probability = 0.9999;
+  double initial_sigma_position = 1e-4;
+  double initial_sigma_heading = 1e-4;
+  double load_inflation = 2.0;
+  int joint_limit = 2000;
+  double node_distance = 0.05;
+  double node_angle = 0.05;
+  int iterations = 3;
+
+  bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
+  void describe(Fields& fields);
+};
+
+}  // namespace slam::graph_slam
