@@ -64,6 +64,7 @@ class Evaluation:
 
     ate: Optional[TrajectoryError] = None
     unaligned: Optional[TrajectoryError] = None
+    final_ate: Optional[TrajectoryError] = None
     odometry_ate: Optional[TrajectoryError] = None
     odometry_drift: Optional[Drift] = None
     wheels_ate: Optional[TrajectoryError] = None
@@ -142,6 +143,8 @@ def evaluate(run, relations=None, agreement=None):
     if run.truth is not None:
         result.ate = trajectory_error(run.trajectory, run.truth)
         result.unaligned = trajectory_error(run.trajectory, run.truth, align=False)
+        if run.final is not None:
+            result.final_ate = trajectory_error(run.final, run.truth)
         if run.odometry is not None:
             result.odometry_ate = trajectory_error(run.odometry, run.truth)
             result.odometry_drift = segment_drift(run.odometry, run.truth)
@@ -167,6 +170,7 @@ def _collect(run, result):
         "ate_rmse_m": result.ate and result.ate.rmse,
         "ate_max_m": result.ate and result.ate.max,
         "ate_unaligned_rmse_m": result.unaligned and result.unaligned.rmse,
+        "ate_final_rmse_m": result.final_ate and result.final_ate.rmse,
         "odometry_ate_rmse_m": result.odometry_ate and result.odometry_ate.rmse,
         **_drift("odometry", result.odometry_drift),
         "wheel_odometry_ate_rmse_m": result.wheels_ate and result.wheels_ate.rmse,

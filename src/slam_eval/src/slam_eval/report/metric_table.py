@@ -28,6 +28,10 @@ KEYS = {
         "Trajectory error, not aligned", "m", ".4f",
         "The same mean where truth is moved onto the estimate by its first pose, without a fit.",
         "Accuracy", True),
+    "ate_final_rmse_m": Key(
+        "Trajectory error of the revised path", "m", ".4f",
+        "The absolute trajectory error of the path as the back-end saw it at the end of the run.",
+        "Accuracy", True),
     "odometry_ate_rmse_m": Key(
         "Dead reckoning", "m", ".4f",
         "The same error of the odometry alone: what the map has to improve on.", "Accuracy", True),
