@@ -114,8 +114,16 @@ Variables Optimizer::estimate() const {
   return estimate;
 }
 
-double Optimizer::chi2(FactorId id) const {
-  return terms_[index(id)].factor->linearized(estimate()).r.squaredNorm();
+double Optimizer::chi2(FactorId id) {
+  const auto& factor = *terms_[index(id)].factor;
+  std::vector<Pose2> origins;
+  for (const Key key : factor.keys()) {
+    origins.push_back(variables_.pose(key));
+    variables_.set(key, pose(key));
+  }
+  const double chi2 = factor.linearized(variables_).r.squaredNorm();
+  for (std::size_t i = 0; i < origins.size(); ++i) variables_.set(factor.keys()[i], origins[i]);
+  return chi2;
 }
 
 double Optimizer::chi2() const {

@@ -51,7 +51,7 @@ class Optimizer {
   /// Of corrections of these variables (Variables), rows in the order of the keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const { return tree_.covariance(keys); }
   /// Whitened, at the estimate, without its weight.
-  double chi2(FactorId id) const;
+  double chi2(FactorId id);
   double chi2() const;  ///< of all factors, with their weights
   /// The variables that the last step has moved by more than the limit of a change.
   const std::vector<Key>& moved() const { return tree_.moved(); }

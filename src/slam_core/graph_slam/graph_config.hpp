@@ -23,9 +23,18 @@ struct GraphConfig {
   double node_distance = 0.05;
   double node_angle = 0.05;
   int iterations = 3;
+  double insert_distance = 0.4;
+  double insert_angle = 0.3;
+  double submap_way = 10.0;
+  double drift_position = 0.01;
+  double drift_heading = 0.002;
+  double lost_share = 0.5;
 
   bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
   void describe(Fields& fields);
+
+ private:
+  void describeScans(Fields& fields);
 };
 
 }  // namespace slam::graph_slam

@@ -16,6 +16,8 @@ namespace {
 
 const Registrar<Backend, GraphSlam> kRegistrar("graph");
 const SectionRegistrar<GraphConfig> kSectionRegistrar;
+const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
+const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
 /// When this many observations at once are gated and none fits, they are no chance outliers.
 constexpr std::size_t kLost = 3;
@@ -26,36 +28,81 @@ Eigen::Vector2d placeOf(const LandmarkObservation& z, const Pose2& robot, const 
 
 }  // namespace
 
-void GraphSlam::configure(const GraphConfig& config) {
-  validate(config);
+void GraphSlam::configure(const GraphConfig& config, const grid_map::GridMapConfig& grid,
+                          const scan_matching::MatcherConfig& matcher) {
+  FaultCollector faults;
+  faults.attempt([&] { validate(config); });
+  faults.attempt([&] { validate(grid); });
+  faults.attempt([&] { validate(matcher); });
+  faults.raise();
   config_ = config;
+  grid_config_ = grid;
+  matcher_config_ = matcher;
   associator_ = Associator(config);
   reset();
 }
 
-void GraphSlam::configure(Settings& settings) { configure(settings.read<GraphConfig>()); }
+void GraphSlam::configure(Settings& settings) {
+  GraphConfig config;
+  grid_map::GridMapConfig grid;
+  scan_matching::MatcherConfig matcher;
+  FaultCollector faults;
+  faults.attempt([&] { settings.read(config); });
+  if (uses_grid_) {
+    faults.attempt([&] { settings.read(grid); });
+    faults.attempt([&] { settings.read(matcher); });
+  }
+  faults.raise();
+  configure(config, grid, matcher);
+}
 
 void GraphSlam::describe(Ports& ports) {
-  ports.takes<Motion>("motion", "motion", this).carrier();
-  ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+  auto& motion = ports.takes<Motion>("motion", "motion", this).carrier();
+  auto& observations = ports.takes<LandmarkObservationArray>("observations", "landmarks", this);
+  if (!uses_grid_) return;
+  motion.optional();
+  observations.optional();
+  ports.takes<LaserScan>("scan", "laser scans", this);
 }
 
 void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  if (uses_grid_) capabilities.offer<GridMapper>(*this);
+  if (uses_grid_) capabilities.offer<LostReporter>(*this);
+  capabilities.offer<MapChooser>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<PathReviser>(*this);
 }
 
 Component::Figures GraphSlam::figures() const {
-  return {{"nodes", double(graph_.nodes())},
-          {"factor_bytes", double(graph_.graph().tree().bytes())},
-          {"eliminated_rows", double(graph_.graph().tree().eliminatedRows())}};
+  constexpr double kMegabyte = 1e6;
+  const auto& graph = graph_->path.graph();
+  Figures figures = {{"nodes", double(graph_->path.nodes())},
+                     {"factor_bytes", double(graph.tree().bytes())},
+                     {"eliminated_rows", double(graph.tree().eliminatedRows())}};
+  if (!graph_->scans) return figures;
+  const auto& scans = *graph_->scans;
+  figures.emplace_back("contradicting_ends", scans.doubt().agreement().contradictingShare());
+  figures.emplace_back("lost_statistic", scans.doubt().statistic());
+  figures.emplace_back("lost_for_s", seconds(scans.doubt().lostFor()));
+  figures.emplace_back("loops", double(scans.loops().size()));
+  figures.emplace_back("rejected_loops", double(scans.loops().rejected()));
+  figures.emplace_back("map_megabytes", scans.bytes() / kMegabyte);
+  return figures;
+}
+
+std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& start) const {
+  auto graph =
+      std::make_unique<Graph>(NodeLimits{config_.node_distance, config_.node_angle}, start);
+  if (uses_grid_) graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
+  return graph;
 }
 
 void GraphSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
-  graph_ = LandmarkGraph(nodeLimits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()});
+  if (graph_ && graph_->scans) revision_ = gridRevision();
+  graph_ = emptyGraph({Pose2(), sigma.cwiseAbs2().asDiagonal()});
   sightings_ = association::Sightings();
   fixed_map_.clear();
   statistics_ = {};
@@ -64,48 +111,72 @@ void GraphSlam::reset() {
   initial_pose_.reset();
   motion_.reset();
   observations_.reset();
+  scan_.reset();
 }
 
 void GraphSlam::set(const Motion& motion) { motion_ = motion_ ? joined(*motion_, motion) : motion; }
 
 LandmarkMap GraphSlam::landmarks() const {
-  return config_.mapIsFixed() ? fixed_map_ : graph_.map();
+  return config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
+}
+
+std::optional<OccupancyGrid> GraphSlam::grid() const {
+  return graph_->scans ? graph_->scans->grid() : std::nullopt;
+}
+
+std::uint64_t GraphSlam::gridRevision() const {
+  return revision_ + (graph_->scans ? graph_->scans->gridRevision() : 0);
+}
+
+std::optional<Stamp> GraphSlam::lostSince() const {
+  return graph_->scans ? graph_->scans->doubt().lostSince() : std::nullopt;
 }
 
 MapState GraphSlam::state() const {
-  if (config_.mapIsFixed() || graph_.landmarks() > static_cast<std::size_t>(config_.joint_limit))
-    return {pose(), landmarks(), {}};
-  return graph_.state();
+  const auto size = graph_->landmarks.landmarks();
+  if (config_.mapIsFixed() || uses_grid_ || size > static_cast<std::size_t>(config_.joint_limit))
+    return {pose(), landmarks(), {}, grid()};
+  return graph_->landmarks.state();
 }
 
 Status GraphSlam::execute() {
   statistics_ = {};
   statistics_.gate_probability = config_.gate_probability;
-  replaceMap();
+  const auto replaced = replaceMap();
   relocate();
-  const Stamp moved_until = motion_ ? motion_->end : Stamp();
   predict();
-  statistics_.landmarks = static_cast<int>(graph_.landmarks());
-  if (!observations_) {
-    if (moved_until != Stamp()) graph_.mark(moved_until);
-    return Status::ok();
-  }
+  statistics_.landmarks = static_cast<int>(graph_->landmarks.landmarks());
+  const auto seen = takeObservations();
+  return moreUrgent(moreUrgent(replaced, takeScan()), seen);
+}
+
+Status GraphSlam::takeObservations() {
+  if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
-  const auto association = associator_.associate(z, graph_, statistics_, counters_);
-  if (association.is_solved) graph_.observe(association.matches, z.sensor_pose);
+  auto& [path, landmarks, scans] = *graph_;
+  const auto association = associator_.associate(z, landmarks, statistics_, counters_);
+  if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
   const auto augmented = augment(association.unseen, z.sensor_pose);
-  graph_.optimize(config_.iterations);
-  graph_.mark(z.stamp);
-  statistics_.landmarks = static_cast<int>(graph_.landmarks());
+  path.optimize(config_.iterations);
+  path.mark(z.stamp);
+  statistics_.landmarks = static_cast<int>(landmarks.landmarks());
   return summary(association, {augmented, reconsidered});
+}
+
+Status GraphSlam::takeScan() {
+  if (!scan_) return graph_->scans ? graph_->scans->status() : Status::ok();
+  const auto scan = *std::exchange(scan_, std::nullopt);
+  const auto taken = graph_->scans->take(scan, counters_);
+  graph_->path.mark(scan.stamp);
+  return moreUrgent(taken, graph_->scans->status());
 }
 
 Status GraphSlam::summary(const Association& association,
                           const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mapIsFixed() && graph_.landmarks() == 0)
+  if (config_.mapIsFixed() && !graph_->scans && graph_->landmarks.landmarks() == 0)
     return Status::warning("there is no map to localise in; load one");
   if (!association.is_solved)
     return Status::error("the innovations' covariance is not positive definite; update left out");
@@ -114,27 +185,43 @@ Status GraphSlam::summary(const Association& association,
   return fault == of_steps.end() ? Status::ok() : *fault;
 }
 
-void GraphSlam::replaceMap() {
-  if (!map_) return;
-  graph_ = LandmarkGraph(nodeLimits(), *map_, config_.load_inflation);
-  sightings_ = association::Sightings(map_->landmarks);
-  if (config_.mapIsFixed()) fixed_map_ = map_->landmarks;
+Status GraphSlam::replaceMap() {
+  if (!map_) return Status::ok();
+  const auto map = *std::exchange(map_, std::nullopt);
+  if (uses_grid_ && !map.grid)
+    return Status::error(
+        "the map holds no occupancy grid, without which this back-end cannot take it");
+  auto graph = emptyGraph(map.robot);
+  graph->landmarks.load(map, config_.load_inflation);
+  Status status;
+  if (graph->scans) {
+    status = graph->scans->load(*map.grid);
+    if (status.level == Status::Level::kError) return status;  // all stays as it is
+    graph->scans->restart(map.robot);
+    revision_ = gridRevision();
+  }
+  graph_ = std::move(graph);
+  sightings_ = association::Sightings(map.landmarks);
+  if (config_.mapIsFixed()) fixed_map_ = map.landmarks;
   statistics_.prediction.F.setZero();
-  map_.reset();
+  return status;
 }
 
 void GraphSlam::relocate() {
   if (!initial_pose_) return;
-  graph_.relocate(bounded(*initial_pose_, largestSigmas()));
+  const auto robot = bounded(*std::exchange(initial_pose_, std::nullopt), largestSigmas());
+  graph_->path.relocate(robot);
+  if (graph_->scans) graph_->scans->restart(robot);
   statistics_.prediction.F.setZero();
-  initial_pose_.reset();
 }
 
 void GraphSlam::predict() {
   if (!motion_) return;
-  const auto [F, Q] = graph_.predict(*motion_);
+  const auto motion = *std::exchange(motion_, std::nullopt);
+  const auto [F, Q] = graph_->path.predict(motion);
+  if (graph_->scans) graph_->scans->predict(motion);
   statistics_.prediction = {F * statistics_.prediction.F, Q};
-  motion_.reset();
+  if (!observations_ && !scan_) graph_->path.mark(motion.end);
 }
 
 Status GraphSlam::reconsider(const Association& association, const Pose2& sensor) {
@@ -146,7 +233,8 @@ Status GraphSlam::reconsider(const Association& association, const Pose2& sensor
   std::string ids;
   for (const auto& z : verdict.doubtful) {
     if (config_.mapIsFixed()) continue;
-    graph_.reinitialize(*graph_.find(z.id), placeOf(z, pose().pose, sensor), z, sensor);
+    graph_->landmarks.reinitialize(*graph_->landmarks.find(z.id), placeOf(z, pose().pose, sensor),
+                                   z, sensor);
     counters_.add("begun_anew");
     ids += (ids.empty() ? "" : ", ") + std::to_string(z.id);
   }
@@ -169,8 +257,8 @@ Status GraphSlam::augment(const std::vector<LandmarkObservation>& unseen, const 
                              " would lie at a place that is not finite; it is left out");
       continue;
     }
-    const bool is_named = z.id != kUnknownId && !graph_.find(z.id);
-    graph_.append(is_named ? z.id : graph_.freeId(), place, z, sensor);
+    const bool is_named = z.id != kUnknownId && !graph_->landmarks.find(z.id);
+    graph_->landmarks.append(is_named ? z.id : graph_->landmarks.freeId(), place, z, sensor);
     ++statistics_.added;
   }
   return status;

@@ -3,37 +3,53 @@
 
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "slam_core/association/sightings.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/graph_slam/associator.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/graph_slam/scan_graph.hpp"
 
 namespace slam::graph_slam {
 
 /// Graph-SLAM (thesis chapter 3; Grisetti, Kuemmerle, Stachniss, Burgard 2010): the whole path and
 /// the map are optimised with each observation, of which only what has changed is computed (Kaess
 /// et al. 2012). So the past is corrected when a loop closes.
-class GraphSlam final : public Backend, LandmarkMapper, MapKeeper, PathReviser {
+///
+/// With a grid the path is told by a laser's scans as well (ScanGraph), and the grid is drawn of
+/// them.
+class GraphSlam final : public Backend,
+                        LandmarkMapper,
+                        GridMapper,
+                        LostReporter,
+                        MapChooser,
+                        MapKeeper,
+                        PathReviser {
  public:
   /// @throw ConfigError
-  void configure(const GraphConfig& config);
+  void configure(const GraphConfig& config, const grid_map::GridMapConfig& grid = {},
+                 const scan_matching::MatcherConfig& matcher = {});
   void configure(Settings& settings) override;
   void describe(Ports& ports) override;
   void describe(Capabilities& capabilities) override;
 
   void set(const Motion& motion);
   void set(const LandmarkObservationArray& observations) { observations_ = observations; }
+  void set(const LaserScan& scan) { scan_ = scan; }
   void set(const PoseEstimate& initial_pose) override { initial_pose_ = initial_pose; }
 
   Status execute() override;
 
-  PoseEstimate pose() const override { return graph_.robot(); }
+  PoseEstimate pose() const override { return graph_->path.robot(); }
   Counters counters() const override { return counters_; }
   Figures figures() const override;
 
@@ -45,19 +61,38 @@ class GraphSlam final : public Backend, LandmarkMapper, MapKeeper, PathReviser {
   UpdateStatistics statistics() const override { return statistics_; }
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
-  std::vector<StampedPose> path() const override { return graph_.path(); }
+  std::vector<StampedPose> path() const override { return graph_->path.path(); }
 
-  NodeLimits nodeLimits() const { return {config_.node_distance, config_.node_angle}; }
-  void replaceMap();
+  std::optional<OccupancyGrid> grid() const override;
+  std::uint64_t gridRevision() const override;
+  std::optional<Stamp> lostSince() const override;
+  std::vector<MapKind> maps() const override { return {MapKind::kLandmarks, MapKind::kGrid}; }
+  void useMap(MapKind map) override { uses_grid_ = map == MapKind::kGrid; }
+
+  /// The path and what hangs on it.
+  struct Graph {
+    Graph(const NodeLimits& limits, const PoseEstimate& start) : path(limits, start) {}
+    PathGraph path;
+    LandmarkGraph landmarks{path};
+    std::optional<ScanGraph> scans;  ///< where there is a grid
+  };
+  std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;
+  Status replaceMap();
   void relocate();
   void predict();
+  Status takeObservations();
+  Status takeScan();
   Status reconsider(const Association& association, const Pose2& sensor);
   Status augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
   Status summary(const Association& association, const std::vector<Status>& of_steps) const;
 
+  bool uses_grid_ = false;
   GraphConfig config_;
+  grid_map::GridMapConfig grid_config_;
+  scan_matching::MatcherConfig matcher_config_;
   Associator associator_;
-  LandmarkGraph graph_;
+  std::unique_ptr<Graph> graph_;
+  std::uint64_t revision_ = 0;  ///< of the grids of the graphs before this one
   association::Sightings sightings_;
   UpdateStatistics statistics_;
   Counters counters_;
@@ -67,6 +102,7 @@ class GraphSlam final : public Backend, LandmarkMapper, MapKeeper, PathReviser {
   std::optional<PoseEstimate> initial_pose_;
   std::optional<Motion> motion_;  ///< all motions since the last step as one
   std::optional<LandmarkObservationArray> observations_;
+  std::optional<LaserScan> scan_;
 };
 
 }  // namespace slam::graph_slam

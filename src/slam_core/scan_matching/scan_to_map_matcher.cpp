@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "slam_core/scan_matching/place_search.hpp"
-
 namespace slam::scan_matching {
 namespace {
 
@@ -23,6 +21,8 @@ constexpr double kWorthAStep = 0.05, kWorthAJump = 0.4;
 constexpr double kBetterThanRivals = 0.1;
 /// Of all ends, by a place that is worth a jump.
 constexpr double kExplained = 0.75;
+/// Of all ends, by a place that is near where it should be.
+constexpr double kRecognised = 0.5;
 
 /// The scan with fewer ends, that are as far apart as about two cells: they tell as well where it
 /// fits roughly, and sooner.
@@ -61,6 +61,19 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const 
   if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
     best = foundFarAway(map, scan, prior, best);
   return believed(best, prior);
+}
+
+std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanLevels& scan,
+                                                 const PosePrior& prior,
+                                                 const SearchWindow& window) const {
+  const bool is_local =
+      window.position <= config_.window_position && window.heading <= config_.window_heading;
+  const double enough = (is_local ? kRecognised : kExplained) * endsOf(scan);
+  const auto found = is_local ? matchNearby(map, scan, prior)
+                              : searched(map, scan, prior.pose, window.position, window.heading);
+  const bool fits = found.is_determined && found.agreement.agreeing > enough && !isDoubtful(found);
+  if (!fits || (!is_local && hasRival(found, map, scan))) return std::nullopt;
+  return found;
 }
 
 Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,

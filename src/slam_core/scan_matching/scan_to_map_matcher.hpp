@@ -7,6 +7,7 @@
 
 #include "slam_core/scan_matching/agreement.hpp"
 #include "slam_core/scan_matching/matcher_config.hpp"
+#include "slam_core/scan_matching/place_search.hpp"
 #include "slam_core/scan_matching/registration.hpp"
 #include "slam_core/scan_matching/scan_map.hpp"
 
@@ -38,6 +39,13 @@ class ScanToMapMatcher {
   /// ten milliseconds
   Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
               bool may_use_wide_window = true) const;
+
+  /// Whether the scan has been taken within the map, and where: the only place in a window around
+  /// the prior that explains most of what the scan sees. In a window that is no larger than a local
+  /// one there is no need to search.
+  /// @return nothing where it fits nowhere, or as well elsewhere
+  std::optional<Match> recognise(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
+                                 const SearchWindow& window) const;
 
   // The same in steps, for who searches once for many maps.
   /// A scan that contradicts most of the map even so tells nothing: the robot is where the prior

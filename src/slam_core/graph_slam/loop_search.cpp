@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/loop_search.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace slam::graph_slam {
+namespace {
+
+/// From a place further away a laser sees little of what a scan of the submap has seen.
+constexpr double kInView = 4.0;  // [m]
+constexpr double kSigmas = 3.0;
+/// A scan is looked for in so many submaps, the nearest ones.
+constexpr std::size_t kMostCandidates = 2;
+
+double largestSigma(const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues()(1));
+}
+
+}  // namespace
+
+std::vector<LoopClosure> LoopSearch::find(const scan_matching::ScanLevels& scan,
+                                          const PathGraph& path, const Submaps& submaps) const {
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < submaps.finished().size(); ++i) {
+    const auto& submap = submaps.finished()[i];
+    if (submaps.way() - submap.ended < way_) continue;
+    if (const auto found = candidate(i, path, submap)) candidates.push_back(*found);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  candidates.resize(std::min(candidates.size(), kMostCandidates));
+  std::vector<LoopClosure> closures;
+  for (const auto& candidate : candidates)
+    if (const auto found = closure(candidate, submaps.finished()[candidate.submap], scan))
+      closures.push_back(*found);
+  return closures;
+}
+
+std::optional<LoopSearch::Candidate> LoopSearch::candidate(std::size_t number,
+                                                           const PathGraph& path,
+                                                           const Submap& submap) const {
+  Candidate result{number, path.graph().pose(submap.origin).between(path.robot().pose), {}, 0.0};
+  const Pose2 place = submap.T_odom_origin * result.origin_node;
+  double nearest = INFINITY;
+  for (const auto& scan : submap.places)
+    nearest = std::min(nearest, (scan.position() - place.position()).norm());
+  if (nearest > kInView + config_.wide_position) return std::nullopt;
+  const Eigen::MatrixXd P = path.covariance({submap.origin});  // robot, then origin
+  const Eigen::Matrix3d A = result.origin_node.inverse().adjoint();
+  result.covariance = P.topLeftCorner<3, 3>() + A * P.bottomRightCorner<3, 3>() * A.transpose() -
+                      A * P.bottomLeftCorner<3, 3>() - P.topRightCorner<3, 3>() * A.transpose();
+  result.distance = nearest;
+  if (nearest >
+      kInView + std::min(kSigmas * largestSigma(result.covariance), config_.wide_position))
+    return std::nullopt;
+  return result;
+}
+
+std::optional<LoopClosure> LoopSearch::closure(const Candidate& candidate, const Submap& submap,
+                                               const scan_matching::ScanLevels& scan) const {
+  const Pose2 place = submap.T_odom_origin * candidate.origin_node;
+  const Eigen::Matrix3d variance = variance_.asDiagonal();
+  const Eigen::Matrix3d P = coordinateCovariance(place, candidate.covariance + variance);
+  const scan_matching::PosePrior prior{place, P.inverse()};
+  const scan_matching::SearchWindow window{
+      std::min(config_.wide_position, kSigmas * largestSigma(P)),
+      std::min(config_.wide_heading, kSigmas * std::sqrt(P(2, 2)))};
+  const auto found = matcher_.recognise(submap.map->view(), scan, prior, window);
+  if (!found) return std::nullopt;
+  LoopClosure closure;
+  closure.submap = candidate.submap;
+  closure.origin_node = submap.T_odom_origin.between(found->pose);
+  constexpr double kNothing = 1e-4;  // information of what the scan does not tell
+  const Eigen::Matrix3d of_match =
+      (found->information + kNothing * Eigen::Matrix3d::Identity()).inverse();
+  closure.covariance = twistCovariance(found->pose, of_match) + variance;
+  closure.was_searched = found->was_searched;
+  return closure;
+}
+
+}  // namespace slam::graph_slam

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "slam_core/contract/stamped_pose.hpp"
+#include "slam_core/graph/optimizer.hpp"
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam::graph_slam {
+
+/// When the graph gets a new pose: the robot has moved so far since the last one.
+struct NodeLimits {
+  double distance = 0.05;  ///< [m]
+  double angle = 0.05;     ///< [rad]
+};
+
+/// The covariance of a pose as a twist in its frame from that of its coordinates (x, y, theta),
+/// with a floor of a micrometre and a microradian.
+Eigen::Matrix3d twistCovariance(const Pose2& pose, const Eigen::Matrix3d& of_coordinates);
+/// The other way.
+Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& of_twist);
+
+/// The robot's path as a graph: a node for each pose from which something new was seen, and a
+/// factor of motion between one and the next. The robot is where the last node and the motion since
+/// then put it. Maps add what they need to the same graph.
+class PathGraph {
+ public:
+  PathGraph(const NodeLimits& limits, const PoseEstimate& start) : limits_(limits), start_(start) {}
+
+  PoseEstimate robot() const;
+  /// The covariance of the robot, as a twist in its frame, and of some variables of the graph.
+  Eigen::MatrixXd covariance(const std::vector<graph::Key>& keys) const;
+
+  /// @return what it makes of an error of the pose
+  PosePrediction predict(const Motion& motion);
+  /// The motion since the last node as something better tells it than odometry.
+  void correct(const Pose2& increment, const Eigen::Matrix3d& covariance);
+  /// The robot is redrawn there; what is in the graph does not move.
+  void relocate(const PoseEstimate& robot);
+
+  /// The last node; none before the first one and after relocate().
+  const std::optional<graph::Key>& node() const { return node_; }
+  /// Since the last node; nothing where the robot is there.
+  const std::optional<Motion>& motion() const { return motion_; }
+  /// The last node; where the robot has moved beyond the limits it is a new one.
+  graph::Key nodeNearby();
+  graph::Key addNode();
+  /// The variable is the robot's pose at the beginning, which another factor tells.
+  void startAt(graph::Key node);
+
+  /// @param most_iterations at most so many
+  void optimize(int most_iterations);
+
+  /// The robot's pose now is one of the path.
+  void mark(Stamp stamp);
+  std::vector<StampedPose> path() const;
+  std::size_t nodes() const { return nodes_; }
+
+  graph::Optimizer& graph() { return graph_; }
+  const graph::Optimizer& graph() const { return graph_; }
+
+ private:
+  /// A pose of the path: relative to a node, or in the map where there was none yet.
+  struct Mark {
+    Stamp stamp;
+    graph::Key node;
+    Pose2 relative;
+  };
+
+  NodeLimits limits_;
+  graph::Optimizer graph_;
+  PoseEstimate start_;              ///< of the robot, while there is no node
+  std::optional<graph::Key> node_;  ///< the last one
+  std::optional<Motion> motion_;    ///< since then
+  std::vector<Mark> marks_;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace slam::graph_slam

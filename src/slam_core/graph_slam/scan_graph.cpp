@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/scan_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "slam_core/geometry/covariance.hpp"
+#include "slam_core/graph/factors.hpp"
+#include "slam_core/grid_map/grid_conversion.hpp"
+
+// Frames: odom is that of the scan tracker, in which submaps are drawn; it never jumps. The graph
+// says where their origins lie in the map.
+
+namespace slam::graph_slam {
+
+using scan_matching::ScanLevels;
+
+ScanGraph::ScanGraph(PathGraph& path, const GraphConfig& config,
+                     const grid_map::GridMapConfig& grid,
+                     const scan_matching::MatcherConfig& matcher)
+    : path_(path),
+      config_(config),
+      grid_config_(grid),
+      drift_(Eigen::Vector3d(config.drift_position, config.drift_position, config.drift_heading)
+                 .cwiseAbs2()),
+      models_(scan_matching::levelModels(grid)),
+      spacing_(matcher.spacing),
+      submaps_(grid, config.submap_way),
+      search_(matcher, config.submap_way, drift_),
+      renderer_(grid),
+      tracker_(matcher),
+      trigger_(config.insert_distance, config.insert_angle),
+      doubt_(config.lost_share, matcher.false_alarm_hours, config.mapIsFixed()) {
+  tracker_.restart({});
+}
+
+void ScanGraph::restart(const PoseEstimate& robot) {
+  const Pose2 T_odom_map = mapFromOdom().inverse();
+  tracker_.restart({T_odom_map * robot.pose, coordinateCovariance(T_odom_map, robot.covariance)});
+  trigger_.restart();
+  doubt_.forget();
+  watch_.restart();
+  carried_.reset();
+  node_.reset();
+}
+
+/// The grid hangs on a variable of its own, that lies where the grid says.
+Status ScanGraph::load(const OccupancyGrid& grid) {
+  constexpr double kApart = 2.0;  // places where a robot could have been [m]
+  constexpr std::int8_t kFree = 50;
+  constexpr double kExact = 1e3;
+  Submap loaded;
+  loaded.map = std::make_unique<scan_matching::ScanMap>(grid_config_);
+  Status status;
+  for (std::size_t i = 0; i < scan_matching::kLevels; ++i) {
+    auto& [model, map] = loaded.map->level(i);
+    status = moreUrgent(fillFrom(grid, model, map), status);
+  }
+  if (status.level == Status::Level::kError) return status;
+  const auto stride = static_cast<std::uint32_t>(std::max(1.0, kApart / grid.resolution));
+  for (std::uint32_t y = 0; y < grid.height; y += stride)
+    for (std::uint32_t x = 0; x < grid.width; x += stride) {
+      const auto cell = grid.cells[std::size_t{y} * grid.width + x];
+      if (cell < 0 || cell >= kFree) continue;
+      loaded.places.emplace_back(grid.origin.x() + x * grid.resolution,
+                                 grid.origin.y() + y * grid.resolution, 0.0);
+    }
+  loaded.origin = path_.graph().add(Pose2());
+  path_.graph().add(std::make_unique<graph::PosePrior>(loaded.origin, Pose2(),
+                                                       kExact * Eigen::Matrix3d::Identity()));
+  path_.optimize(1);
+  submaps_.startWith(std::move(loaded));
+  renderer_.startWith(grid);
+  return status;
+}
+
+void ScanGraph::predict(const Motion& motion) {
+  carried_ = carried_ ? joined(*carried_, motion) : motion;
+}
+
+Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
+  const auto levels = scan_matching::pointsOf(scan, models_, spacing_);
+  noteNode();
+  const auto found = match(levels, scan.stamp, counters);
+  correctPath();
+  if (!doubt_.admits()) {
+    counters.add("contradicting");
+    return Status::ok();
+  }
+  const bool is_due = submaps_.current().isEmpty() || trigger_.isDue(tracker_.robot().pose);
+  if (config_.mapIsFixed() || !is_due || levels[0].beams.empty()) return Status::ok();
+  insert(levels, found.is_determined);
+  closeLoops(levels, counters);
+  renderer_.follow(path_.graph());
+  return Status::ok();
+}
+
+/// A landmark may have been seen since the last scan, from a new node.
+void ScanGraph::noteNode() {
+  if (path_.node() == node_) return;
+  node_ = path_.node();
+  node_in_odom_ = tracker_.robot();
+  if (carried_) node_in_odom_.pose = node_in_odom_.pose * carried_->increment;
+  if (const auto& since = path_.motion())
+    node_in_odom_.pose = node_in_odom_.pose * since->increment.inverse();
+}
+
+Pose2 ScanGraph::mapFromOdom() const {
+  const auto& submap = submaps_.current();
+  if (submap.origin < 0) return {};
+  return path_.graph().pose(submap.origin) * submap.T_odom_origin.inverse();
+}
+
+scan_matching::Match ScanGraph::match(const ScanLevels& scan, Stamp stamp, Counters& counters) {
+  const auto motion = std::exchange(carried_, std::nullopt);
+  const auto& map = submaps_.current();
+  const auto found = tracker_.track(map.map->view(), scan, stamp, motion);
+  watch_.note(scan, map.isEmpty(), found, motion.has_value(), counters);
+  doubt_.judge(found, stamp);
+  return found;
+}
+
+/// What the scans say of the motion since the last node, instead of odometry.
+void ScanGraph::correctPath() {
+  const auto& now = tracker_.robot();
+  if (!node_) {
+    if (submaps_.current().isEmpty()) return;
+    const Pose2 T_map_odom = mapFromOdom();
+    path_.relocate({T_map_odom * now.pose, coordinateCovariance(T_map_odom, now.covariance)});
+    return;
+  }
+  Eigen::Matrix3d J_inverse, J_inverse_node, J_now;
+  const Pose2 increment =
+      node_in_odom_.pose.inverse(&J_inverse).compose(now.pose, &J_inverse_node, &J_now);
+  const Eigen::Matrix3d J_node = J_inverse_node * J_inverse;
+  Eigen::Matrix3d P = J_node * node_in_odom_.covariance * J_node.transpose() +
+                      J_now * now.covariance * J_now.transpose();
+  P.diagonal() += increment.position().norm() * drift_;
+  path_.correct(increment, symmetric(P));
+}
+
+void ScanGraph::insert(const ScanLevels& scan, bool is_determined) {
+  node_ = path_.addNode();
+  if (!is_determined) tracker_.anchor();
+  node_in_odom_ = tracker_.robot();
+  submaps_.insert(scan, *node_, node_in_odom_.pose);
+  trigger_.note(node_in_odom_.pose);
+  path_.optimize(config_.iterations);
+  renderer_.add(*node_, path_.robot().pose, scan[0]);
+}
+
+void ScanGraph::closeLoops(const ScanLevels& scan, Counters& counters) {
+  const auto closures = search_.find(scan, path_, submaps_);
+  for (const auto& closure : closures) {
+    const auto origin = submaps_.finished()[closure.submap].origin;
+    const auto W = graph::weightOfCovariance(twistCovariance(Pose2(), closure.covariance));
+    loops_.add(path_.graph().add(
+        std::make_unique<graph::Between>(origin, *node_, closure.origin_node, W)));
+    counters.add("loops");
+    if (closure.was_searched) counters.add("searched_loops");
+  }
+  if (closures.empty()) return;
+  path_.optimize(config_.iterations);
+  if (loops_.weigh(path_.graph())) path_.optimize(config_.iterations);
+}
+
+Status ScanGraph::status() const {
+  if (const auto told = doubt_.status(); !told.isOk()) return told;
+  return watch_.status();
+}
+
+std::optional<OccupancyGrid> ScanGraph::grid() const { return renderer_.grid(); }
+
+}  // namespace slam::graph_slam

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/graph_slam/graph_config.hpp"
+#include "slam_core/graph_slam/grid_renderer.hpp"
+#include "slam_core/graph_slam/loop_search.hpp"
+#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/robust_loops.hpp"
+#include "slam_core/graph_slam/submaps.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/scan_matching/scan_doubt.hpp"
+#include "slam_core/scan_matching/scan_tracker.hpp"
+#include "slam_core/scan_matching/scan_watch.hpp"
+
+namespace slam::graph_slam {
+
+/// The scans of a graph (Hess, Kohler, Rapp, Andor 2016): each scan is matched with the current
+/// submap, which tells the motion since the last node; every few decimetres one becomes a node and
+/// goes into the submaps, and is looked for in those of long ago.
+class ScanGraph {
+ public:
+  /// @param path outlives this
+  ScanGraph(PathGraph& path, const GraphConfig& config, const grid_map::GridMapConfig& grid,
+            const scan_matching::MatcherConfig& matcher);
+
+  /// The robot has been put there by something else than a scan.
+  void restart(const PoseEstimate& robot);
+  /// Scans are matched with this grid to begin with.
+  /// @return a warning where not all of it is used, an error where none of it is
+  Status load(const OccupancyGrid& grid);
+  /// Motion since the last scan.
+  void predict(const Motion& motion);
+  Status take(const LaserScan& scan, Counters& counters);
+  Status status() const;
+
+  std::optional<OccupancyGrid> grid() const;
+  std::uint64_t gridRevision() const { return renderer_.revision(); }
+  const scan_matching::ScanDoubt& doubt() const { return doubt_; }
+  const RobustLoops& loops() const { return loops_; }
+  double bytes() const { return submaps_.bytes() + renderer_.bytes(); }
+
+ private:
+  scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp,
+                             Counters& counters);
+  void noteNode();
+  Pose2 mapFromOdom() const;
+  void correctPath();
+  void insert(const scan_matching::ScanLevels& scan, bool is_determined);
+  void closeLoops(const scan_matching::ScanLevels& scan, Counters& counters);
+
+  PathGraph& path_;
+  GraphConfig config_;
+  grid_map::GridMapConfig grid_config_;
+  Eigen::Vector3d drift_;  ///< variance for each metre
+  scan_matching::LevelModels models_;
+  double spacing_;
+  Submaps submaps_;
+  LoopSearch search_;
+  RobustLoops loops_;
+  GridRenderer renderer_;
+  scan_matching::ScanTracker tracker_;
+  scan_matching::InsertionTrigger trigger_;
+  scan_matching::ScanDoubt doubt_;
+  scan_matching::ScanWatch watch_;
+  std::optional<Motion> carried_;   ///< since the last scan
+  std::optional<graph::Key> node_;  ///< of the path, when it was last looked at
+  PoseEstimate node_in_odom_;       ///< the same among the submap's parts
+};
+
+}  // namespace slam::graph_slam
