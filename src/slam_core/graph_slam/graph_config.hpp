@@ -25,7 +25,7 @@ struct GraphConfig {
   int iterations = 3;
   double insert_distance = 0.4;
   double insert_angle = 0.3;
-  double submap_way = 10.0;
+  double submap_way = 8.0;
   double drift_position = 0.01;
   double drift_heading = 0.002;
   double lost_share = 0.5;

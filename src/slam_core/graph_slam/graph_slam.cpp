@@ -87,7 +87,7 @@ Component::Figures GraphSlam::figures() const {
   figures.emplace_back("lost_for_s", seconds(scans.doubt().lostFor()));
   figures.emplace_back("loops", double(scans.loops().size()));
   figures.emplace_back("rejected_loops", double(scans.loops().rejected()));
-  figures.emplace_back("map_megabytes", scans.bytes() / kMegabyte);
+  figures.emplace_back("map_megabytes", static_cast<double>(scans.bytes()) / kMegabyte);
   return figures;
 }
 

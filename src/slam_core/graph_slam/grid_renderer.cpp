@@ -8,6 +8,7 @@
 
 #include "slam_core/grid_map/grid_conversion.hpp"
 #include "slam_core/grid_map/scan_insertion.hpp"
+#include "slam_core/grid_map/scan_points.hpp"
 
 namespace slam::graph_slam {
 
@@ -20,9 +21,8 @@ void GridRenderer::startWith(const OccupancyGrid& grid) {
   ++revision_;
 }
 
-void GridRenderer::add(graph::Key node, const Pose2& pose, const grid_map::ScanPoints& scan) {
+void GridRenderer::add(graph::Key node, const Pose2& pose, const SharedScan& scan) {
   scans_.push_back({node, pose, scan});
-  scans_.back().points.ends.clear();  // they are for matching
   ++revision_;
 }
 
@@ -48,8 +48,11 @@ void GridRenderer::draw() const {
     if (base_) grid_map::fillFrom(*base_, model_, drawing_->level(0).map);
   }
   auto& map = drawing_->level(0).map;
-  for (; drawn_ < scans_.size(); ++drawn_)
-    grid_map::insertScan(model_, scans_[drawn_].points, scans_[drawn_].pose, map);
+  constexpr double kNoMatter = 1.0;  // ends to match with a map are not needed to draw one
+  for (; drawn_ < scans_.size(); ++drawn_) {
+    const auto& [node, pose, scan] = scans_[drawn_];
+    grid_map::insertScan(model_, grid_map::pointsOf(*scan, model_, kNoMatter), pose, map);
+  }
 }
 
 std::optional<OccupancyGrid> GridRenderer::grid() const {
@@ -58,10 +61,9 @@ std::optional<OccupancyGrid> GridRenderer::grid() const {
   return grid_map::occupancyGridOf(drawing_->finest().map, model_.resolution());
 }
 
-double GridRenderer::bytes() const {
-  double sum = 0.0;
-  for (const auto& scan : scans_)
-    sum += static_cast<double>(scan.points.beams.size() * sizeof(grid_map::ScanPoints::Beam));
+std::size_t GridRenderer::bytes() const {
+  std::size_t sum = drawing_ ? drawing_->bytes() : 0;
+  for (const auto& [node, pose, scan] : scans_) sum += scan->beams.size() * sizeof(LaserBeam);
   return sum;
 }
 

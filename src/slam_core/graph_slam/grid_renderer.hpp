@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/submap.hpp"
 #include "slam_core/grid_map/grid_map_config.hpp"
-#include "slam_core/grid_map/scan_points.hpp"
 #include "slam_core/models/occupancy_grid.hpp"
 #include "slam_core/scan_matching/scan_map.hpp"
 
@@ -25,19 +25,19 @@ class GridRenderer {
 
   /// Scans are drawn into this grid.
   void startWith(const OccupancyGrid& grid);
-  void add(graph::Key node, const Pose2& pose, const grid_map::ScanPoints& scan);
+  void add(graph::Key node, const Pose2& pose, const SharedScan& scan);
   /// Takes over where the graph has the nodes now.
   void follow(const graph::Optimizer& graph);
   /// Nothing before the first scan or grid.
   std::optional<OccupancyGrid> grid() const;
   std::uint64_t revision() const { return revision_; }
-  double bytes() const;  ///< of the scans
+  std::size_t bytes() const;  ///< of scans and drawing
 
  private:
   struct Scan {
     graph::Key node;
     Pose2 pose;  ///< as it is to be drawn
-    grid_map::ScanPoints points;
+    SharedScan scan;
   };
   void draw() const;
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kInView = 4.0;  // [m]
 constexpr double kSigmas = 3.0;
 /// A scan is looked for in so many submaps, the nearest ones.
-constexpr std::size_t kMostCandidates = 2;
+constexpr std::size_t kMostCandidates = 4;
 
 double largestSigma(const Eigen::Matrix3d& covariance) {
   const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
@@ -25,11 +25,11 @@ double largestSigma(const Eigen::Matrix3d& covariance) {
 }  // namespace
 
 std::vector<LoopClosure> LoopSearch::find(const scan_matching::ScanLevels& scan,
-                                          const PathGraph& path, const Submaps& submaps) const {
+                                          const PathGraph& path, Submaps& submaps) const {
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < submaps.finished().size(); ++i) {
-    const auto& submap = submaps.finished()[i];
-    if (submaps.way() - submap.ended < way_) continue;
+    const auto& [submap, ended, used] = submaps.finished()[i];
+    if (submaps.way() - ended < way_) continue;
     if (const auto found = candidate(i, path, submap)) candidates.push_back(*found);
   }
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -37,21 +37,20 @@ std::vector<LoopClosure> LoopSearch::find(const scan_matching::ScanLevels& scan,
   candidates.resize(std::min(candidates.size(), kMostCandidates));
   std::vector<LoopClosure> closures;
   for (const auto& candidate : candidates)
-    if (const auto found = closure(candidate, submaps.finished()[candidate.submap], scan))
-      closures.push_back(*found);
+    if (const auto found = closure(candidate, submaps, scan)) closures.push_back(*found);
   return closures;
 }
 
 std::optional<LoopSearch::Candidate> LoopSearch::candidate(std::size_t number,
                                                            const PathGraph& path,
                                                            const Submap& submap) const {
-  Candidate result{number, path.graph().pose(submap.origin).between(path.robot().pose), {}, 0.0};
-  const Pose2 place = submap.T_odom_origin * result.origin_node;
+  Candidate result{number, path.graph().pose(submap.origin()).between(path.robot().pose), {}, 0.0};
+  const Pose2 place = submap.odomOrigin() * result.origin_node;
   double nearest = INFINITY;
-  for (const auto& scan : submap.places)
+  for (const auto& scan : submap.places())
     nearest = std::min(nearest, (scan.position() - place.position()).norm());
   if (nearest > kInView + config_.wide_position) return std::nullopt;
-  const Eigen::MatrixXd P = path.covariance({submap.origin});  // robot, then origin
+  const Eigen::MatrixXd P = path.covariance({submap.origin()});  // robot, then origin
   const Eigen::Matrix3d A = result.origin_node.inverse().adjoint();
   result.covariance = P.topLeftCorner<3, 3>() + A * P.bottomRightCorner<3, 3>() * A.transpose() -
                       A * P.bottomLeftCorner<3, 3>() - P.topRightCorner<3, 3>() * A.transpose();
@@ -62,20 +61,21 @@ std::optional<LoopSearch::Candidate> LoopSearch::candidate(std::size_t number,
   return result;
 }
 
-std::optional<LoopClosure> LoopSearch::closure(const Candidate& candidate, const Submap& submap,
+std::optional<LoopClosure> LoopSearch::closure(const Candidate& candidate, Submaps& submaps,
                                                const scan_matching::ScanLevels& scan) const {
-  const Pose2 place = submap.T_odom_origin * candidate.origin_node;
+  const Pose2 T_odom_origin = submaps.finished()[candidate.submap].submap.odomOrigin();
+  const Pose2 place = T_odom_origin * candidate.origin_node;
   const Eigen::Matrix3d variance = variance_.asDiagonal();
   const Eigen::Matrix3d P = coordinateCovariance(place, candidate.covariance + variance);
   const scan_matching::PosePrior prior{place, P.inverse()};
   const scan_matching::SearchWindow window{
       std::min(config_.wide_position, kSigmas * largestSigma(P)),
       std::min(config_.wide_heading, kSigmas * std::sqrt(P(2, 2)))};
-  const auto found = matcher_.recognise(submap.map->view(), scan, prior, window);
+  const auto found = matcher_.recognise(submaps.view(candidate.submap), scan, prior, window);
   if (!found) return std::nullopt;
   LoopClosure closure;
   closure.submap = candidate.submap;
-  closure.origin_node = submap.T_odom_origin.between(found->pose);
+  closure.origin_node = T_odom_origin.between(found->pose);
   constexpr double kNothing = 1e-4;  // information of what the scan does not tell
   const Eigen::Matrix3d of_match =
       (found->information + kNothing * Eigen::Matrix3d::Identity()).inverse();

@@ -32,7 +32,7 @@ class LoopSearch {
 
   /// @param path whose last node is that of the scan
   std::vector<LoopClosure> find(const scan_matching::ScanLevels& scan, const PathGraph& path,
-                                const Submaps& submaps) const;
+                                Submaps& submaps) const;
 
  private:
   /// What the graph knows of the robot in a submap before the scan is looked at.
@@ -44,7 +44,7 @@ class LoopSearch {
   };
   std::optional<Candidate> candidate(std::size_t number, const PathGraph& path,
                                      const Submap& submap) const;
-  std::optional<LoopClosure> closure(const Candidate& candidate, const Submap& submap,
+  std::optional<LoopClosure> closure(const Candidate& candidate, Submaps& submaps,
                                      const scan_matching::ScanLevels& scan) const;
 
   scan_matching::MatcherConfig config_;

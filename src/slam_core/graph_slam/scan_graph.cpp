@@ -53,27 +53,27 @@ Status ScanGraph::load(const OccupancyGrid& grid) {
   constexpr double kApart = 2.0;  // places where a robot could have been [m]
   constexpr std::int8_t kFree = 50;
   constexpr double kExact = 1e3;
-  Submap loaded;
-  loaded.map = std::make_unique<scan_matching::ScanMap>(grid_config_);
+  auto loaded = std::make_unique<scan_matching::ScanMap>(grid_config_);
   Status status;
   for (std::size_t i = 0; i < scan_matching::kLevels; ++i) {
-    auto& [model, map] = loaded.map->level(i);
+    auto& [model, map] = loaded->level(i);
     status = moreUrgent(fillFrom(grid, model, map), status);
   }
   if (status.level == Status::Level::kError) return status;
+  std::vector<Pose2> places;
   const auto stride = static_cast<std::uint32_t>(std::max(1.0, kApart / grid.resolution));
   for (std::uint32_t y = 0; y < grid.height; y += stride)
     for (std::uint32_t x = 0; x < grid.width; x += stride) {
       const auto cell = grid.cells[std::size_t{y} * grid.width + x];
       if (cell < 0 || cell >= kFree) continue;
-      loaded.places.emplace_back(grid.origin.x() + x * grid.resolution,
-                                 grid.origin.y() + y * grid.resolution, 0.0);
+      places.emplace_back(grid.origin.x() + x * grid.resolution,
+                          grid.origin.y() + y * grid.resolution, 0.0);
     }
-  loaded.origin = path_.graph().add(Pose2());
-  path_.graph().add(std::make_unique<graph::PosePrior>(loaded.origin, Pose2(),
-                                                       kExact * Eigen::Matrix3d::Identity()));
+  const auto origin = path_.graph().add(Pose2());
+  path_.graph().add(
+      std::make_unique<graph::PosePrior>(origin, Pose2(), kExact * Eigen::Matrix3d::Identity()));
   path_.optimize(1);
-  submaps_.startWith(std::move(loaded));
+  submaps_.startWith({std::move(loaded), origin, std::move(places)});
   renderer_.startWith(grid);
   return status;
 }
@@ -93,10 +93,7 @@ Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
   }
   const bool is_due = submaps_.current().isEmpty() || trigger_.isDue(tracker_.robot().pose);
   if (config_.mapIsFixed() || !is_due || levels[0].beams.empty()) return Status::ok();
-  insert(levels, found.is_determined);
-  closeLoops(levels, counters);
-  renderer_.follow(path_.graph());
-  return Status::ok();
+  return insert(scan, levels, found.is_determined, counters);
 }
 
 /// A landmark may have been seen since the last scan, from a new node.
@@ -111,14 +108,14 @@ void ScanGraph::noteNode() {
 
 Pose2 ScanGraph::mapFromOdom() const {
   const auto& submap = submaps_.current();
-  if (submap.origin < 0) return {};
-  return path_.graph().pose(submap.origin) * submap.T_odom_origin.inverse();
+  if (submap.origin() < 0) return {};
+  return path_.graph().pose(submap.origin()) * submap.odomOrigin().inverse();
 }
 
 scan_matching::Match ScanGraph::match(const ScanLevels& scan, Stamp stamp, Counters& counters) {
   const auto motion = std::exchange(carried_, std::nullopt);
-  const auto& map = submaps_.current();
-  const auto found = tracker_.track(map.map->view(), scan, stamp, motion);
+  const auto map = submaps_.currentView();
+  const auto found = tracker_.track(map, scan, stamp, motion);
   watch_.note(scan, map.isEmpty(), found, motion.has_value(), counters);
   doubt_.judge(found, stamp);
   return found;
@@ -143,20 +140,33 @@ void ScanGraph::correctPath() {
   path_.correct(increment, symmetric(P));
 }
 
-void ScanGraph::insert(const ScanLevels& scan, bool is_determined) {
+/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there.
+Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points, bool is_determined,
+                         Counters& counters) {
+  if (!grid_map::isWithinMemory(static_cast<double>(bytes()) + scan_matching::mostBytesFor(points),
+                                grid_config_)) {
+    counters.add("scans_without_memory");
+    return Status::warning(
+        "the graph's scans would need more than grid_map.largest_memory and the map is kept as it "
+        "is: raise it or grid_map.resolution");
+  }
   node_ = path_.addNode();
   if (!is_determined) tracker_.anchor();
   node_in_odom_ = tracker_.robot();
-  submaps_.insert(scan, *node_, node_in_odom_.pose);
+  const auto shared = std::make_shared<const LaserScan>(scan);
+  submaps_.insert(shared, points, *node_, node_in_odom_.pose);
   trigger_.note(node_in_odom_.pose);
   path_.optimize(config_.iterations);
-  renderer_.add(*node_, path_.robot().pose, scan[0]);
+  renderer_.add(*node_, path_.robot().pose, shared);
+  closeLoops(points, counters);
+  renderer_.follow(path_.graph());
+  return Status::ok();
 }
 
 void ScanGraph::closeLoops(const ScanLevels& scan, Counters& counters) {
   const auto closures = search_.find(scan, path_, submaps_);
   for (const auto& closure : closures) {
-    const auto origin = submaps_.finished()[closure.submap].origin;
+    const auto origin = submaps_.finished()[closure.submap].submap.origin();
     const auto W = graph::weightOfCovariance(twistCovariance(Pose2(), closure.covariance));
     loops_.add(path_.graph().add(
         std::make_unique<graph::Between>(origin, *node_, closure.origin_node, W)));

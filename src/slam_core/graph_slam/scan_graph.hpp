@@ -42,7 +42,7 @@ class ScanGraph {
   std::uint64_t gridRevision() const { return renderer_.revision(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const RobustLoops& loops() const { return loops_; }
-  double bytes() const { return submaps_.bytes() + renderer_.bytes(); }
+  std::size_t bytes() const { return submaps_.bytes() + renderer_.bytes(); }
 
  private:
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp,
@@ -50,7 +50,8 @@ class ScanGraph {
   void noteNode();
   Pose2 mapFromOdom() const;
   void correctPath();
-  void insert(const scan_matching::ScanLevels& scan, bool is_determined);
+  Status insert(const LaserScan& scan, const scan_matching::ScanLevels& points, bool is_determined,
+                Counters& counters);
   void closeLoops(const scan_matching::ScanLevels& scan, Counters& counters);
 
   PathGraph& path_;

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "slam_core/graph/quadratic_factor.hpp"
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/scan_matching/scan_map.hpp"
+
+namespace slam::graph_slam {
+
+/// A scan that nobody changes any more, shared by all that draw it.
+using SharedScan = std::shared_ptr<const LaserScan>;
+
+/// What a laser has seen on some metres of the way, drawn in the odometry frame of the scans: a
+/// rigid piece of the map that hangs on its first node. The drawing can be given up and is made
+/// again of the scans, to the bit, when it is needed.
+class Submap {
+ public:
+  /// @param config outlives this
+  explicit Submap(const grid_map::GridMapConfig& config);
+  /// A map that was loaded; it has no scans and is never given up.
+  /// @param places where a robot could have been
+  Submap(std::unique_ptr<scan_matching::ScanMap> loaded, graph::Key origin,
+         std::vector<Pose2> places);
+
+  /// @param points of the scan @param node of the scan @param pose T_odom_base
+  void insert(const SharedScan& scan, const scan_matching::ScanLevels& points, graph::Key node,
+              const Pose2& pose);
+  bool isEmpty() const { return places_.empty(); }
+  /// Draws it where it is not drawn.
+  const scan_matching::ScanMap& map();
+  void giveUpDrawing() { map_.reset(); }
+  bool isLoaded() const { return config_ == nullptr; }
+  std::size_t bytes() const { return map_ ? map_->bytes() : 0; }  ///< of the drawing
+
+  /// The node of its first scan; -1 where there is none yet.
+  graph::Key origin() const { return origin_; }
+  /// Where that was drawn.
+  const Pose2& odomOrigin() const { return T_odom_origin_; }
+  /// T_odom_base of its scans, or where a robot could have been.
+  const std::vector<Pose2>& places() const { return places_; }
+
+ private:
+  const grid_map::GridMapConfig* config_ = nullptr;
+  std::unique_ptr<scan_matching::ScanMap> map_;
+  graph::Key origin_ = -1;
+  Pose2 T_odom_origin_;
+  std::vector<Pose2> places_;
+  std::vector<SharedScan> scans_;
+};
+
+}  // namespace slam::graph_slam
