@@ -4,21 +4,15 @@
 #include "fiducial_timing.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
+#include "cpu_time.hpp"
 #include "fiducial_setup.hpp"
 #include "slam_core/camera/camera_gate.hpp"
 #include "slam_sim/studio.hpp"
 
 namespace slam::eval {
 namespace {
-
-double cpuMilliseconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 template <class Call>
 double timeOf(const Call& call) {

@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "cpu_time.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/contract/odometry_source.hpp"
@@ -35,12 +35,6 @@ struct Options {
   double rate = 40.0;     ///< of the laser [Hz]
   double duration = 1e9;  ///< [s], at most
 };
-
-double cpuMilliseconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 /// One odometry on its way.
 class Contender {

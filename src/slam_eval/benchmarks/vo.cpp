@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "cpu_time.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/common/progress.hpp"
@@ -39,12 +39,6 @@ nlohmann::json toJson(const std::vector<Pose2>& poses) {
   auto array = nlohmann::json::array();
   for (const auto& pose : poses) array.push_back({pose.x(), pose.y(), pose.theta()});
   return array;
-}
-
-double cpuMilliseconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
 /// One kind of features on its way.

@@ -83,7 +83,7 @@ void TextRow::fail(std::size_t column, std::string_view expected) const {
                     fields_.at(column) + "', expected " + std::string(expected));
 }
 
-std::vector<TextRow> readTable(const std::string& path, std::size_t columns, char comment) {
+std::vector<TextRow> readRows(const std::string& path, char comment) {
   if (const auto fault = inputFileFault(path); !fault.empty())
     throw ImportError("cannot read " + path + ": " + fault);
   std::ifstream file(path);
@@ -93,15 +93,20 @@ std::vector<TextRow> readTable(const std::string& path, std::size_t columns, cha
   for (std::size_t number = 1; std::getline(file, line); ++number) {
     std::vector<std::string> fields = split(line);
     if (fields.empty() || fields.front().front() == comment) continue;
-    const std::string place = path + ":" + std::to_string(number);
-    if (fields.size() != columns) {
-      throw ImportError(place + ": " + std::to_string(fields.size()) + " columns, expected " +
-                        std::to_string(columns) + " (truncated, or another format)");
-    }
-    rows.emplace_back(place, std::move(fields));
+    rows.emplace_back(path + ":" + std::to_string(number), std::move(fields));
   }
   if (file.bad()) throw ImportError("cannot read " + path);
   if (rows.empty()) throw ImportError(path + " holds no rows");
+  return rows;
+}
+
+std::vector<TextRow> readTable(const std::string& path, std::size_t columns, char comment) {
+  auto rows = readRows(path, comment);
+  for (const auto& row : rows) {
+    if (row.size() == columns) continue;
+    throw ImportError(row.place() + ": " + std::to_string(row.size()) + " columns, expected " +
+                      std::to_string(columns) + " (truncated, or another format)");
+  }
   return rows;
 }
 

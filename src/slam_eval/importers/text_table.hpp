@@ -39,6 +39,11 @@ class TextRow {
   std::vector<std::string> fields_;
 };
 
+/// The rows of a white-space separated file, of any number of columns; empty lines and those
+/// starting with @p comment are left out.
+/// @throw ImportError the file cannot be read, or holds no row
+std::vector<TextRow> readRows(const std::string& path, char comment);
+
 /// The rows of a white-space separated file; empty lines and those starting with @p comment are
 /// left out.
 /// @throw ImportError the file cannot be read, holds no row, or a row has not @p columns columns

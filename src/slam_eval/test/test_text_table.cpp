@@ -46,6 +46,16 @@ TEST(ReadTable, LeavesOutCommentsAndEmptyLinesAndTakesWindowsLineEnds) {
   EXPECT_EQ(rows[1].integer(0), 3);
 }
 
+TEST(ReadRows, TakesRowsOfAnyNumberOfColumns) {
+  const TempFolder folder;
+  folder.write("t.dat", "# a comment\n1 2 3\n\n4\n");
+  const auto rows = readRows(folder.file("t.dat"), '#');
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].size(), 3u);
+  EXPECT_EQ(rows[1].size(), 1u);
+  EXPECT_EQ(rows[1].place(), folder.file("t.dat") + ":4");
+}
+
 TEST(ReadTable, NamesTheLineOfATruncatedRow) {
   const TempFolder folder;
   folder.write("t.dat", "# a comment\n1 2 3\n4 5\n");

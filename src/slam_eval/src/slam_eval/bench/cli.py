@@ -16,6 +16,8 @@ from slam_eval.bench import (command_line, fiducial, office, online, pointmap, t
 from slam_eval.bench.ekf import consistency, demo, landmarks
 from slam_eval.bench.ekf import mrclam as ekf_mrclam
 from slam_eval.bench.ekf import update as ekf_update
+from slam_eval.bench.graph import files as graph_files
+from slam_eval.bench.graph import worlds as graph_worlds
 from slam_eval.bench.grid import intel, scan, sena
 from slam_eval.bench.grid import office as grid_office
 from slam_eval.bench.harness.error import BenchError
@@ -70,6 +72,12 @@ BENCHMARKS = {
         "whether a robot is lost", "false alarms, and what is told of wrong maps and of robots that "
         "were carried away, over drives through random buildings",
         {"drives": lost_drives.measure}, command_line.add_lost),
+    "graph": Benchmark(
+        "graphs of poses",
+        "graphs of poses solved at every pose, beside Ceres, which solves them at once: time, "
+        "chi2, errors",
+        {"worlds": graph_worlds.measure, "files": graph_files.measure},
+        command_line.add_graph),
     "pointmap": Benchmark(
         "the point map", "what a scan into a point map costs, and how thick its walls are",
         {"scan": pointmap.measure_scan, "office": pointmap.measure_office},

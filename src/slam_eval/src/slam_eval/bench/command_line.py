@@ -96,6 +96,18 @@ def add_grid(parser):
                         help="simulated drives of the part office (%(default)s)")
 
 
+def add_graph(parser):
+    """Options of `slam_bench graph`."""
+    parser.add_argument("--graphs", metavar="DIR", type=_folder,
+                        help="folder of g2o files, the truth of NAME.g2o in NAME_truth.txt or "
+                        "NAME_truth.dat (default: graphs in $SLAM_DATA_DIR, else in shared/data "
+                        "beside the repository)")
+    parser.add_argument("--poses", metavar="N,...", type=number_list, default=(1000, 3500, 10000),
+                        help="sizes of the cities of the part worlds (1000,3500,10000)")
+    parser.add_argument("--seed", metavar="N", type=count, default=1,
+                        help="of these cities (%(default)s)")
+
+
 def _seconds(text):
     value = float(text)
     if not 0.0 <= value < float("inf"):
