@@ -137,7 +137,7 @@ void BayesTree::substitute(Clique& c) {
   c.is_due = true;
 }
 
-void BayesTree::solve(double threshold) {
+const std::vector<Key>& BayesTree::solve(double threshold) {
   for (const Key key : moved_) has_moved_[index(key)] = 0;
   moved_.clear();
   std::vector<int> next = roots_;
@@ -146,6 +146,7 @@ void BayesTree::solve(double threshold) {
     next.pop_back();
     if (solve(c, threshold)) next.insert(next.end(), c.children.begin(), c.children.end());
   }
+  return moved_;
 }
 
 /// @return whether what the clique depends on has moved
@@ -232,12 +233,12 @@ Eigen::MatrixXd BayesTree::covariance(const std::vector<Key>& keys) const {
   return covariance;
 }
 
-std::size_t BayesTree::bytes() const {
+BayesTree::Cost BayesTree::cost() const {
   Eigen::Index numbers = 0;
   for (const auto& c : cliques_)
     numbers += c.columns.size() + c.schur.size() + c.rhs.size() + c.schur_rhs.size();
   for (const auto& stored : factors_) numbers += stored.factor.H.size() + stored.factor.g.size();
-  return static_cast<std::size_t>(numbers) * sizeof(double);
+  return {static_cast<std::size_t>(numbers) * sizeof(double), eliminated_rows_};
 }
 
 }  // namespace slam::graph

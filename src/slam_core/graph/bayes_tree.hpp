@@ -20,8 +20,6 @@ class BayesTree {
  public:
   /// @return the key of a new variable of as many rows; update() needs a factor that determines it
   Key addVariable(int rows);
-  int variables() const { return static_cast<int>(rows_.size()); }
-  int rows(Key key) const { return rows_[index(key)]; }
 
   FactorId addFactor(QuadraticFactor factor);
   /// Replaces H and g of a factor.
@@ -36,12 +34,12 @@ class BayesTree {
 
   /// Computes the minimum, where it has moved.
   /// @param threshold a variable that has moved less does not move those that depend on it
-  void solve(double threshold = 0.0);
+  /// @return the variables that it has moved by more than the threshold
+  const std::vector<Key>& solve(double threshold = 0.0);
   Eigen::VectorBlock<const Eigen::VectorXd> solution(Key key) const {
-    return static_cast<const Eigen::VectorXd&>(solution_).segment(offsets_[index(key)], rows(key));
+    return static_cast<const Eigen::VectorXd&>(solution_).segment(offsets_[index(key)],
+                                                                  rows_[index(key)]);
   }
-  /// The variables that the last solve() has moved by more than the threshold.
-  const std::vector<Key>& moved() const { return moved_; }
   /// The variable is now counted from its solution, which becomes 0. The gradients of all its
   /// factors have to be replaced before the next update().
   void moveOrigin(Key key);
@@ -49,9 +47,12 @@ class BayesTree {
   /// The covariance of some variables, the inverse of H: rows in the order of the keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const;
 
-  std::size_t bytes() const;  ///< of the numbers it holds
-  /// How many rows the last update() has eliminated.
-  int eliminatedRows() const { return eliminated_rows_; }
+  /// What it takes.
+  struct Cost {
+    std::size_t bytes;    ///< of the numbers it holds
+    int eliminated_rows;  ///< by the last update()
+  };
+  Cost cost() const;
 
  private:
   friend class Elimination;
@@ -83,6 +84,7 @@ class BayesTree {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  int rows(Key key) const { return rows_[index(key)]; }
   Clique& clique(int i) { return cliques_[index(i)]; }
   const Clique& clique(int i) const { return cliques_[index(i)]; }
   int newClique();

@@ -87,10 +87,10 @@ void Optimizer::relinearize(const std::vector<Key>& keys, double limit) {
 }
 
 bool Optimizer::update(const std::vector<Key>& last) {
-  relinearize(tree_.moved(), limits_.correction);
+  relinearize(moved_, limits_.correction);
   tree_.update(last);
-  tree_.solve(limits_.change);
-  return std::any_of(moved().begin(), moved().end(),
+  moved_ = tree_.solve(limits_.change);
+  return std::any_of(moved_.begin(), moved_.end(),
                      [this](Key key) { return isFurther(key, limits_.correction); });
 }
 

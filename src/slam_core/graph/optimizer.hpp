@@ -46,16 +46,14 @@ class Optimizer {
   /// mrad
   bool optimize(const std::vector<Key>& last, int most_steps);
 
+  /// Of a point its position counts.
   Pose2 pose(Key key) const { return variables_.corrected(key, tree_.solution(key)); }
-  Eigen::Vector2d point(Key key) const { return pose(key).position(); }
   /// Of corrections of these variables (Variables), rows in the order of the keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const { return tree_.covariance(keys); }
   /// Whitened, at the estimate, without its weight.
   double chi2(FactorId id);
   double chi2() const;  ///< of all factors, with their weights
-  /// The variables that the last step has moved by more than the limit of a change.
-  const std::vector<Key>& moved() const { return tree_.moved(); }
-  const BayesTree& tree() const { return tree_; }
+  BayesTree::Cost cost() const { return tree_.cost(); }
 
  private:
   struct Term {
@@ -77,6 +75,7 @@ class Optimizer {
   std::vector<Term> terms_;
   std::vector<std::vector<FactorId>> terms_of_;  ///< by variable
   BayesTree tree_;
+  std::vector<Key> moved_;  ///< by the last step
 };
 
 }  // namespace slam::graph

@@ -43,12 +43,12 @@ std::vector<Match> Associator::sort(const LandmarkObservationArray& array,
   std::vector<Match> known;
   for (std::size_t i = 0; i < array.observations.size(); ++i) {
     const auto landmark = decisions_[i].landmark;
-    const auto kind = decisions_[i].checked(map_is_fixed_, landmark < graph.landmarks());
+    const auto kind = decisions_[i].checked(map_is_fixed_, landmark < graph.ids().size());
     if (kind == Kind::kNew) {
       association.unseen.push_back(array.observations[i]);
     } else if (kind == Kind::kLandmark) {
       known.push_back({landmark, array.observations[i]});
-      known.back().z.id = graph.id(landmark);
+      known.back().z.id = graph.ids()[landmark];
     } else if (kind == Kind::kDuplicate) {
       counters.add("duplicate");
     } else {

@@ -27,7 +27,7 @@ PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const La
     for (const auto& landmark : map) {
       const double sigma = std::sqrt(variance) + std::sqrt(landmark.covariance.trace());
       if ((landmark.position - place).squaredNorm() <= gate * sigma * sigma)
-        near_[i].push_back(*graph.find(landmark.id));
+        near_[i].push_back(*graph.ids().find(landmark.id));
     }
   }
 }

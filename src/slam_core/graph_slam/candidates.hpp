@@ -15,8 +15,8 @@ class IdCandidates : public association::CandidateSource {
  public:
   explicit IdCandidates(const LandmarkGraph& graph) : graph_(graph) {}
 
-  std::size_t size() const override { return graph_.landmarks(); }
-  std::optional<std::size_t> find(LandmarkId id) const override { return graph_.find(id); }
+  std::size_t size() const override { return graph_.ids().size(); }
+  std::optional<std::size_t> find(LandmarkId id) const override { return graph_.ids().find(id); }
   void candidates(std::size_t /*observation*/,
                   std::vector<association::Candidate>& /*candidates*/) const override {}
 

@@ -76,17 +76,17 @@ void GraphSlam::describe(Capabilities& capabilities) {
 
 Component::Figures GraphSlam::figures() const {
   constexpr double kMegabyte = 1e6;
-  const auto& graph = graph_->path.graph();
-  Figures figures = {{"nodes", double(graph_->path.nodes())},
-                     {"factor_bytes", double(graph.tree().bytes())},
-                     {"eliminated_rows", double(graph.tree().eliminatedRows())}};
+  const auto cost = graph_->path.graph().cost();
+  Figures figures = {{"nodes", static_cast<double>(graph_->path.tail().nodes)},
+                     {"factor_megabytes", static_cast<double>(cost.bytes) / kMegabyte},
+                     {"eliminated_rows", cost.eliminated_rows}};
   if (!graph_->scans) return figures;
   const auto& scans = *graph_->scans;
   figures.emplace_back("contradicting_ends", scans.doubt().agreement().contradictingShare());
   figures.emplace_back("lost_statistic", scans.doubt().statistic());
   figures.emplace_back("lost_for_s", seconds(scans.doubt().lostFor()));
-  figures.emplace_back("loops", double(scans.loops().size()));
-  figures.emplace_back("rejected_loops", double(scans.loops().rejected()));
+  figures.emplace_back("loops", static_cast<double>(scans.loops().size()));
+  figures.emplace_back("rejected_loops", static_cast<double>(scans.loops().rejected()));
   figures.emplace_back("map_megabytes", static_cast<double>(scans.bytes()) / kMegabyte);
   return figures;
 }
@@ -133,7 +133,7 @@ std::optional<Stamp> GraphSlam::lostSince() const {
 }
 
 MapState GraphSlam::state() const {
-  const auto size = graph_->landmarks.landmarks();
+  const auto size = graph_->landmarks.ids().size();
   if (config_.mapIsFixed() || uses_grid_ || size > static_cast<std::size_t>(config_.joint_limit))
     return {pose(), landmarks(), {}, grid()};
   return graph_->landmarks.state();
@@ -145,7 +145,7 @@ Status GraphSlam::execute() {
   const auto replaced = replaceMap();
   relocate();
   predict();
-  statistics_.landmarks = static_cast<int>(graph_->landmarks.landmarks());
+  statistics_.landmarks = static_cast<int>(graph_->landmarks.ids().size());
   const auto seen = takeObservations();
   return moreUrgent(moreUrgent(replaced, takeScan()), seen);
 }
@@ -153,14 +153,14 @@ Status GraphSlam::execute() {
 Status GraphSlam::takeObservations() {
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
-  auto& [path, landmarks, scans] = *graph_;
+  auto& [path, landmarks, scans, record] = *graph_;
   const auto association = associator_.associate(z, landmarks, statistics_, counters_);
   if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
   const auto augmented = augment(association.unseen, z.sensor_pose);
   path.optimize(config_.iterations);
-  path.mark(z.stamp);
-  statistics_.landmarks = static_cast<int>(landmarks.landmarks());
+  record.add(z.stamp, path);
+  statistics_.landmarks = static_cast<int>(landmarks.ids().size());
   return summary(association, {augmented, reconsidered});
 }
 
@@ -168,7 +168,7 @@ Status GraphSlam::takeScan() {
   if (!scan_) return graph_->scans ? graph_->scans->status() : Status::ok();
   const auto scan = *std::exchange(scan_, std::nullopt);
   const auto taken = graph_->scans->take(scan, counters_);
-  graph_->path.mark(scan.stamp);
+  graph_->record.add(scan.stamp, graph_->path);
   return moreUrgent(taken, graph_->scans->status());
 }
 
@@ -176,7 +176,7 @@ Status GraphSlam::summary(const Association& association,
                           const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mapIsFixed() && !graph_->scans && graph_->landmarks.landmarks() == 0)
+  if (config_.mapIsFixed() && !graph_->scans && graph_->landmarks.ids().size() == 0)
     return Status::warning("there is no map to localise in; load one");
   if (!association.is_solved)
     return Status::error("the innovations' covariance is not positive definite; update left out");
@@ -221,7 +221,7 @@ void GraphSlam::predict() {
   const auto [F, Q] = graph_->path.predict(motion);
   if (graph_->scans) graph_->scans->predict(motion);
   statistics_.prediction = {F * statistics_.prediction.F, Q};
-  if (!observations_ && !scan_) graph_->path.mark(motion.end);
+  if (!observations_ && !scan_) graph_->record.add(motion.end, graph_->path);
 }
 
 Status GraphSlam::reconsider(const Association& association, const Pose2& sensor) {
@@ -233,8 +233,8 @@ Status GraphSlam::reconsider(const Association& association, const Pose2& sensor
   std::string ids;
   for (const auto& z : verdict.doubtful) {
     if (config_.mapIsFixed()) continue;
-    graph_->landmarks.reinitialize(*graph_->landmarks.find(z.id), placeOf(z, pose().pose, sensor),
-                                   z, sensor);
+    graph_->landmarks.reinitialize(*graph_->landmarks.ids().find(z.id),
+                                   placeOf(z, pose().pose, sensor), z, sensor);
     counters_.add("begun_anew");
     ids += (ids.empty() ? "" : ", ") + std::to_string(z.id);
   }
@@ -257,8 +257,7 @@ Status GraphSlam::augment(const std::vector<LandmarkObservation>& unseen, const 
                              " would lie at a place that is not finite; it is left out");
       continue;
     }
-    const bool is_named = z.id != kUnknownId && !graph_->landmarks.find(z.id);
-    graph_->landmarks.append(is_named ? z.id : graph_->landmarks.freeId(), place, z, sensor);
+    graph_->landmarks.append(z.id, place, z, sensor);
     ++statistics_.added;
   }
   return status;

@@ -17,6 +17,7 @@
 #include "slam_core/graph_slam/associator.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/graph_slam/path_record.hpp"
 #include "slam_core/graph_slam/scan_graph.hpp"
 
 namespace slam::graph_slam {
@@ -61,7 +62,9 @@ class GraphSlam final : public Backend,
   UpdateStatistics statistics() const override { return statistics_; }
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
-  std::vector<StampedPose> path() const override { return graph_->path.path(); }
+  std::vector<StampedPose> path() const override {
+    return graph_->record.poses(graph_->path.graph());
+  }
 
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override;
@@ -75,6 +78,7 @@ class GraphSlam final : public Backend,
     PathGraph path;
     LandmarkGraph landmarks{path};
     std::optional<ScanGraph> scans;  ///< where there is a grid
+    PathRecord record;
   };
   std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;
   Status replaceMap();

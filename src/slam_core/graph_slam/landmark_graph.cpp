@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "slam_core/geometry/covariance.hpp"
@@ -43,7 +42,7 @@ void LandmarkGraph::load(const MapState& map, double inflation) {
     keys.insert(keys.end(), keys_.begin(), keys_.end());
     graph.add(std::make_unique<graph::JointPrior>(keys, map.robot.pose, points,
                                                   graph::weightOfCovariance(withTwist(map))));
-    path_.startAt(pose);
+    path_.relocate(pose);
   } else {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto W = graph::weightOfCovariance(inflation * inflation * map.landmarks[i].covariance);
@@ -54,19 +53,10 @@ void LandmarkGraph::load(const MapState& map, double inflation) {
   path_.optimize(1);
 }
 
-std::optional<std::size_t> LandmarkGraph::find(LandmarkId id) const {
-  const auto found = number_.find(id);
-  if (found == number_.end()) return std::nullopt;
-  return found->second;
-}
-
-graph::Key LandmarkGraph::addLandmark(LandmarkId id, const Eigen::Vector2d& place) {
-  number_[id] = ids_.size();
-  ids_.push_back(id);
+void LandmarkGraph::addLandmark(LandmarkId id, const Eigen::Vector2d& place) {
+  ids_.add(id);
   keys_.push_back(path_.graph().add(place));
   factors_of_.emplace_back();
-  largest_id_ = std::max(largest_id_, id);
-  return keys_.back();
 }
 
 Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landmarks) const {
@@ -78,7 +68,7 @@ Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landma
 /// The observation as if made from the last node: with the noise of the motion since then.
 LandmarkObservation LandmarkGraph::carriedBack(const LandmarkObservation& z,
                                                const Pose2& sensor) const {
-  const auto& motion = path_.motion();
+  const auto& motion = path_.tail().motion;
   if (!motion) return z;
   const RangeBearingModel model;
   ObservationModel::Jacobian23 J;
@@ -92,7 +82,7 @@ LandmarkObservation LandmarkGraph::carriedBack(const LandmarkObservation& z,
 void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor) {
   const auto node = path_.nodeNearby();
   if (std::exchange(sightings_node_, node) != node) sightings_.clear();
-  const auto& motion = path_.motion();
+  const auto& motion = path_.tail().motion;
   Sighting sighting{-1, carriedBack(z, sensor), motion ? motion->increment * sensor : sensor};
   auto& graph = path_.graph();
   auto& factors = factors_of_[landmark];
@@ -130,23 +120,15 @@ void LandmarkGraph::reinitialize(std::size_t landmark, const Eigen::Vector2d& pl
   see(landmark, z, sensor);
 }
 
-std::vector<std::size_t> LandmarkGraph::orderById() const {
-  std::vector<std::size_t> order(ids_.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [this](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
-  return order;
-}
-
 LandmarkMap LandmarkGraph::map() const {
   LandmarkMap map;
-  for (const auto i : orderById()) map.push_back({ids_[i], point(i), covariance(i)});
+  for (const auto i : ids_.order()) map.push_back({ids_[i], point(i), covariance(i)});
   return map;
 }
 
 MapState LandmarkGraph::state() const {
   MapState state{path_.robot(), {}, {}};
-  const auto order = orderById();
+  const auto order = ids_.order();
   auto& P = state.joint_covariance;
   P = covariance(order);
   const Eigen::Matrix3d J = state.robot.pose.twistJacobian();

@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "slam_core/graph_slam/landmark_ids.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
@@ -33,12 +33,10 @@ class LandmarkGraph {
   void load(const MapState& map, double inflation);
 
   PoseEstimate robot() const { return path_.robot(); }
-  std::size_t landmarks() const { return ids_.size(); }
-  /// The number of the landmark with this id.
-  std::optional<std::size_t> find(LandmarkId id) const;
-  LandmarkId id(std::size_t landmark) const { return ids_[landmark]; }
-  LandmarkId freeId() const { return largest_id_ + 1; }
-  Eigen::Vector2d point(std::size_t landmark) const { return path_.graph().point(keys_[landmark]); }
+  const LandmarkIds& ids() const { return ids_; }
+  Eigen::Vector2d point(std::size_t landmark) const {
+    return path_.graph().pose(keys_[landmark]).position();
+  }
   /// The covariance of the robot, as a twist in its frame, and of some landmarks, one after
   /// another.
   Eigen::MatrixXd covariance(const std::vector<std::size_t>& landmarks) const;
@@ -47,7 +45,8 @@ class LandmarkGraph {
   }
 
   void observe(const std::vector<Match>& matches, const Pose2& sensor);
-  /// A landmark at a place [m] where an observation puts it.
+  /// A landmark at a place [m] where an observation puts it; where its id is unknown or another
+  /// one's, it gets one that is free.
   void append(LandmarkId id, const Eigen::Vector2d& place, const LandmarkObservation& z,
               const Pose2& sensor);
   /// What is known of a landmark is forgotten; it begins again at this place.
@@ -64,16 +63,13 @@ class LandmarkGraph {
     Pose2 sensor;  ///< T_node_sensor
   };
 
-  graph::Key addLandmark(LandmarkId id, const Eigen::Vector2d& place);
+  void addLandmark(LandmarkId id, const Eigen::Vector2d& place);
   LandmarkObservation carriedBack(const LandmarkObservation& z, const Pose2& sensor) const;
   void see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor);
-  std::vector<std::size_t> orderById() const;
 
   PathGraph& path_;
-  std::vector<LandmarkId> ids_;   ///< by number
-  std::vector<graph::Key> keys_;  ///< by number
-  LandmarkId largest_id_ = kUnknownId;
-  std::unordered_map<LandmarkId, std::size_t> number_;    // looked up only, never iterated
+  LandmarkIds ids_;
+  std::vector<graph::Key> keys_;                          ///< by number
   std::vector<std::vector<graph::FactorId>> factors_of_;  ///< by landmark
 
   graph::Key sightings_node_ = -1;

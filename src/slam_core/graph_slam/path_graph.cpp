@@ -28,31 +28,31 @@ Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& o
 
 PoseEstimate PathGraph::robot() const {
   PoseEstimate from = start_;
-  if (node_) {
-    from.pose = graph_.pose(*node_);
-    from.covariance = coordinateCovariance(from.pose, graph_.covariance({*node_}));
+  if (tail_.node) {
+    from.pose = graph_.pose(*tail_.node);
+    from.covariance = coordinateCovariance(from.pose, graph_.covariance({*tail_.node}));
   }
-  if (!motion_) return from;
+  if (!tail_.motion) return from;
   Eigen::Matrix3d J_from, J_motion;
-  const Pose2 pose = from.pose.compose(motion_->increment, &J_from, &J_motion);
+  const Pose2 pose = from.pose.compose(tail_.motion->increment, &J_from, &J_motion);
   return {pose, symmetric(J_from * from.covariance * J_from.transpose() +
-                          J_motion * motion_->covariance * J_motion.transpose())};
+                          J_motion * tail_.motion->covariance * J_motion.transpose())};
 }
 
 Eigen::MatrixXd PathGraph::covariance(const std::vector<graph::Key>& keys) const {
   std::vector<graph::Key> all;
-  if (node_) all.push_back(*node_);
+  if (tail_.node) all.push_back(*tail_.node);
   all.insert(all.end(), keys.begin(), keys.end());
   const Eigen::MatrixXd known = graph_.covariance(all);
-  const auto size = known.rows() + (node_ ? 0 : 3);
+  const auto size = known.rows() + (tail_.node ? 0 : 3);
   Eigen::MatrixXd P = Eigen::MatrixXd::Zero(size, size);
   P.bottomRightCorner(known.rows(), known.cols()) = known;
-  if (!node_) P.topLeftCorner<3, 3>() = twistCovariance(start_.pose, start_.covariance);
-  if (!motion_) return P;
-  const Eigen::Matrix3d Ad = motion_->increment.inverse().adjoint();
+  if (!tail_.node) P.topLeftCorner<3, 3>() = twistCovariance(start_.pose, start_.covariance);
+  if (!tail_.motion) return P;
+  const Eigen::Matrix3d Ad = tail_.motion->increment.inverse().adjoint();
   P.topRows<3>() = Ad * P.topRows<3>().eval();
   P.leftCols<3>() = P.leftCols<3>().eval() * Ad.transpose();
-  P.topLeftCorner<3, 3>() += twistCovariance(motion_->increment, motion_->covariance);
+  P.topLeftCorner<3, 3>() += twistCovariance(tail_.motion->increment, tail_.motion->covariance);
   return P;
 }
 
@@ -61,71 +61,58 @@ PosePrediction PathGraph::predict(const Motion& motion) {
   Eigen::Matrix3d J_motion;
   robot().pose.compose(motion.increment, &prediction.F, &J_motion);
   prediction.Q = J_motion * motion.covariance * J_motion.transpose();
-  motion_ = motion_ ? joined(*motion_, motion) : motion;
+  tail_.motion = tail_.motion ? joined(*tail_.motion, motion) : motion;
   return prediction;
 }
 
 void PathGraph::correct(const Pose2& increment, const Eigen::Matrix3d& covariance) {
-  if (!motion_) motion_.emplace();
-  motion_->increment = increment;
-  motion_->covariance = covariance;
+  if (!tail_.motion) tail_.motion.emplace();
+  tail_.motion->increment = increment;
+  tail_.motion->covariance = covariance;
 }
 
 void PathGraph::relocate(const PoseEstimate& robot) {
   start_ = robot;
-  node_.reset();
-  motion_.reset();
+  tail_.node.reset();
+  tail_.motion.reset();
 }
 
-void PathGraph::startAt(graph::Key node) {
-  node_ = node;
-  ++nodes_;
+void PathGraph::relocate(graph::Key node) {
+  tail_.node = node;
+  tail_.motion.reset();
+  ++tail_.nodes;
 }
 
 graph::Key PathGraph::nodeNearby() {
   const auto is_far = [this](const Pose2& moved) {
     return moved.position().norm() > limits_.distance || std::abs(moved.theta()) > limits_.angle;
   };
-  if (node_ && !(motion_ && is_far(motion_->increment))) return *node_;
+  if (tail_.node && !(tail_.motion && is_far(tail_.motion->increment))) return *tail_.node;
   return addNode();
 }
 
 graph::Key PathGraph::addNode() {
   const auto now = robot();
   const auto key = graph_.add(now.pose);
-  if (!node_) {
+  if (!tail_.node) {
     const auto W = graph::weightOfCovariance(twistCovariance(now.pose, now.covariance));
     graph_.add(std::make_unique<graph::PosePrior>(key, now.pose, W));
   } else {
-    const Motion motion = motion_.value_or(Motion());
+    const Motion motion = tail_.motion.value_or(Motion());
     const auto W = graph::weightOfCovariance(twistCovariance(motion.increment, motion.covariance));
-    graph_.add(std::make_unique<graph::Between>(*node_, key, motion.increment, W));
+    graph_.add(std::make_unique<graph::Between>(*tail_.node, key, motion.increment, W));
   }
-  node_ = key;
-  ++nodes_;
-  motion_.reset();
+  tail_.node = key;
+  ++tail_.nodes;
+  tail_.motion.reset();
   return key;
 }
 
 void PathGraph::optimize(int most_iterations) {
   std::vector<graph::Key> last;
-  if (node_) last.push_back(*node_);
+  if (tail_.node) last.push_back(*tail_.node);
   for (int i = 0; i < most_iterations; ++i)
     if (!graph_.update(last)) return;
-}
-
-void PathGraph::mark(Stamp stamp) {
-  const Pose2 moved = motion_ ? motion_->increment : Pose2();
-  marks_.push_back({stamp, node_.value_or(-1), node_ ? moved : start_.pose * moved});
-}
-
-std::vector<StampedPose> PathGraph::path() const {
-  std::vector<StampedPose> path;
-  path.reserve(marks_.size());
-  for (const auto& mark : marks_)
-    path.push_back(
-        {mark.stamp, mark.node < 0 ? mark.relative : graph_.pose(mark.node) * mark.relative});
-  return path;
 }
 
 }  // namespace slam::graph_slam

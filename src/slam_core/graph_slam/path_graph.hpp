@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/contract/stamped_pose.hpp"
 #include "slam_core/graph/optimizer.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
@@ -19,6 +18,13 @@ namespace slam::graph_slam {
 struct NodeLimits {
   double distance = 0.05;  ///< [m]
   double angle = 0.05;     ///< [rad]
+};
+
+/// The end of the path.
+struct Tail {
+  std::optional<graph::Key> node;  ///< the last one; none before the first one and where redrawn
+  std::optional<Motion> motion;    ///< since then; nothing where the robot is there
+  std::size_t nodes = 0;           ///< of the whole path
 };
 
 /// The covariance of a pose as a twist in its frame from that of its coordinates (x, y, theta),
@@ -44,43 +50,25 @@ class PathGraph {
   void correct(const Pose2& increment, const Eigen::Matrix3d& covariance);
   /// The robot is redrawn there; what is in the graph does not move.
   void relocate(const PoseEstimate& robot);
+  /// The robot is at this variable, which another factor tells.
+  void relocate(graph::Key node);
 
-  /// The last node; none before the first one and after relocate().
-  const std::optional<graph::Key>& node() const { return node_; }
-  /// Since the last node; nothing where the robot is there.
-  const std::optional<Motion>& motion() const { return motion_; }
+  const Tail& tail() const { return tail_; }
   /// The last node; where the robot has moved beyond the limits it is a new one.
   graph::Key nodeNearby();
   graph::Key addNode();
-  /// The variable is the robot's pose at the beginning, which another factor tells.
-  void startAt(graph::Key node);
 
   /// @param most_iterations at most so many
   void optimize(int most_iterations);
-
-  /// The robot's pose now is one of the path.
-  void mark(Stamp stamp);
-  std::vector<StampedPose> path() const;
-  std::size_t nodes() const { return nodes_; }
 
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }
 
  private:
-  /// A pose of the path: relative to a node, or in the map where there was none yet.
-  struct Mark {
-    Stamp stamp;
-    graph::Key node;
-    Pose2 relative;
-  };
-
   NodeLimits limits_;
   graph::Optimizer graph_;
-  PoseEstimate start_;              ///< of the robot, while there is no node
-  std::optional<graph::Key> node_;  ///< the last one
-  std::optional<Motion> motion_;    ///< since then
-  std::vector<Mark> marks_;
-  std::size_t nodes_ = 0;
+  PoseEstimate start_;  ///< of the robot, while there is no node
+  Tail tail_;
 };
 
 }  // namespace slam::graph_slam

@@ -98,11 +98,11 @@ Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
 
 /// A landmark may have been seen since the last scan, from a new node.
 void ScanGraph::noteNode() {
-  if (path_.node() == node_) return;
-  node_ = path_.node();
+  if (path_.tail().node == node_) return;
+  node_ = path_.tail().node;
   node_in_odom_ = tracker_.robot();
   if (carried_) node_in_odom_.pose = node_in_odom_.pose * carried_->increment;
-  if (const auto& since = path_.motion())
+  if (const auto& since = path_.tail().motion)
     node_in_odom_.pose = node_in_odom_.pose * since->increment.inverse();
 }
 

@@ -62,7 +62,7 @@ IncrementalResult solveIncrementally(const PoseGraph& graph,
   }
   result.poses = solver.poses();
   result.marginals_ms = solver.marginalMilliseconds();
-  result.tree_mb = static_cast<double>(solver.optimizer().tree().bytes()) * 1e-6;
+  result.tree_mb = static_cast<double>(solver.optimizer().cost().bytes) * 1e-6;
   return result;
 }
 

@@ -123,7 +123,7 @@ TEST(Optimizer, FindsPosesAndPointsFromRangesAndBearings) {
   for (std::size_t i = 0; i < poses.size(); ++i)
     EXPECT_LT(optimizer.pose(pose_keys[i]).between(poses[i]).vector().norm(), 1e-3);
   for (std::size_t j = 0; j < points.size(); ++j)
-    EXPECT_LT((optimizer.point(point_keys[j]) - points[j]).norm(), 1e-3);
+    EXPECT_LT((optimizer.pose(point_keys[j]).position() - points[j]).norm(), 1e-3);
 }
 
 TEST(Optimizer, ForgetsAFactorThatIsRemovedOrWeighsNothing) {
