@@ -12,7 +12,7 @@
 namespace slam::graph {
 
 /// The whitened residual r of a factor, r^T r its share of chi2, and its Jacobian J in corrections
-/// of the variables, columns in the order of the keys.
+/// of the variables (Variables), columns in the order of the keys.
 struct LinearFactor {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
@@ -25,7 +25,8 @@ class Factor {
   virtual ~Factor() = default;
 
   const std::vector<Key>& keys() const { return keys_; }
-  virtual LinearFactor linearized(const Variables& variables) const = 0;
+  /// @param at its variables, in the order of the keys
+  virtual LinearFactor linearized(const std::vector<Pose2>& at) const = 0;
 
  private:
   std::vector<Key> keys_;

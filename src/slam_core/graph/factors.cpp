@@ -25,16 +25,16 @@ Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance) {
 PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)
     : Factor({pose}), known_inverse_(known.inverse()), W_(W) {}
 
-LinearFactor PosePrior::linearized(const Variables& variables) const {
-  const Pose2 e = known_inverse_ * variables.pose(keys()[0]);
+LinearFactor PosePrior::linearized(const std::vector<Pose2>& at) const {
+  const Pose2 e = known_inverse_ * at[0];
   return {W_ * e.vector(), W_ * e.twistJacobian()};
 }
 
 PointPrior::PointPrior(Key point, const Eigen::Vector2d& known, const Eigen::Matrix2d& W)
     : Factor({point}), known_(known), W_(W) {}
 
-LinearFactor PointPrior::linearized(const Variables& variables) const {
-  return {W_ * (variables.point(keys()[0]) - known_), W_};
+LinearFactor PointPrior::linearized(const std::vector<Pose2>& at) const {
+  return {W_ * (at[0].position() - known_), W_};
 }
 
 JointPrior::JointPrior(std::vector<Key> keys, const Pose2& pose,
@@ -44,13 +44,12 @@ JointPrior::JointPrior(std::vector<Key> keys, const Pose2& pose,
       points_(std::move(points)),
       W_(std::move(W)) {}
 
-LinearFactor JointPrior::linearized(const Variables& variables) const {
-  const Pose2 e_pose = pose_inverse_ * variables.pose(keys()[0]);
+LinearFactor JointPrior::linearized(const std::vector<Pose2>& at) const {
+  const Pose2 e_pose = pose_inverse_ * at[0];
   Eigen::VectorXd e(W_.cols());
   e.head<3>() = e_pose.vector();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    e.segment<2>(3 + 2 * static_cast<Eigen::Index>(i)) =
-        variables.point(keys()[i + 1]) - points_[i];
+    e.segment<2>(3 + 2 * static_cast<Eigen::Index>(i)) = at[i + 1].position() - points_[i];
   LinearFactor linear{W_ * e, W_};
   linear.J.leftCols<3>() = W_.leftCols<3>() * e_pose.twistJacobian();
   return linear;
@@ -59,8 +58,8 @@ LinearFactor JointPrior::linearized(const Variables& variables) const {
 Between::Between(Key a, Key b, const Pose2& a_b, const Eigen::Matrix3d& W)
     : Factor({a, b}), a_b_(a_b), b_a_(a_b.inverse()), W_(W) {}
 
-LinearFactor Between::linearized(const Variables& variables) const {
-  const Pose2 a_b = variables.pose(keys()[0]).between(variables.pose(keys()[1]));
+LinearFactor Between::linearized(const std::vector<Pose2>& at) const {
+  const Pose2 a_b = at[0].between(at[1]);
   const Pose2 e = b_a_ * a_b;
   // a twist of a moves b's place in a the other way, and turns it around a
   Eigen::Matrix3d J_a = -b_a_.twistJacobian();
@@ -77,13 +76,12 @@ RangeBearing::RangeBearing(Key pose, Key point, const Pose2& base_sensor, const 
                            const Eigen::Matrix2d& W)
     : Factor({pose, point}), base_sensor_(base_sensor), z_(z), W_(W) {}
 
-LinearFactor RangeBearing::linearized(const Variables& variables) const {
+LinearFactor RangeBearing::linearized(const std::vector<Pose2>& at) const {
   const RangeBearingModel model;
-  const auto& pose = variables.pose(keys()[0]);
+  const auto& pose = at[0];
   ObservationModel::Jacobian23 J_pose;
   Eigen::Matrix2d J_point;
-  const auto predicted =
-      model.predict(pose, base_sensor_, variables.point(keys()[1]), &J_pose, &J_point);
+  const auto predicted = model.predict(pose, base_sensor_, at[1].position(), &J_pose, &J_point);
   LinearFactor linear;
   linear.r = -W_ * model.innovation(z_, predicted);
   linear.J.resize(2, 5);

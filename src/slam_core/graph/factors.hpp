@@ -19,7 +19,7 @@ Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance);
 class PosePrior final : public Factor {
  public:
   PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W);
-  LinearFactor linearized(const Variables& variables) const override;
+  LinearFactor linearized(const std::vector<Pose2>& at) const override;
 
  private:
   Pose2 known_inverse_;
@@ -30,7 +30,7 @@ class PosePrior final : public Factor {
 class PointPrior final : public Factor {
  public:
   PointPrior(Key point, const Eigen::Vector2d& known, const Eigen::Matrix2d& W);
-  LinearFactor linearized(const Variables& variables) const override;
+  LinearFactor linearized(const std::vector<Pose2>& at) const override;
 
  private:
   Eigen::Vector2d known_;
@@ -44,7 +44,7 @@ class JointPrior final : public Factor {
   /// @param keys that of the pose first
   JointPrior(std::vector<Key> keys, const Pose2& pose, std::vector<Eigen::Vector2d> points,
              Eigen::MatrixXd W);
-  LinearFactor linearized(const Variables& variables) const override;
+  LinearFactor linearized(const std::vector<Pose2>& at) const override;
 
  private:
   Pose2 pose_inverse_;
@@ -57,7 +57,7 @@ class JointPrior final : public Factor {
 class Between final : public Factor {
  public:
   Between(Key a, Key b, const Pose2& a_b, const Eigen::Matrix3d& W);
-  LinearFactor linearized(const Variables& variables) const override;
+  LinearFactor linearized(const std::vector<Pose2>& at) const override;
   const Pose2& measured() const { return a_b_; }
 
  private:
@@ -70,7 +70,7 @@ class RangeBearing final : public Factor {
  public:
   RangeBearing(Key pose, Key point, const Pose2& base_sensor, const Eigen::Vector2d& z,
                const Eigen::Matrix2d& W);
-  LinearFactor linearized(const Variables& variables) const override;
+  LinearFactor linearized(const std::vector<Pose2>& at) const override;
 
  private:
   Pose2 base_sensor_;

@@ -29,8 +29,8 @@ Key Optimizer::add(const Eigen::Vector2d& point) {
   return variables_.add(point);
 }
 
-FactorId Optimizer::add(std::unique_ptr<Factor> factor) {
-  const auto linear = factor->linearized(variables_);
+FactorId Optimizer::add(std::shared_ptr<const Factor> factor) {
+  const auto linear = factor->linearized(origins(*factor));
   const auto id = tree_.addFactor({factor->keys(), hessian(linear), gradient(linear)});
   if (index(id) >= terms_.size()) terms_.resize(index(id) + 1);
   for (const Key key : factor->keys()) terms_of_[index(key)].push_back(id);
@@ -47,7 +47,7 @@ void Optimizer::remove(FactorId id) {
   tree_.removeFactor(id);
 }
 
-void Optimizer::setWeight(FactorId id, double weight) {
+void Optimizer::set(FactorId id, double weight) {
   terms_[index(id)].weight = weight;
   refresh(id);
 }
@@ -58,16 +58,23 @@ void Optimizer::set(Key key, const Eigen::Vector2d& point) {
   for (const FactorId id : terms_of_[index(key)]) refresh(id);
 }
 
-LinearFactor Optimizer::weighted(const Term& term, const Variables& variables) const {
-  auto linear = term.factor->linearized(variables);
-  if (term.weight == 1.0) return linear;
-  linear.r *= std::sqrt(term.weight);
-  linear.J *= std::sqrt(term.weight);
-  return linear;
+std::vector<Pose2> Optimizer::origins(const Factor& factor) const {
+  std::vector<Pose2> origins;
+  for (const Key key : factor.keys()) origins.push_back(variables_.pose(key));
+  return origins;
+}
+
+LinearFactor Optimizer::atEstimate(const Factor& factor) const {
+  std::vector<Pose2> estimates;
+  for (const Key key : factor.keys()) estimates.push_back(pose(key));
+  return factor.linearized(estimates);
 }
 
 void Optimizer::refresh(FactorId id) {
-  const auto linear = weighted(terms_[index(id)], variables_);
+  const auto& term = terms_[index(id)];
+  auto linear = term.factor->linearized(origins(*term.factor));
+  linear.r *= std::sqrt(term.weight);
+  linear.J *= std::sqrt(term.weight);
   tree_.replace(id, hessian(linear), gradient(linear));
 }
 
@@ -108,30 +115,36 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
   return false;
 }
 
-Variables Optimizer::estimate() const {
-  Variables estimate = variables_;
-  for (Key key = 0; index(key) < variables_.size(); ++key) estimate.set(key, pose(key));
-  return estimate;
-}
-
-double Optimizer::chi2(FactorId id) {
-  const auto& factor = *terms_[index(id)].factor;
-  std::vector<Pose2> origins;
-  for (const Key key : factor.keys()) {
-    origins.push_back(variables_.pose(key));
-    variables_.set(key, pose(key));
-  }
-  const double chi2 = factor.linearized(variables_).r.squaredNorm();
-  for (std::size_t i = 0; i < origins.size(); ++i) variables_.set(factor.keys()[i], origins[i]);
-  return chi2;
-}
+double Optimizer::chi2(const Factor& factor) const { return atEstimate(factor).r.squaredNorm(); }
 
 double Optimizer::chi2() const {
-  const auto variables = estimate();
   double sum = 0.0;
   for (const auto& term : terms_)
-    if (term.factor) sum += weighted(term, variables).r.squaredNorm();
+    if (term.factor) sum += term.weight * chi2(*term.factor);
   return sum;
+}
+
+Innovation Optimizer::innovation(const std::vector<const Factor*>& factors) const {
+  std::vector<Key> keys;
+  std::vector<LinearFactor> linear;
+  Eigen::Index rows = 0, columns = 0;
+  for (const auto* factor : factors) {
+    linear.push_back(atEstimate(*factor));
+    keys.insert(keys.end(), factor->keys().begin(), factor->keys().end());
+    rows += linear.back().J.rows();
+    columns += linear.back().J.cols();
+  }
+  Innovation innovation{Eigen::VectorXd(rows), {}};
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, columns);
+  Eigen::Index row = 0, column = 0;
+  for (const auto& each : linear) {
+    innovation.r.segment(row, each.r.size()) = each.r;
+    J.block(row, column, each.J.rows(), each.J.cols()) = each.J;
+    row += each.J.rows();
+    column += each.J.cols();
+  }
+  innovation.S = J * covariance(keys) * J.transpose() + Eigen::MatrixXd::Identity(rows, rows);
+  return innovation;
 }
 
 }  // namespace slam::graph

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <memory>
 #include <vector>
@@ -20,6 +21,14 @@ struct OptimizerLimits {
   double change = 1e-3;
 };
 
+/// The residuals of some factors, one after the other, with their joint covariance: their own,
+/// which is 1, and that of what the graph does not know.
+struct Innovation {
+  Eigen::VectorXd r;
+  Eigen::MatrixXd S;
+  double nis() const { return r.dot(S.llt().solve(r)); }
+};
+
 /// Nonlinear least squares over a graph that grows: one Gauss-Newton step for each update(), of
 /// which only what has changed is computed.
 class Optimizer {
@@ -28,10 +37,10 @@ class Optimizer {
 
   Key add(const Pose2& pose);
   Key add(const Eigen::Vector2d& point);
-  FactorId add(std::unique_ptr<Factor> factor);
+  FactorId add(std::shared_ptr<const Factor> factor);
   void remove(FactorId id);
   /// Factor on the share of chi2 of a factor, 1 at first.
-  void setWeight(FactorId id, double weight);
+  void set(FactorId id, double weight);
 
   /// Moves a point; what its factors say of it stays.
   void set(Key key, const Eigen::Vector2d& point);
@@ -50,14 +59,16 @@ class Optimizer {
   Pose2 pose(Key key) const { return variables_.corrected(key, tree_.solution(key)); }
   /// Of corrections of these variables (Variables), rows in the order of the keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const { return tree_.covariance(keys); }
-  /// Whitened, at the estimate, without its weight.
-  double chi2(FactorId id);
+  /// Of a factor, which need not be in the graph, without its weight.
+  double chi2(const Factor& factor) const;
   double chi2() const;  ///< of all factors, with their weights
+  /// What some factors that are not in the graph say beyond it.
+  Innovation innovation(const std::vector<const Factor*>& factors) const;
   BayesTree::Cost cost() const { return tree_.cost(); }
 
  private:
   struct Term {
-    std::unique_ptr<Factor> factor;
+    std::shared_ptr<const Factor> factor;
     double weight = 1.0;
   };
 
@@ -67,8 +78,8 @@ class Optimizer {
     return tree_.solution(key).cwiseAbs().maxCoeff() > limit;
   }
   void refresh(FactorId id);
-  LinearFactor weighted(const Term& term, const Variables& variables) const;
-  Variables estimate() const;
+  std::vector<Pose2> origins(const Factor& factor) const;
+  LinearFactor atEstimate(const Factor& factor) const;
 
   OptimizerLimits limits_;
   Variables variables_;  ///< the origins of the corrections

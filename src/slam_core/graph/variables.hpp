@@ -25,8 +25,8 @@ class Variables {
   std::size_t size() const { return variables_.size(); }
   /// 3 for a pose, 2 for a point.
   int rows(Key key) const { return variables_[static_cast<std::size_t>(key)].rows; }
+  /// Of a point its position counts.
   const Pose2& pose(Key key) const { return variables_[static_cast<std::size_t>(key)].pose; }
-  Eigen::Vector2d point(Key key) const { return pose(key).position(); }
 
   /// The variable after a correction.
   Pose2 corrected(Key key, const Eigen::Ref<const Eigen::VectorXd>& delta) const {

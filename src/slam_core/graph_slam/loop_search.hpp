@@ -16,7 +16,7 @@ namespace slam::graph_slam {
 struct LoopClosure {
   std::size_t submap = 0;
   Pose2 origin_node;           ///< T_origin_node
-  Eigen::Matrix3d covariance;  ///< of its coordinates
+  Eigen::Matrix3d covariance;  ///< of a twist of the node
   bool was_searched = false;   ///< too far from where the graph had it for a local match
 };
 

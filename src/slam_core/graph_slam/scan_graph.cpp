@@ -31,6 +31,7 @@ ScanGraph::ScanGraph(PathGraph& path, const GraphConfig& config,
       spacing_(matcher.spacing),
       submaps_(grid, config.submap_way),
       search_(matcher, config.submap_way, drift_),
+      loops_(path.graph(), graph::RobustLoops::Noise::kAsTold),
       renderer_(grid),
       tracker_(matcher),
       trigger_(config.insert_distance, config.insert_angle),
@@ -167,15 +168,15 @@ void ScanGraph::closeLoops(const ScanLevels& scan, Counters& counters) {
   const auto closures = search_.find(scan, path_, submaps_);
   for (const auto& closure : closures) {
     const auto origin = submaps_.finished()[closure.submap].submap.origin();
-    const auto W = graph::weightOfCovariance(twistCovariance(Pose2(), closure.covariance));
-    loops_.add(path_.graph().add(
-        std::make_unique<graph::Between>(origin, *node_, closure.origin_node, W)));
-    counters.add("loops");
+    const auto W = graph::weightOfCovariance(closure.covariance);
+    const bool is_believed =
+        loops_.add(std::make_shared<graph::Between>(origin, *node_, closure.origin_node, W));
+    counters.add(is_believed ? "loops" : "loops_that_wait");
     if (closure.was_searched) counters.add("searched_loops");
   }
   if (closures.empty()) return;
-  path_.optimize(config_.iterations);
-  if (loops_.weigh(path_.graph())) path_.optimize(config_.iterations);
+  constexpr int kSettled = 10;
+  loops_.judge([this] { path_.optimize(kSettled); });
 }
 
 Status ScanGraph::status() const {

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "slam_core/common/counters.hpp"
+#include "slam_core/graph/robust_loops.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/grid_renderer.hpp"
 #include "slam_core/graph_slam/loop_search.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
-#include "slam_core/graph_slam/robust_loops.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/scan_matching/scan_doubt.hpp"
@@ -41,7 +41,7 @@ class ScanGraph {
   std::optional<OccupancyGrid> grid() const;
   std::uint64_t gridRevision() const { return renderer_.revision(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
-  const RobustLoops& loops() const { return loops_; }
+  const graph::RobustLoops& loops() const { return loops_; }
   std::size_t bytes() const { return submaps_.bytes() + renderer_.bytes(); }
 
  private:
@@ -62,7 +62,7 @@ class ScanGraph {
   double spacing_;
   Submaps submaps_;
   LoopSearch search_;
-  RobustLoops loops_;
+  graph::RobustLoops loops_;
   GridRenderer renderer_;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_;

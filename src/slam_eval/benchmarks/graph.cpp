@@ -37,7 +37,7 @@ struct Options {
   int false_loops = 0;
   FalseLoopKind kind = FalseLoopKind::kRandom;
   std::size_t limit = 0;
-  bool detail = false;
+  bool detail = false, robust = false;
 };
 
 /// Of this process so far [MB].
@@ -66,13 +66,15 @@ PoseGraph load(const Options& options) {
   return graph;
 }
 
-SolvedGraph solve(const PoseGraph& graph) {
+SolvedGraph solve(const PoseGraph& graph, bool is_robust) {
   Progress progress(std::cerr, ::isatty(STDERR_FILENO) == 1);
   SolvedGraph solved;
+  solved.is_robust = is_robust;
   progress.begin("poses", graph.size());
-  solved.steps =
-      solveIncrementally(graph, [&progress](std::size_t done) { progress.update(done); });
+  solved.steps = solveIncrementally(graph, is_robust,
+                                    [&progress](std::size_t done) { progress.update(done); });
   solved.memory_mb = peakMemory();
+  if (is_robust) return solved;  // Ceres takes every loop for a true one
   progress.begin("Ceres", 2);
   solved.batch = solveByCeres(graph, deadReckoning(graph));
   progress.update(1);
@@ -88,7 +90,7 @@ void run(const Options& options) {
         stderr,
         "%s: records of type %s are not used, only VERTEX_SE2 and EDGE_SE2 are; there are %d\n",
         options.g2o.c_str(), type.c_str(), count);
-  const auto solved = solve(graph);
+  const auto solved = solve(graph, options.robust);
   auto report = summary(graph, solved);
   if (options.detail) report.update(details(graph, solved));
   std::puts(report.dump(options.detail ? -1 : 1).c_str());
@@ -122,6 +124,7 @@ void addOptions(CLI::App& app, Options& options) {
       ->transform(CLI::CheckedTransformer(kKinds))
       ->option_text("random (default), local, random_groups or local_groups");
   app.add_option("--seed", options.seed, "of the false loops")->capture_default_str();
+  app.add_flag("--robust", options.robust, "any loop may be false; without Ceres");
   app.add_flag("--detail", options.detail, "print poses, loops and the time of each step as well");
 }
 

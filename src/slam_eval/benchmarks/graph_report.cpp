@@ -29,6 +29,15 @@ nlohmann::json batchSummary(const BatchResult& batch) {
           {"has_converged", batch.has_converged}};
 }
 
+void addBatch(const PoseGraph& graph, const SolvedGraph& solved, nlohmann::json& report) {
+  const double least = std::min(solved.batch.chi2, solved.polished.chi2);
+  report["ceres"] = batchSummary(solved.batch);
+  report["ceres_from_result"] = batchSummary(solved.polished);
+  if (least > kNoChi2) report["chi2_ratio"] = report["chi2"].get<double>() / least;
+  if (!graph.truth.empty())
+    report["ceres_error_m"] = positionError(solved.batch.poses, graph.truth);
+}
+
 template <class Condition>
 auto countEdges(const PoseGraph& graph, Condition condition) {
   return std::count_if(graph.edges.begin(), graph.edges.end(), condition);
@@ -47,16 +56,16 @@ nlohmann::json summary(const PoseGraph& graph, const SolvedGraph& solved) {
   report["marginals_s"] = 1e-3 * solved.steps.marginals_ms;
   report["memory_mb"] = solved.memory_mb;
   report["tree_mb"] = solved.steps.tree_mb;
-  const double chi2 = eval::chi2(graph, solved.steps.poses);
-  const double least = std::min(solved.batch.chi2, solved.polished.chi2);
-  report["chi2"] = chi2;
-  report["ceres"] = batchSummary(solved.batch);
-  report["ceres_from_result"] = batchSummary(solved.polished);
-  if (least > kNoChi2) report["chi2_ratio"] = chi2 / least;
+  report["chi2"] = eval::chi2(graph, solved.steps.poses);
   if (!graph.truth.empty()) {
     report["error_m"] = positionError(solved.steps.poses, graph.truth);
-    report["ceres_error_m"] = positionError(solved.batch.poses, graph.truth);
     report["dead_reckoning_error_m"] = positionError(deadReckoning(graph), graph.truth);
+  }
+  if (solved.is_robust) {
+    report["true_loops_rejected"] = solved.steps.loops.true_rejected;
+    report["false_loops_believed"] = solved.steps.loops.false_believed;
+  } else {
+    addBatch(graph, solved, report);
   }
   return report;
 }

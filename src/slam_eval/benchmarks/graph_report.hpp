@@ -13,6 +13,7 @@ namespace slam::eval {
 
 /// A graph, solved in steps and at once.
 struct SolvedGraph {
+  bool is_robust = false;  ///< any loop may be false; then there is no batch
   IncrementalResult steps;
   double memory_mb = 0.0;  ///< largest resident memory of the process up to the end of the steps
   BatchResult batch;       ///< from dead reckoning on

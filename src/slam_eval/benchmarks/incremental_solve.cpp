@@ -15,8 +15,8 @@ constexpr double kSigmaOfStart = 1e-4;  // [m, rad]
 
 }  // namespace
 
-IncrementalSolver::IncrementalSolver(const PoseGraph& graph)
-    : start_(graph.start), edges_(edgesByPose(graph)) {}
+IncrementalSolver::IncrementalSolver(const PoseGraph& graph, bool is_robust)
+    : start_(graph.start), edges_(edgesByPose(graph)), is_robust_(is_robust) {}
 
 Pose2 IncrementalSolver::placed() const {
   if (size_ == 0) return start_;
@@ -24,9 +24,9 @@ Pose2 IncrementalSolver::placed() const {
   return edge.placed(optimizer_.pose(edge.older()));
 }
 
-void IncrementalSolver::add(const PoseEdge& edge) {
+std::shared_ptr<graph::Factor> IncrementalSolver::factorOf(const PoseEdge& edge) const {
   const Eigen::Matrix3d W = graph::weightOfInformation(edge.information);
-  optimizer_.add(std::make_unique<graph::Between>(edge.a, edge.b, edge.z, W));
+  return std::make_shared<graph::Between>(edge.a, edge.b, edge.z, W);
 }
 
 void IncrementalSolver::step() {
@@ -35,12 +35,39 @@ void IncrementalSolver::step() {
     const Eigen::Matrix3d W = Eigen::Matrix3d::Identity() / kSigmaOfStart;
     optimizer_.add(std::make_unique<graph::PosePrior>(newest, start_, W));
   }
-  for (const auto& edge : edges_[size_]) add(edge);
+  for (const auto& edge : edges_[size_])
+    if (!is_robust_ || !edge.isLoop()) optimizer_.add(factorOf(edge));
   optimizer_.update({newest});
+  if (is_robust_) addLoops();
   ++size_;
   const double begin = cpuMilliseconds();
   covariance_ = optimizer_.covariance({newest});
   marginal_ms_ += cpuMilliseconds() - begin;
+}
+
+void IncrementalSolver::addLoops() {
+  const auto newest = static_cast<graph::Key>(size_);
+  bool has_loops = false;
+  for (const auto& edge : edges_[size_]) {
+    if (!edge.isLoop()) continue;
+    robust_.add(factorOf(edge));
+    is_false_.push_back(edge.is_false ? 1 : 0);
+    has_loops = true;
+  }
+  constexpr int kMostSteps = 10;
+  if (!has_loops) return;
+  robust_.judge([&] {
+    for (int i = 0; i < kMostSteps && optimizer_.update({newest}); ++i) continue;
+  });
+}
+
+IncrementalSolver::Loops IncrementalSolver::loops() const {
+  Loops loops;
+  for (std::size_t i = 0; i < is_false_.size(); ++i) {
+    if (is_false_[i] != 0 && robust_.isBelieved(i)) ++loops.false_believed;
+    if (is_false_[i] == 0 && !robust_.isBelieved(i)) ++loops.true_rejected;
+  }
+  return loops;
 }
 
 std::vector<Pose2> IncrementalSolver::poses() const {
@@ -50,9 +77,9 @@ std::vector<Pose2> IncrementalSolver::poses() const {
   return poses;
 }
 
-IncrementalResult solveIncrementally(const PoseGraph& graph,
+IncrementalResult solveIncrementally(const PoseGraph& graph, bool is_robust,
                                      const std::function<void(std::size_t)>& report) {
-  IncrementalSolver solver(graph);
+  IncrementalSolver solver(graph, is_robust);
   IncrementalResult result;
   for (std::size_t i = 1; i <= graph.size(); ++i) {
     const double begin = cpuMilliseconds();
@@ -61,6 +88,7 @@ IncrementalResult solveIncrementally(const PoseGraph& graph,
     if (report) report(i);
   }
   result.poses = solver.poses();
+  result.loops = solver.loops();
   result.marginals_ms = solver.marginalMilliseconds();
   result.tree_mb = static_cast<double>(solver.optimizer().cost().bytes) * 1e-6;
   return result;

@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "pose_graph.hpp"
-#include "slam_core/graph/optimizer.hpp"
+#include "slam_core/graph/robust_loops.hpp"
 
 namespace slam::eval {
 
 /// Solves a graph as it grows: step() for one pose after the other.
 class IncrementalSolver {
  public:
-  explicit IncrementalSolver(const PoseGraph& graph);
+  /// @param is_robust any loop may be false
+  IncrementalSolver(const PoseGraph& graph, bool is_robust);
 
   /// Adds the next pose and its edges to earlier ones, solves, and computes the covariance of the
   /// pose.
@@ -26,16 +27,25 @@ class IncrementalSolver {
   std::vector<Pose2> poses() const;
   /// Of a correction of the newest pose (slam::graph::Variables).
   const Eigen::Matrix3d& covariance() const { return covariance_; }
+  /// Loops by what became of them; all are believed where the solver is not robust.
+  struct Loops {
+    int true_rejected = 0, false_believed = 0;
+  };
+  Loops loops() const;
   double marginalMilliseconds() const { return marginal_ms_; }  ///< CPU time of the covariances
 
  private:
   Pose2 placed() const;
-  void add(const PoseEdge& edge);
+  std::shared_ptr<graph::Factor> factorOf(const PoseEdge& edge) const;
+  void addLoops();
 
   Pose2 start_;
   std::vector<std::vector<PoseEdge>> edges_;
+  bool is_robust_;
   graph::Optimizer optimizer_;
-  std::size_t size_ = 0;  ///< poses so far
+  graph::RobustLoops robust_{optimizer_, graph::RobustLoops::Noise::kLearnt};
+  std::vector<char> is_false_;  ///< by loop of robust_
+  std::size_t size_ = 0;        ///< poses so far
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   double marginal_ms_ = 0.0;
 };
@@ -46,10 +56,11 @@ struct IncrementalResult {
   std::vector<double> step_ms;  ///< CPU time of each step
   double marginals_ms = 0.0;    ///< of the covariances alone, in all steps
   double tree_mb = 0.0;         ///< the numbers in the Bayes tree at the end
+  IncrementalSolver::Loops loops;
 };
 
 /// @param report is called after each step with the number of steps so far
-IncrementalResult solveIncrementally(const PoseGraph& graph,
+IncrementalResult solveIncrementally(const PoseGraph& graph, bool is_robust,
                                      const std::function<void(std::size_t)>& report = {});
 
 }  // namespace slam::eval

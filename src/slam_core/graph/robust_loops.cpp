@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph/robust_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slam::graph {
+namespace {
+
+/// Quantiles of the chi-square distribution: 0.999 with three and with six degrees of freedom, 0.9
+/// and 0.5 with three.
+constexpr double kGate = 16.27, kGateOfTwo = 22.46, kUsual = 6.25, kMedian = 2.366;
+constexpr double kChange = 0.05, kRejected = 0.1;
+/// Where the graph's variance is larger than so many times a loop's own, one loop alone is not
+/// believed.
+constexpr double kHeavy = 10.0;
+
+/// The graph's variance in the mean over all directions, relative to the loop's own.
+double doubtOf(const Eigen::MatrixXd& S) { return S.trace() / static_cast<double>(S.rows()) - 1.0; }
+
+/// That of the scaled covariance: s^2 with s = 2 kUsual / (kUsual + chi2).
+double weightOf(double chi2) {
+  const double s = std::min(1.0, 2.0 * kUsual / (kUsual + chi2));
+  return s * s;
+}
+
+}  // namespace
+
+void RobustLoops::believe(Loop& loop) {
+  loop.id = graph_.add(loop.factor);
+  loop.weight = 1.0;
+  loop.is_alone = false;
+  has_new_ = true;
+}
+
+/// The median follows each loop by a small step (Robbins and Monro 1951).
+void RobustLoops::learnNoise(double nis) {
+  constexpr double kStep = 0.05, kLeast = 0.25;
+  if (!learns_) return;
+  noise_ *= std::exp(nis > kMedian * noise_ ? kStep : -kStep);
+  noise_ = std::clamp(noise_, kLeast, 1.0);
+}
+
+/// Two loops say the same where they fit together and the one leaves little doubt of the other.
+bool RobustLoops::isConfirmed(const Loop& loop, const Loop& by) const {
+  constexpr double kLeft = 0.5;
+  const auto both = graph_.innovation({loop.factor.get(), by.factor.get()});
+  const auto n = both.S.rows() / 2;
+  const Eigen::MatrixXd A = both.S.topLeftCorner(n, n), C = both.S.topRightCorner(n, n);
+  const Eigen::MatrixXd left = A - C * both.S.bottomRightCorner(n, n).llt().solve(C.transpose());
+  return doubtOf(left) <= kLeft * doubtOf(A) && both.nis() <= kGateOfTwo * noise_;
+}
+
+bool RobustLoops::add(std::shared_ptr<const Factor> factor) {
+  loops_.push_back({std::move(factor), std::nullopt, 1.0, false});
+  auto& loop = loops_.back();
+  const auto innovation = graph_.innovation({loop.factor.get()});
+  const double nis = innovation.nis();
+  if (nis > kGate * noise_) return false;
+  if (doubtOf(innovation.S) <= kHeavy) {
+    learnNoise(nis);
+    believe(loop);
+    return true;
+  }
+  const auto other = std::find_if(loops_.begin(), loops_.end() - 1, [&](const Loop& each) {
+    return each.is_alone && isConfirmed(loop, each);
+  });
+  loop.is_alone = true;
+  if (other == loops_.end() - 1) return false;
+  believe(*other);
+  believe(loop);
+  return true;
+}
+
+void RobustLoops::judge(const Settle& settle) {
+  if (!std::exchange(has_new_, false)) return;
+  settle();
+  if (weigh()) settle();
+  if (reconsider()) settle();
+  has_new_ = false;
+}
+
+bool RobustLoops::weigh() {
+  bool has_changed = false;
+  for (auto& loop : loops_) {
+    if (!loop.id) continue;
+    const double next = weightOf(graph_.chi2(*loop.factor) / noise_);
+    if (std::abs(next - loop.weight) <= kChange) continue;
+    has_changed = true;
+    loop.weight = next;
+    if (next < kRejected) {
+      graph_.remove(*loop.id);
+      loop.id.reset();
+    } else {
+      graph_.set(*loop.id, loop.weight);
+    }
+  }
+  return has_changed;
+}
+
+bool RobustLoops::reconsider() {
+  constexpr double kFar = 10.0;  // a loop further away than this has been tried often enough
+  constexpr std::size_t kManyLater = 30;
+  bool has_changed = false;
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    auto& loop = loops_[i];
+    if (loop.id) continue;
+    const bool is_far = graph_.chi2(*loop.factor) > kFar * kGate * noise_;
+    if (is_far && !loop.is_alone) continue;
+    const auto innovation = graph_.innovation({loop.factor.get()});
+    const bool is_heavy = doubtOf(innovation.S) > kHeavy && i + kManyLater > loops_.size();
+    if (innovation.nis() > kGate * noise_ || is_heavy) continue;
+    believe(loop);
+    has_changed = true;
+  }
+  return has_changed;
+}
+
+std::size_t RobustLoops::rejected() const {
+  return static_cast<std::size_t>(
+      std::count_if(loops_.begin(), loops_.end(), [](const Loop& loop) { return !loop.id; }));
+}
+
+}  // namespace slam::graph

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "slam_core/graph/optimizer.hpp"
+
+namespace slam::graph {
+
+/// Loop closures of which any may be false. One that contradicts what the graph knows waits. So
+/// does one that would move the graph by much more than its own noise, until another one says the
+/// same or many have come that do not contradict it. Those in the graph count as much as it bears
+/// them out (dynamic covariance scaling: Agarwal, Tipaldi, Spinello, Stachniss, Burgard 2013). What
+/// is believed can be taken back, and one that waits is let in when the graph comes to agree.
+///
+/// How noisy loops are can be learnt from those that are believed, since information matrices are
+/// often a guess.
+class RobustLoops {
+ public:
+  /// Takes steps of the graph until it has come to rest.
+  using Settle = std::function<void()>;
+
+  /// How noisy loops are relative to what they say of themselves.
+  enum class Noise { kAsTold, kLearnt };
+
+  /// @param graph outlives this
+  RobustLoops(Optimizer& graph, Noise noise) : graph_(graph), learns_(noise == Noise::kLearnt) {}
+
+  /// @param loop between two poses
+  /// @return whether it is believed for now; it then is a factor of the graph
+  bool add(std::shared_ptr<const Factor> loop);
+  /// Settles the graph with the loops that were added, and judges all loops where it then is.
+  void judge(const Settle& settle);
+
+  std::size_t size() const { return loops_.size(); }
+  /// Whether the loop that was added after so many others is a factor of the graph.
+  bool isBelieved(std::size_t loop) const { return loops_[loop].id.has_value(); }
+  /// Loops that wait.
+  std::size_t rejected() const;
+
+ private:
+  struct Loop {
+    std::shared_ptr<const Factor> factor;
+    std::optional<FactorId> id;  ///< in the graph
+    double weight = 1.0;
+    bool is_alone = false;  ///< it waits for another one that says the same
+  };
+  void believe(Loop& loop);
+  void learnNoise(double nis);
+  bool isConfirmed(const Loop& loop, const Loop& by) const;
+  bool weigh();
+  bool reconsider();
+
+  Optimizer& graph_;
+  std::vector<Loop> loops_;
+  bool learns_;
+  double noise_ = 1.0;  ///< variance of the loops, relative to what they say of themselves
+  bool has_new_ = false;
+};
+
+}  // namespace slam::graph
