@@ -229,6 +229,56 @@ TEST_F(GraphSlamTest, SaysThatThePoseMayBeLostWhenNothingFitsTheMap) {
   EXPECT_TRUE(test::oneSays({graph.execute().message}, {"no observation fits", "may be lost"}));
 }
 
+/// The robot's heading is off by 0.5 rad of sigma 0.3 rad, and all else is known: that alone costs
+/// something, although from the predicted heading the landmarks look far from where they are seen.
+TEST_F(GraphSlamTest, TellsTheInnovationsThatRemainWhereAllIsExplainedBest) {
+  MapState map;
+  map.robot.covariance = Eigen::Vector3d(1e-10, 1e-10, 0.09).asDiagonal();
+  map.landmarks = {{1, {2, 0.5}, 1e-10 * Eigen::Matrix2d::Identity()},
+                   {2, {1.5, -0.5}, 1e-10 * Eigen::Matrix2d::Identity()}};
+  LandmarkObservationArray array;
+  array.sensor_pose = Pose2(1, 0, 0);
+  for (const auto& landmark : map.landmarks) {
+    const Eigen::Vector2d seen =
+        (Pose2(0, 0, 0.5) * array.sensor_pose).inverse().transform(landmark.position);
+    array.observations.push_back(
+        arrayOf(landmark.id, seen.norm(), std::atan2(seen.y(), seen.x())).observations[0]);
+  }
+  as<MapKeeper>(graph).set(map);
+  graph.set(array);
+  EXPECT_TRUE(graph.execute().isOk());
+  const auto statistics = as<LandmarkMapper>(graph).statistics();
+  EXPECT_EQ(statistics.used, 2);
+  EXPECT_NEAR(statistics.nis, 0.25 / 0.09, 0.01);
+  EXPECT_NEAR(graph.pose().pose.theta(), 0.5, 0.01);
+}
+
+/// Robot and landmark 1 are on the far end of a way whose heading is in doubt by 0.3 rad, and off
+/// by 0.2 rad, as landmark 2 shows, which is known: that turns both about the way's beginning, and
+/// does not stretch what lies between them.
+TEST_F(GraphSlamTest, TurnsRobotAndLandmarksTogetherByAHeadingThatTheyHaveInCommon) {
+  const Pose2 truth = Pose2(0, 0, 0.2) * Pose2(30, 0, 0);
+  MapState map;
+  map.robot.pose = Pose2(30, 0, 0);
+  map.landmarks = {{1, {32, 0.5}, {}}, {2, {31, -1}, {}}};
+  Eigen::Matrix<double, 7, 1> turned;
+  turned << 0, 30, 1, -0.5, 32, 0, 0;
+  map.joint_covariance =
+      0.09 * turned * turned.transpose() + 1e-8 * Eigen::MatrixXd::Identity(7, 7);
+  map.robot.covariance = map.joint_covariance.topLeftCorner<3, 3>();
+  const std::vector<Eigen::Vector2d> seen = {{2, 0.5},
+                                             truth.inverse().transform(map.landmarks[1].position)};
+  auto array = arrayOf(1, seen[0].norm(), std::atan2(seen[0].y(), seen[0].x()));
+  array.observations.push_back(
+      arrayOf(2, seen[1].norm(), std::atan2(seen[1].y(), seen[1].x())).observations[0]);
+  as<MapKeeper>(graph).set(map);
+  graph.set(array);
+  EXPECT_TRUE(graph.execute().isOk());
+  const auto statistics = as<LandmarkMapper>(graph).statistics();
+  EXPECT_EQ(statistics.used, 2);
+  EXPECT_NEAR(statistics.nis, 0.04 / 0.09, 0.02);
+}
+
 /// A false first observation: as in sightings_test.cpp, and the map is sound afterwards.
 TEST_F(GraphSlamTest, BeginsALandmarkAnewThatIsNeverWhereTheMapHasIt) {
   LandmarkObservationArray array;
