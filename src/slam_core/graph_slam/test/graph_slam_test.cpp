@@ -279,6 +279,15 @@ TEST_F(GraphSlamTest, TurnsRobotAndLandmarksTogetherByAHeadingThatTheyHaveInComm
   EXPECT_NEAR(statistics.nis, 0.04 / 0.09, 0.02);
 }
 
+TEST_F(GraphSlamTest, HasAGridWithoutCellsBeforeTheFirstScan) {
+  as<MapChooser>(graph).useMap(MapKind::kGrid);
+  graph.configure(GraphConfig());
+  const auto grid = as<GridMapper>(graph).grid();
+  ASSERT_TRUE(grid);
+  EXPECT_TRUE(grid->cells.empty());
+  EXPECT_GT(grid->resolution, 0.0);
+}
+
 /// A false first observation: as in sightings_test.cpp, and the map is sound afterwards.
 TEST_F(GraphSlamTest, BeginsALandmarkAnewThatIsNeverWhereTheMapHasIt) {
   LandmarkObservationArray array;
