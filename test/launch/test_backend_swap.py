@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """slam.launch with another back-end: one argument, the same files, maps that each can load."""
 
+import itertools
 import math
 import pathlib
 import re
@@ -11,7 +12,7 @@ import unittest
 
 from launching import cut_bag, make_demo_bag, run_launch, run_offline, SameAsOffline
 
-BACKENDS = ("ekf", "pf")
+BACKENDS = ("ekf", "pf", "graph")
 FIRST, LAST = 15, 30  # [s] of the log: mapped, then localised in
 FRAME = 0.1  # [s]; the last frame of the first part is where the second starts
 
@@ -45,16 +46,19 @@ class BackendSwapTest(SameAsOffline, unittest.TestCase):
         return run_launch(f"bag:={self.root / bag}", "rate:=0", f"output_dir:={run}", *arguments)[0]
 
     def test_one_argument_swaps_the_filter_in_either_composition(self):
-        for argument, composition in (("backend:=pf", "pubsub"), ("backend:=pf", "inprocess"),
-                                      ("product:=pf_wheel", "pubsub")):
+        for backend, argument, composition in (("pf", "backend:=pf", "pubsub"),
+                                               ("pf", "backend:=pf", "inprocess"),
+                                               ("pf", "product:=pf_wheel", "pubsub"),
+                                               ("graph", "backend:=graph", "pubsub"),
+                                               ("graph", "backend:=graph", "inprocess")):
             with self.subTest(argument, composition=composition):
-                run = self.root / f"swapped_{argument[:7]}_{composition}"
+                run = self.root / f"swapped_{backend}_{argument[:7]}_{composition}"
                 output = self.launch("first.bag", run, argument, f"composition:={composition}")
-                self.assert_same_runs(run, self.root / "pf", output)
+                self.assert_same_runs(run, self.root / backend, output)
 
     def test_each_localises_in_the_map_of_the_other(self):
-        for backend, other in (BACKENDS, reversed(BACKENDS)):
-            with self.subTest(backend):
+        for backend, other in itertools.permutations(BACKENDS, 2):
+            with self.subTest(backend, map_of=other):
                 run = self.root / f"{backend}_in_map_of_{other}"
                 output = self.launch("second.bag", run, f"backend:={backend}", "mode:=localization",
                                      "robot:=mrpt_demo",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The thesis's five products (6.2.1 to 6.2.5) and the one without odometry: nodelets, one nodelet
+"""The thesis's five products (6.2.1 to 6.2.5), graphs and the one without odometry: nodelets, one nodelet
 and the offline program write the same files from the same bag, byte for byte."""
 
 import pathlib
@@ -12,10 +12,11 @@ from launching import program, run_launch
 
 SECONDS = 10  # of the office, as fast as it goes
 PRODUCTS = ("ekf_wheel", "pf_wheel", "pf_visual", "ekf_wheel_pointmap", "pf_wheel_grid",
-            "scan_grid", "ekf_laser")
+            "scan_grid", "ekf_laser", "graph_wheel", "graph_wheel_grid")
 MAPS = {"ekf_wheel_pointmap": {"landmarks.yaml", "points.pcd"},
         "pf_wheel_grid": {"map.pgm", "map.yaml"},
-        "scan_grid": {"map.pgm", "map.yaml"}}
+        "scan_grid": {"map.pgm", "map.yaml"},
+        "graph_wheel_grid": {"map.pgm", "map.yaml"}}
 OTHERS = {"metrics.json",  # tells how long it took, too
           # what else a bag has, which the offline program writes beside a run
           "ground_truth.tum", "ground_truth_landmarks.yaml", "wheel_odometry.tum"}

@@ -21,6 +21,7 @@ BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
 ALWAYS = {"/pose", "/path", "/tf"}
 LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
+            "backend=graph": LANDMARKS,
             "backend=pf": {"/particlecloud", *LANDMARKS},
             "pointmap=true": {"/points"},
             "map=grid": {"/map", "/map_metadata"},
@@ -39,12 +40,12 @@ def promised(features, composition):
 
 
 def between(features):
-    """Returns what components exchange: the grid back-end takes in no observations, and motion
-    only where there is an odometry source; a point map takes in motion, too."""
-    if features["backend"] != "grid":
-        return BETWEEN
-    has_motion = features["odometry"] != "none" or features["pointmap"] == "true"
-    return {"/motion"} if has_motion else set()
+    """Returns what components exchange: the grid back-end takes in no observations; it and a graph
+    with a grid take in motion only where there is an odometry source."""
+    is_grid = features["backend"] == "grid"
+    scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
+    has_motion = features["odometry"] != "none" or not scans_tell_motion
+    return (set() if is_grid else {"/observations"}) | ({"/motion"} if has_motion else set())
 
 
 def published(record):

@@ -15,8 +15,9 @@ namespace slam::graph {
 /// The variables of a graph: poses T_map_base and points [m] in the map frame.
 ///
 /// A correction of a pose is a twist in the robot's frame, x <- x exp(delta). So a rigid motion of
-/// a part of the graph leaves the Jacobians within it as they are, and the solution of the normal
-/// equations describes it without any error of linearisation. A correction of a point is added.
+/// a part of the path leaves the Jacobians within it as they are, and the solution of the normal
+/// equations describes it without any error of linearisation. A correction of a point is added in
+/// the map frame: Jacobians by points turn with the map.
 class Variables {
  public:
   Key add(const Pose2& pose) { return append({pose, 3}); }

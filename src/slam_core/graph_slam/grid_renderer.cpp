@@ -55,8 +55,12 @@ void GridRenderer::draw() const {
   }
 }
 
-std::optional<OccupancyGrid> GridRenderer::grid() const {
-  if (scans_.empty() && !base_) return std::nullopt;
+OccupancyGrid GridRenderer::grid() const {
+  if (scans_.empty() && !base_) {
+    OccupancyGrid nothing;
+    nothing.resolution = model_.resolution();
+    return nothing;
+  }
   draw();
   return grid_map::occupancyGridOf(drawing_->finest().map, model_.resolution());
 }

@@ -28,8 +28,8 @@ class GridRenderer {
   void add(graph::Key node, const Pose2& pose, const SharedScan& scan);
   /// Takes over where the graph has the nodes now.
   void follow(const graph::Optimizer& graph);
-  /// Nothing before the first scan or grid.
-  std::optional<OccupancyGrid> grid() const;
+  /// Without cells before the first scan or grid.
+  OccupancyGrid grid() const;
   std::uint64_t revision() const { return revision_; }
   std::size_t bytes() const;  ///< of scans and drawing
 

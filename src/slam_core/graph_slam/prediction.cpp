@@ -3,10 +3,10 @@
 
 #include "slam_core/graph_slam/prediction.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // Symbols: nu innovation, H its Jacobian by (robot as a twist, landmarks), P their covariance, R
 // the observations' noise, S = H P H^T + R.
@@ -41,17 +41,40 @@ Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
     S_.block<2, 2>(row(i), row(i)) += matches[i].z.covariance;
 }
 
+/// Where the landmark lies in the robot's frame after a correction. Robot and landmark are moved by
+/// the group's exponential, as in an invariant filter (Barrau and Bonnabel 2015): an error of
+/// heading that both have in common turns both, and does not change how one looks from the other.
+Eigen::Vector2d Prediction::placeInRobot(std::size_t match,
+                                         const Eigen::Matrix<double, 5, 1>& correction,
+                                         Eigen::Matrix<double, 2, 5>& J) const {
+  constexpr double kSmall = 1e-6;
+  const double omega = correction(2);
+  const Eigen::Vector2d before = robot_.inverse().transform(points_[match]);
+  const Eigen::Vector2d sideways(-before.y(), before.x());
+  Eigen::Matrix<double, 2, 5> J_u;  // of the displacement to first order
+  J_u << -Eigen::Matrix2d::Identity(), -sideways, robot_.rotation().transpose();
+  const Eigen::Vector2d u = J_u * correction;
+  Eigen::Matrix2d V, V_omega;  // the mean of the rotations on the way, its derivative
+  V << Pose2::exp({1, 0, -omega}).position(), Pose2::exp({0, 1, -omega}).position();
+  if (std::abs(omega) > kSmall)
+    V_omega = (Pose2(0, 0, -omega).rotation() - V) / omega;
+  else
+    V_omega << 0, 0.5, -0.5, 0;
+  J = V * J_u;
+  J.col(2) += V_omega * u;
+  return before + V * u;
+}
+
 /// The innovation as if linearised where the correction leads.
 Prediction::Linear Prediction::linearized(std::size_t match,
                                           const Eigen::Matrix<double, 5, 1>& correction) const {
   const RangeBearingModel model;
-  const Pose2 robot = robot_ * Pose2::exp(correction.head<3>());
-  ObservationModel::Jacobian23 J_robot;
-  Eigen::Matrix2d J_landmark;
-  const auto z =
-      model.predict(robot, sensor_, points_[match] + correction.tail<2>(), &J_robot, &J_landmark);
+  Eigen::Matrix<double, 2, 5> J_place;
+  const auto place = placeInRobot(match, correction, J_place);
+  Eigen::Matrix2d J_z;
+  const auto z = model.predict(Pose2(), sensor_, place, nullptr, &J_z);
   Linear linear;
-  linear.H << J_robot * robot.twistJacobian(), J_landmark;
+  linear.H = J_z * J_place;
   linear.nu = model.innovation(matches_[match].z.vector(), z) + linear.H * correction;
   return linear;
 }
@@ -76,29 +99,65 @@ double Prediction::nis(std::size_t match, int linearizations) const {
   return nis;
 }
 
+Prediction::Joint Prediction::linearized(const std::vector<std::size_t>& used,
+                                         const Eigen::VectorXd& correction) const {
+  const auto size = row(used.size());
+  Joint joint{Eigen::VectorXd(size),
+              Eigen::MatrixXd::Zero(size, P_.rows()),
+              Eigen::MatrixXd::Zero(size, size),
+              {},
+              {}};
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const auto landmark = rows_[used[i]];
+    Eigen::Matrix<double, 5, 1> of_match;
+    of_match << correction.head<3>(), correction.segment<2>(landmark);
+    const auto linear = linearized(used[i], of_match);
+    joint.nu.segment<2>(row(i)) = linear.nu;
+    joint.H.block<2, 3>(row(i), 0) = linear.H.leftCols<3>();
+    joint.H.block<2, 2>(row(i), landmark) = linear.H.rightCols<2>();
+    joint.R.block<2, 2>(row(i), row(i)) = matches_[used[i]].z.covariance;
+  }
+  return joint;
+}
+
+bool Prediction::solve(Joint& joint) const {
+  joint.S = joint.H * P_ * joint.H.transpose() + joint.R;
+  joint.L.compute(joint.S);
+  return joint.L.info() == Eigen::Success && joint.nu.allFinite();
+}
+
+/// Linearised again where the correction leads, until what is predicted there is what the last
+/// linearisation said, to a hundredth of a sigma in the mean.
+Prediction::Joint Prediction::iterated(const std::vector<std::size_t>& used, Joint joint) const {
+  constexpr int kLinearizations = 5;
+  constexpr double kLinear = 0.01;
+  for (int i = 1; i < kLinearizations; ++i) {
+    const Eigen::VectorXd correction = P_ * joint.H.transpose() * joint.L.solve(joint.nu);
+    auto next = linearized(used, correction);
+    const Eigen::VectorXd off = next.nu - joint.nu - (next.H - joint.H) * correction;
+    const double squared = off.cwiseAbs2().cwiseQuotient(joint.R.diagonal()).mean();
+    if (squared < kLinear * kLinear || !solve(next)) break;
+    joint = std::move(next);
+  }
+  return joint;
+}
+
 bool Prediction::summarize(const std::vector<std::size_t>& used,
                            UpdateStatistics& statistics) const {
+  auto first = linearized(used, Eigen::VectorXd::Zero(P_.rows()));
+  if (!solve(first)) return false;
+  const auto joint = iterated(used, std::move(first));
+  const double log_root = joint.L.matrixLLT().diagonal().array().log().sum();
   const auto size = row(used.size());
-  Eigen::VectorXd nu(size);
-  Eigen::MatrixXd S(size, size), H(size, 3), R = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    nu.segment<2>(row(i)) = innovation(used[i]);
-    H.middleRows<2>(row(i)) = H_.block<2, 3>(row(used[i]), 0) * robot_.twistJacobian().transpose();
-    R.block<2, 2>(row(i), row(i)) = matches_[used[i]].z.covariance;
-    for (std::size_t j = 0; j < used.size(); ++j)
-      S.block<2, 2>(row(i), row(j)) = crossCovariance(used[i], used[j]);
-  }
-  const Eigen::LLT<Eigen::MatrixXd> L(S);
-  if (L.info() != Eigen::Success || !nu.allFinite()) return false;
-  const double log_root = L.matrixLLT().diagonal().array().log().sum();
-  statistics.nis = L.matrixL().solve(nu).squaredNorm();
+  statistics.nis = joint.L.matrixL().solve(joint.nu).squaredNorm();
   statistics.nis_dof = static_cast<int>(size);
   statistics.used = static_cast<int>(used.size());
   statistics.log_likelihood -=
       0.5 * (statistics.nis + double(size) * std::log(2.0 * M_PI)) + log_root;
   const auto told = row(std::min(used.size(), UpdateStatistics::kJoint));
-  statistics.joint = {nu.head(told), S.topLeftCorner(told, told), R.topLeftCorner(told, told),
-                      H.topRows(told)};
+  statistics.joint = {joint.nu.head(told), joint.S.topLeftCorner(told, told),
+                      joint.R.topLeftCorner(told, told),
+                      joint.H.topLeftCorner(told, 3) * robot_.twistJacobian().transpose()};
   return true;
 }
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "slam_core/contract/landmark_mapper.hpp"
@@ -31,7 +31,8 @@ class Prediction {
   /// The normalised innovation squared of a match. Where it is linearised again at the robot and
   /// landmark that explain the observation best (Bell and Cathey 1993): what remains of it.
   double nis(std::size_t match, int linearizations) const;
-  /// Adds what these matches, used together, say to the statistics.
+  /// Adds what these matches, used together, say to the statistics: as if linearised at the robot
+  /// and landmarks that explain them all best, as the NIS of a match.
   /// @return whether their covariance is positive definite
   bool summarize(const std::vector<std::size_t>& used, UpdateStatistics& statistics) const;
 
@@ -41,7 +42,19 @@ class Prediction {
     Eigen::Vector2d nu;
     Eigen::Matrix<double, 2, 5> H;  ///< by a twist of the robot and the landmark
   };
+  Eigen::Vector2d placeInRobot(std::size_t match, const Eigen::Matrix<double, 5, 1>& correction,
+                               Eigen::Matrix<double, 2, 5>& J) const;
   Linear linearized(std::size_t match, const Eigen::Matrix<double, 5, 1>& correction) const;
+
+  /// Some matches together.
+  struct Joint {
+    Eigen::VectorXd nu;
+    Eigen::MatrixXd H, R, S;  ///< H by the rows of P
+    Eigen::LLT<Eigen::MatrixXd> L;
+  };
+  Joint linearized(const std::vector<std::size_t>& used, const Eigen::VectorXd& correction) const;
+  bool solve(Joint& joint) const;
+  Joint iterated(const std::vector<std::size_t>& used, Joint joint) const;
 
   Pose2 robot_, sensor_;
   const std::vector<Match>& matches_;

@@ -12,10 +12,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P
 import run_maker  # noqa: E402
 from slam_eval.geometry import se2  # noqa: E402
 from slam_eval.io.landmarks import LandmarkMap  # noqa: E402
+from slam_eval.io.run_folder import RunFolder  # noqa: E402
 from slam_eval.io.trajectory import Trajectory  # noqa: E402
 from slam_eval.io.updates import Updates  # noqa: E402
 from slam_eval.metrics import evaluation  # noqa: E402
-from slam_eval.report.metric_table import merge  # noqa: E402
+from slam_eval.report.metric_table import KEYS, merge  # noqa: E402
 
 T = np.array([4.0, -1.0, 2.2])
 
@@ -186,6 +187,34 @@ class Consistency(unittest.TestCase):
     def test_without_used_observations_there_is_no_nis(self):
         steps = updates(trajectory(np.zeros((3, 3))), np.zeros((3, 3, 3)))
         self.assertIsNone(evaluation.nis_mean(steps))
+
+
+class RevisedPath(unittest.TestCase):
+
+    def setUp(self):
+        self.truth = run_maker.ring(400)
+        online = self.truth.copy()
+        online[200:, 1] += 0.2  # what a loop then corrects
+        revised = self.truth.copy()
+        revised[::2, 0] += 0.02
+        self.run = RunFolder(pathlib.Path("."), trajectory(online), truth=trajectory(self.truth),
+                             final=trajectory(revised))
+
+    def test_has_an_error_of_its_own(self):
+        metrics = evaluation.evaluate(self.run).metrics
+        self.assertAlmostEqual(metrics["ate_final_rmse_m"], 0.01, places=4)
+        self.assertGreater(metrics["ate_rmse_m"], 0.05)
+
+    def test_that_was_not_written_has_none(self):
+        self.run.final = None
+        self.assertNotIn("ate_final_rmse_m", evaluation.evaluate(self.run).metrics)
+
+    def test_without_truth_has_none(self):
+        self.run.truth = None
+        self.assertNotIn("ate_final_rmse_m", evaluation.evaluate(self.run).metrics)
+
+    def test_is_told_in_the_report(self):
+        self.assertIn("ate_final_rmse_m", KEYS)
 
 
 class Merge(unittest.TestCase):
