@@ -38,7 +38,7 @@ void RobustLoops::believe(Loop& loop) {
 
 /// The median follows each loop by a small step (Robbins and Monro 1951).
 void RobustLoops::learnNoise(double nis) {
-  constexpr double kStep = 0.05, kLeast = 0.25;
+  constexpr double kStep = 0.05, kLeast = 0.05;
   if (!learns_) return;
   noise_ *= std::exp(nis > kMedian * noise_ ? kStep : -kStep);
   noise_ = std::clamp(noise_, kLeast, 1.0);
@@ -103,7 +103,8 @@ bool RobustLoops::weigh() {
 
 bool RobustLoops::reconsider() {
   constexpr double kFar = 10.0;  // a loop further away than this has been tried often enough
-  constexpr std::size_t kManyLater = 30;
+  constexpr double kLoneNoise = 0.25;
+  constexpr std::size_t kManyLater = 100;
   bool has_changed = false;
   for (std::size_t i = 0; i < loops_.size(); ++i) {
     auto& loop = loops_[i];
@@ -112,7 +113,9 @@ bool RobustLoops::reconsider() {
     if (is_far && !loop.is_alone) continue;
     const auto innovation = graph_.innovation({loop.factor.get()});
     const bool is_heavy = doubtOf(innovation.S) > kHeavy && i + kManyLater > loops_.size();
-    if (innovation.nis() > kGate * noise_ || is_heavy) continue;
+    // how noisy the way to a lone loop is, others do not tell
+    const double noise = loop.is_alone ? std::max(noise_, kLoneNoise) : noise_;
+    if (innovation.nis() > kGate * noise || is_heavy) continue;
     believe(loop);
     has_changed = true;
   }

@@ -88,7 +88,7 @@ TEST_F(RobustLoopsTest, BelievesALoneLoopThatManyLaterOnesDoNotContradict) {
   drive(40);
   addTrue(0, 40);
   drive(1);
-  for (int i = 0; i < 40; ++i) addTrue(41 - 2, 41);
+  for (int i = 0; i < 110; ++i) addTrue(39, 41);
   EXPECT_TRUE(loops.isBelieved(0));
 }
 
