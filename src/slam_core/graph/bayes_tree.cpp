@@ -238,7 +238,7 @@ BayesTree::Cost BayesTree::cost() const {
   for (const auto& c : cliques_)
     numbers += c.columns.size() + c.schur.size() + c.rhs.size() + c.schur_rhs.size();
   for (const auto& stored : factors_) numbers += stored.factor.H.size() + stored.factor.g.size();
-  return {static_cast<std::size_t>(numbers) * sizeof(double), eliminated_rows_};
+  return {static_cast<std::size_t>(numbers) * sizeof(double), eliminated_rows_, undetermined_};
 }
 
 }  // namespace slam::graph

@@ -18,7 +18,7 @@ namespace slam::graph {
 /// Call order: any number of changes, then update(), then solve().
 class BayesTree {
  public:
-  /// @return the key of a new variable of as many rows; update() needs a factor that determines it
+  /// @return the key of a new variable of as many rows
   Key addVariable(int rows);
 
   FactorId addFactor(QuadraticFactor factor);
@@ -28,8 +28,8 @@ class BayesTree {
 
   /// Brings the tree up to date with all changes.
   /// @param last variables to eliminate last, since the next factors will touch them
-  /// @throw std::domain_error where the factors do not determine all variables; the tree is then
-  /// of no more use
+  /// @throw std::domain_error where factors hold values that are not finite; the tree is then of no
+  /// more use
   void update(const std::vector<Key>& last);
 
   /// Computes the minimum, where it has moved.
@@ -51,6 +51,7 @@ class BayesTree {
   struct Cost {
     std::size_t bytes;    ///< of the numbers it holds
     int eliminated_rows;  ///< by the last update()
+    int undetermined;     ///< cliques of those with variables that no factor determines
   };
   Cost cost() const;
 
@@ -107,7 +108,7 @@ class BayesTree {
   std::vector<int> orphans_;            ///< cliques whose parents were taken off
   std::vector<int> changed_;            ///< cliques to open
   std::vector<Key> touched_;            ///< variables whose cliques are to open
-  int eliminated_rows_ = 0;
+  int eliminated_rows_ = 0, undetermined_ = 0;
 
   Eigen::VectorXd solution_;
   Eigen::VectorXd spread_;  ///< the part of the solution that the cliques below know of

@@ -28,7 +28,7 @@ void Elimination::run() {
   assign();
   findStructure();
   formCliques();
-  tree_.eliminated_rows_ = 0;
+  tree_.eliminated_rows_ = tree_.undetermined_ = 0;
   for (std::size_t j = 0; j < columns_.size(); ++j)
     if (!members_[j].empty()) eliminate(j);
 }
@@ -121,10 +121,8 @@ void Elimination::eliminate(std::size_t last) {
   adopt(id, members_[last]);
   Eigen::MatrixXd matrix = front(clique);
   const int f = clique.frontal_rows, s = clique.rows - f;
+  factorize(matrix.topLeftCorner(f, f));
   Eigen::Ref<Eigen::MatrixXd> triangle = matrix.topLeftCorner(f, f);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(triangle);
-  if (llt.info() != Eigen::Success)
-    throw std::domain_error("the graph does not determine all of its variables");
   auto below = matrix.bottomLeftCorner(s, f);
   triangle.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
   matrix.bottomRightCorner(s, s).selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
@@ -133,6 +131,27 @@ void Elimination::eliminate(std::size_t last) {
   tree_.substitute(clique);
   tree_.eliminated_rows_ += f;
   if (columns_[last].depends.empty()) tree_.roots_.push_back(id);
+}
+
+/// Puts the Cholesky factor into the lower triangle. Where the factors of the graph do not
+/// determine the variables, they are held where they are with a little weight.
+void Elimination::factorize(Eigen::Ref<Eigen::MatrixXd> matrix) {
+  constexpr double kLeast = 1e-12, kStep = 100.0;
+  constexpr int kTries = 8;
+  const auto fail = [] { throw std::domain_error("the graph holds values that are not finite"); };
+  if (!matrix.allFinite()) fail();
+  const Eigen::MatrixXd H = matrix;
+  const double largest = H.diagonal().cwiseAbs().maxCoeff();
+  double weight = kLeast * std::max(1.0, largest);
+  for (int i = 0; i < kTries; ++i) {
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(matrix);
+    if (llt.info() == Eigen::Success) return;
+    if (i == 0) ++tree_.undetermined_;
+    matrix = H;
+    matrix.diagonal().array() += weight;
+    weight *= kStep;
+  }
+  fail();
 }
 
 /// The clique of some columns, the last of which is given.

@@ -14,7 +14,7 @@ namespace slam::graph {
 class Elimination {
  public:
   Elimination(BayesTree& tree, const std::vector<Key>& last);
-  /// @throw std::domain_error where the factors do not determine all variables
+  /// @throw std::domain_error where factors hold values that are not finite
   void run();
 
  private:
@@ -33,6 +33,7 @@ class Elimination {
   void findStructure();
   void formCliques();
   void eliminate(std::size_t column);
+  void factorize(Eigen::Ref<Eigen::MatrixXd> matrix);
   void gather(BayesTree::Clique& clique, std::size_t last);
   void adopt(int id, const std::vector<int>& members);
   Eigen::MatrixXd front(const BayesTree::Clique& clique);

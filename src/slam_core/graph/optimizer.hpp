@@ -48,7 +48,7 @@ class Optimizer {
   /// One step. @param last variables that the next factors will touch
   /// @return whether a variable is so far from where its factors were linearised that another step
   /// would linearise them again
-  /// @throw std::domain_error where the factors do not determine all variables
+  /// @throw std::domain_error where factors hold values that are not finite
   bool update(const std::vector<Key>& last);
   /// Steps in which nothing is left out, until they are over.
   /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1

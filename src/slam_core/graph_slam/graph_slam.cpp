@@ -180,6 +180,10 @@ Status GraphSlam::summary(const Association& association,
     return Status::warning("there is no map to localise in; load one");
   if (!association.is_solved)
     return Status::error("the innovations' covariance is not positive definite; update left out");
+  if (graph_->path.graph().cost().undetermined > 0)
+    return Status::warning(
+        "the graph does not determine all poses and landmarks, which are held where they are: are "
+        "there covariances that differ by too many orders of magnitude?");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
   return fault == of_steps.end() ? Status::ok() : *fault;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -184,10 +185,22 @@ TEST(BayesTree, SolvesGraphsThatDoNotHangTogether) {
   systems.expectSameSolution(4);
 }
 
-TEST(BayesTree, RefusesAVariableThatNothingDetermines) {
+TEST(BayesTree, HoldsAVariableThatNothingDetermines) {
   BayesTree tree;
   const Key key = tree.addVariable(2);
-  tree.addFactor({{key}, Eigen::Vector2d(1, 0).asDiagonal(), Eigen::Vector2d(1, 1)});
+  tree.addFactor({{key}, Eigen::Vector2d(2, 0).asDiagonal(), Eigen::Vector2d(1, 0)});
+  tree.update({key});
+  tree.solve();
+  EXPECT_EQ(tree.cost().undetermined, 1);
+  EXPECT_NEAR(tree.solution(key)[0], 0.5, 1e-9);
+  EXPECT_EQ(tree.solution(key)[1], 0.0);
+  EXPECT_GT(tree.covariance({key})(1, 1), 1e9);
+}
+
+TEST(BayesTree, RefusesValuesThatAreNotFinite) {
+  BayesTree tree;
+  const Key key = tree.addVariable(1);
+  tree.addFactor({{key}, Eigen::MatrixXd::Constant(1, 1, NAN), Eigen::VectorXd::Zero(1)});
   EXPECT_THROW(tree.update({key}), std::domain_error);
 }
 

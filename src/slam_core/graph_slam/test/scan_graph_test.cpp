@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/scan_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_core/grid_map/grid_conversion.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/product/test/component_driver.hpp"
+
+namespace slam::graph_slam {
+namespace {
+
+using test::RoomDrive;
+
+constexpr int kLap = 145;  // steps
+
+std::unique_ptr<GraphSlam> made(const GraphConfig& config = {},
+                                const grid_map::GridMapConfig& grid = {}) {
+  auto backend = std::make_unique<GraphSlam>();
+  as<MapChooser>(*backend).useMap(MapKind::kGrid);
+  backend->configure(config, grid);
+  return backend;
+}
+
+Status take(GraphSlam& backend, const RoomDrive::Step& step, bool has_motion = true) {
+  if (has_motion) give(step.motion, backend);
+  give(step.scan, backend);
+  return backend.execute();
+}
+
+/// @return the largest distance between pose and truth [m]
+double run(GraphSlam& backend, RoomDrive& drive, int steps, bool has_motion = true) {
+  double worst = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const auto step = drive.next();
+    take(backend, step, has_motion);
+    worst = std::max(worst, (backend.pose().pose.position() - step.truth.position()).norm());
+  }
+  return worst;
+}
+
+double figure(const GraphSlam& backend, const std::string& name) {
+  for (const auto& [each, value] : backend.figures())
+    if (each == name) return value;
+  ADD_FAILURE() << "there is no figure " << name;
+  return NAN;
+}
+
+OccupancyGrid gridOf(GraphSlam& backend) { return *as<GridMapper>(backend).grid(); }
+
+TEST(ScanGraph, ClosesLoopsInEachLap) {
+  const auto backend = made();
+  RoomDrive drive(1);
+  EXPECT_LT(run(*backend, drive, 3 * kLap), 0.03);
+  EXPECT_GT(backend->counters()["loops"], 10u);
+  EXPECT_LT(figure(*backend, "rejected_loops"), 0.1 * figure(*backend, "loops"));
+}
+
+TEST(ScanGraph, NeedsNoMotion) {
+  const auto backend = made();
+  RoomDrive drive(2);
+  EXPECT_LT(run(*backend, drive, 2 * kLap, false), 0.04);
+}
+
+/// What is asked for in between must not show in the end.
+TEST(ScanGraph, DrawsTheSameGridWheneverItIsAskedFor) {
+  const auto asked = made(), left = made();
+  RoomDrive first(3), second(3);
+  for (int i = 0; i < 2 * kLap; ++i) {
+    take(*asked, first.next());
+    take(*left, second.next());
+    if (i % 20 == 0) gridOf(*asked);
+  }
+  EXPECT_EQ(gridOf(*asked).cells, gridOf(*left).cells);
+}
+
+TEST(ScanGraph, KeepsItsMapWhereMemoryEnds) {
+  grid_map::GridMapConfig grid;
+  grid.largest_memory = 0.5;
+  const auto backend = made({}, grid);
+  RoomDrive drive(4);
+  std::vector<std::string> told;
+  for (int i = 0; i < kLap; ++i) told.push_back(take(*backend, drive.next()).message);
+  EXPECT_GT(backend->counters()["scans_without_memory"], 0u);
+  EXPECT_TRUE(test::oneSays(told, {"grid_map.largest_memory", "kept as it is"}));
+}
+
+TEST(ScanGraph, LocalisesInALoadedGridWithoutGrowing) {
+  const auto mapping = made();
+  RoomDrive drive(5);
+  run(*mapping, drive, kLap);
+  GraphConfig config;
+  config.mode = BackendMode::kLocalization;
+  const auto localising = made(config);
+  as<MapKeeper>(*localising).set(as<MapKeeper>(*mapping).state());
+  localising->execute();
+  const auto before = gridOf(*localising).cells;
+  EXPECT_LT(run(*localising, drive, kLap), 0.05);
+  EXPECT_EQ(figure(*localising, "nodes"), 0.0);
+  EXPECT_EQ(gridOf(*localising).cells, before);
+}
+
+TEST(ScanGraph, RefusesAMapWithoutAGridAndStaysAsItIs) {
+  const auto backend = made();
+  RoomDrive drive(6);
+  run(*backend, drive, 30);
+  const auto before = gridOf(*backend).cells;
+  as<MapKeeper>(*backend).set(MapState{});
+  const auto status = backend->execute();
+  EXPECT_EQ(status.level, Status::Level::kError);
+  EXPECT_TRUE(test::oneSays({status.message}, {"holds no occupancy grid"})) << status.message;
+  EXPECT_EQ(gridOf(*backend).cells, before);
+}
+
+TEST(Submap, IsDrawnAgainToTheBit) {
+  const grid_map::GridMapConfig config;
+  const auto models = scan_matching::levelModels(config);
+  Submap submap(config);
+  RoomDrive drive(7);
+  for (int i = 0; i < 20; ++i) {
+    const auto scan = std::make_shared<const LaserScan>(drive.next().scan);
+    submap.insert(scan, scan_matching::pointsOf(*scan, models, 0.02), i, Pose2(0.1 * i, 0, 0));
+  }
+  const auto cells = [&] {
+    const auto& level = submap.map().finest();
+    return grid_map::occupancyGridOf(level.map, level.model.resolution()).cells;
+  };
+  const auto before = cells();
+  submap.giveUpDrawing();
+  EXPECT_EQ(submap.bytes(), 0u);
+  EXPECT_EQ(cells(), before);
+}
+
+}  // namespace
+}  // namespace slam::graph_slam
