@@ -60,7 +60,7 @@ TEST(MetaCoordinatorConfig, RefusesAGridThatTheBackEndDoesNotMake) {
   const auto faults = faultsOf("{version: 1, backend: ekf, map: grid}");
   EXPECT_EQ(faults.size(), 1u) << join(faults, "\n");
   EXPECT_TRUE(oneSays(faults, {"'ekf' makes no grid", "non-parametric",
-                               "choose backend: grid or pf", "map: landmarks"}));
+                               "choose backend: graph or grid or pf", "map: landmarks"}));
   EXPECT_TRUE(
       faultsOf("{version: 1, backend: pf, map: grid, grid_map: {resolution: 0.1}}").empty());
 }
