@@ -4,6 +4,7 @@
 #include "slam_core/association/sightings.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace slam::association {
 
@@ -45,6 +46,19 @@ Sightings::Verdict Sightings::judge(const std::vector<LandmarkId>& fitting,
     }
   }
   return verdict;
+}
+
+Status Sightings::warningOf(const Verdict& verdict, const std::vector<LandmarkId>& reinitialized) {
+  if (!reinitialized.empty()) {
+    std::string ids;
+    for (const auto id : reinitialized) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
+    return Status::warning("landmark " + ids +
+                           " was hardly ever where the map had it: it is begun anew");
+  }
+  if (verdict.times == 0) return Status::ok();
+  return Status::warning("landmark " + std::to_string(verdict.moved) +
+                         " was not where the map has it " + std::to_string(verdict.times) +
+                         " times in a row: was it moved?");
 }
 
 }  // namespace slam::association

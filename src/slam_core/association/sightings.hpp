@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "slam_core/common/status.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam::association {
@@ -24,6 +25,10 @@ class Sightings {
     LandmarkId moved = kUnknownId;  ///< the confirmed landmark that was elsewhere most often
     int times = 0;                  ///< in a row
   };
+
+  /// Warns of what was done about a verdict, and of a landmark that may have been moved.
+  /// @param reinitialized the doubtful ones that now stand elsewhere
+  static Status warningOf(const Verdict& verdict, const std::vector<LandmarkId>& reinitialized);
 
   /// Those of a loaded map are confirmed.
   explicit Sightings(const LandmarkMap& map = {});

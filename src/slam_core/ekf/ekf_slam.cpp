@@ -167,21 +167,15 @@ Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) 
   std::vector<LandmarkId> fitting;
   for (const auto& match : association.matches) fitting.push_back(match.z.id);
   const auto verdict = sightings_.judge(fitting, association.gated);
-  std::string ids;
+  std::vector<LandmarkId> reinitialized;
   for (const auto& z : verdict.doubtful) {
     const auto m = initialized(z, sensor);
     if (!m.isFinite() || config_.mapIsFixed()) continue;
     state_.beginAnew(z.id, m.position, m.J_robot, m.R);
     counters_.add("begun_anew");
-    ids += (ids.empty() ? "" : ", ") + std::to_string(z.id);
+    reinitialized.push_back(z.id);
   }
-  if (!ids.empty())
-    return Status::warning("landmark " + ids +
-                           " was hardly ever where the map had it: it is begun anew");
-  if (verdict.times == 0) return Status::ok();
-  return Status::warning("landmark " + std::to_string(verdict.moved) +
-                         " was not where the map has it " + std::to_string(verdict.times) +
-                         " times in a row: was it moved?");
+  return association::Sightings::warningOf(verdict, reinitialized);
 }
 
 Status EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {

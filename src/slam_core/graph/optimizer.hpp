@@ -39,10 +39,10 @@ class Optimizer {
   Key add(const Eigen::Vector2d& point);
   FactorId add(std::shared_ptr<const Factor> factor);
   void remove(FactorId id);
-  /// Factor on the share of chi2 of a factor, 1 at first.
+  /// Multiplies a factor's share of chi2 by a weight, which is 1 at first.
   void set(FactorId id, double weight);
 
-  /// Moves a point; what its factors say of it stays.
+  /// Moves a point. Its factors stay as they are.
   void set(Key key, const Eigen::Vector2d& point);
 
   /// One step. @param last variables that the next factors will touch
@@ -55,14 +55,16 @@ class Optimizer {
   /// mrad
   bool optimize(const std::vector<Key>& last, int most_steps);
 
-  /// Of a point its position counts.
+  /// The variable at the estimate; a point comes as a pose of which only the position means
+  /// something.
   Pose2 pose(Key key) const { return variables_.corrected(key, tree_.solution(key)); }
-  /// Of corrections of these variables (Variables), rows in the order of the keys.
+  /// The covariance describes corrections of these variables (Variables), rows in the order of the
+  /// keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const { return tree_.covariance(keys); }
-  /// Of a factor, which need not be in the graph, without its weight.
+  /// Returns the squared residual of a factor, without its weight. It need not be in the graph.
   double chi2(const Factor& factor) const;
   double chi2() const;  ///< of all factors, with their weights
-  /// What some factors that are not in the graph say beyond it.
+  /// Compares factors that are not in the graph with what the graph predicts of them.
   Innovation innovation(const std::vector<const Factor*>& factors) const;
   BayesTree::Cost cost() const { return tree_.cost(); }
 

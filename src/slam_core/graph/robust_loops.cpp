@@ -112,10 +112,10 @@ bool RobustLoops::reconsider() {
     const bool is_far = graph_.chi2(*loop.factor) > kFar * kGate * noise_;
     if (is_far && !loop.is_alone) continue;
     const auto innovation = graph_.innovation({loop.factor.get()});
-    const bool is_heavy = doubtOf(innovation.S) > kHeavy && i + kManyLater > loops_.size();
+    const bool is_too_early = doubtOf(innovation.S) > kHeavy && i + kManyLater > loops_.size();
     // how noisy the way to a lone loop is, others do not tell
     const double noise = loop.is_alone ? std::max(noise_, kLoneNoise) : noise_;
-    if (innovation.nis() > kGate * noise || is_heavy) continue;
+    if (innovation.nis() > kGate * noise || is_too_early) continue;
     believe(loop);
     has_changed = true;
   }

@@ -25,7 +25,7 @@ class RobustLoops {
   /// Takes steps of the graph until it has come to rest.
   using Settle = std::function<void()>;
 
-  /// How noisy loops are relative to what they say of themselves.
+  /// Whether the loops' covariances are believed, or their scale is learnt.
   enum class Noise { kAsTold, kLearnt };
 
   /// @param graph outlives this

@@ -26,7 +26,7 @@ class Variables {
   std::size_t size() const { return variables_.size(); }
   /// 3 for a pose, 2 for a point.
   int rows(Key key) const { return variables_[static_cast<std::size_t>(key)].rows; }
-  /// Of a point its position counts.
+  /// A point comes as a pose of which only the position means something.
   const Pose2& pose(Key key) const { return variables_[static_cast<std::size_t>(key)].pose; }
 
   /// The variable after a correction.

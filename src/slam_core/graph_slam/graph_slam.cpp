@@ -87,7 +87,7 @@ Component::Figures GraphSlam::figures() const {
   figures.emplace_back("lost_for_s", seconds(scans.doubt().lostFor()));
   figures.emplace_back("loops", static_cast<double>(scans.loops().size()));
   figures.emplace_back("rejected_loops", static_cast<double>(scans.loops().rejected()));
-  figures.emplace_back("map_megabytes", static_cast<double>(scans.bytes()) / kMegabyte);
+  figures.emplace_back("map_megabytes", scans.mostBytes() / kMegabyte);
   return figures;
 }
 
@@ -234,21 +234,15 @@ Status GraphSlam::reconsider(const Association& association, const Pose2& sensor
   std::vector<LandmarkObservation> gated;
   for (const auto& match : association.gated) gated.push_back(match.z);
   const auto verdict = sightings_.judge(fitting, gated);
-  std::string ids;
+  std::vector<LandmarkId> reinitialized;
   for (const auto& z : verdict.doubtful) {
     if (config_.mapIsFixed()) continue;
     graph_->landmarks.reinitialize(*graph_->landmarks.ids().find(z.id),
                                    placeOf(z, pose().pose, sensor), z, sensor);
     counters_.add("begun_anew");
-    ids += (ids.empty() ? "" : ", ") + std::to_string(z.id);
+    reinitialized.push_back(z.id);
   }
-  if (!ids.empty())
-    return Status::warning("landmark " + ids +
-                           " was hardly ever where the map had it: it is begun anew");
-  if (verdict.times == 0) return Status::ok();
-  return Status::warning("landmark " + std::to_string(verdict.moved) +
-                         " was not where the map has it " + std::to_string(verdict.times) +
-                         " times in a row: was it moved?");
+  return association::Sightings::warningOf(verdict, reinitialized);
 }
 
 Status GraphSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {

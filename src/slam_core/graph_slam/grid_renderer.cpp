@@ -23,6 +23,8 @@ void GridRenderer::startWith(const OccupancyGrid& grid) {
 
 void GridRenderer::add(graph::Key node, const Pose2& pose, const SharedScan& scan) {
   scans_.push_back({node, pose, scan});
+  scan_bytes_ += static_cast<double>(scan->beams.size() * sizeof(LaserBeam));
+  cover(scans_.back());
   ++revision_;
 }
 
@@ -35,6 +37,7 @@ void GridRenderer::follow(const graph::Optimizer& graph) {
     const Pose2 moved = scans_[i].pose.between(now);
     if (moved.position().norm() <= most && std::abs(moved.theta()) <= kLargestTurn) continue;
     scans_[i].pose = now;
+    cover(scans_[i]);
     has_moved = true;
     if (i < drawn_) drawing_.reset();
   }
@@ -65,10 +68,22 @@ OccupancyGrid GridRenderer::grid() const {
   return grid_map::occupancyGridOf(drawing_->finest().map, model_.resolution());
 }
 
-std::size_t GridRenderer::bytes() const {
-  std::size_t sum = drawing_ ? drawing_->bytes() : 0;
-  for (const auto& [node, pose, scan] : scans_) sum += scan->beams.size() * sizeof(LaserBeam);
-  return sum;
+void GridRenderer::cover(const Scan& scan) {
+  double furthest = 0.0;
+  for (const auto& beam : scan.scan->beams)
+    furthest = std::max(furthest, static_cast<double>(beam.range));
+  const double reach =
+      std::min(furthest, config_.usable_range) + scan.scan->sensor_pose.position().norm();
+  covered_.extend(scan.pose.position() - Eigen::Vector2d::Constant(reach));
+  covered_.extend(scan.pose.position() + Eigen::Vector2d::Constant(reach));
+}
+
+double GridRenderer::mostBytes() const {
+  if (scans_.empty()) return 0.0;
+  const double edge = config_.resolution * grid_map::Tile::kSize;
+  const Eigen::Array2d tiles = covered_.sizes().array() / edge + 2.0;
+  const double most = std::min(tiles.prod(), static_cast<double>(grid_map::mostTiles(config_)));
+  return scan_bytes_ + most * sizeof(grid_map::Tile);
 }
 
 }  // namespace slam::graph_slam

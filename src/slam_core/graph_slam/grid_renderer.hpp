@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,9 +17,9 @@
 
 namespace slam::graph_slam {
 
-/// The whole grid, drawn of the scans of all nodes where the graph has them. A node's scan is drawn
-/// again only where the node has moved by half a cell. What is drawn does not depend on when it is
-/// asked for.
+/// The whole grid, drawn of the scans of all nodes where the graph has them. A scan keeps
+/// its place in the drawing until its node has moved by half a cell; then all scans are drawn
+/// again. What is drawn does not depend on when it is asked for.
 class GridRenderer {
  public:
   explicit GridRenderer(const grid_map::GridMapConfig& config);
@@ -31,7 +32,9 @@ class GridRenderer {
   /// Without cells before the first scan or grid.
   OccupancyGrid grid() const;
   std::uint64_t revision() const { return revision_; }
-  std::size_t bytes() const;  ///< of scans and drawing
+  /// The memory of the scans, and the most that a drawing of them takes: it must not matter whether
+  /// somebody has asked for one.
+  double mostBytes() const;
 
  private:
   struct Scan {
@@ -40,13 +43,16 @@ class GridRenderer {
     SharedScan scan;
   };
   void draw() const;
+  void cover(const Scan& scan);
 
   grid_map::GridMapConfig config_;
   grid_map::BeamModel model_;
   std::optional<OccupancyGrid> base_;
   std::vector<Scan> scans_;
+  double scan_bytes_ = 0.0;
+  Eigen::AlignedBox2d covered_;  ///< by all scans so far [m]
   std::uint64_t revision_ = 1;
-  /// Of the first scans, as they were when it was asked for.
+  /// The drawing holds the first scans, as they were when somebody last asked for it.
   mutable std::unique_ptr<scan_matching::ScanMap> drawing_;
   mutable std::size_t drawn_ = 0;
 };

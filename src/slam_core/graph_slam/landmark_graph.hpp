@@ -49,7 +49,7 @@ class LandmarkGraph {
   /// one's, it gets one that is free.
   void append(LandmarkId id, const Eigen::Vector2d& place, const LandmarkObservation& z,
               const Pose2& sensor);
-  /// What is known of a landmark is forgotten; it begins again at this place.
+  /// Removes all factors of a landmark and re-initialises it at this place.
   void reinitialize(std::size_t landmark, const Eigen::Vector2d& place,
                     const LandmarkObservation& z, const Pose2& sensor);
   LandmarkMap map() const;  ///< sorted by id, with marginals

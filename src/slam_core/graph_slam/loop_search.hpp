@@ -25,7 +25,7 @@ struct LoopClosure {
 class LoopSearch {
  public:
   /// @param way a submap counts as long ago that was finished so long a way before [m]
-  /// @param error covariance of a place in a submap as drawn, for each metre of the way
+  /// @param variance_per_metre by which a submap errs, of (x, y, theta), for each metre of its way
   LoopSearch(const scan_matching::MatcherConfig& matcher, double way,
              const Eigen::Vector3d& variance_per_metre)
       : config_(matcher), matcher_(matcher), way_(way), variance_(way * variance_per_metre) {}

@@ -144,8 +144,7 @@ void ScanGraph::correctPath() {
 /// A scan that fits nothing shows what the map does not have yet: the robot goes on from there.
 Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points, bool is_determined,
                          Counters& counters) {
-  if (!grid_map::isWithinMemory(static_cast<double>(bytes()) + scan_matching::mostBytesFor(points),
-                                grid_config_)) {
+  if (!grid_map::isWithinMemory(mostBytes() + scan_matching::mostBytesFor(points), grid_config_)) {
     counters.add("scans_without_memory");
     return Status::warning(
         "the graph's scans would need more than grid_map.largest_memory and the map is kept as it "

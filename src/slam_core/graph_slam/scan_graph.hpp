@@ -42,7 +42,8 @@ class ScanGraph {
   std::uint64_t gridRevision() const { return renderer_.revision(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const graph::RobustLoops& loops() const { return loops_; }
-  std::size_t bytes() const { return submaps_.bytes() + renderer_.bytes(); }
+  /// The most memory that it takes; the same whether somebody has asked for the grid or not.
+  double mostBytes() const { return static_cast<double>(submaps_.bytes()) + renderer_.mostBytes(); }
 
  private:
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp,

@@ -35,9 +35,9 @@ class Submaps {
   const Submap& current() const { return older_; }
   scan_matching::MapView currentView() { return older_.map().view(); }
   const std::vector<Finished>& finished() const { return finished_; }
-  /// Of a finished one, until the next call.
+  /// Draws a finished one where it is not drawn. The view is valid until the next call.
   scan_matching::MapView view(std::size_t number);
-  /// That has been gone with the last scan [m].
+  /// The length of the way up to the last scan [m].
   double way() const { return gone_; }
   std::size_t bytes() const;  ///< of all drawings
 

@@ -39,7 +39,7 @@ class G2oRecords {
 
   const std::map<std::int64_t, Vertex>& vertices() const { return vertices_; }
   const std::vector<Edge>& edges() const { return edges_; }
-  /// How many records of other types there are.
+  /// Counts the records of other types, by type.
   const std::map<std::string, int>& leftOut() const { return left_out_; }
 
  private:

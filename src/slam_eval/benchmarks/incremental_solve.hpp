@@ -25,7 +25,7 @@ class IncrementalSolver {
 
   graph::Optimizer& optimizer() { return optimizer_; }
   std::vector<Pose2> poses() const;
-  /// Of a correction of the newest pose (slam::graph::Variables).
+  /// The covariance describes a correction of the newest pose (slam::graph::Variables).
   const Eigen::Matrix3d& covariance() const { return covariance_; }
   /// Loops by what became of them; all are believed where the solver is not robust.
   struct Loops {

@@ -92,6 +92,24 @@ TEST(ScanGraph, KeepsItsMapWhereMemoryEnds) {
   EXPECT_TRUE(test::oneSays(told, {"grid_map.largest_memory", "kept as it is"}));
 }
 
+/// The drawing that somebody asks for takes memory as well.
+TEST(ScanGraph, StopsAtTheSameScanWhetherTheGridIsAskedForOrNot) {
+  grid_map::GridMapConfig grid;
+  grid.largest_memory = 2.0;
+  const auto asked = made({}, grid), left = made({}, grid);
+  RoomDrive first(8), second(8);
+  for (int i = 0; i < 4 * kLap; ++i) {
+    take(*asked, first.next());
+    take(*left, second.next());
+    gridOf(*asked);
+    ASSERT_EQ(asked->counters()["scans_without_memory"], left->counters()["scans_without_memory"])
+        << "step " << i;
+  }
+  EXPECT_GT(left->counters()["scans_without_memory"], 0u) << figure(*left, "map_megabytes");
+  EXPECT_GT(figure(*left, "nodes"), 10.0);
+  EXPECT_EQ(gridOf(*asked).cells, gridOf(*left).cells);
+}
+
 TEST(ScanGraph, LocalisesInALoadedGridWithoutGrowing) {
   const auto mapping = made();
   RoomDrive drive(5);
