@@ -3,8 +3,11 @@
 
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace slam::scan_matching {
 namespace {
@@ -24,6 +27,10 @@ constexpr double kExplained = 0.75;
 /// Of all ends, by a place that is near where it should be.
 constexpr double kRecognised = 0.5;
 
+/// Where no odometry tells the motion, a scan is looked for as far from the guess as the guess may
+/// be off, but no further than this.
+constexpr SearchWindow kWidestGuess{2.0, 1.6};  // [m], [rad]
+
 /// The scan with fewer ends, that are as far apart as about two cells: they tell as well where it
 /// fits roughly, and sooner.
 grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
@@ -42,6 +49,11 @@ PlaceSearch searchOf(const MapView& map, const ScanLevels& scan, const Pose2& mi
   return {map.levels[level].map, thinned(scan[level]), middle, window};
 }
 
+double largestEigenvalue(const Eigen::Matrix2d& covariance) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance, Eigen::EigenvaluesOnly)
+      .eigenvalues()(1);
+}
+
 double endsOf(const ScanLevels& scan) { return static_cast<double>(scan[0].ends.size()); }
 
 bool isBetter(const Match& found, const Match& best, double surplus) {
@@ -53,14 +65,29 @@ bool isBetter(const Match& found, const Match& best, double surplus) {
 Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                               bool may_use_wide_window) const {
   auto best = matchNearby(map, scan, prior);
-  if (isDoubtful(best)) {
-    const auto found =
-        searched(map, scan, prior.pose, config_.window_position, config_.window_heading);
+  for (const auto& window : windowsAround(prior)) {
+    if (!isDoubtful(best)) break;
+    const auto found = searched(map, scan, prior.pose, window.position, window.heading);
     if (isBetter(found, best, kWorthAStep * endsOf(scan))) best = found;
   }
   if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
     best = foundFarAway(map, scan, prior, best);
   return believed(best, prior);
+}
+
+std::vector<SearchWindow> ScanToMapMatcher::windowsAround(const PosePrior& prior) const {
+  std::vector<SearchWindow> windows = {{config_.window_position, config_.window_heading}};
+  if (prior.is_measured || prior.information.determinant() <= 0.0) return windows;
+  const Eigen::Matrix3d P = prior.information.inverse();
+  const double position = std::sqrt(largestEigenvalue(P.topLeftCorner<2, 2>()));
+  const SearchWindow widest{std::min(kWidestGuess.position, position),
+                            std::min(kWidestGuess.heading, std::sqrt(P(2, 2)))};
+  const auto is_narrower = [&](const SearchWindow& window) {
+    return window.position < widest.position || window.heading < widest.heading;
+  };
+  while (is_narrower(windows.back()))
+    windows.push_back({2.0 * windows.back().position, 2.0 * windows.back().heading});
+  return windows;
 }
 
 std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanLevels& scan,

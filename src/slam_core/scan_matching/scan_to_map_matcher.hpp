@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "slam_core/scan_matching/agreement.hpp"
 #include "slam_core/scan_matching/matcher_config.hpp"
@@ -29,8 +30,8 @@ struct Match {
 /// Finds where a scan fits a map: from the prior on in the fine resolution (registerScan()), and
 /// where that does not explain most of the scan, from where the coarse one leads. Where too much of
 /// the scan contradicts the map even so, it searches a window around the prior for a better place
-/// (Olson 2009), a wide one if need be, so that the robot is found again after wheels that slipped
-/// or stood still.
+/// (Olson 2009), which without odometry grows to the guess's sigma, and a wide one if need be, so
+/// that the robot is found again after wheels that slipped or stood still.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
@@ -61,6 +62,9 @@ class ScanToMapMatcher {
                  const Match& nearby) const;
 
  private:
+  /// To search one after the other until a place fits: the local window and, where the prior is a
+  /// guess, larger ones up to what the guess may be off by.
+  std::vector<SearchWindow> windowsAround(const PosePrior& prior) const;
   /// Whether the scan fits about as well elsewhere.
   bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan) const;
   /// Searches the wide window. @return a place there that is worth a jump, else `nearby`

@@ -75,6 +75,18 @@ TEST_F(MatchingInARoom, FindsBackAfterWheelsThatStoodStillWhileTheRobotMoved) {
 }
 
 /// Carried from anywhere to anywhere in the room, mostly out of reach of any window.
+TEST_F(MatchingInARoom, WithoutOdometrySearchesAsFarAsTheGuessMayBeOff) {
+  constexpr bool kMayUseWideWindow = false;
+  for (const auto& way : {Pose2(1.0, 0.2, 0.3), Pose2(-0.3, -0.9, -0.6)}) {
+    auto guess = priorAt(truth * way.inverse(), 1.0);
+    guess.is_measured = false;
+    const auto match =
+        matcher.match(map.view(), pointsOf(scan, kModels, kSpacing), guess, kMayUseWideWindow);
+    EXPECT_TRUE(match.was_searched);
+    expectTruth(match.pose);
+  }
+}
+
 TEST_F(MatchingInARoom, ARobotCarriedAwayHardlyEverFitsAPlaceThatLooksAlike) {
   std::vector<RoomDrive::Step> steps;
   for (int i = 0; i < 145; ++i) steps.push_back(drive.next());
