@@ -27,6 +27,8 @@ constexpr double kExplained = 0.75;
 /// Of all ends, by a place that is near where it should be.
 constexpr double kRecognised = 0.5;
 
+/// A place is compared with all others so far around it.
+constexpr SearchWindow kAround{10.0, M_PI};  // [m], [rad]
 /// Where no odometry tells the motion, a scan is looked for as far from the guess as the guess may
 /// be off, but no further than this.
 constexpr SearchWindow kWidestGuess{2.0, 1.6};  // [m], [rad]
@@ -99,7 +101,7 @@ std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanL
   const auto found = is_local ? matchNearby(map, scan, prior)
                               : searched(map, scan, prior.pose, window.position, window.heading);
   const bool fits = found.is_determined && found.agreement.agreeing > enough && !isDoubtful(found);
-  if (!fits || (!is_local && hasRival(found, map, scan))) return std::nullopt;
+  if (!fits || (!is_local && hasRival(found, map, scan, prior.pose, window))) return std::nullopt;
   return found;
 }
 
@@ -107,9 +109,10 @@ Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
                                      const PosePrior& prior, const Match& nearby) const {
   auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
   found.jumped = prior.pose.between(found.pose);
-  const bool is_worth_it =
-      found.agreement.agreeing > kExplained * endsOf(scan) && !isDoubtful(found) &&
-      isBetter(found, nearby, kWorthAJump * endsOf(scan)) && !hasRival(found, map, scan);
+  const bool is_worth_it = found.agreement.agreeing > kExplained * endsOf(scan) &&
+                           !isDoubtful(found) &&
+                           isBetter(found, nearby, kWorthAJump * endsOf(scan)) &&
+                           !hasRival(found, map, scan, found.pose, kAround);
   auto best = is_worth_it ? found : nearby;
   best.wide_search_done = true;
   return best;
@@ -163,10 +166,12 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
   return match;
 }
 
-bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map,
-                                const ScanLevels& scan) const {
-  constexpr SearchWindow kAround{10.0, M_PI}, kApart{0.5, 0.3};  // [m], [rad]
-  const auto search = searchOf(map, scan, found.pose, kAround);
+bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map, const ScanLevels& scan,
+                                const Pose2& middle, const SearchWindow& window) const {
+  constexpr SearchWindow kApart{0.5, 0.3};  // [m], [rad]
+  const bool is_wider = window.position > kAround.position;
+  const auto search = is_wider ? searchOf(map, scan, middle, {window.position, M_PI})
+                               : searchOf(map, scan, found.pose, kAround);
   if (!search.isWithinReach()) return true;  // none has been ruled out
   const auto place = search.bestApartFrom(found.pose, kApart);
   if (!place) return false;

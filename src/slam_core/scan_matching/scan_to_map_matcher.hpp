@@ -65,8 +65,10 @@ class ScanToMapMatcher {
   /// To search one after the other until a place fits: the local window and, where the prior is a
   /// guess, larger ones up to what the guess may be off by.
   std::vector<SearchWindow> windowsAround(const PosePrior& prior) const;
-  /// Whether the scan fits about as well elsewhere.
-  bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan) const;
+  /// Whether the scan fits about as well elsewhere within 10 m, or within the window that was
+  /// searched where that is wider.
+  bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan, const Pose2& middle,
+                const SearchWindow& window) const;
   /// Searches the wide window. @return a place there that is worth a jump, else `nearby`
   Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
