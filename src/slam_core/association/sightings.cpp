@@ -12,6 +12,11 @@ Sightings::Sightings(const LandmarkMap& map) {
   for (const auto& landmark : map) records_[landmark.id].fits = kConfirmed;
 }
 
+Sightings::Record Sightings::record(LandmarkId id) const {
+  const auto found = records_.find(id);
+  return found == records_.end() ? Record() : found->second;
+}
+
 bool Sightings::isConfirmed(LandmarkId id) const {
   const auto found = records_.find(id);
   return found != records_.end() && found->second.fits >= kConfirmed;

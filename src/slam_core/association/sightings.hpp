@@ -30,6 +30,11 @@ class Sightings {
   /// @param reinitialized the doubtful ones that now stand elsewhere
   static Status warningOf(const Verdict& verdict, const std::vector<LandmarkId>& reinitialized);
 
+  /// What is known of a landmark.
+  struct Record {
+    int fits = 0, misses = 0;
+  };
+
   /// Those of a loaded map are confirmed.
   explicit Sightings(const LandmarkMap& map = {});
   /// @param fitting the landmarks of a stamp's observations that passed the gate
@@ -37,13 +42,14 @@ class Sightings {
   Verdict judge(const std::vector<LandmarkId>& fitting,
                 const std::vector<LandmarkObservation>& gated);
 
+  // to save, and to go on
+  Record record(LandmarkId id) const;
+  void set(LandmarkId id, const Record& record) { records_[id] = record; }
+
  private:
   static constexpr int kConfirmed = 3;  ///< seen so often after the first time where it is
   static constexpr int kDoubtful = 3, kMoved = 10;  ///< seen so often in a row elsewhere
 
-  struct Record {
-    int fits = 0, misses = 0;
-  };
   bool isConfirmed(LandmarkId id) const;
   bool robotIsWhereItShould(const std::vector<LandmarkId>& fitting, std::size_t gated) const;
 

@@ -23,7 +23,7 @@ Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance) {
 }
 
 PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)
-    : Factor({pose}), known_inverse_(known.inverse()), W_(W) {}
+    : Factor({pose}), known_(known), known_inverse_(known.inverse()), W_(W) {}
 
 LinearFactor PosePrior::linearized(const std::vector<Pose2>& at) const {
   const Pose2 e = known_inverse_ * at[0];
@@ -40,6 +40,7 @@ LinearFactor PointPrior::linearized(const std::vector<Pose2>& at) const {
 JointPrior::JointPrior(std::vector<Key> keys, const Pose2& pose,
                        std::vector<Eigen::Vector2d> points, Eigen::MatrixXd W)
     : Factor(std::move(keys)),
+      pose_(pose),
       pose_inverse_(pose.inverse()),
       points_(std::move(points)),
       W_(std::move(W)) {}

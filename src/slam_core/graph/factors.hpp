@@ -20,9 +20,11 @@ class PosePrior final : public Factor {
  public:
   PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
+  const Pose2& known() const { return known_; }
+  const Eigen::Matrix3d& weight() const { return W_; }
 
  private:
-  Pose2 known_inverse_;
+  Pose2 known_, known_inverse_;
   Eigen::Matrix3d W_;
 };
 
@@ -31,6 +33,8 @@ class PointPrior final : public Factor {
  public:
   PointPrior(Key point, const Eigen::Vector2d& known, const Eigen::Matrix2d& W);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
+  const Eigen::Vector2d& known() const { return known_; }
+  const Eigen::Matrix2d& weight() const { return W_; }
 
  private:
   Eigen::Vector2d known_;
@@ -45,9 +49,12 @@ class JointPrior final : public Factor {
   JointPrior(std::vector<Key> keys, const Pose2& pose, std::vector<Eigen::Vector2d> points,
              Eigen::MatrixXd W);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
+  const Pose2& pose() const { return pose_; }
+  const std::vector<Eigen::Vector2d>& points() const { return points_; }
+  const Eigen::MatrixXd& weight() const { return W_; }
 
  private:
-  Pose2 pose_inverse_;
+  Pose2 pose_, pose_inverse_;
   std::vector<Eigen::Vector2d> points_;
   Eigen::MatrixXd W_;
 };
@@ -59,6 +66,7 @@ class Between final : public Factor {
   Between(Key a, Key b, const Pose2& a_b, const Eigen::Matrix3d& W);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
   const Pose2& measured() const { return a_b_; }
+  const Eigen::Matrix3d& weight() const { return W_; }
 
  private:
   Pose2 a_b_, b_a_;
@@ -71,6 +79,9 @@ class RangeBearing final : public Factor {
   RangeBearing(Key pose, Key point, const Pose2& base_sensor, const Eigen::Vector2d& z,
                const Eigen::Matrix2d& W);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
+  const Pose2& sensor() const { return base_sensor_; }
+  const Eigen::Vector2d& measured() const { return z_; }
+  const Eigen::Matrix2d& weight() const { return W_; }
 
  private:
   Pose2 base_sensor_;

@@ -115,6 +115,13 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
   return false;
 }
 
+std::vector<std::shared_ptr<const Factor>> Optimizer::factors() const {
+  std::vector<std::shared_ptr<const Factor>> factors;
+  factors.reserve(terms_.size());
+  for (const auto& term : terms_) factors.push_back(term.factor);
+  return factors;
+}
+
 double Optimizer::chi2(const Factor& factor) const { return atEstimate(factor).r.squaredNorm(); }
 
 double Optimizer::chi2() const {

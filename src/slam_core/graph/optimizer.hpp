@@ -50,6 +50,8 @@ class Optimizer {
   /// would linearise them again
   /// @throw std::domain_error where factors hold values that are not finite
   bool update(const std::vector<Key>& last);
+  /// Brings covariances up to date where no variable is to move, as in a graph that was saved.
+  void eliminate(const std::vector<Key>& last) { tree_.update(last); }
   /// Steps in which nothing is left out, until they are over.
   /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1
   /// mrad
@@ -66,6 +68,11 @@ class Optimizer {
   double chi2() const;  ///< of all factors, with their weights
   /// Compares factors that are not in the graph with what the graph predicts of them.
   Innovation innovation(const std::vector<const Factor*>& factors) const;
+  /// The factors of the graph by their numbers; null where one was removed.
+  std::vector<std::shared_ptr<const Factor>> factors() const;
+  /// How many variables there have ever been; their keys are smaller.
+  std::size_t variables() const { return variables_.size(); }
+  bool isPose(Key key) const { return variables_.rows(key) == 3; }
   BayesTree::Cost cost() const { return tree_.cost(); }
 
  private:

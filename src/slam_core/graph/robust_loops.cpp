@@ -122,6 +122,24 @@ bool RobustLoops::reconsider() {
   return has_changed;
 }
 
+std::vector<RobustLoops::State> RobustLoops::states() const {
+  std::vector<State> states;
+  states.reserve(loops_.size());
+  for (const auto& loop : loops_)
+    states.push_back({loop.factor, loop.id.has_value(), loop.weight, loop.is_alone});
+  return states;
+}
+
+void RobustLoops::restore(const std::vector<State>& states) {
+  for (const auto& [factor, is_believed, weight, is_alone] : states) {
+    loops_.push_back({factor, std::nullopt, weight, is_alone});
+    if (!is_believed) continue;
+    const auto id = graph_.add(factor);
+    graph_.set(id, weight);
+    loops_.back().id = id;
+  }
+}
+
 std::size_t RobustLoops::rejected() const {
   return static_cast<std::size_t>(
       std::count_if(loops_.begin(), loops_.end(), [](const Loop& loop) { return !loop.id; }));

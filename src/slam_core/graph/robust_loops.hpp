@@ -37,6 +37,17 @@ class RobustLoops {
   /// Settles the graph with the loops that were added, and judges all loops where it then is.
   void judge(const Settle& settle);
 
+  /// A loop as it stands, to be saved and taken up again.
+  struct State {
+    std::shared_ptr<const Factor> factor;
+    bool is_believed = false;
+    double weight = 1.0;    ///< where it is believed
+    bool is_alone = false;  ///< it waits for another one that says the same
+  };
+  std::vector<State> states() const;
+  /// Takes up loops before any was added: those that are believed become factors of the graph.
+  void restore(const std::vector<State>& states);
+
   std::size_t size() const { return loops_.size(); }
   /// Whether the loop that was added after so many others is a factor of the graph.
   bool isBelieved(std::size_t loop) const { return loops_[loop].id.has_value(); }

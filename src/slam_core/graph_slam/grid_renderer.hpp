@@ -17,6 +17,9 @@
 
 namespace slam::graph_slam {
 
+struct Session;
+class SessionNumbers;
+
 /// The whole grid, drawn of the scans of all nodes where the graph has them. A scan keeps
 /// its place in the drawing until its node has moved by half a cell; then all scans are drawn
 /// again. What is drawn does not depend on when it is asked for.
@@ -35,6 +38,9 @@ class GridRenderer {
   /// The memory of the scans, and the most that a drawing of them takes: it must not matter whether
   /// somebody has asked for one.
   double mostBytes() const;
+  /// Writes the scans and the grid below them.
+  void write(const SessionNumbers& numbers, Session& session) const;
+  void read(const Session& session);
 
  private:
   struct Scan {

@@ -10,7 +10,7 @@
 
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/graph/factors.hpp"
-#include "slam_core/grid_map/grid_conversion.hpp"
+#include "slam_core/graph_slam/loaded_grid.hpp"
 
 // Frames: odom is that of the scan tracker, in which submaps are drawn; it never jumps. The graph
 // says where their origins lie in the map.
@@ -51,30 +51,14 @@ void ScanGraph::restart(const PoseEstimate& robot) {
 
 /// The grid hangs on a variable of its own, that lies where the grid says.
 Status ScanGraph::load(const OccupancyGrid& grid) {
-  constexpr double kApart = 2.0;  // places where a robot could have been [m]
-  constexpr std::int8_t kFree = 50;
   constexpr double kExact = 1e3;
-  auto loaded = std::make_unique<scan_matching::ScanMap>(grid_config_);
-  Status status;
-  for (std::size_t i = 0; i < scan_matching::kLevels; ++i) {
-    auto& [model, map] = loaded->level(i);
-    status = moreUrgent(fillFrom(grid, model, map), status);
-  }
+  auto [loaded, status] = drawn(grid, grid_config_);
   if (status.level == Status::Level::kError) return status;
-  std::vector<Pose2> places;
-  const auto stride = static_cast<std::uint32_t>(std::max(1.0, kApart / grid.resolution));
-  for (std::uint32_t y = 0; y < grid.height; y += stride)
-    for (std::uint32_t x = 0; x < grid.width; x += stride) {
-      const auto cell = grid.cells[std::size_t{y} * grid.width + x];
-      if (cell < 0 || cell >= kFree) continue;
-      places.emplace_back(grid.origin.x() + x * grid.resolution,
-                          grid.origin.y() + y * grid.resolution, 0.0);
-    }
   const auto origin = path_.graph().add(Pose2());
   path_.graph().add(
       std::make_unique<graph::PosePrior>(origin, Pose2(), kExact * Eigen::Matrix3d::Identity()));
   path_.optimize(1);
-  submaps_.startWith({std::move(loaded), origin, std::move(places)});
+  submaps_.startWith({std::move(loaded), origin, placesIn(grid)});
   renderer_.startWith(grid);
   return status;
 }

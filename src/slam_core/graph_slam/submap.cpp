@@ -10,6 +10,14 @@ namespace slam::graph_slam {
 Submap::Submap(const grid_map::GridMapConfig& config)
     : config_(&config), map_(std::make_unique<scan_matching::ScanMap>(config)) {}
 
+Submap::Submap(const grid_map::GridMapConfig& config, graph::Key origin, const Pose2& odom_origin,
+               std::vector<SharedScan> scans, std::vector<Pose2> poses)
+    : config_(&config),
+      origin_(origin),
+      T_odom_origin_(odom_origin),
+      places_(std::move(poses)),
+      scans_(std::move(scans)) {}
+
 Submap::Submap(std::unique_ptr<scan_matching::ScanMap> loaded, graph::Key origin,
                std::vector<Pose2> places)
     : map_(std::move(loaded)), origin_(origin), places_(std::move(places)) {}
@@ -21,7 +29,6 @@ void Submap::insert(const SharedScan& scan, const scan_matching::ScanLevels& poi
     T_odom_origin_ = pose;
   }
   map_->insert(points, pose);
-  if (isLoaded()) return;
   places_.push_back(pose);
   scans_.push_back(scan);
 }

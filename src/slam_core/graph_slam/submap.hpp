@@ -23,7 +23,10 @@ class Submap {
  public:
   /// @param config outlives this
   explicit Submap(const grid_map::GridMapConfig& config);
-  /// A map that was loaded; it has no scans and is never given up.
+  /// One that was saved. @param poses T_odom_base of the scans
+  Submap(const grid_map::GridMapConfig& config, graph::Key origin, const Pose2& odom_origin,
+         std::vector<SharedScan> scans, std::vector<Pose2> poses);
+  /// A map that was loaded; it is never given up.
   /// @param places where a robot could have been
   Submap(std::unique_ptr<scan_matching::ScanMap> loaded, graph::Key origin,
          std::vector<Pose2> places);
@@ -38,12 +41,13 @@ class Submap {
   bool isLoaded() const { return config_ == nullptr; }
   std::size_t bytes() const { return map_ ? map_->bytes() : 0; }  ///< of the drawing
 
-  /// The node of its first scan; -1 where there is none yet.
+  /// The node of its first scan, or the variable of a loaded grid; -1 where there is none yet.
   graph::Key origin() const { return origin_; }
   /// Where that was drawn.
   const Pose2& odomOrigin() const { return T_odom_origin_; }
-  /// T_odom_base of its scans, or where a robot could have been.
+  /// Where a robot could have been in the grid that was loaded, then T_odom_base of the scans.
   const std::vector<Pose2>& places() const { return places_; }
+  const std::vector<SharedScan>& scans() const { return scans_; }
 
  private:
   const grid_map::GridMapConfig* config_ = nullptr;
