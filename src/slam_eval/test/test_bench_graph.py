@@ -12,7 +12,7 @@ from unittest import mock
 
 from slam_eval.bench import command_line
 from slam_eval.bench.cli import BENCHMARKS
-from slam_eval.bench.graph import figures, files, solve, worlds
+from slam_eval.bench.graph import false_loops, figures, files, solve, worlds
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.bench.harness.progress import Progress
@@ -30,6 +30,12 @@ def report(name="a", ratio=1.0002, **changes):
             "loop_edges": [[0, 2, True]], "steps_ms": [0.1, 1.0, 1.0],
             "truth": [[0, 0], [1, 0], [1, 1]]}
     return {**made, **changes}
+
+
+def robust_report(**changes):
+    """What the program prints of a graph whose loops may be false."""
+    return {"name": "a", "error_m": 1.0, "loops": 20, "false_loops": 10, "true_loops_rejected": 3,
+            "false_loops_believed": 2, "cpu_s": 0.5, **changes}
 
 
 class Folder(unittest.TestCase):
@@ -114,6 +120,70 @@ class Worlds(Folder):
         self.assertIn("<= 0.1: reached", section.markdown())
 
 
+class FalseLoops(Folder):
+
+    ERRORS = {"clean": 1.0, "local_groups_2": 1.2}
+
+    def solve_robust(self, _, name, arguments, label):
+        """Instead of the program."""
+        self.calls.append([getattr(word, "name", word) for word in arguments])
+        self.labels.append(label)
+        return robust_report(error_m=self.ERRORS.get(name, 1.01), name=name)
+
+    def measure(self, *names):
+        """The section for files of these names among the graphs."""
+        self.labels = []
+        for name in names:
+            (self.folder / name).touch()
+        with mock.patch.object(false_loops, "solve", self.solve_robust):
+            return false_loops.measure(self.context(graphs=self.folder, seed=4, seeds=2))
+
+    def test_each_kind_is_run_with_each_seed_beside_the_clean_graph_and_the_ring(self):
+        graph = ["--g2o", "manhattan3500.g2o", "--truth", "manhattan3500_truth.dat"]
+        section = self.measure("manhattan3500.g2o", "manhattan3500_truth.dat", "ring.g2o",
+                               "ring_truth.txt")
+        self.assertEqual(self.calls[0], graph)
+        self.assertEqual(self.calls[2], [*graph, "--false-loops", 1000, "--kind", "random",
+                                         "--seed", 2])
+        self.assertEqual(self.calls[-1], ["--g2o", "ring.g2o", "--truth", "ring_truth.txt"])
+        self.assertEqual(len(self.calls), 1 + 4 * 2 + 1)
+        self.assertIn("run 3 of 10", self.labels[2])
+        self.assertEqual(section.title, "False loops in manhattan3500")
+
+    def test_without_the_graph_it_is_a_city_and_the_ring_is_left_out(self):
+        section = self.measure("manhattan3500.g2o")  # without its truth
+        self.assertEqual(self.calls[0], ["--world", 4, "--poses", 3500])
+        self.assertEqual(len(self.calls), 1 + 4 * 2)
+        self.assertIn("simulated city", section.title)
+        self.assertIn("ring is left out", section.markdown())
+
+    def test_a_run_that_false_loops_have_bent_is_counted(self):
+        text = self.measure().markdown()
+        self.assertIn("runs within 1.05 times the clean error 7 (>= 8: MISSED)", text)
+        lines = {line.split("|")[1].strip(): [cell.strip() for cell in line.split("|")[2:-1]]
+                 for line in text.splitlines() if line.startswith("|")}
+        self.assertEqual(lines["local_groups"],
+                         ["2", "1.105", "1.200", "1.200", "1", "4", "6", "0.50"])
+
+    def test_a_ring_that_loses_true_loops_is_no_success(self):
+        names = ("ring.g2o", "ring_truth.txt")
+        self.assertIn("true ones that wait 3 (<= 0: MISSED)", self.measure(*names).markdown())
+
+    def test_other_output_is_an_error(self):
+        self.assertEqual(false_loops.parse_report(json.dumps(robust_report())), robust_report())
+        for text in ("", "[]", "{}", json.dumps(robust_report(error_m=None))):
+            with self.subTest(text), self.assertRaisesRegex(BenchError, "no JSON of a robust run"):
+                false_loops.parse_report(text)
+
+    def test_the_program_prints_what_is_read_here(self):
+        try:
+            workspace_program("slam_eval", solve.PROGRAM)
+        except BenchError as error:
+            self.skipTest(str(error))
+        made = false_loops.solve(self.context(), "a", ["--world", 1, "--poses", 100], "a city")
+        self.assertEqual((made["false_loops"], made["false_loops_believed"]), (0, 0))
+
+
 class Figures(unittest.TestCase):
 
     def test_a_line_holds_the_lower_chi2_of_ceres(self):
@@ -167,7 +237,7 @@ class Options(unittest.TestCase):
         return command_line.parse(["graph", *arguments], BENCHMARKS)
 
     def test_parts_sizes_and_folders(self):
-        self.assertEqual(self.parse().only, ["worlds", "files"])
+        self.assertEqual(self.parse().only, ["worlds", "files", "false_loops"])
         self.assertEqual(self.parse("--poses", "300,100").poses, (100, 300))
         self.assertIsNone(self.parse().graphs)
         for arguments in (["--graphs", "no/such/folder"], ["--poses", "0"], ["--only", "odd"]):

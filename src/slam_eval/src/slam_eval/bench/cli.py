@@ -16,6 +16,7 @@ from slam_eval.bench import (command_line, fiducial, office, online, pointmap, t
 from slam_eval.bench.ekf import consistency, demo, landmarks
 from slam_eval.bench.ekf import mrclam as ekf_mrclam
 from slam_eval.bench.ekf import update as ekf_update
+from slam_eval.bench.graph import false_loops as graph_false_loops
 from slam_eval.bench.graph import files as graph_files
 from slam_eval.bench.graph import worlds as graph_worlds
 from slam_eval.bench.grid import intel, scan, sena
@@ -75,8 +76,9 @@ BENCHMARKS = {
     "graph": Benchmark(
         "graphs of poses",
         "graphs of poses solved at every pose, beside Ceres, which solves them at once: time, "
-        "chi2, errors",
-        {"worlds": graph_worlds.measure, "files": graph_files.measure},
+        "chi2, errors; and with false loops",
+        {"worlds": graph_worlds.measure, "files": graph_files.measure,
+         "false_loops": graph_false_loops.measure},
         command_line.add_graph),
     "pointmap": Benchmark(
         "the point map", "what a scan into a point map costs, and how thick its walls are",

@@ -106,6 +106,9 @@ def add_graph(parser):
                         help="sizes of the cities of the part worlds (1000,3500,10000)")
     parser.add_argument("--seed", metavar="N", type=count, default=1,
                         help="of these cities (%(default)s)")
+    parser.add_argument("--seeds", metavar="N", type=count, default=20,
+                        help="runs with each kind of false loops, with the seeds 1 to N "
+                        "(%(default)s)")
 
 
 def _seconds(text):
