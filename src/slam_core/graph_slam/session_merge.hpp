@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "slam_core/graph_slam/landmark_meeting.hpp"
+#include "slam_core/graph_slam/scan_meeting.hpp"
+#include "slam_core/graph_slam/session_join.hpp"
+
+namespace slam::graph_slam {
+
+/// Two sessions as one, and what they were recognised by.
+struct MergedSession {
+  Session session;
+  Pose2 first_second;                    ///< T_first_second, of the map frames, before the merge
+  std::size_t landmarks = 0, scans = 0;  ///< that say so
+  std::size_t shared_landmarks = 0;      ///< that both have, by their ids
+};
+
+/// Puts the map of a second session onto that of a first one, in whose map frame the result is:
+/// landmarks of the same id that lie alike, and scans of the second drive that are recognised in
+/// the map of the first, become factors of one graph, which is optimised.
+/// @throw std::invalid_argument with a sentence where nothing in common is found, where landmarks
+/// and scans contradict each other, where the joined graph does not come to rest, or as joined()
+MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,
+                     GoesOn goes_on);
+
+/// The landmarks that both sessions have, with their marginal covariances.
+std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second);
+
+/// Optimises the graph of a session, and takes over where it has nodes, landmarks and scans.
+/// @throw std::invalid_argument where it does not come to rest
+void settle(Session& session);
+
+}  // namespace slam::graph_slam
