@@ -21,7 +21,7 @@ BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
 ALWAYS = {"/pose", "/path", "/tf"}
 LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
-            "backend=graph": LANDMARKS,
+            "backend=graph": {"/graph_markers", *LANDMARKS},
             "backend=pf": {"/particlecloud", *LANDMARKS},
             "pointmap=true": {"/points"},
             "map=grid": {"/map", "/map_metadata"},

@@ -58,6 +58,11 @@ void Optimizer::set(Key key, const Eigen::Vector2d& point) {
   for (const FactorId id : terms_of_[index(key)]) refresh(id);
 }
 
+void visitFactors(const Optimizer& graph, const FactorVisitor& look) {
+  for (const auto& [factor, weight] : graph.terms_)
+    if (factor) look(*factor, weight);
+}
+
 std::vector<Pose2> Optimizer::origins(const Factor& factor) const {
   std::vector<Pose2> origins;
   for (const Key key : factor.keys()) origins.push_back(variables_.pose(key));

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct Innovation {
   Eigen::MatrixXd S;
   double nis() const { return r.dot(S.llt().solve(r)); }
 };
+
+using FactorVisitor = std::function<void(const Factor& factor, double weight)>;
 
 /// Nonlinear least squares over a graph that grows: one Gauss-Newton step for each update(), of
 /// which only what has changed is computed.
@@ -74,6 +77,9 @@ class Optimizer {
   std::size_t variables() const { return variables_.size(); }
   bool isPose(Key key) const { return variables_.rows(key) == 3; }
   BayesTree::Cost cost() const { return tree_.cost(); }
+
+  /// Shows each factor of the graph with its weight, in the order of their ids.
+  friend void visitFactors(const Optimizer& graph, const FactorVisitor& look);
 
  private:
   struct Term {

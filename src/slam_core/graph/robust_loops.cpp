@@ -34,6 +34,7 @@ void RobustLoops::believe(Loop& loop) {
   loop.weight = 1.0;
   loop.is_alone = false;
   has_new_ = true;
+  ++changes_.believed;
 }
 
 /// The median follows each loop by a small step (Robbins and Monro 1951).
@@ -94,6 +95,7 @@ bool RobustLoops::weigh() {
     if (next < kRejected) {
       graph_.remove(*loop.id);
       loop.id.reset();
+      ++changes_.taken_back;
     } else {
       graph_.set(*loop.id, loop.weight);
     }

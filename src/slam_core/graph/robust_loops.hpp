@@ -28,6 +28,11 @@ class RobustLoops {
   /// Whether the loops' covariances are believed, or their scale is learnt.
   enum class Noise { kAsTold, kLearnt };
 
+  /// How often so far.
+  struct Changes {
+    std::size_t believed = 0, taken_back = 0;
+  };
+
   /// @param graph outlives this
   RobustLoops(Optimizer& graph, Noise noise) : graph_(graph), learns_(noise == Noise::kLearnt) {}
 
@@ -53,6 +58,7 @@ class RobustLoops {
   bool isBelieved(std::size_t loop) const { return loops_[loop].id.has_value(); }
   /// Loops that wait.
   std::size_t rejected() const;
+  Changes changes() const { return changes_; }
 
  private:
   struct Loop {
@@ -72,6 +78,7 @@ class RobustLoops {
   bool learns_;
   double noise_ = 1.0;  ///< variance of the loops, relative to what they say of themselves
   bool has_new_ = false;
+  Changes changes_;
 };
 
 }  // namespace slam::graph

@@ -9,6 +9,7 @@
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/graph_slam/graph_view.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam::graph_slam {
@@ -69,6 +70,8 @@ void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
+  if (uses_grid_) capabilities.offer<EventReporter>(*this);
+  capabilities.offer<GraphReporter>(*this);
   capabilities.offer<MapChooser>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<PathReviser>(*this);
@@ -106,6 +109,7 @@ void GraphSlam::reset() {
   sightings_ = association::Sightings();
   fixed_map_.clear();
   statistics_ = {};
+  events_.clear();
   counters_.clear();
   map_.reset();
   initial_pose_.reset();
@@ -132,6 +136,10 @@ std::optional<Stamp> GraphSlam::lostSince() const {
   return graph_->scans ? graph_->scans->doubt().lostSince() : std::nullopt;
 }
 
+GraphView GraphSlam::graph() const {
+  return viewOf(graph_->path.graph(), graph_->scans ? &*graph_->scans : nullptr);
+}
+
 MapState GraphSlam::state() const {
   const auto size = graph_->landmarks.ids().size();
   if (config_.mapIsFixed() || uses_grid_ || size > static_cast<std::size_t>(config_.joint_limit))
@@ -141,6 +149,7 @@ MapState GraphSlam::state() const {
 
 Status GraphSlam::execute() {
   statistics_ = {};
+  events_.clear();
   statistics_.gate_probability = config_.gate_probability;
   const auto replaced = replaceMap();
   relocate();
@@ -169,6 +178,7 @@ Status GraphSlam::takeScan() {
   const auto scan = *std::exchange(scan_, std::nullopt);
   const auto taken = graph_->scans->take(scan, counters_);
   graph_->record.add(scan.stamp, graph_->path);
+  events_ = eventsOf(*graph_->scans);
   return moreUrgent(taken, graph_->scans->status());
 }
 

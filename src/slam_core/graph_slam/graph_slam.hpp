@@ -9,6 +9,8 @@
 
 #include "slam_core/association/sightings.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/event_reporter.hpp"
+#include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
@@ -32,6 +34,8 @@ class GraphSlam final : public Backend,
                         LandmarkMapper,
                         GridMapper,
                         LostReporter,
+                        EventReporter,
+                        GraphReporter,
                         MapChooser,
                         MapKeeper,
                         PathReviser {
@@ -69,6 +73,8 @@ class GraphSlam final : public Backend,
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override;
   std::optional<Stamp> lostSince() const override;
+  std::vector<Event> events() const override { return events_; }
+  GraphView graph() const override;
   std::vector<MapKind> maps() const override { return {MapKind::kLandmarks, MapKind::kGrid}; }
   void useMap(MapKind map) override { uses_grid_ = map == MapKind::kGrid; }
 
@@ -99,6 +105,7 @@ class GraphSlam final : public Backend,
   std::uint64_t revision_ = 0;  ///< of the grids of the graphs before this one
   association::Sightings sightings_;
   UpdateStatistics statistics_;
+  std::vector<Event> events_;  ///< of the last step
   Counters counters_;
   LandmarkMap fixed_map_;  ///< as it was loaded, to localise in
 

@@ -69,6 +69,7 @@ void ScanGraph::predict(const Motion& motion) {
 
 Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
   const auto levels = scan_matching::pointsOf(scan, models_, spacing_);
+  loop_watch_.begin();
   noteNode();
   const auto found = match(levels, scan.stamp, counters);
   correctPath();
@@ -159,7 +160,9 @@ void ScanGraph::closeLoops(const ScanLevels& scan, Counters& counters) {
   }
   if (closures.empty()) return;
   constexpr int kSettled = 10;
+  const Pose2 before = path_.graph().pose(*node_);
   loops_.judge([this] { path_.optimize(kSettled); });
+  loop_watch_.note(loops_.changes(), before, path_.graph().pose(*node_));
 }
 
 Status ScanGraph::status() const {

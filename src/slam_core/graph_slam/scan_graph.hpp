@@ -6,10 +6,12 @@
 #include <optional>
 
 #include "slam_core/common/counters.hpp"
+#include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/graph/robust_loops.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/grid_renderer.hpp"
 #include "slam_core/graph_slam/loop_search.hpp"
+#include "slam_core/graph_slam/loop_watch.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 #include "slam_core/models/laser_scan.hpp"
@@ -49,6 +51,11 @@ class ScanGraph {
   Status read(const Session& session);
   /// The most memory that it takes; the same whether somebody has asked for the grid or not.
   double mostBytes() const { return static_cast<double>(submaps_.bytes()) + renderer_.mostBytes(); }
+  /// What came of the loops with the last scan.
+  friend const std::vector<Event>& eventsOf(const ScanGraph& scans) {
+    return scans.loop_watch_.events();
+  }
+  friend GraphView viewOf(const graph::Optimizer& graph, const ScanGraph* scans);
 
  private:
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp,
@@ -69,6 +76,7 @@ class ScanGraph {
   Submaps submaps_;
   LoopSearch search_;
   graph::RobustLoops loops_;
+  LoopWatch loop_watch_;
   GridRenderer renderer_;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_;

@@ -50,6 +50,7 @@ void Estimator::configure(Settings& settings) {
   capabilities_ = capabilitiesOf(*backend_);
   faults.attempt([&] { backend_->configure(settings); });
   faults.attempt([&] { consistency_config_ = settings.read<ConsistencyConfig>(); });
+  faults.attempt([&] { events_config_ = settings.read<EventsConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
   faults.attempt([&] { intake_.configure(settings, ports_); });
   faults.raise();
@@ -71,6 +72,7 @@ Status Estimator::resetBackend() {
   backend_->reset();
   intake_.knowOnly({});
   consistency_ = ConsistencyMonitor(consistency_config_);
+  events_ = EventWatch(events_config_);
   return start_map_ ? set(*start_map_) : Status::ok();
 }
 
@@ -87,6 +89,7 @@ void Estimator::reset() {
 Status Estimator::set(const PoseEstimate& initial_pose) {
   backend_->set(bounded(initial_pose, largestSigmas()));
   const auto status = backend_->execute();
+  events_.relocate("the robot was put there");
   consistency_.add(statistics());
   return status;
 }
@@ -98,6 +101,7 @@ Status Estimator::set(const MapState& map) {
   keeper->set(map);
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
+  events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
   return status;
@@ -130,7 +134,10 @@ Status Estimator::execute() {
 }
 
 void Estimator::give(const Intake::Step& step) {
-  for (const auto& motion : step.motions) carrier_->set(&motion);
+  for (const auto& motion : step.motions) {
+    carrier_->set(&motion);
+    events_.predict(motion);
+  }
   if (!step.motions.empty()) last_motion_ = step.motions.back();
   if (!step.trigger) return;
   if (paused_) {
@@ -182,6 +189,7 @@ void Estimator::reportStep(const Intake::Step& step) {
   if (const auto* reporter = capabilities_.find<LostReporter>())
     report.is_lost = reporter->lostSince().has_value();
   report.restarted = step.restart;
+  events_.complete(report, capabilities_);
   pose_ = FilterPose::of(report.stamp, report.pose.pose);
   report_ = std::move(report);
 }

@@ -11,6 +11,7 @@
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/models/filter_pose.hpp"
+#include "slam_core/product/event_watch.hpp"
 #include "slam_core/product/intake.hpp"
 #include "slam_core/product/map_choice.hpp"
 #include "slam_core/product/step_report.hpp"
@@ -86,6 +87,8 @@ class Estimator final : public Component {
   Intake intake_;
   ConsistencyConfig consistency_config_;
   ConsistencyMonitor consistency_;
+  EventsConfig events_config_;
+  EventWatch events_;
   std::optional<MapState> start_map_;
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;

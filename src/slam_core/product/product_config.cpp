@@ -72,6 +72,19 @@ void FramesConfig::describe(Fields& fields) {
   fields.add("odom", &odom, "the odometry's frame, where the data do not name one").ofRobot();
   fields.add("base", &base, "the robot's frame: odometry moves it, sensors are mounted in it")
       .ofRobot();
+  fields
+      .add("jump_limit", &jump_limit,
+           "the transform map -> odom moves the robot in the map by at most so much; 0: it jumps "
+           "with the estimate, as REP-105 allows")
+      .unit("m/s of stamps")
+      .in(Range::atLeast(0))
+      .ofRobot();
+  fields
+      .add("jump_limit_heading", &jump_limit_heading,
+           "and turns it by at most so much; counts only with a jump_limit")
+      .unit("rad/s of stamps")
+      .in(Range::above(0))
+      .ofRobot();
 }
 
 void FramesConfig::requireDistinctNames() const {

@@ -41,6 +41,8 @@ struct FramesConfig {
   std::string map = "map";
   std::string odom = "odom";
   std::string base = "base_link";
+  double jump_limit = 0.0;
+  double jump_limit_heading = 0.2;
 
   void describe(Fields& fields);
   /// @throw ConfigError when a name is empty, begins with a slash, or stands for two frames

@@ -15,8 +15,10 @@
 #include <vector>
 
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/product/graph_file.hpp"
 #include "slam_core/product/map_files.hpp"
 
 namespace slam {
@@ -28,6 +30,13 @@ constexpr const char* kUpdatesHeader =
 
 std::string stampText(Stamp stamp) {
   return fmt::format("{}.{:09d}", nanoseconds(stamp) / 1000000000, nanoseconds(stamp) % 1000000000);
+}
+
+constexpr const char* kEventsHeader = "stamp,kind,distance,turn,reason\n";
+
+std::string eventLine(const Event& event) {
+  return fmt::format("{},{},{:.6f},{:.6f},\"{}\"\n", stampText(event.stamp),
+                     nameOf(event.kind, namesOfEvents()), event.distance, event.turn, event.reason);
 }
 
 std::string updateLine(const StepReport& report) {
@@ -103,6 +112,7 @@ void RunWriter::restart() {
     keep("trajectory.tum", trajectory_);
     keep("odometry.tum", odometry_);
     keep("updates.csv", updates_);
+    keep("events.csv", events_);
   }
   begin();
 }
@@ -122,12 +132,15 @@ void RunWriter::begin() {
   open("odometry.tum", odometry_);
   open("updates.csv", updates_);
   updates_ << kUpdatesHeader;
+  open("events.csv", events_);
+  events_ << kEventsHeader;
   pending_.reset();
   lines_ = 0;
 }
 
 void RunWriter::write(const StepReport& report) {
   if (report.restarted) restart();
+  for (const auto& event : report.events) events_ << eventLine(event);
   if (!report.hasTrigger()) return;
   const bool is_same_stamp = pending_ && pending_->stamp == report.stamp;
   const auto before = is_same_stamp ? pending_->statistics : UpdateStatistics();
@@ -144,14 +157,14 @@ void RunWriter::writePending() {
   updates_ << updateLine(*pending_);
   pending_.reset();
   ++lines_;
-  if (!trajectory_ || !odometry_ || !updates_)
+  if (!trajectory_ || !odometry_ || !updates_ || !events_)
     throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
 }
 
 void RunWriter::finish(const Capabilities& backend, const std::string& map_frame,
                        const std::string& config) {
   writePending();
-  for (auto* file : {&trajectory_, &odometry_, &updates_})
+  for (auto* file : {&trajectory_, &odometry_, &updates_, &events_})
     if (!file->flush())
       throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
   const auto* reviser = backend.find<PathReviser>();
@@ -160,6 +173,8 @@ void RunWriter::finish(const Capabilities& backend, const std::string& map_frame
                               reviser ? reviser->path() : std::vector<StampedPose>()));
   if (const auto* keeper = backend.find<MapKeeper>())
     saveMap(unfinished() + "/landmarks.yaml", {map_frame, last_stamp_, keeper->state()});
+  if (const auto* reporter = backend.find<GraphReporter>())
+    writeFileAtomically(unfinished() + "/graph.csv", graphTable(reporter->graph()));
   writeFileAtomically(unfinished() + "/config.yaml", config);
   folder_.complete();
 }

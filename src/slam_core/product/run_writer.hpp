@@ -19,9 +19,10 @@ namespace slam {
 std::string tumLine(Stamp stamp, const Pose2& pose);
 
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
-/// updates.csv; landmarks.yaml, of a grid map.yaml and map.pgm, and config.yaml at the end. Every
-/// driver of an Estimator uses this one, so that offline and online runs can be compared byte for
-/// byte. Until finish() they stand in unfinished(), beside what an earlier run has left.
+/// updates.csv, events.csv; landmarks.yaml, of a grid map.yaml and map.pgm, of a graph graph.csv,
+/// and config.yaml at the end. Every driver of an Estimator uses this one, so that offline and
+/// online runs can be compared byte for byte. Until finish() they stand in unfinished(), beside
+/// what an earlier run has left.
 class RunWriter {
  public:
   /// Makes and locks the folder.
@@ -39,7 +40,8 @@ class RunWriter {
   void write(const StepReport& report);
 
   /// The files begin anew; what stands in them is kept in trajectory.before_restart_1.tum, ..._2
-  /// and so on, and likewise named ones of odometry and updates, of the last hundred restarts.
+  /// and so on, and likewise named ones of odometry, updates and events, of the last hundred
+  /// restarts.
   /// @throw std::runtime_error naming the file that could not be written
   void restart();
 
@@ -65,7 +67,7 @@ class RunWriter {
   void writePending();
 
   RunFolder folder_;
-  std::ofstream trajectory_, odometry_, updates_;
+  std::ofstream trajectory_, odometry_, updates_, events_;
   std::optional<StepReport> pending_;
   Stamp last_stamp_;
   std::size_t lines_ = 0;

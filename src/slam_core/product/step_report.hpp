@@ -5,10 +5,18 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 
 namespace slam {
+
+/// By how much a step moved the pose beyond what odometry says.
+struct Correction {
+  double distance = 0.0;  ///< [m]
+  double turn = 0.0;      ///< [rad], not negative
+};
 
 /// What one step of the back-end led to, all that is published and written of it.
 struct StepReport {
@@ -22,6 +30,10 @@ struct StepReport {
   UpdateStatistics statistics;  ///< of back-ends that map landmarks
   std::optional<bool> is_lost;  ///< of back-ends that test it
   bool restarted = false;       ///< time began anew with this step
+  bool is_relocated = false;    ///< the robot was put somewhere or a map loaded since the last step
+  std::vector<Event> events;    ///< what others should know of it, in order
+  /// Nothing at the first step, and in a product without motion.
+  std::optional<Correction> correction;
 
   bool hasTrigger() const { return !trigger.empty(); }
 };

@@ -49,6 +49,21 @@ def landmark_lines(ids, positions, covariances=None, pose=None):
     return text
 
 
+EVENTS = """stamp,kind,distance,turn,reason
+1001.500000000,jump,0.500000,0.200000,"the robot was put there"
+1002.000000000,loop_closed,0.300000,0.010000,"1 loop newly believed, 0 loops taken back"
+"""
+GRAPH = """kind,x0,y0,x1,y1,weight
+node,0.0000,0.0000,0.0000,0.0000,1.0000
+node,1.0000,0.0000,1.0000,0.0000,1.0000
+node,1.0000,1.0000,1.0000,1.0000,1.0000
+submap,0.0000,0.0000,0.0000,0.0000,1.0000
+motion,0.0000,0.0000,1.0000,0.0000,1.0000
+motion,1.0000,0.0000,1.0000,1.0000,1.0000
+loop,0.0000,0.0000,1.0000,1.0000,0.5000
+"""
+
+
 def update_lines(stamps, covariances, nis, dof, landmarks):
     """Text of updates.csv."""
     text = ("stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,"

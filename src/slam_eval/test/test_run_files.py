@@ -12,6 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P
 
 import run_maker  # noqa: E402
 from slam_eval.io.errors import InputError  # noqa: E402
+from slam_eval.io.events import read_events  # noqa: E402
+from slam_eval.io.graph import read_graph  # noqa: E402
 from slam_eval.io.landmarks import read_landmarks  # noqa: E402
 from slam_eval.io.run_folder import read_run  # noqa: E402
 from slam_eval.io.updates import read_updates  # noqa: E402
@@ -121,6 +123,54 @@ class ReadUpdates(InFolder):
         self.refuses(self.text.replace("3.5", "x"), ":2:", "no number")
         self.refuses("", "empty")
         self.refuses(self.text.splitlines()[0] + "\n", "no update")
+
+
+class ReadEvents(InFolder):
+
+    def refuses(self, text, *parts):
+        self.refused(read_events, "events.csv", text, *parts)
+
+    def test_reads_kinds_sizes_and_reasons(self):
+        (self.folder / "events.csv").write_text(run_maker.EVENTS)
+        jump, loop = read_events(self.folder / "events.csv")
+        self.assertEqual((jump.kind, jump.stamp, jump.reason),
+                         ("jump", 1001500000000, "the robot was put there"))
+        self.assertEqual((loop.kind, loop.distance, loop.reason),
+                         ("loop_closed", 0.3, "1 loop newly believed, 0 loops taken back"))
+
+    def test_reads_that_nothing_happened(self):
+        (self.folder / "events.csv").write_text(run_maker.EVENTS.splitlines()[0] + "\n")
+        self.assertEqual(read_events(self.folder / "events.csv"), [])
+
+    def test_refuses_a_wrong_header_a_cut_line_and_what_is_no_number(self):
+        self.refuses(run_maker.EVENTS.replace("turn", "angle"), ":1:", "header")
+        self.refuses(run_maker.EVENTS.replace('0.200000,"the robot was put there"', "0.2"), ":2:",
+                     "4 fields where 5 belong")
+        self.refuses(run_maker.EVENTS.replace("0.300000", "x"), ":3:", "no number")
+        self.refuses(run_maker.EVENTS.replace("0.300000", "nan"), ":3:", "not finite")
+        self.refuses("", "empty")
+
+
+class ReadGraph(InFolder):
+
+    def refuses(self, text, *parts):
+        self.refused(read_graph, "graph.csv", text, *parts)
+
+    def test_reads_places_edges_and_weights(self):
+        (self.folder / "graph.csv").write_text(run_maker.GRAPH)
+        found = read_graph(self.folder / "graph.csv")
+        np.testing.assert_allclose(found.places["node"], [[0, 0], [1, 0], [1, 1]])
+        np.testing.assert_allclose(found.edges["loop"], [[[0, 0], [1, 1]]])
+        self.assertEqual(found.weights["loop"].tolist(), [0.5])
+        self.assertEqual(len(found.edges["sighting"]), 0)
+
+    def test_refuses_a_wrong_header_a_cut_line_unknown_kinds_and_what_is_no_number(self):
+        self.refuses(run_maker.GRAPH.replace("weight", "w"), ":1:", "header")
+        self.refuses(run_maker.GRAPH + "loop,1,2\n", ":9:", "3 fields where 6 belong")
+        self.refuses(run_maker.GRAPH.replace("submap", "chart"), ":5:", '"chart" is none of')
+        self.refuses(run_maker.GRAPH.replace("0.5000", "half"), ":8:", "no number")
+        self.refuses(run_maker.GRAPH.replace("0.5000", "inf"), ":8:", "not finite")
+        self.refuses("", "empty")
 
 
 class ReadRun(InFolder):

@@ -54,6 +54,24 @@ class SlamEval(unittest.TestCase):
         """Names of the files in the run folder."""
         return {path.name for path in self.run_folder.iterdir()}
 
+    def test_shows_the_graph_and_what_happened(self):
+        run_maker.make_run(self.run_folder, count=60)
+        (self.run_folder / "graph.csv").write_text(run_maker.GRAPH)
+        (self.run_folder / "events.csv").write_text(run_maker.EVENTS)
+        done = self.evaluate(self.run_folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.run_folder / "graph.png").read_bytes()[:4], b"\x89PNG")
+        report = (self.run_folder / "report.html").read_text()
+        self.assertIn("Graph of poses", report)
+        self.assertIn("loop closed", report)
+        self.assertIn("the robot was put there", report)
+
+    def test_draws_no_graph_where_there_is_none(self):
+        run_maker.make_run(self.run_folder, count=60)
+        (self.run_folder / "graph.csv").write_text(run_maker.GRAPH.splitlines()[0] + "\n")
+        self.assertEqual(self.evaluate(self.run_folder).returncode, 0)
+        self.assertNotIn("graph.png", self.names())
+
     def test_adds_figures_pictures_and_report(self):
         run_maker.make_run(self.run_folder, count=300)
         done = self.evaluate_as_user(self.run_folder, "--reference-title", "Vicon")

@@ -11,8 +11,11 @@ constexpr double kFlushInterval = 0.5;  // [s] of the wall: stamps may stand sti
 }  // namespace
 
 BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Estimator& estimator,
-                               const std::string& map_frame, const OutputsConfig& config)
-    : pose_(handle, map_frame, config.landmark_rate), map_odom_(handle, map_frame, config) {
+                               const std::string& map_frame, const OutputsConfig& config,
+                               const slam::JumpLimit::Limits& limits)
+    : pose_(handle, map_frame, config.landmark_rate),
+      map_odom_(handle, map_frame, config, limits),
+      events_(handle, map_frame) {
   const auto& backend = estimator.capabilities();
   if (const auto* mapper = backend.find<slam::LandmarkMapper>())
     landmarks_.emplace(handle, *mapper, map_frame, config.landmark_rate);
@@ -20,10 +23,13 @@ BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Estimator& es
     particles_.emplace(handle, *sampler, map_frame, config.landmark_rate);
   if (const auto* mapper = backend.find<slam::GridMapper>())
     grid_.emplace(handle, *mapper, map_frame, config.map_period);
+  if (const auto* reporter = backend.find<slam::GraphReporter>())
+    graph_.emplace(handle, *reporter, map_frame, config.map_period);
   const auto flush = [this](const ros::WallTimerEvent&) {
     pose_.flush();
     if (landmarks_) landmarks_->flush();
     if (grid_) grid_->flush();
+    if (graph_) graph_->flush();
   };
   flush_timer_ = handle.createWallTimer(ros::WallDuration(kFlushInterval), flush);
 }
@@ -34,10 +40,13 @@ void BackendOutputs::publish(const slam::StepReport& report) {
   map_odom_.update(report);
   if (particles_) particles_->update(report.stamp);
   if (grid_) grid_->update(report.stamp);
+  if (graph_) graph_->update(report.stamp);
+  events_.publish(report);
 }
 
 void BackendOutputs::refresh() {
   if (landmarks_) landmarks_->refresh();
+  if (graph_) graph_->refresh();
 }
 
 void BackendOutputs::restart() {

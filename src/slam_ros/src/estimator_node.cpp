@@ -28,7 +28,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   flow_.emplace(coordinator_.components());
   notes_ = ArrivalNotes(*flow_, slam::portsOf(estimator()));
   silence_.mayPause(topics_.observations);
-  map_frame_ = frameId(settings.read<slam::FramesConfig>().map);
+  const auto frames = settings.read<slam::FramesConfig>();
+  map_frame_ = frameId(frames.map);
   const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;
   slam::MapState start;
   slam::Status start_status;
@@ -49,7 +50,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   if (!outputs.load_map.empty() && makes_grid && !start.grid)
     diagnostics_->warn("no grid found at " + outputs.load_map + "; the grid begins empty");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
-  outputs_.emplace(handles.product, estimator(), map_frame_, outputs);
+  outputs_.emplace(handles.product, estimator(), map_frame_, outputs,
+                   slam::JumpLimit::Limits{frames.jump_limit, frames.jump_limit_heading});
   outputs_->refresh();
   consistency_.emplace(handles.product, *diagnostics_, estimator().consistency());
   services_.emplace(handles.product, map_frame_, makes_grid, actions());

@@ -16,19 +16,22 @@ constexpr double kPoll = 0.01;  // [s] of the wall
 }  // namespace
 
 MapOdomBroadcaster::MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame,
-                                       const OutputsConfig& config)
+                                       const OutputsConfig& config,
+                                       const slam::JumpLimit::Limits& limits)
     : handle_(handle),
       map_frame_(std::move(map_frame)),
       interval_(slam::durationFromSeconds(1.0 / config.tf_rate)),
-      tolerance_(slam::durationFromSeconds(config.transform_tolerance)) {
+      tolerance_(slam::durationFromSeconds(config.transform_tolerance)),
+      limit_(limits) {
   const auto poll = [this](const ros::WallTimerEvent&) { sendIfDue(fromRos(ros::Time::now())); };
   poll_ = handle.createWallTimer(ros::WallDuration(std::min(kPoll, 0.5 / config.tf_rate)), poll);
 }
 
 void MapOdomBroadcaster::update(const slam::StepReport& report) {
   odometry_frame_ = report.odometry_frame;
+  if (report.is_relocated) limit_.restart();
   if (report.has_motion)
-    T_map_odom_ = report.pose.pose * report.odometry_pose.inverse();
+    T_map_odom_ = limit_.follow(report.stamp, report.pose.pose, report.odometry_pose);
   else
     updateWithoutMotion(report);
   send(report.stamp);
@@ -40,11 +43,12 @@ void MapOdomBroadcaster::updateWithoutMotion(const slam::StepReport& report) {
   if (!watch_->isTaken())
     T_map_odom_ = report.pose.pose;
   else if (const auto T_odom_base = watch_->at(report.stamp))
-    T_map_odom_ = report.pose.pose * T_odom_base->inverse();
+    T_map_odom_ = limit_.follow(report.stamp, report.pose.pose, *T_odom_base);
 }
 
 void MapOdomBroadcaster::reset() {
   odometry_frame_.clear();
+  limit_.restart();
   publisher_.reset();
   base_publisher_.reset();
 }

@@ -176,6 +176,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
       metrics_.addLatency(report->stamp, time);
       if (report->is_lost) metrics_.addLost(report->stamp, *report->is_lost);
     }
+    metrics_.addEvents(*report);
     writer.write(*report);
   }
 }

@@ -74,6 +74,12 @@ void RunMetrics::addLost(slam::Stamp stamp, bool is_lost) {
   lost_->add(stamp, is_lost);
 }
 
+void RunMetrics::addEvents(const slam::StepReport& report) {
+  events_ += report.events.size();
+  if (report.correction)
+    largest_jump_ = std::max(largest_jump_.value_or(0.0), report.correction->distance);
+}
+
 double RunMetrics::wallSeconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
@@ -105,6 +111,8 @@ std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_m
     if (lost_->first()) metrics["lost_first_s"] = *lost_->first();
     metrics["lost_share_of_time"] = lost_->share();
   }
+  metrics["events"] = events_;
+  if (largest_jump_) metrics["largest_jump_m"] = *largest_jump_;
   metrics["cpu_s"] = seconds(usage.ru_utime) + seconds(usage.ru_stime) +
                      seconds(of_children.ru_utime) + seconds(of_children.ru_stime);
   metrics["wall_s"] = wall;

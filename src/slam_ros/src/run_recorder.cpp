@@ -38,6 +38,7 @@ void RunRecorder::write(const slam::StepReport& report, RunMetrics::Clock::durat
     first_stamp_ = report.stamp;
   }
   if (report.hasTrigger()) metrics_->addUpdate(time);
+  metrics_->addEvents(report);
   if (report.hasTrigger() && report.is_lost) metrics_->addLost(report.stamp, *report.is_lost);
   last_stamp_ = report.stamp;
   if (writer_) attempt([&] { writer_->write(report); });

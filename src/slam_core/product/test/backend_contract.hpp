@@ -5,6 +5,7 @@
 
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/product/test/covariance_check.hpp"
+#include "slam_core/product/test/graph_contract.hpp"
 #include "slam_core/product/test/grid_contract.hpp"
 #include "slam_core/product/test/landmark_contract.hpp"
 #include "slam_core/product/test/map_keeper_contract.hpp"
@@ -21,6 +22,10 @@
                            testing::ValuesIn(mappingLandmarksAlone(variants)), variantName);      \
   INSTANTIATE_TEST_SUITE_P(name, MapKeeperContract,                                               \
                            testing::ValuesIn(offering<MapKeeper>(variants)), variantName);        \
+  INSTANTIATE_TEST_SUITE_P(name, GraphContract,                                                   \
+                           testing::ValuesIn(offering<GraphReporter>(variants)), variantName);    \
+  INSTANTIATE_TEST_SUITE_P(name, EventContract,                                                   \
+                           testing::ValuesIn(offering<EventReporter>(variants)), variantName);    \
   INSTANTIATE_TEST_SUITE_P(name, GridContract, testing::ValuesIn(offering<GridMapper>(variants)), \
                            variantName)
 

@@ -15,6 +15,7 @@
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 #include "slam_core/product/estimator.hpp"
+#include "slam_core/product/graph_file.hpp"
 #include "slam_core/product/landmark_file.hpp"
 
 namespace slam {
@@ -25,7 +26,8 @@ using test::oneSays;
 using test::sentenceOf;
 
 const std::vector<std::string> kFiles = {"trajectory.tum", "trajectory_final.tum", "odometry.tum",
-                                         "updates.csv",    "landmarks.yaml",       "config.yaml"};
+                                         "updates.csv",    "events.csv",           "landmarks.yaml",
+                                         "config.yaml"};
 
 std::size_t linesOf(const std::string& path) {
   const auto content = contentOf(path);
@@ -113,6 +115,42 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
   EXPECT_EQ(contentOf(folder / "run/updates.csv"),
             "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
             "landmarks\n1.500000000,1,0.2,0.3,4,0.5,6,7.5,4,2,3,5,6,9\n");
+}
+
+TEST_F(RunWriterTest, WritesTheEventsOfAllStepsAlsoOfThoseOfOneStamp) {
+  RunWriter writer(folder / "run");
+  StepReport report;
+  report.stamp = stampFromNanoseconds(1500000000);
+  report.trigger = "observations";
+  report.events = {
+      {Event::Kind::kLost, 0.0, 0.0, "what is seen contradicts the map", report.stamp}};
+  writer.write(report);
+  report.trigger = "scan";
+  report.events = {{Event::Kind::kJump, 0.25, 0.5, "the robot was put there", report.stamp}};
+  writer.write(report);
+  const auto backend = Registry<Backend>::instance().create("graph");
+  Settings settings;
+  backend->configure(settings);
+  writer.finish(capabilitiesOf(*backend), "map", "");
+  EXPECT_EQ(contentOf(folder / "run/events.csv"),
+            "stamp,kind,distance,turn,reason\n"
+            "1.500000000,lost,0.000000,0.000000,\"what is seen contradicts the map\"\n"
+            "1.500000000,jump,0.250000,0.500000,\"the robot was put there\"\n");
+  EXPECT_EQ(contentOf(folder / "run/graph.csv"), "kind,x0,y0,x1,y1,weight\n") << "empty so far";
+}
+
+TEST(GraphTable, HasALineForEachPlaceAndEdge) {
+  GraphView graph;
+  graph.nodes = {Pose2(-0.0, 1.5, 0.3)};
+  graph.submaps = {Pose2(1, 2, 0)};
+  graph.edges = {{GraphEdge::Kind::kWaitingLoop, {1, 2}, {3, 4.25}, 0.0},
+                 {GraphEdge::Kind::kLoop, {1, 2}, {3, 4}, 0.5}};
+  EXPECT_EQ(graphTable(graph),
+            "kind,x0,y0,x1,y1,weight\n"
+            "node,0.0000,1.5000,0.0000,1.5000,1.0000\n"
+            "submap,1.0000,2.0000,1.0000,2.0000,1.0000\n"
+            "waiting_loop,1.0000,2.0000,3.0000,4.2500,0.0000\n"
+            "loop,1.0000,2.0000,3.0000,4.0000,0.5000\n");
 }
 
 TEST_F(RunWriterTest, WritesOneLineForObservationsAndAScanOfTheSameStamp) {

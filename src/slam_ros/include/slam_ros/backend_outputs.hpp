@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include "slam_ros/event_publisher.hpp"
+#include "slam_ros/graph_publisher.hpp"
 #include "slam_ros/grid_publisher.hpp"
 #include "slam_ros/landmark_publisher.hpp"
 #include "slam_ros/map_odom_broadcaster.hpp"
@@ -18,7 +20,8 @@ namespace slam_ros {
 class BackendOutputs {
  public:
   BackendOutputs(ros::NodeHandle handle, const slam::Estimator& estimator,
-                 const std::string& map_frame, const OutputsConfig& config);
+                 const std::string& map_frame, const OutputsConfig& config,
+                 const slam::JumpLimit::Limits& limits);
 
   void publish(const slam::StepReport& report);
   /// The map was replaced.
@@ -32,6 +35,8 @@ class BackendOutputs {
   MapOdomBroadcaster map_odom_;
   std::optional<ParticlePublisher> particles_;
   std::optional<GridPublisher> grid_;
+  std::optional<GraphPublisher> graph_;
+  EventPublisher events_;
   ros::WallTimer flush_timer_;
 };
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "slam_core/geometry/jump_limit.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_ros/edge_watch.hpp"
 #include "slam_ros/outputs_config.hpp"
@@ -20,9 +21,13 @@ namespace slam_ros {
 /// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product
 /// without motion the odometry pose is what another node publishes as `odom -> base`; where none
 /// has done so for a second, this one publishes that as the identity.
+///
+/// A limit spreads what corrections of the estimate move over the stamps of the steps to come.
+/// Where the robot was put, or began anew, the transform jumps.
 class MapOdomBroadcaster {
  public:
-  MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config);
+  MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config,
+                     const slam::JumpLimit::Limits& limits);
 
   void update(const slam::StepReport& report);
   /// Nothing is sent until the next step.
@@ -40,6 +45,7 @@ class MapOdomBroadcaster {
   std::optional<EdgeWatch> watch_;  ///< in a product without motion
   slam::Duration interval_, tolerance_;
   std::optional<slam::Stamp> due_;  ///< of the ROS clock
+  slam::JumpLimit limit_;
   slam::Pose2 T_map_odom_;
   TransformPublisher publisher_, base_publisher_;
   // A timer of the ROS clock ends the process where that clock nears its last second.

@@ -33,7 +33,7 @@ struct OutputsConfig {
     fields.add("landmark_rate", &landmark_rate, "of the landmarks, their markers and the path")
         .unit("1/s of stamps")
         .in(slam::Range::above(0));
-    fields.add("map_period", &map_period, "of the grid map, at least")
+    fields.add("map_period", &map_period, "of the grid map and the graph's markers, at least")
         .unit("s of stamps")
         .in(slam::Range::above(0));
     fields.add("points_rate", &points_rate, "of the point map, where it is made in this nodelet")

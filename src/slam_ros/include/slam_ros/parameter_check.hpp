@@ -10,6 +10,7 @@
 #include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/laser/laser_config.hpp"
 #include "slam_core/models/landmark_sensor.hpp"
+#include "slam_core/product/event_watch.hpp"
 #include "slam_core/product/product_config.hpp"
 #include "slam_ros/topics_config.hpp"
 
@@ -22,6 +23,7 @@ void visitSharedSections(const Visit& visit) {
   visit(slam::ProductConfig());
   visit(slam::FramesConfig());
   visit(slam::LandmarkSensorConfig());
+  visit(slam::EventsConfig());
   visit(slam::ConsistencyConfig());
   visit(slam::LaserConfig());
   visit(TopicsConfig());

@@ -13,6 +13,7 @@
 #include "slam_core/common/time.hpp"
 #include "slam_core/contract/capabilities.hpp"
 #include "slam_core/models/occupancy_grid.hpp"
+#include "slam_core/product/step_report.hpp"
 
 namespace slam_ros {
 
@@ -59,6 +60,8 @@ class RunMetrics {
   /// Whether the back-end takes the robot for lost after the step of this stamp, for those that
   /// test it.
   void addLost(slam::Stamp stamp, bool is_lost);
+  /// What a step was told as events, and by how much it moved the pose.
+  void addEvents(const slam::StepReport& report);
   /// Work on what makes a step of this stamp, before it is due: an image's, a scan's.
   void addFrontEnd(slam::Stamp stamp, Clock::duration time) { front_end_[stamp] += time; }
   /// The back-end's time for the step of this stamp, which ends what addFrontEnd() began.
@@ -79,6 +82,8 @@ class RunMetrics {
   std::map<slam::Stamp, Clock::duration> front_end_;
   std::optional<double> map_entropy_;
   std::optional<LostTime> lost_;
+  std::size_t events_ = 0;
+  std::optional<double> largest_jump_;  ///< [m]
 };
 
 }  // namespace slam_ros

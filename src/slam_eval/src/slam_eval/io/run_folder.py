@@ -10,6 +10,8 @@ import numpy as np
 import yaml
 
 from slam_eval.io.errors import InputError, read_text
+from slam_eval.io.events import read_events
+from slam_eval.io.graph import Graph, read_graph
 from slam_eval.io.grid_map import GridMap, read_grid
 from slam_eval.io.landmarks import LandmarkMap, read_landmarks
 from slam_eval.io.point_cloud import read_points
@@ -31,6 +33,8 @@ class RunFolder:
     landmarks: Optional[LandmarkMap] = None
     grid: Optional[GridMap] = None
     points: Optional[np.ndarray] = None
+    graph: Optional[Graph] = None
+    events: Optional[list] = None
     true_landmarks: Optional[LandmarkMap] = None
     metrics: dict = dataclasses.field(default_factory=dict)
     config_text: str = ""
@@ -96,6 +100,8 @@ def read_run(path):
     run.updates = _optional(path / "updates.csv", read_updates)
     run.landmarks = _optional(path / "landmarks.yaml", read_landmarks)
     run.grid = _optional(path / "map.yaml", read_grid)
+    run.graph = _optional(path / "graph.csv", read_graph)
+    run.events = _optional(path / "events.csv", read_events)
     run.points = _optional(path / "points.pcd", read_points)
     run.true_landmarks = _optional(path / "ground_truth_landmarks.yaml", read_landmarks)
     run.metrics = read_metrics(path / "metrics.json")

@@ -84,8 +84,8 @@ def plan_axes(points, width=8.6):
 def legend_below(figure, axes, columns=4):
     """The legend under the picture, where it can hide nothing."""
     handles, labels = axes.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=min(columns, len(labels)),
-                  bbox_to_anchor=(0.5, 0.005), columnspacing=1.8, handlelength=1.9)
+    return figure.legend(handles, labels, loc="lower center", ncol=min(columns, len(labels)),
+                         bbox_to_anchor=(0.5, 0.005), columnspacing=1.8, handlelength=1.9)
 
 
 def draw_ellipses(axes, positions, covariances, scale=1.0, label=None):

@@ -15,6 +15,7 @@ from slam_eval.metrics.evaluation import evaluate
 from slam_eval.metrics.map_agreement import judge_map
 from slam_eval.metrics.relations import judge_run, TOLERANCE
 from slam_eval.plot.consistency import plot_consistency
+from slam_eval.plot.graph import plot_graph
 from slam_eval.plot.landmark_errors import plot_landmark_errors
 from slam_eval.plot.map import plot_map, plot_trajectory
 from slam_eval.plot.odometry import plot_beside_wheels
@@ -64,7 +65,7 @@ def draw(run, result, reference, world):
     plot_trajectory(run, result, pictures[-1], reference, world)
     if plot_beside_wheels(run, result, run.path / "odometry.png", reference, world):
         pictures.append(run.path / "odometry.png")
-    for plot, name in ((plot_landmark_errors, "landmark_errors.png"),
+    for plot, name in ((plot_graph, "graph.png"), (plot_landmark_errors, "landmark_errors.png"),
                        (plot_consistency, "consistency.png")):
         if plot(run, result, run.path / name):
             pictures.append(run.path / name)

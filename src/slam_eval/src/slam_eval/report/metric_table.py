@@ -134,6 +134,13 @@ KEYS = {
     "lost_share_of_time": Key(
         "Time lost", "", ".4f",
         "Share of the run's time for which such an alarm lasted.", "Consistency"),
+    "events": Key(
+        "Events", "", "d",
+        "Jumps, loops that moved the pose or were taken back, and times at which the robot was "
+        "lost or found.", "Consistency"),
+    "largest_jump_m": Key(
+        "Largest jump", "m", ".3f",
+        "By how much one step moved the pose at most, beyond what odometry says.", "Consistency"),
     "updates": Key("Updates", "", "d", "Steps the back-end made.", "Cost"),
     "update_ms_p50": Key("Update time, median", "ms", ".3f",
                          "Half of the steps took less time than this.", "Cost"),

@@ -8,6 +8,7 @@ import numpy as np
 from slam_eval.report.metric_table import GROUPS, KEYS, format_value, rows
 from slam_eval.report.page import page, picture
 
+MOST_EVENTS = 200  # of those that are listed
 CAPTIONS = {
     "map.png": (
         "Path and map",
@@ -24,6 +25,12 @@ CAPTIONS = {
         "The odometry that looks at the ceiling beside that of the wheels, which this run did not "
         "use: both begin at the first pose of the estimate and nothing corrects them (the "
         "thesis's figure 6.6b)."),
+    "graph.png": (
+        "Graph of poses",
+        "The graph at the end of the run: each motion joins two nodes, each loop a node with the "
+        "submap in which its scan was recognised. Green loops count in full, orange ones less, "
+        "since the rest of the graph does not bear them out; red ones wait, which means that they "
+        "are not believed (yet) and move nothing."),
     "landmark_errors.png": (
         "Landmark errors",
         "Red lines point from each landmark to the truth, moved onto the map by the alignment of "
@@ -81,6 +88,22 @@ def _observation_section(updates):
     return f"<section><h2>Observations</h2><table>{cells}</table></section>"
 
 
+def _event_section(run):
+    """What happened, by events.csv."""
+    start = run.trajectory.stamps[0]
+    head = "".join(f'<td class="v">{name}</td>' for name in ("at [s]", "moved [m]", "turned [deg]"))
+    lines = "".join(
+        f'<tr><td class="n">{html.escape(event.kind.replace("_", " "))}</td>'
+        f'<td class="v">{(event.stamp - start) * 1e-9:.1f}</td>'
+        f'<td class="v">{event.distance:.3f}</td><td class="v">{np.degrees(event.turn):.2f}</td>'
+        f'<td class="m">{html.escape(event.reason)}</td></tr>'
+        for event in run.events[:MOST_EVENTS])
+    more = len(run.events) - MOST_EVENTS
+    rest = f"<p>{more} more are in events.csv.</p>" if more > 0 else ""
+    return (f'<section><h2>Events</h2><table><tr><td class="n">{len(run.events)} of them</td>{head}'
+            f"<td></td></tr>{lines}</table>{rest}</section>")
+
+
 def _relation_section(errors):
     """What the mean alone does not tell of the relations."""
     rotation = np.degrees(errors.rotation)
@@ -117,6 +140,8 @@ def render(run, metrics, pictures, notes, relations=None):
     parts += [_picture_section(path) for path in pictures]
     if relations is not None:
         parts.append(_relation_section(relations))
+    if run.events:
+        parts.append(_event_section(run))
     if run.updates is not None:
         parts.append(_observation_section(run.updates))
     if run.config_text:

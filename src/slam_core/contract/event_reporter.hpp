@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "slam_core/common/choice.hpp"
+#include "slam_core/common/time.hpp"
+
+namespace slam {
+
+/// Something that happened in a step and that others may have to react to: who keeps a plan or a
+/// map of his own in the map frame, say.
+struct Event {
+  enum class Kind {
+    kJump,           ///< the pose moved by more than its uncertainty explains, or was set
+    kLoopClosed,     ///< a place was recognised, which moved the pose
+    kLoopTakenBack,  ///< a place is no longer believed to be the one it was taken for
+    kLost,           ///< the back-end does not believe its pose any more
+    kFound           ///< it does again
+  };
+
+  Kind kind = Kind::kJump;
+  /// By which the pose of the robot moved beyond its motion: length [m] and angle [rad], not
+  /// negative.
+  double distance = 0.0, turn = 0.0;
+  std::string reason;  ///< a clause, for people
+  Stamp stamp;         ///< of the step; the Estimator fills it in
+};
+
+/// What messages and files call the kinds.
+inline const Names<Event::Kind>& namesOfEvents() {
+  static const Names<Event::Kind> names = {{"jump", Event::Kind::kJump},
+                                           {"loop_closed", Event::Kind::kLoopClosed},
+                                           {"loop_taken_back", Event::Kind::kLoopTakenBack},
+                                           {"lost", Event::Kind::kLost},
+                                           {"found", Event::Kind::kFound}};
+  return names;
+}
+
+/// The capability of a back-end that knows more of what happened than its pose shows. Jumps are
+/// found without it, and `lost` and `found` come from the LostReporter.
+class EventReporter {
+ public:
+  virtual ~EventReporter() = default;
+  /// What happened in the last execute(), in order. Small corrections may be among it: the
+  /// Estimator leaves out loops that hardly moved the pose.
+  virtual std::vector<Event> events() const = 0;
+};
+
+}  // namespace slam

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "slam_core/common/choice.hpp"
+#include "slam_core/geometry/pose2.hpp"
+
+namespace slam {
+
+/// What a measurement joins, as a line in the map frame.
+struct GraphEdge {
+  enum class Kind {
+    kMotion,      ///< from one pose to the next one
+    kSighting,    ///< from a pose to a landmark that was seen from there
+    kLoop,        ///< from a pose to a place that was recognised
+    kWaitingLoop  ///< the same, where it is not believed (yet)
+  };
+
+  Kind kind = Kind::kMotion;
+  Eigen::Vector2d from, to;  ///< [m]
+  double weight = 1.0;       ///< how much of it counts, in [0, 1]
+};
+
+/// What files call the kinds of edges.
+inline const Names<GraphEdge::Kind>& namesOfEdges() {
+  static const Names<GraphEdge::Kind> names = {{"motion", GraphEdge::Kind::kMotion},
+                                               {"sighting", GraphEdge::Kind::kSighting},
+                                               {"loop", GraphEdge::Kind::kLoop},
+                                               {"waiting_loop", GraphEdge::Kind::kWaitingLoop}};
+  return names;
+}
+
+/// A graph of poses as it is to be seen, in the map frame.
+struct GraphView {
+  std::vector<Pose2> nodes;    ///< poses of the robot, the oldest first
+  std::vector<Pose2> submaps;  ///< where pieces of the map hang
+  std::vector<GraphEdge> edges;
+};
+
+/// The capability of a back-end whose estimate is a graph of poses.
+class GraphReporter {
+ public:
+  virtual ~GraphReporter() = default;
+  /// The graph as it is estimated now. It costs as much as the graph is large.
+  virtual GraphView graph() const = 0;
+};
+
+}  // namespace slam
