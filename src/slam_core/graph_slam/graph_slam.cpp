@@ -71,6 +71,7 @@ void GraphSlam::describe(Capabilities& capabilities) {
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<MapChooser>(*this);
   capabilities.offer<MapKeeper>(*this);
+  capabilities.offer<SessionKeeper>(*this);
   capabilities.offer<PathReviser>(*this);
 }
 
@@ -107,14 +108,15 @@ void GraphSlam::reset() {
   fixed_map_.clear();
   statistics_ = {};
   counters_.clear();
+  resumed_.reset();
+  last_motion_.reset();
+  has_moved_ = true;
   map_.reset();
   initial_pose_.reset();
   motion_.reset();
   observations_.reset();
   scan_.reset();
 }
-
-void GraphSlam::set(const Motion& motion) { motion_ = motion_ ? joined(*motion_, motion) : motion; }
 
 LandmarkMap GraphSlam::landmarks() const {
   return config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
@@ -142,6 +144,7 @@ MapState GraphSlam::state() const {
 Status GraphSlam::execute() {
   statistics_ = {};
   statistics_.gate_probability = config_.gate_probability;
+  resume();
   const auto replaced = replaceMap();
   relocate();
   predict();
