@@ -74,6 +74,7 @@ void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<GraphReporter>(*this);
   capabilities.offer<MapChooser>(*this);
   capabilities.offer<MapKeeper>(*this);
+  capabilities.offer<SessionKeeper>(*this);
   capabilities.offer<PathReviser>(*this);
 }
 
@@ -111,14 +112,15 @@ void GraphSlam::reset() {
   statistics_ = {};
   events_.clear();
   counters_.clear();
+  resumed_.reset();
+  last_motion_.reset();
+  has_moved_ = true;
   map_.reset();
   initial_pose_.reset();
   motion_.reset();
   observations_.reset();
   scan_.reset();
 }
-
-void GraphSlam::set(const Motion& motion) { motion_ = motion_ ? joined(*motion_, motion) : motion; }
 
 LandmarkMap GraphSlam::landmarks() const {
   return config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
@@ -151,6 +153,7 @@ Status GraphSlam::execute() {
   statistics_ = {};
   events_.clear();
   statistics_.gate_probability = config_.gate_probability;
+  resume();
   const auto replaced = replaceMap();
   relocate();
   predict();

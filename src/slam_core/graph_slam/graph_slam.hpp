@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "slam_core/association/sightings.hpp"
@@ -15,6 +16,7 @@
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/graph_slam/associator.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
@@ -38,6 +40,7 @@ class GraphSlam final : public Backend,
                         GraphReporter,
                         MapChooser,
                         MapKeeper,
+                        SessionKeeper,
                         PathReviser {
  public:
   /// @throw ConfigError
@@ -66,6 +69,8 @@ class GraphSlam final : public Backend,
   UpdateStatistics statistics() const override { return statistics_; }
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
+  std::string session() const override;
+  void takeUp(const std::string& session) override;
   std::vector<StampedPose> path() const override {
     return graph_->record.poses(graph_->path.graph());
   }
@@ -86,7 +91,15 @@ class GraphSlam final : public Backend,
     std::optional<ScanGraph> scans;  ///< where there is a grid
     PathRecord record;
   };
+  /// A session to go on with.
+  struct Resumed {
+    std::unique_ptr<Graph> graph;
+    association::Sightings sightings;
+    std::optional<Motion> last_motion;
+  };
   std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;
+  Resumed resumed(const Session& session) const;
+  void resume();
   Status replaceMap();
   void relocate();
   void predict();
@@ -109,6 +122,9 @@ class GraphSlam final : public Backend,
   Counters counters_;
   LandmarkMap fixed_map_;  ///< as it was loaded, to localise in
 
+  std::optional<Resumed> resumed_;
+  std::optional<Motion> last_motion_;  ///< for a session that goes on; not of this run at first
+  bool has_moved_ = false;             ///< since a session was taken up
   std::optional<MapState> map_;
   std::optional<PoseEstimate> initial_pose_;
   std::optional<Motion> motion_;  ///< all motions since the last step as one

@@ -72,6 +72,8 @@ void Submaps::read(const Session& session, std::unique_ptr<scan_matching::ScanMa
   for (const auto& record : from.finished) finished_.push_back({restored(record), record.ended, 0});
   if (from.older) older_ = restored(*from.older);
   if (from.younger) younger_ = restored(*from.younger);
+  older_.map();  // these two are drawn on
+  if (younger_) younger_->map();
   gone_ = from.gone;
   renewed_ = from.renewed;
   last_ = from.last;

@@ -169,6 +169,7 @@ class SessionCheck {
     requireNode(it_.robot.node);
     requireSpread(it_.robot.start.covariance);
     requireMotion(it_.robot.motion);
+    requireMotion(it_.last_motion);
   }
 
   void checkScans() {

@@ -99,7 +99,7 @@ void fields(Archive& in, OccupancyGrid& it) {
 template <class Archive>
 void fields(Archive& in, Session& it) {
   in(it.kind, it.stamp, it.nodes, it.landmarks, it.factors, it.loops, it.sightings_node,
-     it.sightings, it.path, it.robot, it.scans, it.submaps, it.base);
+     it.sightings, it.path, it.robot, it.last_motion, it.scans, it.submaps, it.base);
 }
 
 }  // namespace slam::graph_slam

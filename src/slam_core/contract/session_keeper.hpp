@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+namespace slam {
+
+/// The capability of a back-end that can save all it knows, the way and what was seen on it
+/// included, and go on from there. A session is the content of a file that only back-ends of the
+/// same kind and configuration of the map can read.
+class SessionKeeper {
+ public:
+  virtual ~SessionKeeper() = default;
+  /// @throw std::runtime_error with a sentence where it has none to save
+  virtual std::string session() const = 0;
+  /// Map, path and pose are replaced with the next execute(). A back-end that keeps its map fixed
+  /// localises in that of the session.
+  /// @throw std::runtime_error with what is wrong with the session and what to do, to stand behind
+  /// its name ("it is cut: ..."); all stays as it is
+  virtual void takeUp(const std::string& session) = 0;
+};
+
+}  // namespace slam

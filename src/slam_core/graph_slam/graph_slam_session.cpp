@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_core/graph_slam/session_file.hpp"
+#include "slam_core/graph_slam/session_graph.hpp"
+#include "slam_core/models/motion_gap.hpp"
+
+// How the back-end saves a session and goes on from one.
+
+namespace slam::graph_slam {
+namespace {
+
+/// A robot that goes on within this time is where its odometry says since; later, where the session
+/// ended.
+constexpr Duration kPause = std::chrono::seconds(10);
+
+/// The motion with what is missing before it, where the odometry has run on since the last one.
+Motion withPause(const Motion& last, const Motion& motion) {
+  const bool was_restarted = isOrigin(motion.odometry_start) && !isOrigin(last.odometry_end);
+  if (was_restarted || motion.start > last.end + kPause) return motion;
+  MotionGap gap;
+  Motion before = last, after = motion;
+  gap.bridge(before);
+  return gap.bridge(after) == MotionGap::Bridge::kByPoses ? after : motion;
+}
+
+void requireSameKind(const Session::Kind& kind, bool has_grid, double resolution) {
+  if (kind.has_grid && !has_grid)
+    throw std::runtime_error(
+        "it has a grid and this product makes none: run a product with map: grid");
+  if (!kind.has_grid && has_grid)
+    throw std::runtime_error(
+        "it has no grid and this product makes one: run a product with map: landmarks");
+  if (has_grid && kind.resolution != resolution)
+    throw std::runtime_error(
+        fmt::format("its grid has cells of {:g} m and grid_map.resolution is {:g} m: set it to "
+                    "that of the session",
+                    kind.resolution, resolution));
+}
+
+}  // namespace
+
+void GraphSlam::set(const Motion& motion) {
+  const auto whole = has_moved_ || !last_motion_ ? motion : withPause(*last_motion_, motion);
+  has_moved_ = true;
+  last_motion_ = motion;
+  motion_ = motion_ ? joined(*motion_, whole) : whole;
+}
+
+std::string GraphSlam::session() const {
+  if (config_.mapIsFixed())
+    throw std::runtime_error(
+        "with graph.mode: localization nothing is added to a session: the one that was loaded is "
+        "still in its file");
+  const auto& [path, landmarks, scans, record] = *graph_;
+  const auto loops = scans ? scans->loops().states() : std::vector<graph::RobustLoops::State>();
+  const SessionNumbers numbers(path.graph(), landmarks.keys(), loops);
+  Session session;
+  session.kind = {uses_grid_, uses_grid_ ? grid_config_.resolution : 0.0};
+  path.write(numbers, session);
+  landmarks.write(numbers, session);
+  if (scans) scans->write(numbers, session);
+  record.write(numbers, session);
+  if (!session.path.empty()) session.stamp = session.path.back().stamp;
+  for (auto& landmark : session.landmarks) {
+    const auto seen = sightings_.record(landmark.id);
+    landmark.fits = seen.fits;
+    landmark.misses = seen.misses;
+  }
+  session.last_motion = last_motion_;
+  return bytesOf(session);
+}
+
+GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
+  Resumed resumed{emptyGraph(session.robot.start), association::Sightings(), session.last_motion};
+  auto& [path, landmarks, scans, record] = *resumed.graph;
+  path.read(session);
+  landmarks.read(session);
+  if (scans)
+    if (const auto status = scans->read(session); status.level == Status::Level::kError)
+      throw std::runtime_error(status.message);
+  record.read(session);
+  for (const auto& landmark : session.landmarks)
+    resumed.sightings.set(landmark.id, {landmark.fits, landmark.misses});
+  try {
+    path.graph().eliminate(path.tail().node ? std::vector<graph::Key>{*path.tail().node}
+                                            : std::vector<graph::Key>());
+  } catch (const std::domain_error&) {
+    throw std::runtime_error("its values are too large to compute with: save the session again");
+  }
+  return resumed;
+}
+
+void GraphSlam::takeUp(const std::string& bytes) {
+  const auto session = sessionOf(bytes);
+  requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
+  auto taken = resumed(session);
+  if (!config_.mapIsFixed()) {
+    resumed_ = std::move(taken);
+    return;
+  }
+  const auto& [path, landmarks, scans, record] = *taken.graph;
+  const bool has_joint =
+      !scans && landmarks.ids().size() <= static_cast<std::size_t>(config_.joint_limit);
+  map_ = has_joint ? landmarks.state() : MapState{path.robot(), landmarks.map(), {}};
+  if (scans) map_->grid = scans->grid();
+}
+
+void GraphSlam::resume() {
+  if (!resumed_) return;
+  if (graph_->scans) revision_ = gridRevision();
+  graph_ = std::move(resumed_->graph);
+  sightings_ = std::move(resumed_->sightings);
+  last_motion_ = resumed_->last_motion;
+  has_moved_ = false;
+  motion_.reset();
+  statistics_.prediction.F.setZero();
+  resumed_.reset();
+}
+
+}  // namespace slam::graph_slam

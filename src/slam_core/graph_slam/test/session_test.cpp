@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_core/graph_slam/session_file.hpp"
+#include "slam_core/graph_slam/session_graph.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/test/component_driver.hpp"
+
+namespace slam::graph_slam {
+namespace {
+
+using test::RoomDrive;
+using test::sentenceOf;
+using test::SimulatedWorld;
+
+constexpr int kLap = 126, kRoomLap = 145;  // steps
+
+struct Options {
+  bool has_grid = false;
+  BackendMode mode = BackendMode::kSlam;
+  double resolution = 0.05;
+};
+
+std::unique_ptr<GraphSlam> made(const Options& options = {}) {
+  auto backend = std::make_unique<GraphSlam>();
+  as<MapChooser>(*backend).useMap(options.has_grid ? MapKind::kGrid : MapKind::kLandmarks);
+  GraphConfig config;
+  config.mode = options.mode;
+  grid_map::GridMapConfig grid;
+  grid.resolution = options.resolution;
+  backend->configure(config, grid);
+  return backend;
+}
+
+Pose2 drive(GraphSlam& backend, SimulatedWorld& world, int steps) {
+  Pose2 truth;
+  for (int i = 0; i < steps; ++i) {
+    const auto step = world.next();
+    backend.set(step.motion);
+    backend.set(step.observations);
+    backend.execute();
+    truth = step.truth;
+  }
+  return truth;
+}
+
+Pose2 drive(GraphSlam& backend, RoomDrive& room, int steps) {
+  Pose2 truth;
+  for (int i = 0; i < steps; ++i) {
+    const auto step = room.next();
+    give(step.motion, backend);
+    give(step.scan, backend);
+    backend.execute();
+    truth = step.truth;
+  }
+  return truth;
+}
+
+std::string saved(GraphSlam& backend) { return as<SessionKeeper>(backend).session(); }
+
+void load(GraphSlam& backend, const std::string& session) {
+  as<SessionKeeper>(backend).takeUp(session);
+  const auto status = backend.execute();
+  EXPECT_TRUE(status.isOk()) << status.message;
+}
+
+std::unique_ptr<GraphSlam> resumed(const std::string& session, const Options& options = {}) {
+  auto backend = made(options);
+  load(*backend, session);
+  return backend;
+}
+
+double distance(const Pose2& a, const Pose2& b) { return (a.position() - b.position()).norm(); }
+
+double worstOf(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    worst = std::max(worst, distance(a[i].pose, b[i].pose));
+  return worst;
+}
+
+std::vector<StampedPose> pathOf(GraphSlam& backend) { return as<PathReviser>(backend).path(); }
+
+TEST(Session, IsSavedAgainToTheBit) {
+  const auto landmarks = made(), grid = made({true});
+  SimulatedWorld world(1);
+  drive(*landmarks, world, kLap + 33);
+  EXPECT_EQ(saved(*landmarks), saved(*resumed(saved(*landmarks))));
+  RoomDrive room(1);
+  drive(*grid, room, 2 * kRoomLap);
+  EXPECT_EQ(saved(*grid), saved(*resumed(saved(*grid), {true})));
+}
+
+TEST(Session, LeavesTheRobotWhereItWas) {
+  const auto backend = made();
+  SimulatedWorld world(2);
+  drive(*backend, world, kLap);
+  const auto loaded = resumed(saved(*backend));
+  EXPECT_EQ(loaded->pose().pose.vector(), backend->pose().pose.vector());
+  EXPECT_LT((loaded->pose().covariance - backend->pose().covariance).norm(),
+            0.05 * backend->pose().covariance.norm());
+  EXPECT_EQ(worstOf(pathOf(*loaded), pathOf(*backend)), 0.0);
+}
+
+TEST(Session, GoesOnWithLandmarksAsIfItHadNeverStopped) {
+  const auto whole = made(), first = made();
+  SimulatedWorld world(3), again(3);
+  drive(*whole, world, 2 * kLap);
+  drive(*first, again, kLap / 2 + 3);
+  const auto second = resumed(saved(*first));
+  drive(*second, again, 2 * kLap - kLap / 2 - 3);
+  EXPECT_LT(worstOf(pathOf(*second), pathOf(*whole)), 2e-3);
+  EXPECT_EQ(as<LandmarkMapper>(*second).landmarks().size(),
+            as<LandmarkMapper>(*whole).landmarks().size());
+}
+
+TEST(Session, GoesOnWithScansAsIfItHadNeverStopped) {
+  const auto whole = made({true}), first = made({true});
+  RoomDrive room(4), again(4);
+  drive(*whole, room, 3 * kRoomLap);
+  drive(*first, again, kRoomLap);
+  const auto second = resumed(saved(*first), {true});
+  const Pose2 truth = drive(*second, again, 2 * kRoomLap);
+  EXPECT_LT(distance(second->pose().pose, truth), 0.03);
+  EXPECT_LT(worstOf(pathOf(*second), pathOf(*whole)), 0.03);
+  EXPECT_GT(second->counters()["loops"], 10u);
+}
+
+TEST(Session, GoesOnInTheSameWayEachTime) {
+  const auto first = made({true});
+  RoomDrive room(5);
+  drive(*first, room, kRoomLap);
+  const auto session = saved(*first);
+  const auto a = resumed(session, {true}), b = resumed(session, {true});
+  RoomDrive same = room;
+  drive(*a, room, kRoomLap);
+  drive(*b, same, kRoomLap);
+  EXPECT_EQ(saved(*a), saved(*b));
+}
+
+/// The bags of two runs have nothing to tell of the motion from the end of one to the next.
+TEST(Session, CrossesAShortPauseByTheOdometry) {
+  const auto first = made();
+  SimulatedWorld world(6);
+  drive(*first, world, kLap);
+  const auto second = resumed(saved(*first));
+  for (int i = 0; i < 4; ++i) world.next();
+  EXPECT_LT(distance(second->pose().pose, drive(*second, world, 1)), 0.15);
+}
+
+TEST(Session, IsLocalisedInAndDoesNotMove) {
+  for (const bool has_grid : {false, true}) {
+    const auto first = made({has_grid});
+    SimulatedWorld world(7);
+    RoomDrive room(7);
+    const auto go = [&](GraphSlam& backend) {
+      return has_grid ? drive(backend, room, 20) : drive(backend, world, 20);
+    };
+    for (int i = 0; i < 10; ++i) go(*first);
+    const auto map = as<LandmarkMapper>(*first).landmarks();
+    const auto second = resumed(saved(*first), {has_grid, BackendMode::kLocalization});
+    const auto grid = has_grid ? as<GridMapper>(*second).grid()->cells : std::vector<std::int8_t>();
+    EXPECT_EQ(grid, has_grid ? as<GridMapper>(*first).grid()->cells : grid);
+    Pose2 truth;
+    for (int i = 0; i < 5; ++i) truth = go(*second);
+    EXPECT_LT(distance(second->pose().pose, truth), 0.2);
+    const auto after = as<LandmarkMapper>(*second).landmarks();
+    ASSERT_EQ(after.size(), map.size());
+    for (std::size_t i = 0; i < map.size(); ++i) EXPECT_EQ(after[i].position, map[i].position);
+    if (has_grid) {
+      EXPECT_EQ(as<GridMapper>(*second).grid()->cells, grid);
+    }
+    EXPECT_TRUE(test::oneSays({sentenceOf([&] { saved(*second); })},
+                              {"mode: localization", "still in its file"}));
+  }
+}
+
+TEST(Session, GoesOnWhereAnInitialPosePutsTheRobot) {
+  const auto first = made();
+  SimulatedWorld world(8);
+  const Pose2 truth = drive(*first, world, kLap);
+  const auto map = as<LandmarkMapper>(*first).landmarks();
+  const auto second = resumed(saved(*first));
+  drive(*second, world, 3);
+  second->set(PoseEstimate{truth, 0.01 * Eigen::Matrix3d::Identity()});
+  second->execute();
+  EXPECT_LT(distance(second->pose().pose, truth), 1e-9);
+  const auto after = as<LandmarkMapper>(*second).landmarks();
+  for (std::size_t i = 0; i < map.size(); ++i)
+    EXPECT_LT((after[i].position - map[i].position).norm(), 0.05);
+}
+
+TEST(Session, KeepsAGridThatWasLoaded) {
+  const auto first = made({true});
+  RoomDrive room(9);
+  drive(*first, room, kRoomLap);
+  const auto second = made({true});
+  as<MapKeeper>(*second).set(as<MapKeeper>(*first).state());
+  second->execute();
+  drive(*second, room, kRoomLap / 2);
+  const auto third = resumed(saved(*second), {true});
+  EXPECT_EQ(as<GridMapper>(*third).grid()->cells, as<GridMapper>(*second).grid()->cells);
+  EXPECT_EQ(saved(*third), saved(*second));
+  EXPECT_LT(distance(third->pose().pose, drive(*third, room, kRoomLap / 2)), 0.1);
+}
+
+TEST(Session, OfAnotherKindIsRefusedAndAllStaysAsItIs) {
+  const auto landmarks = made(), grid = made({true}),
+             coarse = made({true, BackendMode::kSlam, 0.1});
+  SimulatedWorld world(10);
+  drive(*landmarks, world, 20);
+  RoomDrive room(10);
+  drive(*grid, room, 20);
+  const auto before = saved(*grid), of_landmarks = saved(*landmarks);
+  const auto said = [&](GraphSlam& backend, const std::string& session) {
+    return std::vector<std::string>{
+        sentenceOf([&] { as<SessionKeeper>(backend).takeUp(session); })};
+  };
+  EXPECT_TRUE(test::oneSays(said(*grid, of_landmarks), {"has no grid", "map: landmarks"}));
+  EXPECT_TRUE(test::oneSays(said(*landmarks, before), {"has a grid", "map: grid"}));
+  EXPECT_TRUE(test::oneSays(said(*coarse, before), {"0.05 m", "0.1 m", "grid_map.resolution"}));
+  grid->execute();
+  EXPECT_EQ(saved(*grid), before);
+}
+
+/// Outside a back-end.
+TEST(Session, CanBeOptimised) {
+  const auto backend = made();
+  SimulatedWorld world(11);
+  drive(*backend, world, kLap);
+  auto session = sessionOf(saved(*backend));
+  auto graph = optimizerOf(session);
+  EXPECT_TRUE(graph.optimize({}, 10));
+  const auto before = session.nodes;
+  follow(graph, session);
+  ASSERT_EQ(session.nodes.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_LT(distance(session.nodes[i], before[i]), 0.01);
+  EXPECT_EQ(sessionOf(bytesOf(session)).nodes.size(), before.size());
+}
+
+}  // namespace
+}  // namespace slam::graph_slam
