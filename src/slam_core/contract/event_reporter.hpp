@@ -18,6 +18,7 @@ struct Event {
     kJump,           ///< the pose moved by more than its uncertainty explains, or was set
     kLoopClosed,     ///< a place was recognised, which moved the pose
     kLoopTakenBack,  ///< a place is no longer believed to be the one it was taken for
+    kMerged,         ///< the map of another session has become part of the map
     kLost,           ///< the back-end does not believe its pose any more
     kFound           ///< it does again
   };
@@ -35,6 +36,7 @@ inline const Names<Event::Kind>& namesOfEvents() {
   static const Names<Event::Kind> names = {{"jump", Event::Kind::kJump},
                                            {"loop_closed", Event::Kind::kLoopClosed},
                                            {"loop_taken_back", Event::Kind::kLoopTakenBack},
+                                           {"merged", Event::Kind::kMerged},
                                            {"lost", Event::Kind::kLost},
                                            {"found", Event::Kind::kFound}};
   return names;

@@ -75,6 +75,7 @@ void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<MapChooser>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<SessionKeeper>(*this);
+  capabilities.offer<SessionMerger>(*this);
   capabilities.offer<PathReviser>(*this);
 }
 
@@ -112,6 +113,7 @@ void GraphSlam::reset() {
   statistics_ = {};
   events_.clear();
   counters_.clear();
+  waiting_.reset();
   resumed_.reset();
   last_motion_.reset();
   has_moved_ = true;
@@ -159,7 +161,8 @@ Status GraphSlam::execute() {
   predict();
   statistics_.landmarks = static_cast<int>(graph_->landmarks.ids().size());
   const auto seen = takeObservations();
-  return moreUrgent(moreUrgent(replaced, takeScan()), seen);
+  const auto scanned = takeScan();
+  return moreUrgent(moreUrgent(replaced, mergeWaiting()), moreUrgent(scanned, seen));
 }
 
 Status GraphSlam::takeObservations() {

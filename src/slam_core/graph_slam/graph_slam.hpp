@@ -17,12 +17,14 @@
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
+#include "slam_core/contract/session_merger.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/graph_slam/associator.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
 #include "slam_core/graph_slam/path_record.hpp"
 #include "slam_core/graph_slam/scan_graph.hpp"
+#include "slam_core/graph_slam/waiting_session.hpp"
 
 namespace slam::graph_slam {
 
@@ -41,6 +43,7 @@ class GraphSlam final : public Backend,
                         MapChooser,
                         MapKeeper,
                         SessionKeeper,
+                        SessionMerger,
                         PathReviser {
  public:
   /// @throw ConfigError
@@ -71,6 +74,7 @@ class GraphSlam final : public Backend,
   void set(const MapState& map) override { map_ = map; }
   std::string session() const override;
   void takeUp(const std::string& session) override;
+  void merge(const std::string& session) override;
   std::vector<StampedPose> path() const override {
     return graph_->record.poses(graph_->path.graph());
   }
@@ -98,6 +102,7 @@ class GraphSlam final : public Backend,
     std::optional<Motion> last_motion;
   };
   std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;
+  Session snapshot() const;
   Resumed resumed(const Session& session) const;
   void resume();
   Status replaceMap();
@@ -105,6 +110,7 @@ class GraphSlam final : public Backend,
   void predict();
   Status takeObservations();
   Status takeScan();
+  Status mergeWaiting();
   Status reconsider(const Association& association, const Pose2& sensor);
   Status augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
   Status summary(const Association& association, const std::vector<Status>& of_steps) const;
@@ -122,6 +128,7 @@ class GraphSlam final : public Backend,
   Counters counters_;
   LandmarkMap fixed_map_;  ///< as it was loaded, to localise in
 
+  std::unique_ptr<WaitingSession> waiting_;  ///< to be merged
   std::optional<Resumed> resumed_;
   std::optional<Motion> last_motion_;  ///< for a session that goes on; not of this run at first
   bool has_moved_ = false;             ///< since a session was taken up

@@ -59,6 +59,10 @@ std::string GraphSlam::session() const {
     throw std::runtime_error(
         "with graph.mode: localization nothing is added to a session: the one that was loaded is "
         "still in its file");
+  return bytesOf(snapshot());
+}
+
+Session GraphSlam::snapshot() const {
   const auto& [path, landmarks, scans, record] = *graph_;
   const auto loops = scans ? scans->loops().states() : std::vector<graph::RobustLoops::State>();
   const SessionNumbers numbers(path.graph(), landmarks.keys(), loops);
@@ -75,7 +79,7 @@ std::string GraphSlam::session() const {
     landmark.misses = seen.misses;
   }
   session.last_motion = last_motion_;
-  return bytesOf(session);
+  return session;
 }
 
 GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
@@ -111,6 +115,49 @@ void GraphSlam::takeUp(const std::string& bytes) {
       !scans && landmarks.ids().size() <= static_cast<std::size_t>(config_.joint_limit);
   map_ = has_joint ? landmarks.state() : MapState{path.robot(), landmarks.map(), {}};
   if (scans) map_->grid = scans->grid();
+}
+
+void GraphSlam::merge(const std::string& bytes) {
+  if (config_.mapIsFixed())
+    throw std::runtime_error(
+        "with graph.mode: localization nothing is added to the map: merge while mapping");
+  auto session = sessionOf(bytes);
+  requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
+  if (hasLoadedMap(session))
+    throw std::runtime_error(
+        "it began with a map that was loaded: load it and merge the other one");
+  waiting_ = std::make_unique<WaitingSession>(std::move(session),
+                                              ScanSettings{config_, grid_config_, matcher_config_});
+}
+
+/// The robot stays where it is: the other map comes to it.
+Status GraphSlam::mergeWaiting() {
+  if (!waiting_) return Status::ok();
+  const auto& scans = graph_->scans;
+  if (scans && scans->inserted()) waiting_->see(scans->inserted());
+  if (!waiting_->isDue(graph_->landmarks.ids())) return Status::ok();
+  try {
+    const Pose2 before = pose().pose;
+    const auto merged = waiting_->merged(snapshot());
+    if (!merged) return Status::ok();
+    if (scans) revision_ = gridRevision();
+    auto both = resumed(merged->session);
+    graph_ = std::move(both.graph);
+    sightings_ = std::move(both.sightings);
+    const Pose2 moved = before.between(pose().pose);
+    counters_.add("merged_sessions");
+    events_.push_back({Event::Kind::kMerged,
+                       moved.position().norm(),
+                       std::abs(moved.theta()),
+                       fmt::format("{} landmarks and {} scans of the session that waited",
+                                   merged->landmarks, merged->scans),
+                       {}});
+    waiting_.reset();
+    return Status::ok();
+  } catch (const std::exception& error) {
+    waiting_.reset();
+    return Status::warning(std::string("the session that waited is not merged: ") + error.what());
+  }
 }
 
 void GraphSlam::resume() {

@@ -68,6 +68,7 @@ void ScanGraph::predict(const Motion& motion) {
 }
 
 Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
+  inserted_.reset();
   const auto levels = scan_matching::pointsOf(scan, models_, spacing_);
   loop_watch_.begin();
   noteNode();
@@ -138,7 +139,7 @@ Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points, bool i
   node_ = path_.addNode();
   if (!is_determined) tracker_.anchor();
   node_in_odom_ = tracker_.robot();
-  const auto shared = std::make_shared<const LaserScan>(scan);
+  const auto shared = inserted_ = std::make_shared<const LaserScan>(scan);
   submaps_.insert(shared, points, *node_, node_in_odom_.pose);
   trigger_.note(node_in_odom_.pose);
   path_.optimize(config_.iterations);

@@ -39,6 +39,8 @@ class ScanGraph {
   void predict(const Motion& motion);
   Status take(const LaserScan& scan, Counters& counters);
   Status status() const;
+  /// The scan that became a node with the last take(); none where none did.
+  const SharedScan& inserted() const { return inserted_; }
 
   std::optional<OccupancyGrid> grid() const;
   std::uint64_t gridRevision() const { return renderer_.revision(); }
@@ -82,7 +84,8 @@ class ScanGraph {
   scan_matching::InsertionTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
   scan_matching::ScanWatch watch_;
-  std::optional<Motion> carried_;   ///< since the last scan
+  std::optional<Motion> carried_;  ///< since the last scan
+  SharedScan inserted_;
   std::optional<graph::Key> node_;  ///< of the path, when it was last looked at
   PoseEstimate node_in_odom_;       ///< the same among the submap's parts
 };

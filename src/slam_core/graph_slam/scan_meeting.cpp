@@ -58,36 +58,45 @@ std::optional<Session::Index> ScanMeeting::nearestNode(const Pose2& place) const
   return nearest;
 }
 
-std::optional<ScanMeeting::Agreed> ScanMeeting::agreed(const std::vector<Pose2>& poses) const {
+std::optional<ScanMeeting::Agreed> ScanMeeting::agreed(
+    const std::vector<std::optional<Pose2>>& poses) const {
   Agreed best;
   std::vector<std::size_t> most;
+  std::size_t middle = 0;
   for (std::size_t i = 0; i < recognised_.size(); ++i) {
+    if (!poses[i]) continue;
     const Pose2 place = known_.nodes[recognised_[i].known] * recognised_[i].known_seen;
-    const Pose2 known_drive = place * poses[i].inverse();
+    const Pose2 known_drive = place * poses[i]->inverse();
     auto agreeing = agreeingWith(known_drive, poses);
     if (agreeing.size() <= most.size()) continue;
     most = std::move(agreeing);
+    middle = i;
     best.known_drive = known_drive;
   }
   std::vector<std::size_t> apart;  // of those that agree
   for (const auto i : most) {
     const bool is_apart = std::all_of(apart.begin(), apart.end(), [&](std::size_t j) {
-      return (poses[i].position() - poses[j].position()).norm() >= kApart;
+      return (poses[i]->position() - poses[j]->position()).norm() >= kApart;
     });
     if (is_apart) apart.push_back(i);
   }
-  const auto contradicting = recognised_.size() - most.size();
+  const auto all =
+      std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); });
+  const auto contradicting = static_cast<std::size_t>(all) - most.size();
   if (apart.size() < kLeastAgreeing || most.size() < kMajority * contradicting) return std::nullopt;
-  for (const auto i : most) best.scans.push_back(recognised_[i]);
+  best.scans.push_back(recognised_[middle]);
+  for (const auto i : most)
+    if (i != middle) best.scans.push_back(recognised_[i]);
   return best;
 }
 
-std::vector<std::size_t> ScanMeeting::agreeingWith(const Pose2& known_drive,
-                                                   const std::vector<Pose2>& poses) const {
+std::vector<std::size_t> ScanMeeting::agreeingWith(
+    const Pose2& known_drive, const std::vector<std::optional<Pose2>>& poses) const {
   std::vector<std::size_t> agreeing;
   for (std::size_t i = 0; i < recognised_.size(); ++i) {
+    if (!poses[i]) continue;
     const Pose2 place = known_.nodes[recognised_[i].known] * recognised_[i].known_seen;
-    const Pose2 error = place.between(known_drive * poses[i]);
+    const Pose2 error = place.between(known_drive * *poses[i]);
     if (error.position().norm() < kLargestShift && std::abs(error.theta()) < kLargestTurn)
       agreeing.push_back(i);
   }

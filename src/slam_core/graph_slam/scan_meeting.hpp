@@ -42,18 +42,19 @@ class ScanMeeting {
   /// How the map of the drive lies in the known one.
   struct Agreed {
     Pose2 known_drive;                  ///< T_known_drive, of the map frames
-    std::vector<RecognisedScan> scans;  ///< that say so
+    std::vector<RecognisedScan> scans;  ///< that say so; the first is the one that most agree with
   };
-  /// @param poses where the drive has the scans that were recognised, as recognised() lists them
+  /// @param poses where the drive has the scans that were recognised, as recognised() lists them;
+  /// none for one that it no longer has
   /// @return nothing where fewer than three agree that are 3 m apart, or where not four times as
   /// many agree as contradict
-  std::optional<Agreed> agreed(const std::vector<Pose2>& poses) const;
+  std::optional<Agreed> agreed(const std::vector<std::optional<Pose2>>& poses) const;
   const std::vector<RecognisedScan>& recognised() const { return recognised_; }
 
  private:
   std::optional<Session::Index> nearestNode(const Pose2& place) const;
   std::vector<std::size_t> agreeingWith(const Pose2& known_drive,
-                                        const std::vector<Pose2>& poses) const;
+                                        const std::vector<std::optional<Pose2>>& poses) const;
 
   const Session& known_;
   Eigen::Matrix3d variance_;  ///< of a map along the way of a submap, of (x, y, theta)

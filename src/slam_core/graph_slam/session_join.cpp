@@ -178,6 +178,7 @@ Session::Submaps joinedSubmaps(Session::Submaps other, Session::Submaps goes_on)
 void goOnWithSecond(const Session& second, const Renumbering& renumbered, const Pose2& first_second,
                     const std::vector<std::optional<Index>>& factors, Session& joined) {
   joined.stamp = second.stamp;
+  joined.last_motion = second.last_motion;
   const auto nodes = joined.robot.nodes;
   joined.robot = second.robot;
   joined.robot.nodes = nodes;
@@ -196,16 +197,20 @@ void goOnWithSecond(const Session& second, const Renumbering& renumbered, const 
 
 }  // namespace
 
+bool hasLoadedMap(const Session& session) {
+  return session.base || std::any_of(session.factors.begin(), session.factors.end(),
+                                     [](const Session::Factor& factor) {
+                                       return std::holds_alternative<Session::PointPrior>(factor) ||
+                                              std::holds_alternative<Session::JointPrior>(factor);
+                                     });
+}
+
 void requireJoinable(const Session& first, const Session& second) {
   if (first.kind.has_grid != second.kind.has_grid)
     throw std::invalid_argument("one session has a grid and the other one has none");
   if (first.kind.has_grid && first.kind.resolution != second.kind.resolution)
     throw std::invalid_argument("the sessions' grids have different resolutions");
-  const auto has_loaded = [](const Session::Factor& factor) {
-    return std::holds_alternative<Session::PointPrior>(factor) ||
-           std::holds_alternative<Session::JointPrior>(factor);
-  };
-  if (second.base || std::any_of(second.factors.begin(), second.factors.end(), has_loaded))
+  if (hasLoadedMap(second))
     throw std::invalid_argument(
         "the second session began with a map that was loaded: give it as the first one");
 }
@@ -217,7 +222,11 @@ Session joined(const Session& first, const Session& second, const SessionLinks& 
   auto joined = first;
   append(second, renumbered, links.first_second, joined);
   const auto factors = appendFactors(second, renumbered, joined);
-  for (const auto& place : links.places) joined.loops.push_back({place, true, 1.0, false});
+  for (const auto& place : links.places)
+    if (&place == &links.places.front())
+      joined.factors.emplace_back(place);
+    else
+      joined.loops.push_back({place, true, 1.0, false});
   appendMarks(second, renumbered, links.first_second, goes_on, joined.path);
   joined.robot.nodes += second.robot.nodes;
   auto submaps = renumberedSubmaps(second, renumbered);

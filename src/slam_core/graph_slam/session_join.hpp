@@ -16,7 +16,8 @@ struct SessionLinks {
   /// The same landmarks, by their numbers in the first and in the second session. Other landmarks
   /// of the second one whose id the first one has are left out.
   std::vector<std::pair<Session::Index, Session::Index>> landmarks;
-  /// Places that were recognised, between nodes of the joined session.
+  /// Places that were recognised, between nodes of the joined session. The first one is taken for
+  /// granted, so that the sessions hang together; the others are loops that can be taken back.
   std::vector<Session::Between> places;
 };
 
@@ -28,6 +29,8 @@ inline Session::Index joinedNode(const Session& first, Session::Index of_second)
   return static_cast<Session::Index>(first.nodes.size()) + of_second;
 }
 
+/// Whether it began with a map that was loaded, which says where its own map frame lies.
+bool hasLoadedMap(const Session& session);
 /// @throw std::invalid_argument with a sentence where the sessions are of different kinds, or the
 /// second one began with a map that was loaded
 void requireJoinable(const Session& first, const Session& second);

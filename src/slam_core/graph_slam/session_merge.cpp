@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/graph_slam/session_graph.hpp"
@@ -17,37 +18,28 @@ namespace {
 /// Of the second drive, so many scans are looked for.
 constexpr std::size_t kScans = 30;
 
-struct Alike {
-  std::optional<LandmarkMeeting> landmarks;
-  std::optional<ScanMeeting::Agreed> scans;
-};
-
-std::optional<ScanMeeting::Agreed> scansInCommon(const Session& first, const Session& second,
-                                                 const ScanSettings& settings) {
+/// Scans of the second session that are recognised in the map of the first.
+std::optional<CommonScans> commonScans(const Session& first, const Session& second,
+                                       const ScanSettings& settings) {
   if (first.scans.empty() || second.scans.empty()) return std::nullopt;
   ScanMeeting meeting(first, settings);
   for (const auto i : evenlyChosen(kScans, second.scans.size()))
     meeting.look(second.scans[i].node, *second.scans[i].scan);
-  std::vector<Pose2> poses;
-  for (const auto& scan : meeting.recognised()) poses.push_back(second.nodes[scan.seen]);
-  return meeting.agreed(poses);
+  std::vector<std::optional<Pose2>> poses;
+  for (const auto& scan : meeting.recognised()) poses.emplace_back(second.nodes[scan.seen]);
+  const auto agreed = meeting.agreed(poses);
+  if (!agreed) return std::nullopt;
+  CommonScans common{agreed->known_drive, {}};
+  for (const auto& scan : agreed->scans)
+    common.places.push_back({scan.known, joinedNode(first, static_cast<Session::Index>(scan.seen)),
+                             scan.known_seen, graph::weightOfCovariance(scan.covariance)});
+  return common;
 }
 
-/// Where the two ways to find it say the same.
-Pose2 alignmentOf(const Alike& alike) {
+bool areAlike(const Pose2& a, const Pose2& b) {
   constexpr double kLargestShift = 1.0, kLargestTurn = 0.15;  // [m], [rad]
-  if (!alike.landmarks && !alike.scans)
-    throw std::invalid_argument(
-        "the two sessions have nothing in common: no three landmarks that lie alike, and no scans "
-        "of one that are recognised in the map of the other");
-  if (!alike.landmarks) return alike.scans->known_drive;
-  const Pose2 first_second = alike.landmarks->first_second;
-  if (!alike.scans) return first_second;
-  const Pose2 error = first_second.between(alike.scans->known_drive);
-  if (error.position().norm() > kLargestShift || std::abs(error.theta()) > kLargestTurn)
-    throw std::invalid_argument(
-        "landmarks and scans contradict each other on how the two sessions lie; were tags moved?");
-  return first_second;
+  const Pose2 error = a.between(b);
+  return error.position().norm() <= kLargestShift && std::abs(error.theta()) <= kLargestTurn;
 }
 
 /// The covariance of each landmark that is asked for.
@@ -65,19 +57,6 @@ class Marginals {
   graph::Optimizer graph_;
 };
 
-SessionLinks linksOf(const Session& first, const std::vector<SharedLandmark>& shared,
-                     const Alike& alike) {
-  SessionLinks links{alignmentOf(alike), {}, {}};
-  if (alike.landmarks)
-    for (const auto i : alike.landmarks->agreeing)
-      links.landmarks.emplace_back(shared[i].first, shared[i].second);
-  if (alike.scans)
-    for (const auto& scan : alike.scans->scans)
-      links.places.push_back({scan.known, joinedNode(first, static_cast<Session::Index>(scan.seen)),
-                              scan.known_seen, graph::weightOfCovariance(scan.covariance)});
-  return links;
-}
-
 }  // namespace
 
 std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second) {
@@ -87,12 +66,12 @@ std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session&
   for (std::size_t i = 0; i < second.landmarks.size(); ++i) {
     const auto known = numbers.find(second.landmarks[i].id);
     if (known == numbers.end()) continue;
-    shared.push_back({known->second,
-                      i,
-                      first.landmarks[known->second].position,
-                      second.landmarks[i].position,
-                      {},
-                      {}});
+    SharedLandmark landmark;
+    landmark.first = known->second;
+    landmark.second = i;
+    landmark.in_first = first.landmarks[known->second].position;
+    landmark.in_second = second.landmarks[i].position;
+    shared.push_back(landmark);
   }
   if (shared.empty()) return shared;
   const Marginals in_first(first), in_second(second);
@@ -122,16 +101,39 @@ void settle(Session& session) {
   for (auto& scan : session.scans) scan.drawn = session.nodes[scan.node];
 }
 
+std::optional<SessionLinks> linksOf(const std::vector<SharedLandmark>& shared,
+                                    const std::optional<CommonScans>& scans) {
+  const auto landmarks = meetingOf(shared);
+  if (!landmarks && !scans) return std::nullopt;
+  if (landmarks && scans && !areAlike(landmarks->first_second, scans->first_second))
+    throw std::invalid_argument(
+        "landmarks and scans contradict each other on how the two sessions lie; were tags moved?");
+  SessionLinks links;
+  links.first_second = landmarks ? landmarks->first_second : scans->first_second;
+  if (landmarks)
+    for (const auto i : landmarks->agreeing)
+      links.landmarks.emplace_back(shared[i].first, shared[i].second);
+  if (scans) links.places = scans->places;
+  return links;
+}
+
+MergedSession mergedBy(const SessionLinks& links, const Session& first, const Session& second,
+                       GoesOn goes_on) {
+  MergedSession result{joined(first, second, links, goes_on), links.first_second,
+                       links.landmarks.size(), links.places.size()};
+  settle(result.session);
+  return result;
+}
+
 MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,
                      GoesOn goes_on) {
   requireJoinable(first, second);
   const auto shared = sharedLandmarks(first, second);
-  const Alike alike{meetingOf(shared), scansInCommon(first, second, settings)};
-  const auto links = linksOf(first, shared, alike);
-  MergedSession result{joined(first, second, links, goes_on), links.first_second,
-                       links.landmarks.size(), links.places.size(), shared.size()};
-  settle(result.session);
-  return result;
+  const auto links = linksOf(shared, commonScans(first, second, settings));
+  if (links) return mergedBy(*links, first, second, goes_on);
+  throw std::invalid_argument(
+      "the two sessions have nothing in common: no three landmarks that lie alike, and no scans of "
+      "one that are recognised in the map of the other");
 }
 
 }  // namespace slam::graph_slam

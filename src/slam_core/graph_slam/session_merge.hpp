@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "slam_core/graph_slam/landmark_meeting.hpp"
@@ -17,7 +18,6 @@ struct MergedSession {
   Session session;
   Pose2 first_second;                    ///< T_first_second, of the map frames, before the merge
   std::size_t landmarks = 0, scans = 0;  ///< that say so
-  std::size_t shared_landmarks = 0;      ///< that both have, by their ids
 };
 
 /// Puts the map of a second session onto that of a first one, in whose map frame the result is:
@@ -28,6 +28,21 @@ struct MergedSession {
 MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,
                      GoesOn goes_on);
 
+// The same in steps, for who recognises scans while it drives.
+
+/// Scans that both sessions have, and what they say.
+struct CommonScans {
+  Pose2 first_second;                    ///< T_first_second, of the map frames
+  std::vector<Session::Between> places;  ///< between nodes of the joined session
+};
+
+/// @return nothing where nothing is in common
+/// @throw std::invalid_argument where landmarks and scans contradict each other
+std::optional<SessionLinks> linksOf(const std::vector<SharedLandmark>& shared,
+                                    const std::optional<CommonScans>& scans);
+/// @throw std::invalid_argument where the joined graph does not come to rest
+MergedSession mergedBy(const SessionLinks& links, const Session& first, const Session& second,
+                       GoesOn goes_on);
 /// The landmarks that both sessions have, with their marginal covariances.
 std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second);
 

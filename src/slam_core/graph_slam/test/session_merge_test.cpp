@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/session_merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "slam_core/common/test/faults.hpp"
+#include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_core/graph_slam/session_file.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/test/component_driver.hpp"
+
+namespace slam::graph_slam {
+namespace {
+
+using test::RoomDrive;
+using test::sentenceOf;
+using test::SimulatedWorld;
+
+constexpr int kLap = 126, kRoomLap = 145;  // steps
+
+/// A back-end that drives from where its world is now, which is the origin of its map.
+struct Drive {
+  explicit Drive(bool has_grid) {
+    as<MapChooser>(*backend).useMap(has_grid ? MapKind::kGrid : MapKind::kLandmarks);
+    backend->configure(GraphConfig());
+  }
+  void take(SimulatedWorld& world, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      const auto step = world.next();
+      backend->set(step.motion);
+      backend->set(step.observations);
+      const auto status = backend->execute();
+      EXPECT_TRUE(status.isOk()) << status.message;
+      truth = step.truth;
+    }
+  }
+  void take(RoomDrive& room, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      const auto step = room.next();
+      give(step.motion, *backend);
+      give(step.scan, *backend);
+      backend->execute();
+      truth = step.truth;
+    }
+  }
+  Session session() const { return sessionOf(as<SessionKeeper>(*backend).session()); }
+
+  std::unique_ptr<GraphSlam> backend = std::make_unique<GraphSlam>();
+  Pose2 truth;  ///< in the frame of the world
+};
+
+/// Leaves out steps of a drive. @return where it then is
+template <class World>
+Pose2 skip(World& world, int steps) {
+  Pose2 truth;
+  for (int i = 0; i < steps; ++i) truth = world.next().truth;
+  return truth;
+}
+
+void expectNear(const Pose2& a, const Pose2& b, double distance, double angle) {
+  const Pose2 error = a.between(b);
+  EXPECT_LT(error.position().norm(), distance);
+  EXPECT_LT(std::abs(error.theta()), angle);
+}
+
+void expectTruth(const Session& session, const SimulatedWorld& world) {
+  EXPECT_EQ(session.landmarks.size(), world.landmarks().size());
+  for (const auto& landmark : session.landmarks)
+    EXPECT_LT((landmark.position - world.landmarks().at(landmark.id)).norm(), 0.15) << landmark.id;
+}
+
+/// Two drives past the same landmarks, the second one from elsewhere.
+class DrivesPastLandmarks : public testing::Test {
+ protected:
+  DrivesPastLandmarks() {
+    first.take(world, kLap + 20);
+    start = skip(again, 40);
+    second.take(again, kLap);
+  }
+  SimulatedWorld world{1}, again{2};
+  Drive first{false}, second{false};
+  Pose2 start;  ///< of the second one
+};
+
+TEST_F(DrivesPastLandmarks, BecomeOneMapInTheFrameOfTheFirst) {
+  const auto a = first.session(), b = second.session();
+  const auto merged = graph_slam::merged(a, b, {}, GoesOn::kFirst);
+  expectNear(merged.first_second, start, 0.1, 0.03);
+  EXPECT_GE(merged.landmarks, 12u);
+  EXPECT_EQ(merged.session.nodes.size(), a.nodes.size() + b.nodes.size());
+  expectTruth(merged.session, world);
+}
+
+TEST_F(DrivesPastLandmarks, GoOnWithTheRobotThatIsAskedFor) {
+  const auto a = first.session(), b = second.session();
+  Drive goes_on{false};
+  as<SessionKeeper>(*goes_on.backend)
+      .takeUp(bytesOf(graph_slam::merged(a, b, {}, GoesOn::kSecond).session));
+  goes_on.take(again, kLap);
+  expectNear(goes_on.backend->pose().pose, again.next().truth, 0.3, 0.1);
+  expectTruth(goes_on.session(), world);
+  const auto by_first = graph_slam::merged(a, b, {}, GoesOn::kFirst).session;
+  EXPECT_EQ(by_first.robot.node, a.robot.node);
+  EXPECT_EQ(by_first.stamp, a.stamp);
+}
+
+TEST_F(DrivesPastLandmarks, AreMergedTheSameWayEachTime) {
+  const auto a = first.session(), b = second.session();
+  EXPECT_EQ(bytesOf(graph_slam::merged(a, b, {}, GoesOn::kSecond).session),
+            bytesOf(graph_slam::merged(a, b, {}, GoesOn::kSecond).session));
+}
+
+TEST_F(DrivesPastLandmarks, LeaveOutATagThatWasMoved) {
+  auto b = second.session();
+  const auto before = b.landmarks.front();
+  b.landmarks.front().position += Eigen::Vector2d(2.0, 1.0);
+  const auto merged = graph_slam::merged(first.session(), b, {}, GoesOn::kFirst);
+  expectTruth(merged.session, world);
+  EXPECT_EQ(merged.session.landmarks.size(), world.landmarks().size()) << before.id;
+}
+
+TEST_F(DrivesPastLandmarks, HaveNothingInCommonWhereIdsDiffer) {
+  auto b = second.session();
+  for (auto& landmark : b.landmarks) landmark.id += 1000;
+  const auto a = first.session();
+  EXPECT_NE(
+      sentenceOf([&] { graph_slam::merged(a, b, {}, GoesOn::kFirst); }).find("nothing in common"),
+      std::string::npos);
+}
+
+TEST_F(DrivesPastLandmarks, AreNotMergedWithAGrid) {
+  RoomDrive room(1);
+  Drive grid{true};
+  grid.take(room, 20);
+  EXPECT_NE(sentenceOf([&] {
+              graph_slam::merged(first.session(), grid.session(), {}, GoesOn::kFirst);
+            }).find("one session has a grid"),
+            std::string::npos);
+}
+
+TEST_F(DrivesPastLandmarks, KeepALoadedMapAsTheFirst) {
+  Drive loaded{false};
+  as<MapKeeper>(*loaded.backend).set(as<MapKeeper>(*first.backend).state());
+  loaded.take(world, kLap);
+  EXPECT_NE(sentenceOf([&] {
+              graph_slam::merged(first.session(), loaded.session(), {}, GoesOn::kFirst);
+            }).find("give it as the first one"),
+            std::string::npos);
+}
+
+TEST_F(DrivesPastLandmarks, AreMergedWhileTheFirstDrivesOn) {
+  as<SessionMerger>(*first.backend).merge(bytesOf(second.session()));
+  first.take(world, 3);
+  EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
+  expectTruth(first.session(), world);
+  EXPECT_GT(first.session().nodes.size(), second.session().nodes.size() + kLap / 2);
+  first.take(world, kLap);
+  EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
+  expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
+}
+
+TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
+  RoomDrive room(1), again(2);
+  Drive first{true}, second{true};
+  first.take(room, kRoomLap);
+  const Pose2 start = skip(again, 60);
+  second.take(again, kRoomLap);
+  const auto merged = graph_slam::merged(first.session(), second.session(), {}, GoesOn::kSecond);
+  EXPECT_GE(merged.scans, 3u);
+  expectNear(merged.first_second, start, 0.1, 0.03);
+  Drive goes_on{true};
+  as<SessionKeeper>(*goes_on.backend).takeUp(bytesOf(merged.session));
+  goes_on.take(again, 30);
+  expectNear(goes_on.backend->pose().pose, goes_on.truth, 0.05, 0.02);
+  const auto grid = as<GridMapper>(*goes_on.backend).grid();
+  EXPECT_GT(test::shareOnWalls(*grid, room.room()), 0.9);
+}
+
+TEST(DrivesThroughARoom, AreMergedWhileOneDrives) {
+  RoomDrive room(3), again(4);
+  Drive first{true}, running{true};
+  first.take(room, kRoomLap);
+  const Pose2 start = skip(again, 60);
+  running.take(again, 5);
+  as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
+  running.take(again, kRoomLap);
+  EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
+  expectNear(running.backend->pose().pose, start.between(running.truth), 0.06, 0.03);
+  EXPECT_GT(running.session().scans.size(), first.session().scans.size());
+}
+
+}  // namespace
+}  // namespace slam::graph_slam

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/waiting_session.hpp"
+
+#include <unordered_map>
+#include <utility>
+
+#include "slam_core/graph/factors.hpp"
+
+namespace slam::graph_slam {
+
+WaitingSession::WaitingSession(Session session, const ScanSettings& settings)
+    : session_(std::move(session)) {
+  for (const auto& landmark : session_.landmarks) ids_.insert(landmark.id);
+  if (!session_.scans.empty()) meeting_.emplace(session_, settings);
+}
+
+void WaitingSession::see(const SharedScan& scan) {
+  constexpr std::size_t kEvery = 5;
+  if (!meeting_ || scans_++ % kEvery != 0) return;
+  if (meeting_->look(seen_.size(), *scan)) seen_.push_back(scan);
+}
+
+std::size_t WaitingSession::sharedWith(const LandmarkIds& running) const {
+  std::size_t shared = 0;
+  for (std::size_t i = 0; i < running.size(); ++i) shared += ids_.count(running[i]);
+  return shared;
+}
+
+bool WaitingSession::isDue(const LandmarkIds& running) const {
+  constexpr std::size_t kEnough = 3;
+  const bool has_scans = seen_.size() >= kEnough && seen_.size() > tried_scans_;
+  if (has_scans) return true;
+  const auto shared = sharedWith(running);
+  return shared >= kEnough && shared > tried_landmarks_;
+}
+
+/// What the scans of the running drive say that were recognised in the waiting map.
+std::optional<CommonScans> WaitingSession::commonScans(const Session& running) const {
+  if (!meeting_) return std::nullopt;
+  std::unordered_map<const LaserScan*, Session::Index> nodes;  // looked up only, never iterated
+  for (const auto& scan : running.scans) nodes[scan.scan.get()] = scan.node;
+  std::vector<std::optional<Pose2>> poses;
+  for (const auto& scan : seen_) {
+    const auto node = nodes.find(scan.get());
+    poses.emplace_back();
+    if (node != nodes.end()) poses.back() = running.nodes[node->second];
+  }
+  const auto agreed = meeting_->agreed(poses);
+  if (!agreed) return std::nullopt;
+  CommonScans common{agreed->known_drive.inverse(), {}};
+  for (const auto& scan : agreed->scans)
+    common.places.push_back({joinedNode(running, scan.known), nodes.at(seen_[scan.seen].get()),
+                             scan.known_seen, graph::weightOfCovariance(scan.covariance)});
+  return common;
+}
+
+std::optional<MergedSession> WaitingSession::merged(const Session& running) {
+  const auto shared = sharedLandmarks(running, session_);
+  tried_landmarks_ = shared.size();
+  tried_scans_ = seen_.size();
+  const auto links = linksOf(shared, commonScans(running));
+  if (!links) return std::nullopt;
+  return mergedBy(*links, running, session_, GoesOn::kFirst);
+}
+
+}  // namespace slam::graph_slam

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <unordered_set>
+#include <vector>
+
+#include "slam_core/graph_slam/landmark_ids.hpp"
+#include "slam_core/graph_slam/scan_meeting.hpp"
+#include "slam_core/graph_slam/session_merge.hpp"
+
+namespace slam::graph_slam {
+
+/// A session that waits to be merged with the running one: it watches for what both have seen.
+///
+/// Call order: see() for each scan that became a node; then, where isDue(), merged().
+class WaitingSession {
+ public:
+  WaitingSession(Session session, const ScanSettings& settings);
+  WaitingSession(const WaitingSession&) = delete;  // its parts point to one another
+  WaitingSession& operator=(const WaitingSession&) = delete;
+
+  /// Looks for every fifth of these scans in the waiting map, which takes some ten milliseconds.
+  void see(const SharedScan& scan);
+  /// Whether something has been recognised since merged() was called the last time.
+  bool isDue(const LandmarkIds& running) const;
+  /// Both as one in the frame of the running session, whose robot goes on.
+  /// @return nothing where too little is recognised
+  /// @throw std::invalid_argument with a sentence where they contradict each other
+  std::optional<MergedSession> merged(const Session& running);
+
+ private:
+  std::optional<CommonScans> commonScans(const Session& running) const;
+  std::size_t sharedWith(const LandmarkIds& running) const;
+
+  const Session session_;
+  std::unordered_set<LandmarkId> ids_;                 // looked up only, never iterated
+  std::optional<ScanMeeting> meeting_;                 ///< where it has scans
+  std::vector<SharedScan> seen_;                       ///< those that were recognised
+  std::size_t scans_ = 0;                              ///< that became nodes
+  std::size_t tried_landmarks_ = 0, tried_scans_ = 0;  ///< recognised when merged() was called
+};
+
+}  // namespace slam::graph_slam

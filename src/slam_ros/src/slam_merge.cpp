@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "slam_core/graph_slam/session_file.hpp"
+#include "slam_core/graph_slam/session_merge.hpp"
+
+namespace {
+
+namespace graph_slam = slam::graph_slam;
+
+constexpr int kFailed = 1, kWrongUse = 2;
+
+int fail(const std::string& sentence, int code) {
+  std::cerr << "slam_merge: " << sentence << std::endl;
+  return code;
+}
+
+struct Options {
+  std::string first, second, out;
+};
+
+/// A run's folder holds its session by this name.
+std::string fileOf(const std::string& name) {
+  const std::filesystem::path path(name);
+  return std::filesystem::is_directory(path) ? (path / "session.graph").string() : name;
+}
+
+void merge(const Options& options) {
+  const auto first = graph_slam::readSession(fileOf(options.first));
+  const auto second = graph_slam::readSession(fileOf(options.second));
+  graph_slam::ScanSettings settings;
+  if (first.kind.has_grid) settings.grid.resolution = first.kind.resolution;
+  const auto goes_on =
+      second.stamp < first.stamp ? graph_slam::GoesOn::kFirst : graph_slam::GoesOn::kSecond;
+  const auto merged = graph_slam::merged(first, second, settings, goes_on);
+  graph_slam::writeSession(options.out, merged.session);
+  const auto& shift = merged.first_second;
+  std::cout << fmt::format(
+      "recognised by {} landmarks and {} scans that both have\n"
+      "the second map lies at x {:.2f} m, y {:.2f} m, heading {:.3f} rad in the first\n"
+      "{}: {} nodes, {} landmarks, {} scans; the robot goes on from the end of {}\n",
+      merged.landmarks, merged.scans, shift.x(), shift.y(), shift.theta(), options.out,
+      merged.session.nodes.size(), merged.session.landmarks.size(), merged.session.scans.size(),
+      goes_on == graph_slam::GoesOn::kFirst ? options.first : options.second);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Puts the map of one graph session onto that of another one, by the landmarks and scans that "
+      "both have. The result is in the map frame of the first one.",
+      "slam_merge");
+  Options options;
+  app.add_option("FIRST", options.first, "a session's file, or the folder of a run")->required();
+  app.add_option("SECOND", options.second, "the session to put onto it")->required();
+  app.add_option("--out", options.out, "the file to write")->required();
+  try {
+    app.parse(argc, argv);
+    merge(options);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(std::string(error.what()) + "; --help lists the arguments", kWrongUse);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kFailed);
+  }
+  return 0;
+}
