@@ -4,6 +4,7 @@
 #include "slam_core/graph/bayes_tree.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "slam_core/graph/elimination.hpp"
@@ -15,6 +16,14 @@
 namespace slam::graph {
 
 Key BayesTree::addVariable(int rows) {
+  const auto has_rows = [&](Key key) { return rows_[index(key)] == rows; };
+  const auto free = std::find_if(free_keys_.begin(), free_keys_.end(), has_rows);
+  if (free != free_keys_.end()) {
+    const Key key = *free;
+    free_keys_.erase(free);
+    open_.push_back(key);
+    return key;
+  }
   const auto key = static_cast<Key>(rows_.size());
   offsets_.push_back(static_cast<int>(solution_.size()));
   rows_.push_back(rows);
@@ -26,6 +35,12 @@ Key BayesTree::addVariable(int rows) {
   solution_.conservativeResizeLike(Eigen::VectorXd::Zero(size));
   spread_.conservativeResizeLike(Eigen::VectorXd::Zero(size));
   return key;
+}
+
+void BayesTree::removeVariable(Key key) {
+  moveOrigin(key);
+  touched_.push_back(key);
+  removed_.push_back(key);
 }
 
 FactorId BayesTree::addFactor(QuadraticFactor factor) {
@@ -96,6 +111,28 @@ void BayesTree::openAll() {
   orphans_.erase(std::remove_if(orphans_.begin(), orphans_.end(), is_open), orphans_.end());
   roots_.erase(std::remove_if(roots_.begin(), roots_.end(), is_open), roots_.end());
   std::sort(open_.begin(), open_.end());
+  freeRemoved();
+}
+
+/// Every clique with a removed variable lay between one of its factors and the root, and is open.
+void BayesTree::freeRemoved() {
+  std::sort(removed_.begin(), removed_.end());
+  std::vector<Key> left;
+  std::set_difference(open_.begin(), open_.end(), removed_.begin(), removed_.end(),
+                      std::back_inserter(left));
+  open_ = std::move(left);
+  free_keys_.insert(free_keys_.end(), removed_.begin(), removed_.end());
+  removed_.clear();
+}
+
+/// Cliques that are not in use keep no matrices.
+void BayesTree::giveMemoryBack() {
+  for (const int i : free_) {
+    auto& unused = clique(i);
+    if (unused.columns.size() == 0) continue;
+    unused = {};
+    unused.is_open = true;
+  }
 }
 
 void BayesTree::update(const std::vector<Key>& last) {
@@ -104,6 +141,7 @@ void BayesTree::update(const std::vector<Key>& last) {
   open_.clear();
   open_factors_.clear();
   orphans_.clear();
+  giveMemoryBack();
 }
 
 void BayesTree::substitute(Clique& c) {

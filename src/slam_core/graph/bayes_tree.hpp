@@ -18,8 +18,12 @@ namespace slam::graph {
 /// Call order: any number of changes, then update(), then solve().
 class BayesTree {
  public:
-  /// @return the key of a new variable of as many rows
+  /// @return the key of a new variable of as many rows; that of one that was removed before the
+  /// last update(), where there is one
   Key addVariable(int rows);
+  /// Removes a variable that no factor holds any more. Its key is of no use until addVariable()
+  /// gives it again.
+  void removeVariable(Key key);
 
   FactorId addFactor(QuadraticFactor factor);
   /// Replaces H and g of a factor.
@@ -91,6 +95,8 @@ class BayesTree {
   int newClique();
   void open(int clique);
   void openAll();
+  void freeRemoved();
+  void giveMemoryBack();
   void substitute(Clique& clique);
   bool solve(Clique& clique, double threshold);
   std::vector<ForwardRows> forward(Key key) const;
@@ -101,6 +107,7 @@ class BayesTree {
   std::vector<int> free_, roots_;
   std::vector<StoredFactor> factors_;
   std::vector<FactorId> free_factors_;
+  std::vector<Key> free_keys_;
 
   // since the last update()
   std::vector<Key> open_;               ///< variables to eliminate
@@ -108,6 +115,7 @@ class BayesTree {
   std::vector<int> orphans_;            ///< cliques whose parents were taken off
   std::vector<int> changed_;            ///< cliques to open
   std::vector<Key> touched_;            ///< variables whose cliques are to open
+  std::vector<Key> removed_;            ///< variables that are gone
   int eliminated_rows_ = 0, undetermined_ = 0;
 
   Eigen::VectorXd solution_;

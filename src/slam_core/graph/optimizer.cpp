@@ -17,16 +17,21 @@ Eigen::VectorXd gradient(const LinearFactor& linear) { return -linear.J.transpos
 
 }  // namespace
 
-Key Optimizer::add(const Pose2& pose) {
-  terms_of_.emplace_back();
-  tree_.addVariable(3);
-  return variables_.add(pose);
+template <class Value>
+Key Optimizer::addVariable(const Value& value, int rows) {
+  const Key key = tree_.addVariable(rows);
+  variables_.put(key, value);
+  terms_of_.resize(variables_.size());
+  return key;
 }
 
-Key Optimizer::add(const Eigen::Vector2d& point) {
-  terms_of_.emplace_back();
-  tree_.addVariable(2);
-  return variables_.add(point);
+Key Optimizer::add(const Pose2& pose) { return addVariable(pose, 3); }
+
+Key Optimizer::add(const Eigen::Vector2d& point) { return addVariable(point, 2); }
+
+void Optimizer::removeVariable(Key key) {
+  moved_.erase(std::remove(moved_.begin(), moved_.end(), key), moved_.end());
+  tree_.removeVariable(key);
 }
 
 FactorId Optimizer::add(std::shared_ptr<const Factor> factor) {

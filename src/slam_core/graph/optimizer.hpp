@@ -38,8 +38,11 @@ class Optimizer {
  public:
   explicit Optimizer(const OptimizerLimits& limits = {}) : limits_(limits) {}
 
+  /// @return the key of a new variable, which may be that of one that was removed
   Key add(const Pose2& pose);
   Key add(const Eigen::Vector2d& point);
+  /// Removes a variable whose factors have all been removed.
+  void removeVariable(Key key);
   FactorId add(std::shared_ptr<const Factor> factor);
   void remove(FactorId id);
   /// Multiplies a factor's share of chi2 by a weight, which is 1 at first.
@@ -92,6 +95,8 @@ class Optimizer {
   bool isFurther(Key key, double limit) const {
     return tree_.solution(key).cwiseAbs().maxCoeff() > limit;
   }
+  template <class Value>
+  Key addVariable(const Value& value, int rows);
   void refresh(FactorId id);
   std::vector<Pose2> origins(const Factor& factor) const;
   LinearFactor atEstimate(const Factor& factor) const;

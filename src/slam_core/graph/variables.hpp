@@ -20,8 +20,9 @@ namespace slam::graph {
 /// the map frame: Jacobians by points turn with the map.
 class Variables {
  public:
-  Key add(const Pose2& pose) { return append({pose, 3}); }
-  Key add(const Eigen::Vector2d& point) { return append({{point.x(), point.y(), 0.0}, 2}); }
+  /// Puts a pose at a key, which is a new one or that of a pose that was removed.
+  void put(Key key, const Pose2& pose) { store(key, {pose, 3}); }
+  void put(Key key, const Eigen::Vector2d& point) { store(key, {{point.x(), point.y(), 0.0}, 2}); }
 
   std::size_t size() const { return variables_.size(); }
   /// 3 for a pose, 2 for a point.
@@ -40,11 +41,12 @@ class Variables {
  private:
   struct Variable {
     Pose2 pose;  ///< of a point: its position
-    int rows;
+    int rows = 0;
   };
-  Key append(const Variable& variable) {
-    variables_.push_back(variable);
-    return static_cast<Key>(variables_.size()) - 1;
+  void store(Key key, const Variable& variable) {
+    const auto i = static_cast<std::size_t>(key);
+    if (i >= variables_.size()) variables_.resize(i + 1);
+    variables_[i] = variable;
   }
 
   std::vector<Variable> variables_;

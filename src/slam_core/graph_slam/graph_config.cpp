@@ -47,6 +47,11 @@ void GraphConfig::describe(Fields& fields) {
       .in(Range::atLeast(0));
   fields.add("node_angle", &node_angle, "or has turned so far").unit("rad").in(Range::atLeast(0));
   fields
+      .add("nodes_per_place", &nodes_per_place,
+           "poses that a place of 1 m and 45 degrees keeps; later ones are removed some time after")
+      .unit("1")
+      .in(Range::closed(1, 1000000));
+  fields
       .add("iterations", &iterations,
            "a step optimises the graph at most so often, until poses no longer move by centimetres")
       .unit("1")

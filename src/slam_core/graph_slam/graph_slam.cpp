@@ -82,9 +82,11 @@ void GraphSlam::describe(Capabilities& capabilities) {
 Component::Figures GraphSlam::figures() const {
   constexpr double kMegabyte = 1e6;
   const auto cost = graph_->path.graph().cost();
-  Figures figures = {{"nodes", static_cast<double>(graph_->path.tail().nodes)},
-                     {"factor_megabytes", static_cast<double>(cost.bytes) / kMegabyte},
-                     {"eliminated_rows", cost.eliminated_rows}};
+  Figures figures = {
+      {"nodes", static_cast<double>(graph_->path.tail().nodes - graph_->reduction.removed())},
+      {"removed_nodes", static_cast<double>(graph_->reduction.removed())},
+      {"factor_megabytes", static_cast<double>(cost.bytes) / kMegabyte},
+      {"eliminated_rows", cost.eliminated_rows}};
   if (!graph_->scans) return figures;
   const auto& scans = *graph_->scans;
   figures.emplace_back("contradicting_ends", scans.doubt().agreement().contradictingShare());
@@ -97,8 +99,7 @@ Component::Figures GraphSlam::figures() const {
 }
 
 std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& start) const {
-  auto graph =
-      std::make_unique<Graph>(NodeLimits{config_.node_distance, config_.node_angle}, start);
+  auto graph = std::make_unique<Graph>(config_, start);
   if (uses_grid_) graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
   return graph;
 }
@@ -168,13 +169,14 @@ Status GraphSlam::execute() {
 Status GraphSlam::takeObservations() {
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
-  auto& [path, landmarks, scans, record] = *graph_;
+  auto& [path, landmarks, scans, record, reduction] = *graph_;
   const auto association = associator_.associate(z, landmarks, statistics_, counters_);
   if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
   const auto augmented = augment(association.unseen, z.sensor_pose);
   path.optimize(config_.iterations);
   record.add(z.stamp, path);
+  if (!scans) reduction.reduce();
   statistics_.landmarks = static_cast<int>(landmarks.ids().size());
   return summary(association, {augmented, reconsidered});
 }

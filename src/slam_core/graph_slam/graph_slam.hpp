@@ -23,6 +23,7 @@
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
 #include "slam_core/graph_slam/path_record.hpp"
+#include "slam_core/graph_slam/path_reduction.hpp"
 #include "slam_core/graph_slam/scan_graph.hpp"
 #include "slam_core/graph_slam/waiting_session.hpp"
 
@@ -89,11 +90,15 @@ class GraphSlam final : public Backend,
 
   /// The path and what hangs on it.
   struct Graph {
-    Graph(const NodeLimits& limits, const PoseEstimate& start) : path(limits, start) {}
+    Graph(const GraphConfig& config, const PoseEstimate& start)
+        : path({config.node_distance, config.node_angle}, start),
+          reduction({static_cast<std::size_t>(config.nodes_per_place), config.mapIsFixed()}, path,
+                    landmarks, record) {}
     PathGraph path;
     LandmarkGraph landmarks{path};
     std::optional<ScanGraph> scans;  ///< where there is a grid
     PathRecord record;
+    PathReduction reduction;
   };
   /// A session to go on with.
   struct Resumed {

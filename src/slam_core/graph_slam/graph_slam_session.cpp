@@ -63,7 +63,7 @@ std::string GraphSlam::session() const {
 }
 
 Session GraphSlam::snapshot() const {
-  const auto& [path, landmarks, scans, record] = *graph_;
+  const auto& [path, landmarks, scans, record, reduction] = *graph_;
   const auto loops = scans ? scans->loops().states() : std::vector<graph::RobustLoops::State>();
   const SessionNumbers numbers(path.graph(), landmarks.keys(), loops);
   Session session;
@@ -84,7 +84,7 @@ Session GraphSlam::snapshot() const {
 
 GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
   Resumed resumed{emptyGraph(session.robot.start), association::Sightings(), session.last_motion};
-  auto& [path, landmarks, scans, record] = *resumed.graph;
+  auto& [path, landmarks, scans, record, reduction] = *resumed.graph;
   path.read(session);
   landmarks.read(session);
   if (scans)
@@ -110,7 +110,7 @@ void GraphSlam::takeUp(const std::string& bytes) {
     resumed_ = std::move(taken);
     return;
   }
-  const auto& [path, landmarks, scans, record] = *taken.graph;
+  const auto& [path, landmarks, scans, record, reduction] = *taken.graph;
   const bool has_joint =
       !scans && landmarks.ids().size() <= static_cast<std::size_t>(config_.joint_limit);
   map_ = has_joint ? landmarks.state() : MapState{path.robot(), landmarks.map(), {}};

@@ -3,7 +3,6 @@
 
 #include "slam_core/graph_slam/landmark_graph.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -46,8 +45,7 @@ void LandmarkGraph::load(const MapState& map, double inflation) {
   } else {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto W = graph::weightOfCovariance(inflation * inflation * map.landmarks[i].covariance);
-      factors_of_[i].push_back(
-          graph.add(std::make_unique<graph::PointPrior>(keys_[i], points[i], W)));
+      index_.addPrior(i, graph.add(std::make_unique<graph::PointPrior>(keys_[i], points[i], W)));
     }
   }
   path_.optimize(1);
@@ -56,7 +54,7 @@ void LandmarkGraph::load(const MapState& map, double inflation) {
 void LandmarkGraph::addLandmark(LandmarkId id, const Eigen::Vector2d& place) {
   ids_.add(id);
   keys_.push_back(path_.graph().add(place));
-  factors_of_.emplace_back();
+  index_.addLandmark();
 }
 
 Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landmarks) const {
@@ -83,21 +81,19 @@ void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, cons
   const auto node = path_.nodeNearby();
   if (std::exchange(sightings_node_, node) != node) sightings_.clear();
   const auto& motion = path_.tail().motion;
-  Sighting sighting{-1, carriedBack(z, sensor), motion ? motion->increment * sensor : sensor};
+  Sighting sighting{carriedBack(z, sensor), motion ? motion->increment * sensor : sensor};
   auto& graph = path_.graph();
-  auto& factors = factors_of_[landmark];
   const auto known = sightings_.find(landmark);
   if (known != sightings_.end()) {
     const auto both = fused(known->second.z, known->second.sensor, sighting.z, sighting.sensor);
     if (!both) return;
     sighting.z = *both;
-    graph.remove(known->second.factor);
-    factors.erase(std::find(factors.begin(), factors.end(), known->second.factor));
+    graph.remove(index_.remove(landmark, node));
   }
-  sighting.factor = graph.add(std::make_unique<graph::RangeBearing>(
+  const auto factor = graph.add(std::make_unique<graph::RangeBearing>(
       node, keys_[landmark], sighting.sensor, sighting.z.vector(),
       graph::weightOfCovariance(sighting.z.covariance)));
-  factors.push_back(sighting.factor);
+  index_.add(landmark, node, factor);
   sightings_[landmark] = sighting;
 }
 
@@ -113,8 +109,7 @@ void LandmarkGraph::append(LandmarkId id, const Eigen::Vector2d& place,
 
 void LandmarkGraph::reinitialize(std::size_t landmark, const Eigen::Vector2d& place,
                                  const LandmarkObservation& z, const Pose2& sensor) {
-  for (const auto factor : factors_of_[landmark]) path_.graph().remove(factor);
-  factors_of_[landmark].clear();
+  for (const auto factor : index_.removeLandmark(landmark)) path_.graph().remove(factor);
   sightings_.erase(landmark);
   path_.graph().set(keys_[landmark], place);
   see(landmark, z, sensor);

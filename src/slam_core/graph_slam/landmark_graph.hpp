@@ -10,6 +10,7 @@
 
 #include "slam_core/graph_slam/landmark_ids.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/sighting_index.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam::graph_slam {
@@ -37,6 +38,7 @@ class LandmarkGraph {
 
   PoseEstimate robot() const { return path_.robot(); }
   const LandmarkIds& ids() const { return ids_; }
+  SightingIndex& sightings() { return index_; }
   Eigen::Vector2d point(std::size_t landmark) const {
     return path_.graph().pose(keys_[landmark]).position();
   }
@@ -66,7 +68,6 @@ class LandmarkGraph {
  private:
   /// What the last node knows of a landmark.
   struct Sighting {
-    graph::FactorId factor;
     LandmarkObservation z;
     Pose2 sensor;  ///< T_node_sensor
   };
@@ -77,8 +78,8 @@ class LandmarkGraph {
 
   PathGraph& path_;
   LandmarkIds ids_;
-  std::vector<graph::Key> keys_;                          ///< by number
-  std::vector<std::vector<graph::FactorId>> factors_of_;  ///< by landmark
+  std::vector<graph::Key> keys_;  ///< by number
+  SightingIndex index_;
 
   graph::Key sightings_node_ = -1;
   std::unordered_map<std::size_t, Sighting> sightings_;  ///< of this node, by landmark

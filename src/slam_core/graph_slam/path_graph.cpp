@@ -14,18 +14,6 @@
 
 namespace slam::graph_slam {
 
-Eigen::Matrix3d twistCovariance(const Pose2& pose, const Eigen::Matrix3d& of_coordinates) {
-  constexpr double kSmallestSigma = 1e-6;  // [m], [rad]
-  const Eigen::Matrix3d J_inverse = pose.twistJacobian().transpose();
-  return J_inverse * of_coordinates * J_inverse.transpose() +
-         kSmallestSigma * kSmallestSigma * Eigen::Matrix3d::Identity();
-}
-
-Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& of_twist) {
-  const Eigen::Matrix3d J = pose.twistJacobian();
-  return symmetric(J * of_twist * J.transpose());
-}
-
 PoseEstimate PathGraph::robot() const {
   PoseEstimate from = start_;
   if (tail_.node) {
@@ -81,6 +69,7 @@ void PathGraph::relocate(graph::Key node) {
   tail_.node = node;
   tail_.motion.reset();
   ++tail_.nodes;
+  chain_.start(node);
 }
 
 graph::Key PathGraph::nodeNearby() {
@@ -97,10 +86,9 @@ graph::Key PathGraph::addNode() {
   if (!tail_.node) {
     const auto W = graph::weightOfCovariance(twistCovariance(now.pose, now.covariance));
     graph_.add(std::make_unique<graph::PosePrior>(key, now.pose, W));
+    chain_.start(key);
   } else {
-    const Motion motion = tail_.motion.value_or(Motion());
-    const auto W = graph::weightOfCovariance(twistCovariance(motion.increment, motion.covariance));
-    graph_.add(std::make_unique<graph::Between>(*tail_.node, key, motion.increment, W));
+    chain_.append(*tail_.node, key, tail_.motion.value_or(Motion()));
   }
   tail_.node = key;
   ++tail_.nodes;

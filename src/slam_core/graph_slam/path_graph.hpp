@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "slam_core/graph/optimizer.hpp"
+#include "slam_core/graph_slam/node_chain.hpp"
+#include "slam_core/graph_slam/twist_covariance.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
 
@@ -27,14 +29,8 @@ struct NodeLimits {
 struct Tail {
   std::optional<graph::Key> node;  ///< the last one; none before the first one and where redrawn
   std::optional<Motion> motion;    ///< since then; nothing where the robot is there
-  std::size_t nodes = 0;           ///< of the whole path
+  std::size_t nodes = 0;           ///< of the whole path, with those that were removed
 };
-
-/// The covariance of a pose as a twist in its frame from that of its coordinates (x, y, theta),
-/// with a floor of a micrometre and a microradian.
-Eigen::Matrix3d twistCovariance(const Pose2& pose, const Eigen::Matrix3d& of_coordinates);
-/// The other way.
-Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& of_twist);
 
 /// The robot's path as a graph: a node for each pose from which something new was seen, and a
 /// factor of motion between one and the next. The robot is where the last node and the motion since
@@ -42,6 +38,8 @@ Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& o
 class PathGraph {
  public:
   PathGraph(const NodeLimits& limits, const PoseEstimate& start) : limits_(limits), start_(start) {}
+  PathGraph(const PathGraph&) = delete;  // its chain holds its graph
+  PathGraph& operator=(const PathGraph&) = delete;
 
   PoseEstimate robot() const;
   /// The covariance of the robot, as a twist in its frame, and of some variables of the graph.
@@ -71,10 +69,12 @@ class PathGraph {
 
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }
+  NodeChain& chain() { return chain_; }
 
  private:
   NodeLimits limits_;
   graph::Optimizer graph_;
+  NodeChain chain_{graph_};
   PoseEstimate start_;  ///< of the robot, while there is no node
   Tail tail_;
 };

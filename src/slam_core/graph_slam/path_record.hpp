@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 #include "slam_core/contract/stamped_pose.hpp"
@@ -13,11 +15,15 @@ namespace slam::graph_slam {
 struct Session;
 class SessionNumbers;
 
-/// The poses of all steps, told by the nodes before them, so that they follow the graph.
+/// The poses of all steps, told by the nodes before them, so that they follow the graph. It grows
+/// by 40 bytes a step.
 class PathRecord {
  public:
   /// The robot's pose now is one of the path.
   void add(Stamp stamp, const PathGraph& path);
+  /// The poses of a node that is about to go now follow another one, or stay where they are in the
+  /// map (-1).
+  void hang(graph::Key node, graph::Key to, const graph::Optimizer& graph);
   std::vector<StampedPose> poses(const graph::Optimizer& graph) const;
   void write(const SessionNumbers& numbers, Session& session) const;
   void read(const Session& session);
@@ -29,7 +35,14 @@ class PathRecord {
     graph::Key node;
     Pose2 pose;
   };
+  /// The marks of a node, and perhaps others between them.
+  struct Span {
+    std::size_t first, last;
+  };
+  void push(const Mark& mark);
+
   std::vector<Mark> marks_;
+  std::unordered_map<graph::Key, Span> spans_;  // looked up only, never iterated
 };
 
 }  // namespace slam::graph_slam

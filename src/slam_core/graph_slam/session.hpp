@@ -126,8 +126,8 @@ struct Session {
   };
 
   Kind kind;
-  Stamp stamp;               ///< of the last step
-  std::vector<Pose2> nodes;  ///< in the order in which they came
+  Stamp stamp;  ///< of the last step
+  std::vector<Pose2> nodes;
   std::vector<Landmark> landmarks;
   std::vector<Factor> factors;
   std::vector<Loop> loops;  ///< in the order in which they were found

@@ -19,11 +19,18 @@ Eigen::Matrix3d someWeight() {
   return (Eigen::Matrix3d() << 10, 2, -1, 0, 5, 3, 0, 0, 20).finished();
 }
 
+template <class Value>
+Key addTo(Variables& variables, const Value& value) {
+  const auto key = static_cast<Key>(variables.size());
+  variables.put(key, value);
+  return key;
+}
+
 /// Two poses and a point, and one factor of each kind, none of them satisfied.
 struct Example {
   Example() {
-    const Key a = variables.add(Pose2(1, 2, 0.7)), b = variables.add(Pose2(-0.5, 3, 2.9));
-    const Key m = variables.add(Eigen::Vector2d(4, 1));
+    const Key a = addTo(variables, Pose2(1, 2, 0.7)), b = addTo(variables, Pose2(-0.5, 3, 2.9));
+    const Key m = addTo(variables, Eigen::Vector2d(4, 1));
     factors.push_back(std::make_unique<PosePrior>(a, Pose2(1.1, 1.8, 0.4), someWeight()));
     factors.push_back(std::make_unique<PointPrior>(m, Eigen::Vector2d(4.2, 0.9),
                                                    someWeight().topLeftCorner<2, 2>()));
@@ -72,7 +79,7 @@ TEST(Factors, HaveTheJacobiansOfTheirResiduals) {
 TEST(Factors, HaveNoResidualWhereTheyAreSatisfied) {
   Variables variables;
   const Pose2 a(1, 2, 3), a_b(0.5, -0.2, 0.3);
-  const Key first = variables.add(a), second = variables.add(a * a_b);
+  const Key first = addTo(variables, a), second = addTo(variables, a * a_b);
   EXPECT_LT(linearized(Between(first, second, a_b, someWeight()), variables).r.norm(), 1e-12);
   EXPECT_LT(linearized(PosePrior(first, a, someWeight()), variables).r.norm(), 1e-12);
 }
@@ -81,10 +88,10 @@ TEST(Factors, HaveNoResidualWhereTheyAreSatisfied) {
 TEST(Factors, OfTwoPosesDoNotDependOnWhereThePosesAre) {
   Variables here, there;
   const Pose2 a(1, 2, 3), a_b(0.5, -0.2, 0.3), motion(10, -5, 2);
-  here.add(a);
-  here.add(a * a_b);
-  there.add(motion * a);
-  there.add(motion * a * a_b);
+  addTo(here, a);
+  addTo(here, a * a_b);
+  addTo(here, motion * a);
+  addTo(here, motion * a * a_b);
   const Between between(0, 1, Pose2(0.6, -0.1, 0.2), someWeight());
   EXPECT_TRUE(linearized(between, here).J.isApprox(linearized(between, there).J, 1e-12));
 }

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "slam_core/graph/optimizer.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam::graph_slam {
+
+struct Session;
+
+/// The nodes of the path in the order in which the robot passed them, with the factors of motion
+/// that join them. A node between two others can be removed: the motions beside it become one.
+class NodeChain {
+ public:
+  /// How a node is joined to the one before.
+  struct Link {
+    graph::FactorId factor = -1;
+    Pose2 increment;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the increment's coordinates
+    double way = 0.0;                                      ///< along all nodes between [m]
+    bool is_composed = false;                              ///< nodes between were removed
+  };
+  struct Node {
+    graph::Key before = -1, after = -1;
+    Link link;               ///< to the one before, where there is one
+    bool has_prior = false;  ///< something besides motions and sightings says where it is
+  };
+
+  /// @param graph outlives this
+  explicit NodeChain(graph::Optimizer& graph) : graph_(graph) {}
+
+  /// The path goes on from a node that has a prior of its own.
+  void start(graph::Key node);
+  /// Adds the factor of the motion from one node to a new one.
+  void append(graph::Key before, graph::Key node, const Motion& motion);
+  const Node& operator[](graph::Key node) const { return nodes_.at(node); }
+  std::size_t size() const { return nodes_.size(); }
+  /// The nodes that have come since the last call, in order.
+  std::vector<graph::Key> takeNew() { return std::exchange(new_, {}); }
+
+  /// Takes up the nodes and motions of a session, as if they had just come.
+  void read(const Session& session);
+
+  /// Removes a node that no other factors hold any more, with its variable.
+  void remove(graph::Key node);
+  /// Removes the motion between a node and the one before.
+  void cut(graph::Key node);
+
+ private:
+  void join(graph::Key before, graph::Key node, const Link& link);
+
+  graph::Optimizer& graph_;
+  std::unordered_map<graph::Key, Node> nodes_;  // looked up only, never iterated
+  std::vector<graph::Key> new_;
+};
+
+}  // namespace slam::graph_slam

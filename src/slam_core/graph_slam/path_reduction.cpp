@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/path_reduction.hpp"
+
+#include <algorithm>
+
+namespace slam::graph_slam {
+namespace {
+
+/// So many of the last nodes stay.
+constexpr std::size_t kWindow = 100;
+/// So many nodes before and after one at a new place stay with it and tie it to the map.
+constexpr std::size_t kLead = 5;
+/// A landmark that was seen from so many nodes is known.
+constexpr std::size_t kSightings = 30;
+/// Known landmarks that say where a node is, whatever the motion to it.
+constexpr int kTied = 2;
+/// A composed motion over a longer way tells nothing beside the map [m].
+constexpr double kLongestLink = 5.0;
+
+}  // namespace
+
+void PathReduction::reduce() {
+  for (const auto node : path_.chain().takeNew()) {
+    if (newest_ >= 0 && !landmarks_.sightings().seenFrom(newest_).empty())
+      window_.push_back(newest_);
+    newest_ = node;
+  }
+  for (; window_.size() > kWindow; window_.pop_front()) judge(window_.front());
+}
+
+void PathReduction::judge(graph::Key node) {
+  if (isNew(node)) {
+    keepLeaving();
+    places_.add(path_.graph().pose(node), node);
+    to_keep_ = kLead;
+  } else if (to_keep_ > 0) {
+    --to_keep_;
+  } else {
+    leaving_.push_back(node);
+  }
+  const std::size_t lead = limits_.map_is_fixed ? 0 : kLead;
+  for (; leaving_.size() > lead; leaving_.pop_front()) remove(leaving_.front());
+}
+
+void PathReduction::keepLeaving() {
+  leaving_.clear();
+  loose_ = -1;
+}
+
+bool PathReduction::isKnown(std::size_t landmark) const {
+  return limits_.map_is_fixed || landmarks_.sightings().count(landmark) > kSightings;
+}
+
+bool PathReduction::isNew(graph::Key node) const {
+  if (limits_.map_is_fixed) return false;
+  if (places_.count(path_.graph().pose(node)) < limits_.nodes_per_place) return true;
+  const auto& seen = landmarks_.sightings().seenFrom(node);
+  return !std::all_of(seen.begin(), seen.end(), [this](auto each) { return isKnown(each); });
+}
+
+/// Whether it would be known where the node is if nothing joined it to the one before.
+bool PathReduction::isTied(graph::Key node) const {
+  if (path_.chain()[node].has_prior) return true;
+  const auto& seen = landmarks_.sightings().seenFrom(node);
+  return std::count_if(seen.begin(), seen.end(), [this](auto each) { return isKnown(each); }) >=
+         kTied;
+}
+
+void PathReduction::remove(graph::Key node) {
+  const auto [before, after, link, has_prior] = path_.chain()[node];
+  if (has_prior) return;
+  if (before < 0 && !(after >= 0 && isTied(after))) {
+    loose_ = node;
+    return;
+  }
+  takeOff(node);
+  if (after < 0 || before < 0 || !isTied(after)) return;
+  if (before == loose_) {
+    takeOff(before);
+    loose_ = -1;
+  } else if (path_.chain()[after].link.way > kLongestLink && isTied(before)) {
+    path_.chain().cut(after);
+  }
+}
+
+void PathReduction::takeOff(graph::Key node) {
+  hangRecord(node);
+  for (const auto factor : landmarks_.sightings().removeNode(node)) path_.graph().remove(factor);
+  path_.chain().remove(node);
+  ++removed_;
+}
+
+/// The poses that hang on a node go to one at the same place, or to a neighbour. In a fixed map
+/// they are where they are.
+void PathReduction::hangRecord(graph::Key node) {
+  const auto& graph = path_.graph();
+  graph::Key to = -1;
+  if (!limits_.map_is_fixed) {
+    const auto& chain = path_.chain()[node];
+    to = places_.first(graph.pose(node)).value_or(chain.before >= 0 ? chain.before : chain.after);
+  }
+  record_.hang(node, to, graph);
+}
+
+}  // namespace slam::graph_slam

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/path_record.hpp"
+#include "slam_core/graph_slam/place_raster.hpp"
+
+namespace slam::graph_slam {
+
+struct ReductionLimits {
+  std::size_t nodes_per_place = 10;
+  bool map_is_fixed = false;  ///< no node is kept for the map's sake
+};
+
+/// Keeps the graph as large as the area, not as long as the way (a reduced pose graph: Johannsson,
+/// Kaess, Fallon, Leonard 2013). A node of some time ago is removed where enough older ones stand
+/// at its place and its landmarks have been seen often enough: its sightings go, and the motions
+/// beside it become one. What is left out is information, so the graph never claims to know more
+/// than it does.
+class PathReduction {
+ public:
+  /// @param path, landmarks, record outlive this
+  PathReduction(const ReductionLimits& limits, PathGraph& path, LandmarkGraph& landmarks,
+                PathRecord& record)
+      : limits_(limits), path_(path), landmarks_(landmarks), record_(record) {}
+
+  /// Removes what is to go by now; to be called after each step.
+  void reduce();
+  /// The number of nodes removed so far.
+  std::size_t removed() const { return removed_; }
+
+ private:
+  void judge(graph::Key node);
+  bool isNew(graph::Key node) const;
+  bool isKnown(std::size_t landmark) const;
+  bool isTied(graph::Key node) const;
+  void keepLeaving();
+  void remove(graph::Key node);
+  void hangRecord(graph::Key node);
+  void takeOff(graph::Key node);
+
+  ReductionLimits limits_;
+  PathGraph& path_;
+  LandmarkGraph& landmarks_;
+  PathRecord& record_;
+  PlaceRaster places_;
+  graph::Key newest_ = -1;
+  std::deque<graph::Key> window_;   ///< nodes that stay because they are recent
+  std::deque<graph::Key> leaving_;  ///< nodes to remove unless new ones follow at once
+  std::size_t to_keep_ = 0;         ///< nodes after a new one that stay with it
+  graph::Key loose_ = -1;           ///< a start of the path that goes as soon as the next is tied
+  std::size_t removed_ = 0;
+};
+
+}  // namespace slam::graph_slam

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/path_reduction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+
+namespace slam::graph_slam {
+namespace {
+
+using test::SimulatedWorld;
+
+constexpr int kRound = 126;  // steps of the world's robot around its circle
+
+GraphConfig reduced(int nodes_per_place = 1) {
+  GraphConfig config;
+  config.nodes_per_place = nodes_per_place;
+  return config;
+}
+
+/// Nothing is removed with it.
+GraphConfig whole() { return reduced(1000000); }
+
+double figureOf(const GraphSlam& graph, const std::string& name) {
+  for (const auto& [each, value] : graph.figures())
+    if (each == name) return value;
+  ADD_FAILURE() << "there is no figure " << name;
+  return NAN;
+}
+
+/// A back-end in a world of its own.
+struct Drive {
+  explicit Drive(const GraphConfig& config, std::uint64_t seed = 1) : world(seed) {
+    graph.configure(config);
+  }
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      const auto step = world.next();
+      graph.set(step.motion);
+      graph.set(step.observations);
+      ASSERT_NE(graph.execute().level, Status::Level::kError);
+      truth.push_back(step.truth);
+    }
+  }
+  double error() const { return (graph.pose().pose.position() - truth.back().position()).norm(); }
+
+  SimulatedWorld world;
+  GraphSlam graph;
+  std::vector<Pose2> truth;
+};
+
+TEST(PathReduction, KeepsTheGraphAsLargeAsTheArea) {
+  Drive drive(reduced());
+  drive.run(4 * kRound);
+  const double nodes = figureOf(drive.graph, "nodes");
+  const double megabytes = figureOf(drive.graph, "factor_megabytes");
+  drive.run(8 * kRound);
+  EXPECT_LT(figureOf(drive.graph, "nodes"), 1.2 * nodes);
+  EXPECT_LT(figureOf(drive.graph, "factor_megabytes"), 1.3 * megabytes);
+  EXPECT_GT(figureOf(drive.graph, "removed_nodes"), 7 * kRound);
+}
+
+TEST(PathReduction, RemovesNothingBeforeAPlaceIsFull) {
+  Drive drive(whole());
+  drive.run(3 * kRound);
+  EXPECT_EQ(figureOf(drive.graph, "removed_nodes"), 0.0);
+}
+
+/// What is left out is information.
+TEST(PathReduction, NeverKnowsMoreThanTheWholeGraph) {
+  Drive all(whole()), few(reduced());
+  for (int lap = 0; lap < 6; ++lap) {
+    all.run(kRound);
+    few.run(kRound);
+    const double ratio = few.graph.pose().covariance.trace() / all.graph.pose().covariance.trace();
+    EXPECT_GT(ratio, 0.98) << "lap " << lap;
+    EXPECT_LT(ratio, 4.0) << "lap " << lap;
+  }
+  EXPECT_GT(figureOf(few.graph, "removed_nodes"), 300.0);
+}
+
+TEST(PathReduction, LeavesErrorsAsSmallAsTheyAreTold) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Drive drive(reduced(), seed);
+    for (int lap = 0; lap < 6; ++lap) {
+      drive.run(kRound);
+      const auto [pose, covariance] = drive.graph.pose();
+      const Eigen::Vector3d error = drive.truth.back().between(pose).log();
+      sum += error.dot(twistCovariance(pose, covariance).ldlt().solve(error));
+      ++count;
+    }
+  }
+  EXPECT_LT(sum / count, 4.5) << "3 are expected";
+}
+
+TEST(PathReduction, LeavesAPoseForEachStep) {
+  Drive drive(reduced());
+  drive.run(5 * kRound);
+  ASSERT_GT(figureOf(drive.graph, "removed_nodes"), 100.0);
+  const auto path = as<PathReviser>(drive.graph).path();
+  ASSERT_EQ(path.size(), drive.truth.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_LT((path[i].pose.position() - drive.truth[i].position()).norm(), 0.3) << "step " << i;
+    if (i > 0) EXPECT_LT(path[i - 1].stamp, path[i].stamp);
+  }
+}
+
+TEST(PathReduction, KeepsNothingButTheRecentNodesInAFixedMap) {
+  Drive mapping(reduced());
+  mapping.run(3 * kRound);
+  auto config = reduced();
+  config.mode = BackendMode::kLocalization;
+  GraphSlam localising;
+  localising.configure(config);
+  auto map = as<MapKeeper>(mapping.graph).state();
+  for (const bool has_joint : {true, false}) {
+    if (!has_joint) map.joint_covariance = {};
+    localising.reset();
+    as<MapKeeper>(localising).set(map);
+    localising.execute();
+    const auto before = as<LandmarkMapper>(localising).landmarks();
+    auto world = mapping.world;
+    for (int i = 0; i < 4 * kRound; ++i) {
+      const auto step = world.next();
+      localising.set(step.motion);
+      localising.set(step.observations);
+      localising.execute();
+      ASSERT_LE(figureOf(localising, "nodes"), 110.0);
+      ASSERT_LT((localising.pose().pose.position() - step.truth.position()).norm(), 0.3);
+    }
+    const auto after = as<LandmarkMapper>(localising).landmarks();
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].position, before[i].position);
+    EXPECT_EQ(as<PathReviser>(localising).path().size(), std::size_t{4} * kRound);
+  }
+}
+
+TEST(PathReduction, BeginsAnewWithAReset) {
+  Drive fresh(reduced()), used(reduced(), 2);
+  used.run(4 * kRound);
+  used.graph.reset();
+  EXPECT_EQ(figureOf(used.graph, "removed_nodes"), 0.0);
+  used.world = SimulatedWorld(1);
+  fresh.run(4 * kRound);
+  used.run(4 * kRound);
+  EXPECT_GT(figureOf(fresh.graph, "removed_nodes"), 0.0);
+  EXPECT_EQ(fresh.graph.pose().pose.vector(), used.graph.pose().pose.vector());
+  EXPECT_EQ(fresh.graph.pose().covariance, used.graph.pose().covariance);
+}
+
+TEST(PathReduction, GoesOnWithAMapThatIsLoadedInBetween) {
+  Drive drive(reduced());
+  drive.run(4 * kRound);
+  as<MapKeeper>(drive.graph).set(as<MapKeeper>(drive.graph).state());
+  drive.run(4 * kRound);
+  EXPECT_LT(drive.error(), 0.2);
+  EXPECT_GT(figureOf(drive.graph, "removed_nodes"), 0.0);
+}
+
+TEST(PathReduction, IsNoNeedOfARobotThatStandsStill) {
+  Drive drive(reduced());
+  drive.run(kRound);
+  const double nodes = figureOf(drive.graph, "nodes");
+  auto step = drive.world.next();
+  step.motion.increment = Pose2();
+  step.motion.covariance = 1e-12 * Eigen::Matrix3d::Identity();
+  step.observations.observations.clear();
+  for (int i = 0; i < 5000; ++i) {
+    drive.graph.set(step.motion);
+    drive.graph.set(step.observations);
+    drive.graph.execute();
+  }
+  EXPECT_LE(figureOf(drive.graph, "nodes"), nodes + 1.0);
+}
+
+/// Motion may be as uncertain as an input may be (`kLargestInputSigmaLength`).
+TEST(PathReduction, BearsMotionOfWhichNothingIsKnown) {
+  Drive drive(reduced());
+  drive.run(2 * kRound);
+  for (int i = 0; i < 3 * kRound; ++i) {
+    auto step = drive.world.next();
+    step.motion.covariance = Eigen::Vector3d(1e6, 1e6, 1e2).asDiagonal();
+    drive.graph.set(step.motion);
+    drive.graph.set(step.observations);
+    ASSERT_NE(drive.graph.execute().level, Status::Level::kError);
+    ASSERT_TRUE(drive.graph.pose().pose.isFinite());
+    ASSERT_TRUE(drive.graph.pose().covariance.allFinite());
+  }
+}
+
+}  // namespace
+}  // namespace slam::graph_slam
