@@ -10,19 +10,16 @@
 
 namespace slam::graph_slam {
 
-struct Session;
-class SessionNumbers;
-
 /// The poses of all steps, told by the nodes before them, so that they follow the graph.
 class PathRecord {
  public:
   /// The robot's pose now is one of the path.
   void add(Stamp stamp, const PathGraph& path);
   std::vector<StampedPose> poses(const graph::Optimizer& graph) const;
-  void write(const SessionNumbers& numbers, Session& session) const;
-  void read(const Session& session);
 
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   /// Relative to a node, or in the map where there is none (-1).
   struct Mark {
     Stamp stamp;
