@@ -13,8 +13,8 @@ from slam_launch import launch_checks, ports
 from slam_launch.errors import ProductError
 
 DEFAULTS = dict.fromkeys(
-    ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "bag", "seed",
-     "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine", "backend_machine",
+    ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "load_session",
+     "bag", "seed", "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine", "backend_machine",
      "env_loader", "only"), "")
 DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
 
@@ -133,6 +133,17 @@ class LaunchChecks(unittest.TestCase):
         self.expect_refusal(f"mode:={sentence}", mode="localization")
         self.expect_refusal(f"set:=ekf.mode={sentence}", set="ekf.mode=localization")
         self.check(set="ekf.mode=localization", load_map=os.getcwd())
+        self.check(backend="graph", mode="localization", load_session=__file__)
+
+    def test_a_session_goes_without_a_map_and_to_a_backend_that_keeps_one(self):
+        self.expect_refusal("give load_map:= or load_session:=, not both", backend="graph",
+                            load_map=__file__, load_session=__file__)
+        self.expect_refusal("load_session:=/no/such: there is no such file", backend="graph",
+                            load_session="/no/such")
+        self.expect_refusal("the back-end ekf keeps no session: leave out load_session:=",
+                            load_session=__file__)
+        self.check(backend="graph", load_session=__file__)
+        self.assertIn("load_session", self.parts.read_text(encoding="utf-8"))
 
     def robot(self, content, **given):
         path = self.parts.parent / "robot.yaml"

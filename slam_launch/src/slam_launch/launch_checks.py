@@ -7,6 +7,8 @@ import pathlib
 import time
 import urllib.parse
 
+from catkin.find_in_workspaces import find_in_workspaces
+
 from . import config_files, machines, overrides, parameters, ports, products
 from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
@@ -14,8 +16,8 @@ from .feature_model import FeatureModel, text
 CHOICES = {"composition": ("pubsub", "inprocess"), "mode": ("slam", "localization"),
            "camera_transport": ("auto", "raw", "compressed"), "publish_tf": ("", "true", "false")}
 DEFAULTS = {"backend": "ekf", "odometry": "wheel"}  # of a launch without a product
-PATHS = {"bag": "frontend", "load_map": "backend", "output_dir": "backend",
-         "save_on_exit": "backend"}  # and the half that reads or writes there
+PATHS = {"bag": "frontend", "load_map": "backend", "load_session": "backend",
+         "output_dir": "backend", "save_on_exit": "backend"}  # and the half that reads or writes there
 URI = "file://"  # and an absolute path, percent-encoded
 OLD = 60  # [s], after which nobody reads a list of parts any more
 
@@ -29,7 +31,9 @@ def check_values(arguments):
                                f"{did_you_mean(arguments[key], known)}")
     require_map("mode:=", arguments["mode"], arguments)
     machines.check_machines(arguments)
-    for key, half in (("load_map", "backend"), ("bag", "frontend")):
+    if arguments["load_map"] and arguments["load_session"]:
+        raise ProductError("a session holds its map: give load_map:= or load_session:=, not both")
+    for key, half in (("load_map", "backend"), ("load_session", "backend"), ("bag", "frontend")):
         if arguments[key] and machines.runs_here(half, arguments):
             config_files.require_regular(f"{key}:={arguments[key]}", arguments[key],
                                          folder=key == "load_map")
@@ -42,7 +46,7 @@ def check_values(arguments):
 
 
 def require_map(key, mode, arguments):
-    if mode == "localization" and not arguments["load_map"]:
+    if mode == "localization" and not (arguments["load_map"] or arguments["load_session"]):
         raise ProductError(f"{key}{mode} keeps a map fixed and needs one: load_map:=FILE")
 
 
@@ -73,6 +77,16 @@ def configured(product, arguments, model):
     require_map(f"set:={backend}.mode=", given.get(f"{backend}.mode"), arguments)
     section = {**(product.content.get(backend) or {}), "mode": arguments["mode"]}
     return {**product.content, backend: section}
+
+
+def require_session_keeper(product, model):
+    """Refuses a session for a back-end whose launch file takes none."""
+    for name in model.launch_files(product.features)["backend"]:
+        for path in find_in_workspaces(["share"], *name.split("/", 1), first_match_only=True):
+            if 'name="load_session"' in pathlib.Path(path).read_text(encoding="utf-8"):
+                return
+    raise ProductError(f"the back-end {product.features['backend']} keeps no session: leave out "
+                       "load_session:= or take backend:=graph")
 
 
 def parts(product, arguments, model):
@@ -150,6 +164,8 @@ def product_for(arguments):
     model = FeatureModel()
     product = choose_product(arguments, model)
     content = configured(product, arguments, model)
+    if arguments["load_session"]:
+        require_session_keeper(product, model)
     groups = machines.groups(parts(product, arguments, model), arguments)
     write_parts(pathlib.Path(arguments["parts"]),
                 machines.launch_file(groups, common_arguments(product, arguments),

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <string>
+#include "slam_core/contract/session_keeper.hpp"
 
 namespace slam {
 
@@ -11,11 +11,11 @@ namespace slam {
 class SessionMerger {
  public:
   virtual ~SessionMerger() = default;
-  /// The session (SessionKeeper) waits until enough of it is recognised; then its map becomes part
+  /// The session waits until enough of it is recognised; then its map becomes part
   /// of this one, whose frame and pose stay. It takes the place of one that waits already.
   /// @throw std::runtime_error with what is wrong with the session, to stand behind its name; all
   /// stays as it is
-  virtual void merge(const std::string& session) = 0;
+  virtual void merge(const SavedSession& session) = 0;
 };
 
 }  // namespace slam

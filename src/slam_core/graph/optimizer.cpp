@@ -125,12 +125,15 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
   return false;
 }
 
-std::vector<std::shared_ptr<const Factor>> Optimizer::factors() const {
-  std::vector<std::shared_ptr<const Factor>> factors;
-  factors.reserve(terms_.size());
-  for (const auto& term : terms_) factors.push_back(term.factor);
-  return factors;
+GraphContents contentsOf(const Optimizer& graph) {
+  GraphContents contents;
+  for (const auto& term : graph.terms_) contents.factors.push_back(term.factor);
+  for (Key key = 0; key < static_cast<Key>(graph.variables_.size()); ++key)
+    contents.is_pose.push_back(graph.variables_.rows(key) == 3);
+  return contents;
 }
+
+void eliminate(Optimizer& graph, const std::vector<Key>& last) { graph.tree_.update(last); }
 
 double Optimizer::chi2(const Factor& factor) const { return atEstimate(factor).r.squaredNorm(); }
 

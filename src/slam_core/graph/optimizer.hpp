@@ -31,6 +31,11 @@ struct Innovation {
 };
 
 using FactorVisitor = std::function<void(const Factor& factor, double weight)>;
+/// What a graph holds, to be saved.
+struct GraphContents {
+  std::vector<std::shared_ptr<const Factor>> factors;  ///< by number; null where one was removed
+  std::vector<bool> is_pose;                           ///< of each variable there has ever been
+};
 
 /// Nonlinear least squares over a graph that grows: one Gauss-Newton step for each update(), of
 /// which only what has changed is computed.
@@ -56,8 +61,6 @@ class Optimizer {
   /// would linearise them again
   /// @throw std::domain_error where factors hold values that are not finite
   bool update(const std::vector<Key>& last);
-  /// Brings covariances up to date where no variable is to move, as in a graph that was saved.
-  void eliminate(const std::vector<Key>& last) { tree_.update(last); }
   /// Steps in which nothing is left out, until they are over.
   /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1
   /// mrad
@@ -74,17 +77,15 @@ class Optimizer {
   double chi2() const;  ///< of all factors, with their weights
   /// Compares factors that are not in the graph with what the graph predicts of them.
   Innovation innovation(const std::vector<const Factor*>& factors) const;
-  /// The factors of the graph by their numbers; null where one was removed.
-  std::vector<std::shared_ptr<const Factor>> factors() const;
-  /// How many variables there have ever been; their keys are smaller.
-  std::size_t variables() const { return variables_.size(); }
-  bool isPose(Key key) const { return variables_.rows(key) == 3; }
   BayesTree::Cost cost() const { return tree_.cost(); }
 
   /// Shows each factor of the graph with its weight, in the order of their ids.
   friend void visitFactors(const Optimizer& graph, const FactorVisitor& look);
 
  private:
+  friend GraphContents contentsOf(const Optimizer& graph);
+  friend void eliminate(Optimizer& graph, const std::vector<Key>& last);
+
   struct Term {
     std::shared_ptr<const Factor> factor;
     double weight = 1.0;
@@ -108,5 +109,10 @@ class Optimizer {
   BayesTree tree_;
   std::vector<Key> moved_;  ///< by the last step
 };
+
+GraphContents contentsOf(const Optimizer& graph);
+/// Brings covariances up to date where no variable is to move, as in a graph that was saved.
+/// @throw std::domain_error as Optimizer::update()
+void eliminate(Optimizer& graph, const std::vector<Key>& last);
 
 }  // namespace slam::graph

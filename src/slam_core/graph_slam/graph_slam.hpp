@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "slam_core/association/sightings.hpp"
@@ -25,6 +24,7 @@
 #include "slam_core/graph_slam/path_record.hpp"
 #include "slam_core/graph_slam/path_reduction.hpp"
 #include "slam_core/graph_slam/scan_graph.hpp"
+#include "slam_core/graph_slam/session.hpp"
 #include "slam_core/graph_slam/waiting_session.hpp"
 
 namespace slam::graph_slam {
@@ -73,9 +73,9 @@ class GraphSlam final : public Backend,
   UpdateStatistics statistics() const override { return statistics_; }
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
-  std::string session() const override;
-  void takeUp(const std::string& session) override;
-  void merge(const std::string& session) override;
+  SavedSession session() const override;
+  void set(const SavedSession& session) override;
+  void merge(const SavedSession& session) override;
   std::vector<StampedPose> path() const override {
     return graph_->record.poses(graph_->path.graph());
   }

@@ -9,7 +9,7 @@
 
 #include "slam_core/graph_slam/graph_slam.hpp"
 #include "slam_core/graph_slam/session_file.hpp"
-#include "slam_core/graph_slam/session_graph.hpp"
+#include "slam_core/graph_slam/session_parts.hpp"
 #include "slam_core/models/motion_gap.hpp"
 
 // How the back-end saves a session and goes on from one.
@@ -54,24 +54,24 @@ void GraphSlam::set(const Motion& motion) {
   motion_ = motion_ ? joined(*motion_, whole) : whole;
 }
 
-std::string GraphSlam::session() const {
+SavedSession GraphSlam::session() const {
   if (config_.mapIsFixed())
     throw std::runtime_error(
         "with graph.mode: localization nothing is added to a session: the one that was loaded is "
         "still in its file");
-  return bytesOf(snapshot());
+  return {bytesOf(snapshot())};
 }
 
 Session GraphSlam::snapshot() const {
   const auto& [path, landmarks, scans, record, reduction] = *graph_;
   const auto loops = scans ? scans->loops().states() : std::vector<graph::RobustLoops::State>();
-  const SessionNumbers numbers(path.graph(), landmarks.keys(), loops);
+  const auto numbers = SessionParts::numbersOf(path, landmarks, loops);
   Session session;
   session.kind = {uses_grid_, uses_grid_ ? grid_config_.resolution : 0.0};
-  path.write(numbers, session);
-  landmarks.write(numbers, session);
-  if (scans) scans->write(numbers, session);
-  record.write(numbers, session);
+  SessionParts::write(path, numbers, session);
+  SessionParts::write(landmarks, numbers, session);
+  if (scans) SessionParts::write(*scans, numbers, session);
+  SessionParts::write(record, numbers, session);
   if (!session.path.empty()) session.stamp = session.path.back().stamp;
   for (auto& landmark : session.landmarks) {
     const auto seen = sightings_.record(landmark.id);
@@ -85,25 +85,26 @@ Session GraphSlam::snapshot() const {
 GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
   Resumed resumed{emptyGraph(session.robot.start), association::Sightings(), session.last_motion};
   auto& [path, landmarks, scans, record, reduction] = *resumed.graph;
-  path.read(session);
-  landmarks.read(session);
+  SessionParts::read(session, path);
+  SessionParts::read(session, landmarks);
   if (scans)
-    if (const auto status = scans->read(session); status.level == Status::Level::kError)
+    if (const auto status = SessionParts::read(session, *scans);
+        status.level == Status::Level::kError)
       throw std::runtime_error(status.message);
-  record.read(session);
+  SessionParts::read(session, record);
   for (const auto& landmark : session.landmarks)
     resumed.sightings.set(landmark.id, {landmark.fits, landmark.misses});
   try {
-    path.graph().eliminate(path.tail().node ? std::vector<graph::Key>{*path.tail().node}
-                                            : std::vector<graph::Key>());
+    const auto& last = path.tail().node;
+    eliminate(path.graph(), last ? std::vector{*last} : std::vector<graph::Key>());
   } catch (const std::domain_error&) {
     throw std::runtime_error("its values are too large to compute with: save the session again");
   }
   return resumed;
 }
 
-void GraphSlam::takeUp(const std::string& bytes) {
-  const auto session = sessionOf(bytes);
+void GraphSlam::set(const SavedSession& saved) {
+  const auto session = sessionOf(saved.bytes);
   requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
   auto taken = resumed(session);
   if (!config_.mapIsFixed()) {
@@ -117,11 +118,11 @@ void GraphSlam::takeUp(const std::string& bytes) {
   if (scans) map_->grid = scans->grid();
 }
 
-void GraphSlam::merge(const std::string& bytes) {
+void GraphSlam::merge(const SavedSession& saved) {
   if (config_.mapIsFixed())
     throw std::runtime_error(
         "with graph.mode: localization nothing is added to the map: merge while mapping");
-  auto session = sessionOf(bytes);
+  auto session = sessionOf(saved.bytes);
   requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
   if (hasLoadedMap(session))
     throw std::runtime_error(

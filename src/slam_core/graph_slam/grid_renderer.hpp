@@ -17,9 +17,6 @@
 
 namespace slam::graph_slam {
 
-struct Session;
-class SessionNumbers;
-
 /// The whole grid, drawn of the scans of all nodes where the graph has them. A scan keeps
 /// its place in the drawing until its node has moved by half a cell; then all scans are drawn
 /// again. What is drawn does not depend on when it is asked for.
@@ -38,11 +35,10 @@ class GridRenderer {
   /// The memory of the scans, and the most that a drawing of them takes: it must not matter whether
   /// somebody has asked for one.
   double mostBytes() const;
-  /// Writes the scans and the grid below them.
-  void write(const SessionNumbers& numbers, Session& session) const;
-  void read(const Session& session);
 
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   struct Scan {
     graph::Key node;
     Pose2 pose;  ///< as it is to be drawn

@@ -15,9 +15,6 @@
 
 namespace slam::graph_slam {
 
-struct Session;
-class SessionNumbers;
-
 /// An observation of a landmark of the graph.
 struct Match {
   std::size_t landmark = 0;
@@ -57,15 +54,12 @@ class LandmarkGraph {
   /// Removes all factors of a landmark and re-initialises it at this place.
   void reinitialize(std::size_t landmark, const Eigen::Vector2d& place,
                     const LandmarkObservation& z, const Pose2& sensor);
-  const std::vector<graph::Key>& keys() const { return keys_; }  ///< by number
-  /// Writes the landmarks and what the last node has seen of them.
-  void write(const SessionNumbers& numbers, Session& session) const;
-  /// Takes up the landmarks of a session that the path has read.
-  void read(const Session& session);
   LandmarkMap map() const;  ///< sorted by id, with marginals
   MapState state() const;   ///< sorted by id, with the joint covariance
 
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   /// What the last node knows of a landmark.
   struct Sighting {
     LandmarkObservation z;

@@ -13,8 +13,6 @@
 
 namespace slam::graph_slam {
 
-struct Session;
-
 /// The nodes of the path in the order in which the robot passed them, with the factors of motion
 /// that join them. A node between two others can be removed: the motions beside it become one.
 class NodeChain {
@@ -45,15 +43,14 @@ class NodeChain {
   /// The nodes that have come since the last call, in order.
   std::vector<graph::Key> takeNew() { return std::exchange(new_, {}); }
 
-  /// Takes up the nodes and motions of a session, as if they had just come.
-  void read(const Session& session);
-
   /// Removes a node that no other factors hold any more, with its variable.
   void remove(graph::Key node);
   /// Removes the motion between a node and the one before.
   void cut(graph::Key node);
 
  private:
+  friend struct SessionParts;  // takes up the nodes of a session as if they had just come
+
   void join(graph::Key before, graph::Key node, const Link& link);
 
   graph::Optimizer& graph_;

@@ -16,9 +16,6 @@
 
 namespace slam::graph_slam {
 
-struct Session;
-class SessionNumbers;
-
 /// When the graph gets a new pose: the robot has moved so far since the last one.
 struct NodeLimits {
   double distance = 0.05;  ///< [m]
@@ -62,16 +59,13 @@ class PathGraph {
   /// @param most_iterations at most so many
   void optimize(int most_iterations);
 
-  /// Writes the nodes, the factors and where the robot is.
-  void write(const SessionNumbers& numbers, Session& session) const;
-  /// Takes up the variables and factors of a session, in the place of an empty graph.
-  void read(const Session& session);
-
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }
   NodeChain& chain() { return chain_; }
 
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   NodeLimits limits_;
   graph::Optimizer graph_;
   NodeChain chain_{graph_};

@@ -12,9 +12,6 @@
 
 namespace slam::graph_slam {
 
-struct Session;
-class SessionNumbers;
-
 /// The poses of all steps, told by the nodes before them, so that they follow the graph. It grows
 /// by 40 bytes a step.
 class PathRecord {
@@ -25,10 +22,10 @@ class PathRecord {
   /// map (-1).
   void hang(graph::Key node, graph::Key to, const graph::Optimizer& graph);
   std::vector<StampedPose> poses(const graph::Optimizer& graph) const;
-  void write(const SessionNumbers& numbers, Session& session) const;
-  void read(const Session& session);
 
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   /// Relative to a node, or in the map where there is none (-1).
   struct Mark {
     Stamp stamp;

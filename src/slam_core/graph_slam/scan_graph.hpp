@@ -46,11 +46,6 @@ class ScanGraph {
   std::uint64_t gridRevision() const { return renderer_.revision(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const graph::RobustLoops& loops() const { return loops_; }
-  /// Writes scans, submaps and loops.
-  void write(const SessionNumbers& numbers, Session& session) const;
-  /// Takes up the scans of a session that the path has read.
-  /// @return as load(), of the grid that the session began with
-  Status read(const Session& session);
   /// The most memory that it takes; the same whether somebody has asked for the grid or not.
   double mostBytes() const { return static_cast<double>(submaps_.bytes()) + renderer_.mostBytes(); }
   /// What came of the loops with the last scan.
@@ -60,6 +55,8 @@ class ScanGraph {
   friend GraphView viewOf(const graph::Optimizer& graph, const ScanGraph* scans);
 
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp,
                              Counters& counters);
   void noteNode();

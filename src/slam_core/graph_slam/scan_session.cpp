@@ -5,11 +5,7 @@
 
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/graph_slam/loaded_grid.hpp"
-#include "slam_core/graph_slam/scan_graph.hpp"
-#include "slam_core/graph_slam/session_graph.hpp"
-
-// How scans, submaps and loops go into a session and out of it: the part of each class that writes
-// and reads its own members.
+#include "slam_core/graph_slam/session_parts.hpp"
 
 namespace slam::graph_slam {
 namespace {
@@ -26,31 +22,33 @@ Session::Submap recordOf(const Submap& submap, const SessionNumbers& numbers,
 
 }  // namespace
 
-void GridRenderer::write(const SessionNumbers& numbers, Session& session) const {
-  for (const auto& [node, pose, scan] : scans_)
+void SessionParts::write(const GridRenderer& renderer, const SessionNumbers& numbers,
+                         Session& session) {
+  for (const auto& [node, pose, scan] : renderer.scans_)
     session.scans.push_back({numbers.variable(node), pose, scan});
-  session.base = base_;
+  session.base = renderer.base_;
 }
 
-void GridRenderer::read(const Session& session) {
-  if (session.base) startWith(*session.base);
-  for (const auto& [node, drawn, scan] : session.scans) add(keyOfNode(node), drawn, scan);
+void SessionParts::read(const Session& session, GridRenderer& renderer) {
+  if (session.base) renderer.startWith(*session.base);
+  for (const auto& [node, drawn, scan] : session.scans) renderer.add(keyOfNode(node), drawn, scan);
 }
 
-void Submaps::write(const SessionNumbers& numbers, const ScanNumbers& scans,
-                    Session& session) const {
+void SessionParts::write(const Submaps& submaps, const SessionNumbers& numbers,
+                         const ScanNumbers& scans, Session& session) {
   auto& to = session.submaps;
-  for (const auto& [submap, ended, used] : finished_)
+  for (const auto& [submap, ended, used] : submaps.finished_)
     to.finished.push_back(recordOf(submap, numbers, scans, ended));
-  if (!older_.isEmpty()) to.older = recordOf(older_, numbers, scans, 0.0);
-  if (younger_) to.younger = recordOf(*younger_, numbers, scans, 0.0);
-  to.gone = gone_;
-  to.renewed = renewed_;
-  to.last = last_;
+  if (!submaps.older_.isEmpty()) to.older = recordOf(submaps.older_, numbers, scans, 0.0);
+  if (submaps.younger_) to.younger = recordOf(*submaps.younger_, numbers, scans, 0.0);
+  to.gone = submaps.gone_;
+  to.renewed = submaps.renewed_;
+  to.last = submaps.last_;
 }
 
-void Submaps::read(const Session& session, std::unique_ptr<scan_matching::ScanMap> base) {
-  const auto models = scan_matching::levelModels(config_);
+void SessionParts::read(const Session& session, std::unique_ptr<scan_matching::ScanMap> base,
+                        Submaps& submaps) {
+  const auto models = scan_matching::levelModels(submaps.config_);
   const auto restored = [&](const Session::Submap& record) {
     std::vector<SharedScan> scans;
     std::vector<Pose2> poses;
@@ -59,7 +57,7 @@ void Submaps::read(const Session& session, std::unique_ptr<scan_matching::ScanMa
       poses.push_back(pose);
     }
     if (!record.is_base)
-      return Submap(config_, keyOfNode(record.origin), record.odom_origin, std::move(scans),
+      return Submap(submaps.config_, keyOfNode(record.origin), record.odom_origin, std::move(scans),
                     std::move(poses));
     Submap submap(std::move(base), keyOfNode(record.origin), placesIn(*session.base));
     constexpr double kNoMatter = 1.0;  // ends to match with a map are not needed to draw one
@@ -69,53 +67,54 @@ void Submaps::read(const Session& session, std::unique_ptr<scan_matching::ScanMa
     return submap;
   };
   const auto& from = session.submaps;
-  for (const auto& record : from.finished) finished_.push_back({restored(record), record.ended, 0});
-  if (from.older) older_ = restored(*from.older);
-  if (from.younger) younger_ = restored(*from.younger);
-  older_.map();  // these two are drawn on
-  if (younger_) younger_->map();
-  gone_ = from.gone;
-  renewed_ = from.renewed;
-  last_ = from.last;
+  for (const auto& record : from.finished)
+    submaps.finished_.push_back({restored(record), record.ended, 0});
+  if (from.older) submaps.older_ = restored(*from.older);
+  if (from.younger) submaps.younger_ = restored(*from.younger);
+  submaps.older_.map();  // these two are drawn on
+  if (submaps.younger_) submaps.younger_->map();
+  submaps.gone_ = from.gone;
+  submaps.renewed_ = from.renewed;
+  submaps.last_ = from.last;
 }
 
-void ScanGraph::write(const SessionNumbers& numbers, Session& session) const {
-  renderer_.write(numbers, session);
+void SessionParts::write(const ScanGraph& graph, const SessionNumbers& numbers, Session& session) {
+  write(graph.renderer_, numbers, session);
   ScanNumbers scans;
   for (std::size_t i = 0; i < session.scans.size(); ++i)
     scans[session.scans[i].scan.get()] = static_cast<Session::Index>(i);
-  submaps_.write(numbers, scans, session);
-  for (const auto& [factor, is_believed, weight, is_alone] : loops_.states()) {
-    const auto& between = static_cast<const graph::Between&>(*factor);
+  write(graph.submaps_, numbers, scans, session);
+  for (const auto& [factor, is_believed, weight, is_alone] : graph.loops_.states()) {
+    const auto& between = static_cast<const slam::graph::Between&>(*factor);
     session.loops.push_back(
         {graph_slam::recordOf(between, numbers), is_believed, weight, is_alone});
   }
   auto& to = session.submaps;
-  to.robot = tracker_.robot();
-  to.node = numbers.variable(node_);
-  to.node_in_odom = node_in_odom_;
-  to.carried = carried_;
+  to.robot = graph.tracker_.robot();
+  to.node = numbers.variable(graph.node_);
+  to.node_in_odom = graph.node_in_odom_;
+  to.carried = graph.carried_;
 }
 
-Status ScanGraph::read(const Session& session) {
+Status SessionParts::read(const Session& session, ScanGraph& graph) {
   Status status;
   std::unique_ptr<scan_matching::ScanMap> base;
   if (session.base) {
-    auto loaded = drawn(*session.base, grid_config_);
+    auto loaded = drawn(*session.base, graph.grid_config_);
     status = loaded.status;
     if (status.level == Status::Level::kError) return status;
     base = std::move(loaded.map);
   }
   const auto& from = session.submaps;
-  submaps_.read(session, std::move(base));
-  renderer_.read(session);
-  loops_.restore(loopsOf(session));
-  tracker_.restart(from.robot);
-  if (!session.scans.empty()) trigger_.note(from.last);
-  node_.reset();
-  if (from.node) node_ = keyOfNode(*from.node);
-  node_in_odom_ = from.node_in_odom;
-  carried_ = from.carried;
+  read(session, std::move(base), graph.submaps_);
+  read(session, graph.renderer_);
+  graph.loops_.restore(loopsOf(session));
+  graph.tracker_.restart(from.robot);
+  if (!session.scans.empty()) graph.trigger_.note(from.last);
+  graph.node_.reset();
+  if (from.node) graph.node_ = keyOfNode(*from.node);
+  graph.node_in_odom_ = from.node_in_odom;
+  graph.carried_ = from.carried;
   return status;
 }
 

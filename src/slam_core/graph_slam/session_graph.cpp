@@ -80,12 +80,13 @@ class FactorBuilder {
 
 SessionNumbers::SessionNumbers(const graph::Optimizer& graph,
                                const std::vector<graph::Key>& landmarks,
-                               const std::vector<graph::RobustLoops::State>& loops)
-    : variables_(graph.variables()) {
+                               const std::vector<graph::RobustLoops::State>& loops) {
+  const auto contents = graph::contentsOf(graph);
+  variables_.resize(contents.is_pose.size());
   std::unordered_set<const graph::Factor*> left_out;  // looked up only, never iterated
   for (const auto& loop : loops) left_out.insert(loop.factor.get());
-  std::vector<char> is_used(graph.variables(), 0);
-  for (const auto& factor : graph.factors()) {
+  std::vector<char> is_used(contents.is_pose.size(), 0);
+  for (const auto& factor : contents.factors) {
     factors_.push_back(static_cast<Session::Index>(in_order_.size()));
     if (!factor) continue;
     for (const auto key : factor->keys()) is_used[static_cast<std::size_t>(key)] = 1;
@@ -94,7 +95,7 @@ SessionNumbers::SessionNumbers(const graph::Optimizer& graph,
   for (std::size_t i = 0; i < landmarks.size(); ++i)
     variables_[static_cast<std::size_t>(landmarks[i])] = static_cast<Session::Index>(i);
   for (std::size_t key = 0; key < is_used.size(); ++key) {
-    if (is_used[key] == 0 || !graph.isPose(static_cast<graph::Key>(key))) continue;
+    if (is_used[key] == 0 || !contents.is_pose[key]) continue;
     variables_[key] = static_cast<Session::Index>(nodes_.size());
     nodes_.push_back(static_cast<graph::Key>(key));
   }

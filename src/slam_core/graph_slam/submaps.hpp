@@ -4,20 +4,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "slam_core/graph_slam/submap.hpp"
 
 namespace slam::graph_slam {
-
-struct Session;
-class SessionNumbers;
-/// The numbers of scans in a session, by their addresses; looked up only.
-using ScanNumbers = std::unordered_map<const LaserScan*, std::uint32_t>;
 
 /// The submaps of a path. Two are drawn at a time, begun in turn: scans are matched with the older
 /// one, so that it always holds at least the given way, until it is finished (Hess et al. 2016). Of
@@ -49,11 +41,9 @@ class Submaps {
   double way() const { return gone_; }
   std::size_t bytes() const;  ///< of all drawings
 
-  void write(const SessionNumbers& numbers, const ScanNumbers& scans, Session& session) const;
-  /// @param base the session's loaded grid, where it has one
-  void read(const Session& session, std::unique_ptr<scan_matching::ScanMap> base);
-
  private:
+  friend struct SessionParts;  // writes and reads its members
+
   void renew();
   void giveUpDrawings(std::size_t kept);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
@@ -38,6 +39,7 @@ Ports Estimator::usedPorts() const {
 
 void Estimator::configure(Settings& settings) {
   start_map_.reset();
+  start_session_.reset();
   FaultCollector faults;
   faults.attempt([&] { backend_->seed(settings.read<ProductConfig>().seed); });
   faults.attempt([&] { adaptTo(settings.read<ProductConfig>()); });
@@ -73,6 +75,7 @@ Status Estimator::resetBackend() {
   intake_.knowOnly({});
   consistency_ = ConsistencyMonitor(consistency_config_);
   events_ = EventWatch(events_config_);
+  if (start_session_) return set(*start_session_);
   return start_map_ ? set(*start_map_) : Status::ok();
 }
 
@@ -105,6 +108,27 @@ Status Estimator::set(const MapState& map) {
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
   return status;
+}
+
+Status Estimator::set(const SavedSession& session) {
+  auto* keeper = capabilities_.find<SessionKeeper>();
+  if (keeper == nullptr) return Status::error("this back-end keeps no session: use the graph");
+  try {
+    keeper->set(session);
+  } catch (const std::runtime_error& error) {
+    return Status::error(error.what());
+  }
+  const auto status = backend_->execute();
+  if (status.level == Status::Level::kError) return status;
+  consistency_ = ConsistencyMonitor(consistency_config_);
+  if (const auto* mapper = capabilities_.find<LandmarkMapper>())
+    intake_.knowOnly(mapper->landmarks());
+  return status;
+}
+
+Status Estimator::startWith(SavedSession session) {
+  start_session_ = std::move(session);
+  return resetBackend();
 }
 
 Status Estimator::startWith(MapState map) {

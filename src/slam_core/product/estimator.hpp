@@ -10,6 +10,7 @@
 #include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/models/filter_pose.hpp"
 #include "slam_core/product/event_watch.hpp"
 #include "slam_core/product/intake.hpp"
@@ -44,8 +45,12 @@ class Estimator final : public Component {
   Status set(const PoseEstimate& initial_pose);
   /// @return a warning where not all of the map is used, an error where none of it is
   Status set(const MapState& map);
+  /// Goes on from a session (SessionKeeper), at once as from a map.
+  /// @return an error where it cannot be used, which leaves all as it is
+  Status set(const SavedSession& session);
   /// This map instead of an empty one, now and whenever everything begins anew. @return as set()
   Status startWith(MapState map);
+  Status startWith(SavedSession session);  ///< the same
   /// Paused, triggers are ignored and motion is still applied.
   void pause(bool paused) { paused_ = paused; }
 
@@ -90,6 +95,7 @@ class Estimator final : public Component {
   EventsConfig events_config_;
   EventWatch events_;
   std::optional<MapState> start_map_;
+  std::optional<SavedSession> start_session_;
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;
   std::optional<FilterPose> pose_;

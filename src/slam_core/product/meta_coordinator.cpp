@@ -47,7 +47,15 @@ std::string MetaCoordinator::portOf(Kind kind) const {
 }
 
 Status MetaCoordinator::set(const MapState& map) {
-  const auto status = parts_.estimator->set(map);
+  return beginningModules(parts_.estimator->set(map));
+}
+
+Status MetaCoordinator::set(const SavedSession& session) {
+  return beginningModules(parts_.estimator->set(session));
+}
+
+/// Where the back-end could use what it was given.
+Status MetaCoordinator::beginningModules(Status status) {
   if (status.level != Status::Level::kError)
     for (const auto& [name, module] : parts_.modules) module->reset();
   return status;

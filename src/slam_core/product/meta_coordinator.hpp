@@ -36,6 +36,8 @@ class MetaCoordinator {
   /// The map is in force at once, as with Estimator::set(). The modules begin anew, since poses
   /// have another frame from there on.
   Status set(const MapState& map);
+  /// The same of a session, that was saved.
+  Status set(const SavedSession& session);
   /// Calls the listener with every value that a component makes.
   template <class T>
   void listen(const std::string& port, std::function<void(const T&)> listener) {
@@ -63,6 +65,7 @@ class MetaCoordinator {
 
  private:
   std::string portOf(Kind kind) const;
+  Status beginningModules(Status status);
 
   ProductComponents parts_;
   Wiring wiring_;

@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/input_file.hpp"
+
 namespace slam_ros {
 namespace {
 
@@ -49,7 +52,11 @@ BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame, 
       reset_(handle.advertiseService("reset", &BackendServices::reset, this)),
       pause_(handle.advertiseService("pause", &BackendServices::pause, this)),
       save_(handle.advertiseService("save_map", &BackendServices::save, this)),
-      load_(handle.advertiseService("load_map", &BackendServices::load, this)) {}
+      load_(handle.advertiseService("load_map", &BackendServices::load, this)) {
+  if (!actions_.session) return;
+  save_session_ = handle.advertiseService("save_session", &BackendServices::saveSession, this);
+  load_session_ = handle.advertiseService("load_session", &BackendServices::loadSession, this);
+}
 
 bool BackendServices::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   return answer(response, [&] {
@@ -82,6 +89,27 @@ bool BackendServices::load(slam_msgs::LoadMap::Request& request,
       throw std::runtime_error("cannot use the map " + path + ": " + status.message);
     const auto said =
         contents(file, has_grid_) + " and the pose loaded from " + path + inflated(file);
+    return status.isOk() ? said : said + "; " + status.message;
+  });
+}
+
+bool BackendServices::saveSession(slam_msgs::SaveMap::Request& request,
+                                  slam_msgs::SaveMap::Response& response) {
+  return answer(response, [&] {
+    const auto path = absolute(request.path);
+    slam::writeFileAtomically(path, actions_.session().bytes);
+    return "the session is saved in " + path;
+  });
+}
+
+bool BackendServices::loadSession(slam_msgs::LoadMap::Request& request,
+                                  slam_msgs::LoadMap::Response& response) {
+  return answer(response, [&] {
+    const auto path = absolute(request.path);
+    const auto status = actions_.take_up({slam::readInputFile(path, "the session")});
+    if (status.level == slam::Status::Level::kError)
+      throw std::runtime_error("cannot use the session " + path + ": " + status.message);
+    const auto said = "the session and the pose are those of " + path;
     return status.isOk() ? said : said + "; " + status.message;
   });
 }

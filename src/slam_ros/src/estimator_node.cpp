@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "slam_core/common/input_file.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/session_keeper.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/known_inputs.hpp"
 #include "slam_ros/queue_sizes.hpp"
@@ -40,13 +42,14 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
       throw std::runtime_error("cannot use the map " + outputs.load_map + ": " +
                                start_status.message);
   }
+  if (!outputs.load_session.empty()) start_status = startWithSession(outputs);
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return coordinator_.counters(); }, [this] { return waiting(); },
                            [this] { return figures(); }});
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
-  diagnostics_->report(outputs.load_map, start_status);
+  diagnostics_->report(outputs.load_map + outputs.load_session, start_status);
   if (!outputs.load_map.empty() && makes_grid && !start.grid)
     diagnostics_->warn("no grid found at " + outputs.load_map + "; the grid begins empty");
   recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
@@ -57,6 +60,17 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   services_.emplace(handles.product, map_frame_, makes_grid, actions());
   connect(handles.product, settings, inputs);
   start_.emplace([this, handle = handles.product] { subscribe(handle); });
+}
+
+slam::Status EstimatorNode::startWithSession(const OutputsConfig& outputs) {
+  const auto& path = outputs.load_session;
+  if (!outputs.load_map.empty())
+    throw std::runtime_error("a session holds its map: give load_map or load_session, not both");
+  const auto status =
+      estimator().startWith(slam::SavedSession{slam::readInputFile(path, "the session")});
+  if (status.level == slam::Status::Level::kError)
+    throw std::runtime_error("cannot use the session " + path + ": " + status.message);
+  return status;
 }
 
 void EstimatorNode::connect(const ros::NodeHandle& handle, slam::Settings& settings,
@@ -109,13 +123,23 @@ BackendActions EstimatorNode::actions() {
     return slam::LandmarkFile{map_frame_, recorder_->lastStamp(), keeper->state()};
   };
   actions.load = [this](const slam::LandmarkFile& file) {
-    const auto status = coordinator_.set(file.map);
-    if (status.level == slam::Status::Level::kError) return status;
-    outputs_->refresh();
-    tellOfReset();
-    return status;
+    return tellingOfMap(coordinator_.set(file.map));
+  };
+  const auto* keeper = estimator().capabilities().find<slam::SessionKeeper>();
+  if (keeper == nullptr) return actions;
+  actions.session = [keeper] { return keeper->session(); };
+  actions.take_up = [this](const slam::SavedSession& session) {
+    return tellingOfMap(coordinator_.set(session));
   };
   return actions;
+}
+
+/// Where another map is in force now.
+slam::Status EstimatorNode::tellingOfMap(slam::Status status) {
+  if (status.level == slam::Status::Level::kError) return status;
+  outputs_->refresh();
+  tellOfReset();
+  return status;
 }
 
 void EstimatorNode::take(const std::string& port, slam::Kind kind, const void* value,

@@ -10,7 +10,9 @@
 
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/input_file.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
@@ -42,6 +44,8 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
       settings_(settingsFor(options, bag_)) {
   configure();
   if (!options.load_map.empty()) loadMap();
+  if (!options.load_session.empty()) loadSession();
+  if (!options.save_session.empty()) requireSession();
 }
 
 void OfflineRun::configure() {
@@ -73,6 +77,33 @@ void OfflineRun::loadMap() {
   if (!status.isOk()) warn(options_.load_map + ": " + status.message);
 }
 
+void OfflineRun::loadSession() {
+  const auto& path = options_.load_session;
+  if (!options_.load_map.empty())
+    throw std::runtime_error(
+        "a session holds its map: give --load-map or --load-session, not both");
+  const auto status = coordinator_.estimator().startWith(
+      slam::SavedSession{slam::readInputFile(path, "the session")});
+  if (status.level == slam::Status::Level::kError)
+    throw std::runtime_error("cannot use the session " + path + ": " + status.message);
+  if (!status.isOk()) warn(path + ": " + status.message);
+}
+
+std::string OfflineRun::session() const {
+  const auto* keeper = coordinator_.estimator().capabilities().find<slam::SessionKeeper>();
+  if (keeper == nullptr)
+    throw std::runtime_error(
+        "the back-end of this product keeps no session: use the graph, or leave out "
+        "--save-session");
+  return keeper->session().bytes;
+}
+
+/// What would keep it from being saved is told before the run.
+void OfflineRun::requireSession() const {
+  session();
+  slam::requireWritable(options_.save_session);
+}
+
 void OfflineRun::run() {
   for (const auto& note : inputs_->notes()) fmt::print("{}\n", note);
   for (const auto& warning : inputs_->warnings()) warn(warning);
@@ -89,6 +120,7 @@ void OfflineRun::run() {
   metrics_.setGrid(backend);
   slam::writeFileAtomically(writer.unfinished() + "/metrics.json",
                             metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
+  if (!options_.save_session.empty()) slam::writeFileAtomically(options_.save_session, session());
   writer.finish(backend, coordinator_.components().frames.map, settings_.inForce());
   printSummary(writer);
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");

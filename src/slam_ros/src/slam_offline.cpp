@@ -17,6 +17,10 @@ void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& s
   app.add_option("--seed", seed, "of every random stream; default: the product's");
   app.add_option("--load-map", options.load_map,
                  "a landmarks' file, a grid's yaml with its landmarks, or a folder, to start with");
+  app.add_option("--load-session", options.load_session,
+                 "a session to go on from, or to localise in with graph.mode=localization");
+  app.add_option("--save-session", options.save_session,
+                 "the file that takes the session at the end, to go on from");
   app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");
   app.add_option("--remap", options.remaps, "input:=topic of the bag");
 }

@@ -49,7 +49,7 @@ struct Drive {
       truth = step.truth;
     }
   }
-  Session session() const { return sessionOf(as<SessionKeeper>(*backend).session()); }
+  Session session() const { return sessionOf(as<SessionKeeper>(*backend).session().bytes); }
 
   std::unique_ptr<GraphSlam> backend = std::make_unique<GraphSlam>();
   Pose2 truth;  ///< in the frame of the world
@@ -101,7 +101,7 @@ TEST_F(DrivesPastLandmarks, GoOnWithTheRobotThatIsAskedFor) {
   const auto a = first.session(), b = second.session();
   Drive goes_on{false};
   as<SessionKeeper>(*goes_on.backend)
-      .takeUp(bytesOf(graph_slam::merged(a, b, {}, GoesOn::kSecond).session));
+      .set({bytesOf(graph_slam::merged(a, b, {}, GoesOn::kSecond).session)});
   goes_on.take(again, kLap);
   expectNear(goes_on.backend->pose().pose, again.next().truth, 0.3, 0.1);
   expectTruth(goes_on.session(), world);
@@ -155,7 +155,7 @@ TEST_F(DrivesPastLandmarks, KeepALoadedMapAsTheFirst) {
 }
 
 TEST_F(DrivesPastLandmarks, AreMergedWhileTheFirstDrivesOn) {
-  as<SessionMerger>(*first.backend).merge(bytesOf(second.session()));
+  as<SessionMerger>(*first.backend).merge({bytesOf(second.session())});
   first.take(world, 3);
   EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
   expectTruth(first.session(), world);
@@ -175,7 +175,7 @@ TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
   EXPECT_GE(merged.scans, 3u);
   expectNear(merged.first_second, start, 0.1, 0.03);
   Drive goes_on{true};
-  as<SessionKeeper>(*goes_on.backend).takeUp(bytesOf(merged.session));
+  as<SessionKeeper>(*goes_on.backend).set({bytesOf(merged.session)});
   goes_on.take(again, 30);
   expectNear(goes_on.backend->pose().pose, goes_on.truth, 0.05, 0.02);
   const auto grid = as<GridMapper>(*goes_on.backend).grid();

@@ -63,10 +63,10 @@ Pose2 drive(GraphSlam& backend, RoomDrive& room, int steps) {
   return truth;
 }
 
-std::string saved(GraphSlam& backend) { return as<SessionKeeper>(backend).session(); }
+std::string saved(GraphSlam& backend) { return as<SessionKeeper>(backend).session().bytes; }
 
 void load(GraphSlam& backend, const std::string& session) {
-  as<SessionKeeper>(backend).takeUp(session);
+  as<SessionKeeper>(backend).set(SavedSession{session});
   const auto status = backend.execute();
   EXPECT_TRUE(status.isOk()) << status.message;
 }
@@ -222,7 +222,7 @@ TEST(Session, OfAnotherKindIsRefusedAndAllStaysAsItIs) {
   const auto before = saved(*grid), of_landmarks = saved(*landmarks);
   const auto said = [&](GraphSlam& backend, const std::string& session) {
     return std::vector<std::string>{
-        sentenceOf([&] { as<SessionKeeper>(backend).takeUp(session); })};
+        sentenceOf([&] { as<SessionKeeper>(backend).set(SavedSession{session}); })};
   };
   EXPECT_TRUE(test::oneSays(said(*grid, of_landmarks), {"has no grid", "map: landmarks"}));
   EXPECT_TRUE(test::oneSays(said(*landmarks, before), {"has a grid", "map: grid"}));

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "slam_core/common/status.hpp"
+#include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
 
 namespace slam_ros {
@@ -24,9 +25,13 @@ struct BackendActions {
   std::function<void(bool)> pause;
   std::function<slam::LandmarkFile()> map;
   std::function<slam::Status(const slam::LandmarkFile&)> load;
+  // of a back-end that keeps sessions
+  std::function<slam::SavedSession()> session;
+  std::function<slam::Status(const slam::SavedSession&)> take_up;
 };
 
-/// The services `reset`, `pause`, `save_map` and `load_map`.
+/// The services `reset`, `pause`, `save_map` and `load_map`; of a back-end that keeps sessions
+/// `save_session` and `load_session` as well.
 class BackendServices {
  public:
   /// @param has_grid whether the back-end's map has a grid
@@ -39,10 +44,13 @@ class BackendServices {
   bool save(slam_msgs::SaveMap::Request& request, slam_msgs::SaveMap::Response& response);
   bool load(slam_msgs::LoadMap::Request& request, slam_msgs::LoadMap::Response& response);
 
+  bool saveSession(slam_msgs::SaveMap::Request& request, slam_msgs::SaveMap::Response& response);
+  bool loadSession(slam_msgs::LoadMap::Request& request, slam_msgs::LoadMap::Response& response);
+
   std::string map_frame_;
   bool has_grid_;
   BackendActions actions_;
-  ros::ServiceServer reset_, pause_, save_, load_;
+  ros::ServiceServer reset_, pause_, save_, load_, save_session_, load_session_;
 };
 
 }  // namespace slam_ros

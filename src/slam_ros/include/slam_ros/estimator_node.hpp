@@ -74,7 +74,9 @@ class EstimatorNode {
   void subscribe(ros::NodeHandle handle);
   void connect(const ros::NodeHandle& handle, slam::Settings& settings,
                const InputOptions& options);
+  slam::Status startWithSession(const OutputsConfig& outputs);
   BackendActions actions();
+  slam::Status tellingOfMap(slam::Status status);
   void tellOfSilence();
   std::string waiting() const;
   std::vector<slam::InputPort> needlessInputs() const;

@@ -21,7 +21,8 @@ struct OfflineOptions {
   std::string product;  ///< file or name
   std::string robot;    ///< file or name; empty: the bag tells
   std::string bag, folder;
-  std::string load_map;  ///< landmarks.yaml to start with; empty: none
+  std::string load_map;                    ///< landmarks.yaml to start with; empty: none
+  std::string load_session, save_session;  ///< files; empty: none
   std::vector<std::string> overrides, remaps;
 };
 
@@ -39,6 +40,9 @@ class OfflineRun {
  private:
   void configure();
   void loadMap();
+  void loadSession();
+  std::string session() const;
+  void requireSession() const;
   void read(slam::RunWriter& writer);
   BagHandlers handlers();
   BagSinks sinksOf(const BagInputs::Found& input);

@@ -15,6 +15,7 @@ struct OutputsConfig {
 
   std::string output_dir;
   std::string load_map;
+  std::string load_session;
   std::string save_on_exit;
   double landmark_rate = 2.0;
   double map_period = 2.0;
@@ -27,6 +28,8 @@ struct OutputsConfig {
                "folder for the files of the run; none are written without");
     fields.add("load_map", &load_map,
                "a landmarks' file, a grid's yaml with its landmarks, or a folder, to start with");
+    fields.add("load_session", &load_session,
+               "a session that save_session has written, to go on from instead of a map");
     fields.add(
         "save_on_exit", &save_on_exit,
         "folder that gets the map at the end: landmarks.yaml, of a grid map.yaml and map.pgm");

@@ -59,6 +59,10 @@ class WrongUse(unittest.TestCase):
         self.assertIn("go with --online", self.refusal("--rate", "2"))
         self.assertIn("go with --online", self.refusal("--composition", "pubsub"))
 
+    def test_refuses_to_save_a_session_online(self):
+        self.assertIn("call the service save_session",
+                      self.refusal("--online", "--save-session", "x.session"))
+
     def test_refuses_a_speed_that_is_none(self):
         self.assertIn("not a speed", self.refusal("--online", "--rate=-1"))
         self.assertIn("not a speed", self.refusal("--online", "--rate", "nan"))

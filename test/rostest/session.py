@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The services that save a session of the graph and go on from it, in either composition."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from slam_msgs.srv import LoadMap, SaveMap
+from std_srvs.srv import Trigger
+from player import Player, wait_for
+
+
+class SessionTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.player = Player()
+        cls.player.begin(40)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name) / "a.session"
+
+    def call(self, service, kind, *arguments):
+        return rospy.ServiceProxy(service, kind)(*map(str, arguments))
+
+    def save(self, path):
+        answer = self.call("save_session", SaveMap, path)
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn(str(path), answer.message)
+        return path.read_bytes()
+
+    def landmarks(self):
+        return {mark.id for mark in self.player.get("landmarks")[-1].landmarks}
+
+    def test_a_session_comes_back_after_a_reset_and_goes_on(self):
+        self.player.begin(40)
+        saved, known = self.save(self.path), self.landmarks()
+        self.call("reset", Trigger)
+        answer = self.call("load_session", LoadMap, self.path)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(self.save(self.path.with_name("b.session")), saved)
+        self.player.clear()
+        self.player.play(self.player.part(40, 60))
+        self.assertTrue(wait_for(lambda: len(self.player.get("pose")) >= 19))
+        self.assertTrue(wait_for(lambda: self.player.get("landmarks")))
+        self.assertGreaterEqual(self.landmarks(), known)
+        self.assertGreater(len(self.save(self.path)), len(saved))
+
+    def test_what_cannot_be_used_is_told_and_all_stays_as_it_is(self):
+        saved = self.save(self.path)
+        damaged = self.path.with_name("damaged.session")
+        damaged.write_bytes(saved[:-1] + bytes([saved[-1] ^ 1]))
+        for path, sentence in ((damaged, "damaged.session: it is damaged"),
+                               ("/no/such/file", "does it exist?"), ("", "names no file")):
+            answer = self.call("load_session", LoadMap, path)
+            self.assertFalse(answer.success)
+            self.assertIn(sentence, answer.message)
+        answer = self.call("save_session", SaveMap, "/proc/a.session")
+        self.assertFalse(answer.success)
+        self.assertIn("/proc/a.session", answer.message)
+        self.assertEqual(self.save(self.path.with_name("b.session")), saved)
+
+
+if __name__ == "__main__":
+    rospy.init_node("session_test")
+    rostest.rosrun("slam_tests", "session", SessionTest, sys.argv)
