@@ -14,8 +14,8 @@ from slam_launch.errors import ProductError
 
 DEFAULTS = dict.fromkeys(
     ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "load_session",
-     "bag", "seed", "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine", "backend_machine",
-     "env_loader", "only"), "")
+     "bag", "seed", "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine",
+     "backend_machine", "env_loader", "only", "jump_limit"), "")
 DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
 
 
@@ -43,6 +43,8 @@ class LaunchChecks(unittest.TestCase):
         self.expect_refusal("composition:=inproces is not one of: pubsub, inprocess (did you mean "
                             "'inprocess'?)", composition="inproces")
         self.expect_refusal("rate:=nan is not a number >= 0", rate="nan")
+        for limit in ("-0.1", "nan", "slow"):
+            self.expect_refusal(f"jump_limit:={limit} is not a number >= 0", jump_limit=limit)
 
     def test_the_transform_of_the_odometry_is_its_sources_but_for_that_of_a_driver(self):
         for given, published in (({}, "false"), ({"odometry": "visual"}, "true"),

@@ -25,7 +25,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 SECONDS = 8
 TOPICS = {"/odom": Odometry, "/scan": LaserScan, "/tf_static": TFMessage}
-PUT = 0.4  # by which the robot is put aside [m]; the limit of 0.01 m/s would need 40 s
+PUT = 30.0  # by which the robot is put aside [m], out of the map; 0.01 m/s would need 50 min
 
 
 def read_simulation():
@@ -99,7 +99,7 @@ class EventsTest(unittest.TestCase):
         self.assertEqual((event.kind, event.reason), (Event.JUMP, "the robot was put there"))
         self.assertEqual(event.header.frame_id, "map")
         self.assertGreaterEqual(event.header.stamp, self.poses[steps].header.stamp)
-        self.assertAlmostEqual(event.distance, PUT, delta=0.2)
+        self.assertAlmostEqual(event.distance, PUT, delta=1.0)
         after = self.corrections[-1]
         moved = math.hypot(after.x - before.x, after.y - before.y)
         self.assertGreater(moved, 0.5 * PUT, "jump_limit does not hold where the robot is put")

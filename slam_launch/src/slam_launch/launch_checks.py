@@ -37,7 +37,7 @@ def check_values(arguments):
         if arguments[key] and machines.runs_here(half, arguments):
             config_files.require_regular(f"{key}:={arguments[key]}", arguments[key],
                                          folder=key == "load_map")
-    for key, number in (("rate", float), ("seed", int)):
+    for key, number in (("rate", float), ("seed", int), ("jump_limit", float)):
         try:
             if arguments[key] and not 0 <= number(arguments[key]) < float("inf"):
                 raise ValueError

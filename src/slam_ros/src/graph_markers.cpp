@@ -20,13 +20,13 @@ struct Style {
   float r, g, b, a;
 };
 
-constexpr Style kNodes = {"nodes", 0.06, 0.04, 0.15F, 0.15F, 0.2F, 1.0F};
-constexpr Style kSubmaps = {"submaps", 0.25, 0.05, 0.45F, 0.2F, 0.6F, 1.0F};
-constexpr Style kMotion = {"motion", 0.03, 0.03, 0.45F, 0.45F, 0.45F, 1.0F};
-constexpr Style kSightings = {"sightings", 0.01, 0.02, 0.25F, 0.5F, 0.95F, 0.5F};
-constexpr Style kLoops = {"loops", 0.03, 0.06, 0.1F, 0.65F, 0.2F, 0.8F};
-constexpr Style kDoubted = {"", 0.03, 0.06, 1.0F, 0.55F, 0.0F, 0.8F};
-constexpr Style kWaiting = {"waiting_loops", 0.03, 0.07, 0.85F, 0.1F, 0.1F, 0.8F};
+constexpr Style kNodes = {"nodes", 0.08, 0.05, 0.15F, 0.15F, 0.2F, 1.0F};
+constexpr Style kSubmaps = {"submaps", 0.25, 0.06, 0.45F, 0.2F, 0.6F, 1.0F};
+constexpr Style kMotion = {"motion", 0.05, 0.04, 0.4F, 0.4F, 0.4F, 1.0F};
+constexpr Style kSightings = {"sightings", 0.01, 0.01, 0.25F, 0.5F, 0.95F, 0.5F};
+constexpr Style kLoops = {"loops", 0.015, 0.02, 0.1F, 0.65F, 0.2F, 0.25F};
+constexpr Style kDoubted = {"", 0.015, 0.02, 1.0F, 0.5F, 0.0F, 1.0F};
+constexpr Style kWaiting = {"waiting_loops", 0.05, 0.045, 0.85F, 0.1F, 0.1F, 0.9F};
 
 std_msgs::ColorRGBA colourOf(const Style& style) {
   std_msgs::ColorRGBA colour;
@@ -37,7 +37,8 @@ std_msgs::ColorRGBA colourOf(const Style& style) {
   return colour;
 }
 
-/// Green where a loop counts in full, orange where it hardly counts.
+/// Green and pale where a loop counts in full, since there are thousands; orange where it hardly
+/// counts.
 std_msgs::ColorRGBA colourOfLoop(double weight) {
   const auto share = static_cast<float>(std::clamp(weight, 0.0, 1.0));
   const auto mixed = [share](float full, float none) {
@@ -47,7 +48,7 @@ std_msgs::ColorRGBA colourOfLoop(double weight) {
   colour.r = mixed(kLoops.r, kDoubted.r);
   colour.g = mixed(kLoops.g, kDoubted.g);
   colour.b = mixed(kLoops.b, kDoubted.b);
-  colour.a = kLoops.a;
+  colour.a = mixed(kLoops.a, kDoubted.a);
   return colour;
 }
 

@@ -101,6 +101,11 @@ TEST_F(RobustLoopsTest, AFalseLoopWaitsAndMovesNothing) {
   EXPECT_EQ(loops.rejected(), 1u);
   EXPECT_FALSE(loops.isBelieved(2));
   EXPECT_LT(before.between(graph.pose(25)).vector().norm(), 1e-3);
+  EXPECT_EQ(loops.changes().believed, 2u);
+  EXPECT_EQ(loops.changes().taken_back, 0u);
+  std::vector<bool> counts;
+  loops.visit([&](const Factor&, double weight) { counts.push_back(weight > 0.0); });
+  EXPECT_EQ(counts, (std::vector<bool>{true, true, false}));
 }
 
 /// On the first round nothing contradicts two false loops that are off by what odometry may be.

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
@@ -100,6 +102,19 @@ TEST(PointMapPorts, GiveTheMapOnlyAfterAStepThatTookAScan) {
   map.execute();
   EXPECT_EQ(points->get(), map.isBusy() ? &map : nullptr);
   EXPECT_TRUE(map.isBusy());
+}
+
+TEST(FramesConfig, RefusesLimitsOfJumpsThatAreNone) {
+  FramesConfig frames;
+  frames.jump_limit = -0.1;
+  EXPECT_TRUE(oneSays(faultsOf([&] { validate(frames); }), {"frames.jump_limit", ">= 0"}));
+  frames.jump_limit = std::nan("");
+  EXPECT_TRUE(oneSays(faultsOf([&] { validate(frames); }), {"frames.jump_limit", ">= 0"}));
+  frames.jump_limit = 0.5;
+  frames.jump_limit_heading = 0.0;
+  EXPECT_TRUE(oneSays(faultsOf([&] { validate(frames); }), {"frames.jump_limit_heading", "> 0"}));
+  frames.jump_limit_heading = 0.1;
+  EXPECT_TRUE(faultsOf([&] { validate(frames); }).empty());
 }
 
 }  // namespace

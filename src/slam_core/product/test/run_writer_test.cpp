@@ -209,9 +209,9 @@ TEST_F(RunWriterTest, NothingOfALongRunIsLeftAfterARestart) {
 
 TEST_F(RunWriterTest, KeepsWhatWasWrittenBeforeARestart) {
   const auto once = run("once", 70), thrice = run("thrice", 70, 3);
-  for (const std::string name : {"trajectory", "odometry", "updates"})
+  for (const std::string name : {"trajectory", "odometry", "updates", "events"})
     for (const std::string number : {"1", "2"}) {
-      const auto ending = name == "updates" ? ".csv" : ".tum";
+      const auto ending = name == "updates" || name == "events" ? ".csv" : ".tum";
       EXPECT_EQ(contentOf(thrice + "/" + name + ".before_restart_" + number + ending),
                 contentOf(once + "/" + name + ending));
     }

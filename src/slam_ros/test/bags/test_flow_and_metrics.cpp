@@ -131,6 +131,24 @@ TEST(RunMetrics, LeavesUpdateTimesOutWhenThereWasNone) {
   EXPECT_FALSE(json.contains("update_ms_p50"));
 }
 
+TEST(RunMetrics, CountsEventsAndKeepsTheLargestJump) {
+  RunMetrics metrics;
+  slam::StepReport report;
+  metrics.addEvents(report);
+  auto json = nlohmann::json::parse(metrics.toJson(slam::Duration(1), 0));
+  EXPECT_EQ(json["events"], 0);
+  EXPECT_FALSE(json.contains("largest_jump_m")) << "no step has a motion to compare with";
+  report.correction = {0.5, 0.1};
+  report.events.resize(2);
+  metrics.addEvents(report);
+  report.correction = {0.2, 0.3};
+  report.events.clear();
+  metrics.addEvents(report);
+  json = nlohmann::json::parse(metrics.toJson(slam::Duration(1), 0));
+  EXPECT_EQ(json["events"], 2);
+  EXPECT_EQ(json["largest_jump_m"], 0.5);
+}
+
 TEST(RunMetrics, GivesUpdateTimesInMilliseconds) {
   RunMetrics metrics;
   for (int us : {1000, 2000, 3000}) metrics.addUpdate(std::chrono::microseconds(us));
