@@ -95,7 +95,9 @@ Component::Figures GraphSlam::figures() const {
 
 std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& start) const {
   auto graph = std::make_unique<Graph>(config_, start);
-  if (uses_grid_) graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
+  if (!uses_grid_) return graph;
+  auto& scans = graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
+  graph->reduction.keepWhile([&scans](graph::Key node) { return scans.reduction().holds(node); });
   return graph;
 }
 
@@ -171,6 +173,8 @@ Status GraphSlam::takeScan() {
   const auto scan = *std::exchange(scan_, std::nullopt);
   const auto taken = graph_->scans->take(scan, counters_);
   graph_->record.add(scan.stamp, graph_->path);
+  graph_->reduction.reduce();
+  for (const auto node : graph_->scans->reduction().takeReleased()) graph_->reduction.release(node);
   return moreUrgent(taken, graph_->scans->status());
 }
 

@@ -71,6 +71,10 @@ bool PathReduction::isTied(graph::Key node) const {
 void PathReduction::remove(graph::Key node) {
   const auto [before, after, link, has_prior] = path_.chain()[node];
   if (has_prior) return;
+  if (is_held_(node)) {
+    dropSightings(node);
+    return;
+  }
   if (before < 0 && !(after >= 0 && isTied(after))) {
     loose_ = node;
     return;
@@ -85,9 +89,21 @@ void PathReduction::remove(graph::Key node) {
   }
 }
 
+void PathReduction::dropSightings(graph::Key node) {
+  for (const auto factor : landmarks_.sightings().removeNode(node)) path_.graph().remove(factor);
+}
+
+void PathReduction::release(graph::Key node) {
+  const auto is_in = [node](const std::deque<graph::Key>& nodes) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
+  const bool has_sightings = !landmarks_.sightings().seenFrom(node).empty();
+  if (!has_sightings && !is_in(window_) && !is_in(leaving_) && node != newest_) remove(node);
+}
+
 void PathReduction::takeOff(graph::Key node) {
   hangRecord(node);
-  for (const auto factor : landmarks_.sightings().removeNode(node)) path_.graph().remove(factor);
+  dropSightings(node);
   path_.chain().remove(node);
   ++removed_;
 }

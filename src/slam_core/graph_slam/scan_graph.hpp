@@ -11,6 +11,7 @@
 #include "slam_core/graph_slam/grid_renderer.hpp"
 #include "slam_core/graph_slam/loop_search.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/scan_reduction.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/scan_matching/scan_doubt.hpp"
@@ -42,6 +43,7 @@ class ScanGraph {
   std::uint64_t gridRevision() const { return renderer_.revision(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const graph::RobustLoops& loops() const { return loops_; }
+  ScanReduction& reduction() { return reduction_; }
   /// The most memory that it takes; the same whether somebody has asked for the grid or not.
   double mostBytes() const { return static_cast<double>(submaps_.bytes()) + renderer_.mostBytes(); }
 
@@ -65,6 +67,7 @@ class ScanGraph {
   LoopSearch search_;
   graph::RobustLoops loops_;
   GridRenderer renderer_;
+  ScanReduction reduction_{path_, submaps_, loops_, renderer_};
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_;
   scan_matching::ScanDoubt doubt_;

@@ -21,6 +21,7 @@ void Submap::insert(const SharedScan& scan, const scan_matching::ScanLevels& poi
     T_odom_origin_ = pose;
   }
   map_->insert(points, pose);
+  nodes_.push_back(node);
   if (isLoaded()) return;
   places_.push_back(pose);
   scans_.push_back(scan);

@@ -44,6 +44,8 @@ class Submap {
   const Pose2& odomOrigin() const { return T_odom_origin_; }
   /// T_odom_base of its scans, or where a robot could have been.
   const std::vector<Pose2>& places() const { return places_; }
+  /// The nodes of its scans.
+  const std::vector<graph::Key>& nodes() const { return nodes_; }
 
  private:
   const grid_map::GridMapConfig* config_ = nullptr;
@@ -51,6 +53,7 @@ class Submap {
   graph::Key origin_ = -1;
   Pose2 T_odom_origin_;
   std::vector<Pose2> places_;
+  std::vector<graph::Key> nodes_;
   std::vector<SharedScan> scans_;
 };
 
