@@ -9,8 +9,10 @@
 namespace slam::graph_slam {
 namespace {
 
-/// A scan from so near another one shows what that one shows [m, rad].
+/// A scan from so near another one shows much of what that one shows [m, rad].
 constexpr double kNear = 1.0, kTurned = M_PI / 4;
+/// Near so many scans that stay, one more shows nothing new: about those of three passes.
+constexpr int kEnough = 15;
 
 bool has(const std::vector<graph::Key>& nodes, graph::Key node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
@@ -38,10 +40,11 @@ bool ScanReduction::isKnown(const Submap& submap) const {
 
 bool ScanReduction::isNearKept(graph::Key node) const {
   const Pose2 pose = path_.graph().pose(node);
-  return std::any_of(kept_.begin(), kept_.end(), [&](graph::Key other) {
+  const auto count = std::count_if(kept_.begin(), kept_.end(), [&](graph::Key other) {
     const Pose2 between = pose.between(path_.graph().pose(other));
     return between.position().norm() <= kNear && std::abs(between.theta()) <= kTurned;
   });
+  return count >= kEnough;
 }
 
 bool ScanReduction::hasLoop(const Submap& submap) const {
