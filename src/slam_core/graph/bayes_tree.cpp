@@ -37,10 +37,10 @@ Key BayesTree::addVariable(int rows) {
   return key;
 }
 
-void BayesTree::removeVariable(Key key) {
-  moveOrigin(key);
-  touched_.push_back(key);
-  removed_.push_back(key);
+void removeVariable(BayesTree& tree, Key key) {
+  tree.moveOrigin(key);
+  tree.touched_.push_back(key);
+  tree.removed_.push_back(key);
 }
 
 FactorId BayesTree::addFactor(QuadraticFactor factor) {

@@ -23,7 +23,7 @@ class BayesTree {
   Key addVariable(int rows);
   /// Removes a variable that no factor holds any more. Its key is of no use until addVariable()
   /// gives it again.
-  void removeVariable(Key key);
+  friend void removeVariable(BayesTree& tree, Key key);
 
   FactorId addFactor(QuadraticFactor factor);
   /// Replaces H and g of a factor.

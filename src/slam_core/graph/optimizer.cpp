@@ -29,9 +29,10 @@ Key Optimizer::add(const Pose2& pose) { return addVariable(pose, 3); }
 
 Key Optimizer::add(const Eigen::Vector2d& point) { return addVariable(point, 2); }
 
-void Optimizer::removeVariable(Key key) {
-  moved_.erase(std::remove(moved_.begin(), moved_.end(), key), moved_.end());
-  tree_.removeVariable(key);
+void removeVariable(Optimizer& graph, Key key) {
+  graph.moved_.erase(std::remove(graph.moved_.begin(), graph.moved_.end(), key),
+                     graph.moved_.end());
+  removeVariable(graph.tree_, key);
 }
 
 FactorId Optimizer::add(std::shared_ptr<const Factor> factor) {

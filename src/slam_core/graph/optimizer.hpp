@@ -47,7 +47,7 @@ class Optimizer {
   Key add(const Pose2& pose);
   Key add(const Eigen::Vector2d& point);
   /// Removes a variable whose factors have all been removed.
-  void removeVariable(Key key);
+  friend void removeVariable(Optimizer& graph, Key key);
   FactorId add(std::shared_ptr<const Factor> factor);
   void remove(FactorId id);
   /// Multiplies a factor's share of chi2 by a weight, which is 1 at first.

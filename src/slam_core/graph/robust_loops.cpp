@@ -27,6 +27,11 @@ double weightOf(double chi2) {
   return s * s;
 }
 
+bool joins(const std::shared_ptr<const Factor>& loop, Key pose) {
+  const auto& keys = loop->keys();
+  return std::find(keys.begin(), keys.end(), pose) != keys.end();
+}
+
 }  // namespace
 
 void RobustLoops::believe(Loop& loop) {
@@ -140,6 +145,18 @@ void RobustLoops::restore(const std::vector<State>& states) {
     graph_.set(id, weight);
     loops_.back().id = id;
   }
+}
+
+bool RobustLoops::believesOneOf(Key pose) const {
+  return std::any_of(loops_.begin(), loops_.end(),
+                     [pose](const Loop& loop) { return loop.id && joins(loop.factor, pose); });
+}
+
+void RobustLoops::forget(Key pose) {
+  for (const auto& loop : loops_)
+    if (loop.id && joins(loop.factor, pose)) graph_.remove(*loop.id);
+  const auto is_gone = [pose](const Loop& loop) { return joins(loop.factor, pose); };
+  loops_.erase(std::remove_if(loops_.begin(), loops_.end(), is_gone), loops_.end());
 }
 
 std::size_t RobustLoops::rejected() const {

@@ -56,6 +56,10 @@ class RobustLoops {
   std::size_t size() const { return loops_.size(); }
   /// Whether the loop that was added after so many others is a factor of the graph.
   bool isBelieved(std::size_t loop) const { return loops_[loop].id.has_value(); }
+  /// Whether a loop that is a factor of the graph joins this pose with another one.
+  bool believesOneOf(Key pose) const;
+  /// Removes all loops of a pose; later ones are renumbered.
+  void forget(Key pose);
   /// Loops that wait.
   std::size_t rejected() const;
   Changes changes() const { return changes_; }

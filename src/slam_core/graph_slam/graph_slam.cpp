@@ -100,7 +100,9 @@ Component::Figures GraphSlam::figures() const {
 
 std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& start) const {
   auto graph = std::make_unique<Graph>(config_, start);
-  if (uses_grid_) graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
+  if (!uses_grid_) return graph;
+  auto& scans = graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
+  graph->reduction.keepWhile([&scans](graph::Key node) { return reductionOf(scans).holds(node); });
   return graph;
 }
 
@@ -176,7 +178,7 @@ Status GraphSlam::takeObservations() {
   const auto augmented = augment(association.unseen, z.sensor_pose);
   path.optimize(config_.iterations);
   record.add(z.stamp, path);
-  if (!scans) reduction.reduce();
+  reduction.reduce();
   statistics_.landmarks = static_cast<int>(landmarks.ids().size());
   return summary(association, {augmented, reconsidered});
 }
@@ -187,6 +189,9 @@ Status GraphSlam::takeScan() {
   const auto taken = graph_->scans->take(scan, counters_);
   graph_->record.add(scan.stamp, graph_->path);
   events_ = eventsOf(*graph_->scans);
+  graph_->reduction.reduce();
+  for (const auto node : reductionOf(*graph_->scans).takeReleased())
+    graph_->reduction.release(node);
   return moreUrgent(taken, graph_->scans->status());
 }
 

@@ -135,7 +135,7 @@ void GraphSlam::merge(const SavedSession& saved) {
 Status GraphSlam::mergeWaiting() {
   if (!waiting_) return Status::ok();
   const auto& scans = graph_->scans;
-  if (scans && scans->inserted()) waiting_->see(scans->inserted());
+  if (scans && insertedBy(*scans)) waiting_->see(insertedBy(*scans));
   if (!waiting_->isDue(graph_->landmarks.ids())) return Status::ok();
   try {
     const Pose2 before = pose().pose;

@@ -28,6 +28,16 @@ void GridRenderer::add(graph::Key node, const Pose2& pose, const SharedScan& sca
   ++revision_;
 }
 
+void GridRenderer::remove(graph::Key node) {
+  const auto found = std::find_if(scans_.begin(), scans_.end(),
+                                  [node](const Scan& scan) { return scan.node == node; });
+  if (found == scans_.end()) return;
+  if (static_cast<std::size_t>(found - scans_.begin()) < drawn_) drawing_.reset();
+  scan_bytes_ -= static_cast<double>(found->scan->beams.size() * sizeof(LaserBeam));
+  scans_.erase(found);
+  ++revision_;
+}
+
 void GridRenderer::follow(const graph::Optimizer& graph) {
   constexpr double kLargestTurn = 0.01;  // half a cell of 5 cm at 2.5 m [rad]
   const double most = 0.5 * config_.resolution;

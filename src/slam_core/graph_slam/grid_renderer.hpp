@@ -27,6 +27,8 @@ class GridRenderer {
   /// Scans are drawn into this grid.
   void startWith(const OccupancyGrid& grid);
   void add(graph::Key node, const Pose2& pose, const SharedScan& scan);
+  /// Removes the scan of a node.
+  void remove(graph::Key node);
   /// Takes over where the graph has the nodes now.
   void follow(const graph::Optimizer& graph);
   /// Without cells before the first scan or grid.

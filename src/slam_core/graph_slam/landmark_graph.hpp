@@ -35,7 +35,7 @@ class LandmarkGraph {
 
   PoseEstimate robot() const { return path_.robot(); }
   const LandmarkIds& ids() const { return ids_; }
-  SightingIndex& sightings() { return index_; }
+  friend SightingIndex& sightingsOf(LandmarkGraph& landmarks) { return landmarks.index_; }
   Eigen::Vector2d point(std::size_t landmark) const {
     return path_.graph().pose(keys_[landmark]).position();
   }

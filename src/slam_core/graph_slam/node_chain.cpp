@@ -52,7 +52,7 @@ void NodeChain::remove(graph::Key key) {
     }
   }
   nodes_.erase(key);
-  graph_.removeVariable(key);
+  removeVariable(graph_, key);
 }
 
 void NodeChain::cut(graph::Key key) {

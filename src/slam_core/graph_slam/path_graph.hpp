@@ -61,7 +61,7 @@ class PathGraph {
 
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }
-  NodeChain& chain() { return chain_; }
+  friend NodeChain& chainOf(PathGraph& path) { return path.chain_; }
 
  private:
   friend struct SessionParts;  // writes and reads its members

@@ -22,8 +22,8 @@ constexpr double kLongestLink = 5.0;
 }  // namespace
 
 void PathReduction::reduce() {
-  for (const auto node : path_.chain().takeNew()) {
-    if (newest_ >= 0 && !landmarks_.sightings().seenFrom(newest_).empty())
+  for (const auto node : chainOf(path_).takeNew()) {
+    if (newest_ >= 0 && !sightingsOf(landmarks_).seenFrom(newest_).empty())
       window_.push_back(newest_);
     newest_ = node;
   }
@@ -50,27 +50,31 @@ void PathReduction::keepLeaving() {
 }
 
 bool PathReduction::isKnown(std::size_t landmark) const {
-  return limits_.map_is_fixed || landmarks_.sightings().count(landmark) > kSightings;
+  return limits_.map_is_fixed || sightingsOf(landmarks_).count(landmark) > kSightings;
 }
 
 bool PathReduction::isNew(graph::Key node) const {
   if (limits_.map_is_fixed) return false;
   if (places_.count(path_.graph().pose(node)) < limits_.nodes_per_place) return true;
-  const auto& seen = landmarks_.sightings().seenFrom(node);
+  const auto& seen = sightingsOf(landmarks_).seenFrom(node);
   return !std::all_of(seen.begin(), seen.end(), [this](auto each) { return isKnown(each); });
 }
 
 /// Whether it would be known where the node is if nothing joined it to the one before.
 bool PathReduction::isTied(graph::Key node) const {
-  if (path_.chain()[node].has_prior) return true;
-  const auto& seen = landmarks_.sightings().seenFrom(node);
+  if (chainOf(path_)[node].has_prior) return true;
+  const auto& seen = sightingsOf(landmarks_).seenFrom(node);
   return std::count_if(seen.begin(), seen.end(), [this](auto each) { return isKnown(each); }) >=
          kTied;
 }
 
 void PathReduction::remove(graph::Key node) {
-  const auto [before, after, link, has_prior] = path_.chain()[node];
+  const auto [before, after, link, has_prior] = chainOf(path_)[node];
   if (has_prior) return;
+  if (is_held_(node)) {
+    dropSightings(node);
+    return;
+  }
   if (before < 0 && !(after >= 0 && isTied(after))) {
     loose_ = node;
     return;
@@ -80,15 +84,27 @@ void PathReduction::remove(graph::Key node) {
   if (before == loose_) {
     takeOff(before);
     loose_ = -1;
-  } else if (path_.chain()[after].link.way > kLongestLink && isTied(before)) {
-    path_.chain().cut(after);
+  } else if (chainOf(path_)[after].link.way > kLongestLink && isTied(before)) {
+    chainOf(path_).cut(after);
   }
+}
+
+void PathReduction::dropSightings(graph::Key node) {
+  for (const auto factor : sightingsOf(landmarks_).removeNode(node)) path_.graph().remove(factor);
+}
+
+void PathReduction::release(graph::Key node) {
+  const auto is_in = [node](const std::deque<graph::Key>& nodes) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
+  const bool has_sightings = !sightingsOf(landmarks_).seenFrom(node).empty();
+  if (!has_sightings && !is_in(window_) && !is_in(leaving_) && node != newest_) remove(node);
 }
 
 void PathReduction::takeOff(graph::Key node) {
   hangRecord(node);
-  for (const auto factor : landmarks_.sightings().removeNode(node)) path_.graph().remove(factor);
-  path_.chain().remove(node);
+  dropSightings(node);
+  chainOf(path_).remove(node);
   ++removed_;
 }
 
@@ -98,7 +114,7 @@ void PathReduction::hangRecord(graph::Key node) {
   const auto& graph = path_.graph();
   graph::Key to = -1;
   if (!limits_.map_is_fixed) {
-    const auto& chain = path_.chain()[node];
+    const auto& chain = chainOf(path_)[node];
     to = places_.first(graph.pose(node)).value_or(chain.before >= 0 ? chain.before : chain.after);
   }
   record_.hang(node, to, graph);

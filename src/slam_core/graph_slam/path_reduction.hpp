@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
+#include <utility>
 
 #include "slam_core/graph_slam/landmark_graph.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
@@ -32,6 +34,9 @@ class PathReduction {
 
   /// Removes what is to go by now; to be called after each step.
   void reduce();
+  /// Nodes that must stay, whatever is seen from them, until they are released.
+  void keepWhile(std::function<bool(graph::Key)> is_held) { is_held_ = std::move(is_held); }
+  void release(graph::Key node);
   /// The number of nodes removed so far.
   std::size_t removed() const { return removed_; }
 
@@ -44,11 +49,13 @@ class PathReduction {
   void remove(graph::Key node);
   void hangRecord(graph::Key node);
   void takeOff(graph::Key node);
+  void dropSightings(graph::Key node);
 
   ReductionLimits limits_;
   PathGraph& path_;
   LandmarkGraph& landmarks_;
   PathRecord& record_;
+  std::function<bool(graph::Key)> is_held_ = [](graph::Key) { return false; };
   PlaceRaster places_;
   graph::Key newest_ = -1;
   std::deque<graph::Key> window_;   ///< nodes that stay because they are recent

@@ -146,6 +146,7 @@ Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points, bool i
   renderer_.add(*node_, path_.robot().pose, shared);
   closeLoops(points, counters);
   renderer_.follow(path_.graph());
+  reduction_.reduce();
   return Status::ok();
 }
 

@@ -13,6 +13,7 @@
 #include "slam_core/graph_slam/loop_search.hpp"
 #include "slam_core/graph_slam/loop_watch.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/scan_reduction.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/scan_matching/scan_doubt.hpp"
@@ -39,8 +40,6 @@ class ScanGraph {
   void predict(const Motion& motion);
   Status take(const LaserScan& scan, Counters& counters);
   Status status() const;
-  /// The scan that became a node with the last take(); none where none did.
-  const SharedScan& inserted() const { return inserted_; }
 
   std::optional<OccupancyGrid> grid() const;
   std::uint64_t gridRevision() const { return renderer_.revision(); }
@@ -52,6 +51,9 @@ class ScanGraph {
   friend const std::vector<Event>& eventsOf(const ScanGraph& scans) {
     return scans.loop_watch_.events();
   }
+  /// The scan that became a node with the last take(); none where none did.
+  friend const SharedScan& insertedBy(const ScanGraph& scans) { return scans.inserted_; }
+  friend ScanReduction& reductionOf(ScanGraph& scans) { return scans.reduction_; }
   friend GraphView viewOf(const graph::Optimizer& graph, const ScanGraph* scans);
 
  private:
@@ -77,6 +79,7 @@ class ScanGraph {
   graph::RobustLoops loops_;
   LoopWatch loop_watch_;
   GridRenderer renderer_;
+  ScanReduction reduction_{path_, submaps_, loops_, renderer_};
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_;
   scan_matching::ScanDoubt doubt_;

@@ -52,18 +52,20 @@ void SessionParts::read(const Session& session, std::unique_ptr<scan_matching::S
   const auto restored = [&](const Session::Submap& record) {
     std::vector<SharedScan> scans;
     std::vector<Pose2> poses;
+    std::vector<graph::Key> nodes;
     for (const auto& [scan, pose] : record.scans) {
+      nodes.push_back(keyOfNode(session.scans[scan].node));
       scans.push_back(session.scans[scan].scan);
       poses.push_back(pose);
     }
     if (!record.is_base)
-      return Submap(submaps.config_, keyOfNode(record.origin), record.odom_origin, std::move(scans),
-                    std::move(poses));
+      return Submap(submaps.config_, keyOfNode(record.origin), record.odom_origin, std::move(nodes),
+                    std::move(scans), std::move(poses));
     Submap submap(std::move(base), keyOfNode(record.origin), placesIn(*session.base));
     constexpr double kNoMatter = 1.0;  // ends to match with a map are not needed to draw one
     for (std::size_t i = 0; i < scans.size(); ++i)
-      submap.insert(scans[i], scan_matching::pointsOf(*scans[i], models, kNoMatter),
-                    keyOfNode(record.origin), poses[i]);
+      submap.insert(scans[i], scan_matching::pointsOf(*scans[i], models, kNoMatter), nodes[i],
+                    poses[i]);
     return submap;
   };
   const auto& from = session.submaps;
@@ -108,6 +110,7 @@ Status SessionParts::read(const Session& session, ScanGraph& graph) {
   const auto& from = session.submaps;
   read(session, std::move(base), graph.submaps_);
   read(session, graph.renderer_);
+  graph.reduction_.keepAll();
   graph.loops_.restore(loopsOf(session));
   graph.tracker_.restart(from.robot);
   if (!session.scans.empty()) graph.trigger_.note(from.last);

@@ -11,11 +11,13 @@ Submap::Submap(const grid_map::GridMapConfig& config)
     : config_(&config), map_(std::make_unique<scan_matching::ScanMap>(config)) {}
 
 Submap::Submap(const grid_map::GridMapConfig& config, graph::Key origin, const Pose2& odom_origin,
-               std::vector<SharedScan> scans, std::vector<Pose2> poses)
+               std::vector<graph::Key> nodes, std::vector<SharedScan> scans,
+               std::vector<Pose2> poses)
     : config_(&config),
       origin_(origin),
       T_odom_origin_(odom_origin),
       places_(std::move(poses)),
+      nodes_(std::move(nodes)),
       scans_(std::move(scans)) {}
 
 Submap::Submap(std::unique_ptr<scan_matching::ScanMap> loaded, graph::Key origin,
@@ -29,6 +31,7 @@ void Submap::insert(const SharedScan& scan, const scan_matching::ScanLevels& poi
     T_odom_origin_ = pose;
   }
   map_->insert(points, pose);
+  nodes_.push_back(node);
   places_.push_back(pose);
   scans_.push_back(scan);
 }

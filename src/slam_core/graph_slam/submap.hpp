@@ -23,9 +23,9 @@ class Submap {
  public:
   /// @param config outlives this
   explicit Submap(const grid_map::GridMapConfig& config);
-  /// One that was saved. @param poses T_odom_base of the scans
+  /// One that was saved. @param nodes of the scans @param poses T_odom_base of the scans
   Submap(const grid_map::GridMapConfig& config, graph::Key origin, const Pose2& odom_origin,
-         std::vector<SharedScan> scans, std::vector<Pose2> poses);
+         std::vector<graph::Key> nodes, std::vector<SharedScan> scans, std::vector<Pose2> poses);
   /// A map that was loaded; it is never given up.
   /// @param places where a robot could have been
   Submap(std::unique_ptr<scan_matching::ScanMap> loaded, graph::Key origin,
@@ -48,6 +48,8 @@ class Submap {
   /// Where a robot could have been in the grid that was loaded, then T_odom_base of the scans.
   const std::vector<Pose2>& places() const { return places_; }
   const std::vector<SharedScan>& scans() const { return scans_; }
+  /// The nodes of its scans.
+  const std::vector<graph::Key>& nodes() const { return nodes_; }
 
  private:
   const grid_map::GridMapConfig* config_ = nullptr;
@@ -55,6 +57,7 @@ class Submap {
   graph::Key origin_ = -1;
   Pose2 T_odom_origin_;
   std::vector<Pose2> places_;
+  std::vector<graph::Key> nodes_;
   std::vector<SharedScan> scans_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "slam_core/graph_slam/submaps.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace slam::graph_slam {
@@ -58,6 +59,13 @@ void Submaps::giveUpDrawings(std::size_t kept) {
     drawn -= oldest->submap.bytes();
     oldest->submap.giveUpDrawing();
   }
+}
+
+bool Submaps::isInHand(graph::Key node) const {
+  const auto holds = [node](const Submap& submap) {
+    return std::find(submap.nodes().begin(), submap.nodes().end(), node) != submap.nodes().end();
+  };
+  return holds(older_) || (younger_ && holds(*younger_));
 }
 
 std::size_t Submaps::bytes() const {

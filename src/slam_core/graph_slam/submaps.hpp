@@ -35,6 +35,10 @@ class Submaps {
   const Submap& current() const { return older_; }
   scan_matching::MapView currentView() { return older_.map().view(); }
   const std::vector<Finished>& finished() const { return finished_; }
+  /// Drops the one that was finished last.
+  void dropLast() { finished_.pop_back(); }
+  /// Whether the node has a scan in one that is not finished.
+  bool isInHand(graph::Key node) const;
   /// Draws a finished one where it is not drawn. The view is valid until the next call.
   scan_matching::MapView view(std::size_t number);
   /// The length of the way up to the last scan [m].

@@ -57,6 +57,7 @@ void print(double metres, const graph_slam::GraphSlam& backend, const Part& part
   std::printf("| %.0f | %.0f | %.1f | %.3f | %.2f | %.3f | %.2f |\n", metres,
               figure(backend, "nodes"), figure(backend, "factor_megabytes"), part.ms / part.steps,
               part.worst_ms, std::sqrt(part.squared_error / part.steps), part.nees / part.steps);
+  std::fflush(stdout);
 }
 
 void run(const std::vector<std::string>& overrides, const LoopWorldConfig& world, int seed,

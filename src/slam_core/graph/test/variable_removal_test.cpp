@@ -44,7 +44,7 @@ class Changing {
       if (holds) tree.removeFactor(it->first);
       it = holds ? factors_.erase(it) : std::next(it);
     }
-    tree.removeVariable(key);
+    slam::graph::removeVariable(tree, key);
     rows_.erase(key);
   }
   Key any() {
@@ -156,7 +156,7 @@ TEST(VariableRemoval, OfAPoseLeavesItsNeighboursWhereTheyWere) {
   const Eigen::Matrix3d R = Eigen::Matrix3d::Identity() / (50.0 * 50.0);
   optimizer.remove(first);
   optimizer.remove(second);
-  optimizer.removeVariable(1);
+  removeVariable(optimizer, 1);
   const Pose2 joined = step * step;
   const Eigen::Matrix3d of_both = A * R * A.transpose() + R;
   optimizer.add(std::make_unique<Between>(0, 2, joined, weightOfCovariance(of_both)));

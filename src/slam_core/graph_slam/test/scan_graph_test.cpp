@@ -63,6 +63,18 @@ TEST(ScanGraph, ClosesLoopsInEachLap) {
   EXPECT_LT(figure(*backend, "rejected_loops"), 0.1 * figure(*backend, "loops"));
 }
 
+TEST(ScanGraph, StopsGrowingInARoomThatIsKnown) {
+  const auto backend = made();
+  RoomDrive drive(9);
+  run(*backend, drive, 8 * kLap);
+  const double nodes = figure(*backend, "nodes"), megabytes = figure(*backend, "map_megabytes");
+  EXPECT_LT(run(*backend, drive, 8 * kLap), 0.05);
+  EXPECT_LT(figure(*backend, "nodes"), 1.3 * nodes);
+  EXPECT_LT(figure(*backend, "map_megabytes"), 1.3 * megabytes);
+  EXPECT_GT(figure(*backend, "removed_nodes"), 0.5 * nodes);
+  EXPECT_EQ(as<PathReviser>(*backend).path().size(), 16u * kLap);
+}
+
 TEST(ScanGraph, NeedsNoMotion) {
   const auto backend = made();
   RoomDrive drive(2);
