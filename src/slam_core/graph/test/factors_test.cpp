@@ -90,8 +90,8 @@ TEST(Factors, OfTwoPosesDoNotDependOnWhereThePosesAre) {
   const Pose2 a(1, 2, 3), a_b(0.5, -0.2, 0.3), motion(10, -5, 2);
   addTo(here, a);
   addTo(here, a * a_b);
-  addTo(here, motion * a);
-  addTo(here, motion * a * a_b);
+  addTo(there, motion * a);
+  addTo(there, motion * a * a_b);
   const Between between(0, 1, Pose2(0.6, -0.1, 0.2), someWeight());
   EXPECT_TRUE(linearized(between, here).J.isApprox(linearized(between, there).J, 1e-12));
 }
