@@ -52,6 +52,19 @@ class SessionTest(unittest.TestCase):
         self.assertGreaterEqual(self.landmarks(), known)
         self.assertGreater(len(self.save(self.path)), len(saved))
 
+    def test_another_drive_is_merged_when_it_is_recognised(self):
+        self.player.begin(60)
+        self.save(self.path)
+        self.call("reset", Trigger)
+        self.player.clear()
+        answer = self.call("merge_session", LoadMap, self.path)
+        self.assertTrue(answer.success, answer.message)
+        self.player.play(self.player.part(60, 140))
+        self.assertTrue(wait_for(lambda: len(self.player.get("pose")) >= 79))
+        alone = self.path.stat().st_size
+        self.assertTrue(wait_for(
+            lambda: len(self.save(self.path.with_name("both.session"))) > 1.5 * alone))
+
     def test_what_cannot_be_used_is_told_and_all_stays_as_it_is(self):
         saved = self.save(self.path)
         damaged = self.path.with_name("damaged.session")

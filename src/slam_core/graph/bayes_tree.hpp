@@ -125,4 +125,6 @@ class BayesTree {
   mutable std::vector<int> row_of_;  ///< of each variable in the clique at work
 };
 
+void removeVariable(BayesTree& tree, Key key);
+
 }  // namespace slam::graph

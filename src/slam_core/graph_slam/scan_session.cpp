@@ -14,9 +14,9 @@ Session::Submap recordOf(const Submap& submap, const SessionNumbers& numbers,
                          const ScanNumbers& scans, double ended) {
   Session::Submap record{
       numbers.variable(submap.origin()), submap.odomOrigin(), submap.isLoaded(), {}, ended};
-  const auto first = submap.places().size() - submap.scans().size();
-  for (std::size_t i = 0; i < submap.scans().size(); ++i)
-    record.scans.push_back({scans.at(submap.scans()[i].get()), submap.places()[first + i]});
+  const auto first = submap.places().size() - scansOf(submap).size();
+  for (std::size_t i = 0; i < scansOf(submap).size(); ++i)
+    record.scans.push_back({scans.at(scansOf(submap)[i].get()), submap.places()[first + i]});
   return record;
 }
 

@@ -47,7 +47,7 @@ class Submap {
   const Pose2& odomOrigin() const { return T_odom_origin_; }
   /// Where a robot could have been in the grid that was loaded, then T_odom_base of the scans.
   const std::vector<Pose2>& places() const { return places_; }
-  const std::vector<SharedScan>& scans() const { return scans_; }
+  friend const std::vector<SharedScan>& scansOf(const Submap& submap) { return submap.scans_; }
   /// The nodes of its scans.
   const std::vector<graph::Key>& nodes() const { return nodes_; }
 

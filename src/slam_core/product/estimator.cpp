@@ -10,6 +10,7 @@
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
+#include "slam_core/contract/session_merger.hpp"
 
 namespace slam {
 namespace {
@@ -120,10 +121,22 @@ Status Estimator::set(const SavedSession& session) {
   }
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
+  events_.relocate("a session was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   if (const auto* mapper = capabilities_.find<LandmarkMapper>())
     intake_.knowOnly(mapper->landmarks());
   return status;
+}
+
+Status Estimator::merge(const SavedSession& session) {
+  auto* merger = capabilities_.find<SessionMerger>();
+  if (merger == nullptr) return Status::error("this back-end merges no sessions: use the graph");
+  try {
+    merger->merge(session);
+  } catch (const std::runtime_error& error) {
+    return Status::error(error.what());
+  }
+  return Status::ok();
 }
 
 Status Estimator::startWith(SavedSession session) {

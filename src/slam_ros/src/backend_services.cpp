@@ -56,6 +56,7 @@ BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame, 
   if (!actions_.session) return;
   save_session_ = handle.advertiseService("save_session", &BackendServices::saveSession, this);
   load_session_ = handle.advertiseService("load_session", &BackendServices::loadSession, this);
+  merge_session_ = handle.advertiseService("merge_session", &BackendServices::mergeSession, this);
 }
 
 bool BackendServices::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -111,6 +112,17 @@ bool BackendServices::loadSession(slam_msgs::LoadMap::Request& request,
       throw std::runtime_error("cannot use the session " + path + ": " + status.message);
     const auto said = "the session and the pose are those of " + path;
     return status.isOk() ? said : said + "; " + status.message;
+  });
+}
+
+bool BackendServices::mergeSession(slam_msgs::LoadMap::Request& request,
+                                   slam_msgs::LoadMap::Response& response) {
+  return answer(response, [&] {
+    const auto path = absolute(request.path);
+    const auto status = actions_.merge({slam::readInputFile(path, "the session")});
+    if (!status.isOk())
+      throw std::runtime_error("cannot use the session " + path + ": " + status.message);
+    return path + " waits until it is recognised; then `events` has `merged`";
   });
 }
 

@@ -45,6 +45,7 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
   configure();
   if (!options.load_map.empty()) loadMap();
   if (!options.load_session.empty()) loadSession();
+  if (!options.merge_session.empty()) mergeSession();
   if (!options.save_session.empty()) requireSession();
 }
 
@@ -87,6 +88,14 @@ void OfflineRun::loadSession() {
   if (status.level == slam::Status::Level::kError)
     throw std::runtime_error("cannot use the session " + path + ": " + status.message);
   if (!status.isOk()) warn(path + ": " + status.message);
+}
+
+void OfflineRun::mergeSession() {
+  const auto& path = options_.merge_session;
+  const auto status =
+      coordinator_.estimator().merge(slam::SavedSession{slam::readInputFile(path, "the session")});
+  if (!status.isOk())
+    throw std::runtime_error("cannot use the session " + path + ": " + status.message);
 }
 
 std::string OfflineRun::session() const {

@@ -19,6 +19,8 @@ void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& s
                  "a landmarks' file, a grid's yaml with its landmarks, or a folder, to start with");
   app.add_option("--load-session", options.load_session,
                  "a session to go on from, or to localise in with graph.mode=localization");
+  app.add_option("--merge-session", options.merge_session,
+                 "a session whose map is put onto this one when it is recognised");
   app.add_option("--save-session", options.save_session,
                  "the file that takes the session at the end, to go on from");
   app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");

@@ -27,11 +27,11 @@ struct BackendActions {
   std::function<slam::Status(const slam::LandmarkFile&)> load;
   // of a back-end that keeps sessions
   std::function<slam::SavedSession()> session;
-  std::function<slam::Status(const slam::SavedSession&)> take_up;
+  std::function<slam::Status(const slam::SavedSession&)> take_up, merge;
 };
 
 /// The services `reset`, `pause`, `save_map` and `load_map`; of a back-end that keeps sessions
-/// `save_session` and `load_session` as well.
+/// `save_session`, `load_session` and `merge_session` as well.
 class BackendServices {
  public:
   /// @param has_grid whether the back-end's map has a grid
@@ -46,11 +46,12 @@ class BackendServices {
 
   bool saveSession(slam_msgs::SaveMap::Request& request, slam_msgs::SaveMap::Response& response);
   bool loadSession(slam_msgs::LoadMap::Request& request, slam_msgs::LoadMap::Response& response);
+  bool mergeSession(slam_msgs::LoadMap::Request& request, slam_msgs::LoadMap::Response& response);
 
   std::string map_frame_;
   bool has_grid_;
   BackendActions actions_;
-  ros::ServiceServer reset_, pause_, save_, load_, save_session_, load_session_;
+  ros::ServiceServer reset_, pause_, save_, load_, save_session_, load_session_, merge_session_;
 };
 
 }  // namespace slam_ros

@@ -21,8 +21,8 @@ struct OfflineOptions {
   std::string product;  ///< file or name
   std::string robot;    ///< file or name; empty: the bag tells
   std::string bag, folder;
-  std::string load_map;                    ///< landmarks.yaml to start with; empty: none
-  std::string load_session, save_session;  ///< files; empty: none
+  std::string load_map;  ///< landmarks.yaml to start with; empty: none
+  std::string load_session, save_session, merge_session;  ///< files; empty: none
   std::vector<std::string> overrides, remaps;
 };
 
@@ -41,6 +41,7 @@ class OfflineRun {
   void configure();
   void loadMap();
   void loadSession();
+  void mergeSession();
   std::string session() const;
   void requireSession() const;
   void read(slam::RunWriter& writer);
