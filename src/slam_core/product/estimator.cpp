@@ -128,8 +128,8 @@ Status Estimator::set(const SavedSession& session) {
   return status;
 }
 
-Status Estimator::merge(const SavedSession& session) {
-  auto* merger = capabilities_.find<SessionMerger>();
+Status merge(const SavedSession& session, const Estimator& estimator) {
+  auto* merger = estimator.capabilities().find<SessionMerger>();
   if (merger == nullptr) return Status::error("this back-end merges no sessions: use the graph");
   try {
     merger->merge(session);

@@ -48,8 +48,6 @@ class Estimator final : public Component {
   /// Goes on from a session (SessionKeeper), at once as from a map.
   /// @return an error where it cannot be used, which leaves all as it is
   Status set(const SavedSession& session);
-  /// Has a session wait until it is recognised (SessionMerger).
-  Status merge(const SavedSession& session);
   /// This map instead of an empty one, now and whenever everything begins anew. @return as set()
   Status startWith(MapState map);
   Status startWith(SavedSession session);  ///< the same
@@ -105,5 +103,8 @@ class Estimator final : public Component {
   bool paused_ = false;
   Counters counters_;
 };
+
+/// Has a session wait until the estimator's back-end recognises it (SessionMerger).
+Status merge(const SavedSession& session, const Estimator& estimator);
 
 }  // namespace slam

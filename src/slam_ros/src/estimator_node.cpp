@@ -131,7 +131,7 @@ BackendActions EstimatorNode::actions() {
   actions.take_up = [this](const slam::SavedSession& session) {
     return tellingOfMap(coordinator_.set(session));
   };
-  actions.merge = [this](const slam::SavedSession& session) { return estimator().merge(session); };
+  actions.merge = [this](const slam::SavedSession& session) { return merge(session, estimator()); };
   return actions;
 }
 

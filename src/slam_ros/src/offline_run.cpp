@@ -93,7 +93,7 @@ void OfflineRun::loadSession() {
 void OfflineRun::mergeSession() {
   const auto& path = options_.merge_session;
   const auto status =
-      coordinator_.estimator().merge(slam::SavedSession{slam::readInputFile(path, "the session")});
+      merge(slam::SavedSession{slam::readInputFile(path, "the session")}, coordinator_.estimator());
   if (!status.isOk())
     throw std::runtime_error("cannot use the session " + path + ": " + status.message);
 }
