@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
 
 #include "slam_core/graph_slam/session_file.hpp"
@@ -25,15 +24,9 @@ struct Options {
   std::string first, second, out;
 };
 
-/// A run's folder holds its session by this name.
-std::string fileOf(const std::string& name) {
-  const std::filesystem::path path(name);
-  return std::filesystem::is_directory(path) ? (path / "session.graph").string() : name;
-}
-
 void merge(const Options& options) {
-  const auto first = graph_slam::readSession(fileOf(options.first));
-  const auto second = graph_slam::readSession(fileOf(options.second));
+  const auto first = graph_slam::readSession(options.first);
+  const auto second = graph_slam::readSession(options.second);
   graph_slam::ScanSettings settings;
   if (first.kind.has_grid) settings.grid.resolution = first.kind.resolution;
   const auto goes_on =
@@ -58,7 +51,8 @@ int main(int argc, char** argv) {
       "both have. The result is in the map frame of the first one.",
       "slam_merge");
   Options options;
-  app.add_option("FIRST", options.first, "a session's file, or the folder of a run")->required();
+  app.add_option("FIRST", options.first, "a session's file, as --save-session writes it")
+      ->required();
   app.add_option("SECOND", options.second, "the session to put onto it")->required();
   app.add_option("--out", options.out, "the file to write")->required();
   try {
