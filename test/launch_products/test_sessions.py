@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run that stops half way and goes on with the rest of the bag, and one that localises there."""
+"""A run that stops half way and goes on with the rest of the bag, one that localises there, and two
+that become one."""
 
 import math
 import pathlib
@@ -101,6 +102,35 @@ class SessionsTest(unittest.TestCase):
                 run, _ = self.run_on(product, self.second, "localised", "--load-session",
                                      self.session(product), "--set", "graph.mode=localization")
                 self.assertLess(furthest(run, whole), 0.1)
+
+    def merge(self, *arguments):
+        return subprocess.run([program("slam_ros", "slam_merge"), *arguments], check=False,
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def test_two_drives_become_one_map(self):
+        for product in ("graph_wheel", "graph_wheel_grid"):
+            with self.subTest(product):
+                drive, both = self.root / "drive.session", self.root / "both.session"
+                self.run_on(product, self.bag, "drive", "--save-session", drive)
+                done = self.merge(self.session(product), drive, "--out", both)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertRegex(done.stdout, r"recognised by ([3-9]|\d\d) landmarks")
+                self.run_on(product, self.second, "after", "--load-session", both)
+                run, _ = self.run_on(product, self.bag, "merging", "--merge-session",
+                                     self.session(product))
+                self.assertIn(",merged,", (run / "events.csv").read_text(encoding="utf-8"))
+
+    def test_sessions_that_cannot_be_merged_are_refused(self):
+        session, both = self.session("graph_wheel"), self.root / "none.session"
+        for other, sentence in ((self.session("graph_wheel_grid"), "one session has a grid"),
+                                ("/no/such", "/no/such")):
+            done = self.merge(session, other, "--out", both)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(sentence, done.stderr)
+        self.assertEqual(self.merge(session, "--out", both).returncode, 2)
+        self.assertFalse(both.exists())
+        self.assertIn("merges no sessions",
+                      self.refusal("ekf_wheel", "--merge-session", session))
 
     def test_what_cannot_be_used_is_refused_before_anything_is_written(self):
         session = self.session("graph_wheel")
