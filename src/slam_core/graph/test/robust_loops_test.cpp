@@ -104,7 +104,7 @@ TEST_F(RobustLoopsTest, AFalseLoopWaitsAndMovesNothing) {
   EXPECT_EQ(loops.changes().believed, 2u);
   EXPECT_EQ(loops.changes().taken_back, 0u);
   std::vector<bool> counts;
-  loops.visit([&](const Factor&, double weight) { counts.push_back(weight > 0.0); });
+  for (const auto& loop : loops.states()) counts.push_back(loop.is_believed);
   EXPECT_EQ(counts, (std::vector<bool>{true, true, false}));
 }
 
