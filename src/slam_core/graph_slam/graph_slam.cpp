@@ -70,7 +70,7 @@ void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
-  if (uses_grid_) capabilities.offer<EventReporter>(*this);
+  capabilities.offer<EventReporter>(*this);
   capabilities.offer<GraphReporter>(*this);
   capabilities.offer<MapChooser>(*this);
   capabilities.offer<MapKeeper>(*this);
