@@ -92,6 +92,7 @@ GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
         status.level == Status::Level::kError)
       throw std::runtime_error(status.message);
   SessionParts::read(session, record);
+  reduction.keepAll();
   for (const auto& landmark : session.landmarks)
     resumed.sightings.set(landmark.id, {landmark.fits, landmark.misses});
   try {

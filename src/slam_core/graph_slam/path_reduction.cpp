@@ -14,10 +14,6 @@ constexpr std::size_t kWindow = 100;
 constexpr std::size_t kLead = 5;
 /// A landmark that was seen from so many nodes is known.
 constexpr std::size_t kSightings = 30;
-/// Known landmarks that say where a node is, whatever the motion to it.
-constexpr int kTied = 2;
-/// A composed motion over a longer way tells nothing beside the map [m].
-constexpr double kLongestLink = 5.0;
 
 }  // namespace
 
@@ -44,9 +40,10 @@ void PathReduction::judge(graph::Key node) {
   for (; leaving_.size() > lead; leaving_.pop_front()) remove(leaving_.front());
 }
 
-void PathReduction::keepLeaving() {
-  leaving_.clear();
-  loose_ = -1;
+void PathReduction::keepLeaving() { leaving_.clear(); }
+
+void PathReduction::keepAll() {
+  for (const auto node : chainOf(path_).takeNew()) places_.add(path_.graph().pose(node), node);
 }
 
 bool PathReduction::isKnown(std::size_t landmark) const {
@@ -60,33 +57,17 @@ bool PathReduction::isNew(graph::Key node) const {
   return !std::all_of(seen.begin(), seen.end(), [this](auto each) { return isKnown(each); });
 }
 
-/// Whether it would be known where the node is if nothing joined it to the one before.
-bool PathReduction::isTied(graph::Key node) const {
-  if (chainOf(path_)[node].has_prior) return true;
-  const auto& seen = sightingsOf(landmarks_).seenFrom(node);
-  return std::count_if(seen.begin(), seen.end(), [this](auto each) { return isKnown(each); }) >=
-         kTied;
-}
-
 void PathReduction::remove(graph::Key node) {
-  const auto [before, after, link, has_prior] = chainOf(path_)[node];
-  if (has_prior) return;
+  const auto& chain = chainOf(path_)[node];
+  if (chain.has_prior || chain.before < 0) return;
   if (is_held_(node)) {
     dropSightings(node);
     return;
   }
-  if (before < 0 && !(after >= 0 && isTied(after))) {
-    loose_ = node;
-    return;
-  }
-  takeOff(node);
-  if (after < 0 || before < 0 || !isTied(after)) return;
-  if (before == loose_) {
-    takeOff(before);
-    loose_ = -1;
-  } else if (chainOf(path_)[after].link.way > kLongestLink && isTied(before)) {
-    chainOf(path_).cut(after);
-  }
+  hangRecord(node);
+  dropSightings(node);
+  chainOf(path_).remove(node);
+  ++removed_;
 }
 
 void PathReduction::dropSightings(graph::Key node) {
@@ -99,13 +80,6 @@ void PathReduction::release(graph::Key node) {
   };
   const bool has_sightings = !sightingsOf(landmarks_).seenFrom(node).empty();
   if (!has_sightings && !is_in(window_) && !is_in(leaving_) && node != newest_) remove(node);
-}
-
-void PathReduction::takeOff(graph::Key node) {
-  hangRecord(node);
-  dropSightings(node);
-  chainOf(path_).remove(node);
-  ++removed_;
 }
 
 /// The poses that hang on a node go to one at the same place, or to a neighbour. In a fixed map

@@ -23,8 +23,8 @@ struct ReductionLimits {
 /// Keeps the graph as large as the area, not as long as the way (a reduced pose graph: Johannsson,
 /// Kaess, Fallon, Leonard 2013). A node of some time ago is removed where enough older ones stand
 /// at its place and its landmarks have been seen often enough: its sightings go, and the motions
-/// beside it become one. What is left out is information, so the graph never claims to know more
-/// than it does.
+/// beside it become one: so the path always hangs together. What is left out is information, so the
+/// graph never claims to know more than it does.
 class PathReduction {
  public:
   /// @param path, landmarks, record outlive this
@@ -34,6 +34,8 @@ class PathReduction {
 
   /// Removes what is to go by now; to be called after each step.
   void reduce();
+  /// The nodes that there are stay for good, as those of a session.
+  void keepAll();
   /// Nodes that must stay, whatever is seen from them, until they are released.
   void keepWhile(std::function<bool(graph::Key)> is_held) { is_held_ = std::move(is_held); }
   void release(graph::Key node);
@@ -44,11 +46,9 @@ class PathReduction {
   void judge(graph::Key node);
   bool isNew(graph::Key node) const;
   bool isKnown(std::size_t landmark) const;
-  bool isTied(graph::Key node) const;
   void keepLeaving();
   void remove(graph::Key node);
   void hangRecord(graph::Key node);
-  void takeOff(graph::Key node);
   void dropSightings(graph::Key node);
 
   ReductionLimits limits_;
@@ -61,7 +61,6 @@ class PathReduction {
   std::deque<graph::Key> window_;   ///< nodes that stay because they are recent
   std::deque<graph::Key> leaving_;  ///< nodes to remove unless new ones follow at once
   std::size_t to_keep_ = 0;         ///< nodes after a new one that stay with it
-  graph::Key loose_ = -1;           ///< a start of the path that goes as soon as the next is tied
   std::size_t removed_ = 0;
 };
 

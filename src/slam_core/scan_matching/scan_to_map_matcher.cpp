@@ -70,7 +70,10 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const 
   for (const auto& window : windowsAround(prior)) {
     if (!isDoubtful(best)) break;
     const auto found = searched(map, scan, prior.pose, window.position, window.heading);
-    if (isBetter(found, best, kWorthAStep * endsOf(scan))) best = found;
+    const bool is_local = window.position <= config_.window_position;
+    if (isBetter(found, best, kWorthAStep * endsOf(scan)) &&
+        (is_local || !hasRival(found, map, scan, found.pose, kAround)))
+      best = found;
   }
   if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
     best = foundFarAway(map, scan, prior, best);
