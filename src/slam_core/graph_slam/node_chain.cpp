@@ -3,12 +3,35 @@
 
 #include "slam_core/graph_slam/node_chain.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/graph_slam/twist_covariance.hpp"
 
 namespace slam::graph_slam {
+
+namespace {
+
+/// Both motions as one, to the first order in their errors.
+NodeChain::Link composed(const NodeChain::Link& first, const NodeChain::Link& second) {
+  Eigen::Matrix3d J_first, J_second;
+  NodeChain::Link both;
+  both.increment = first.increment.compose(second.increment, &J_first, &J_second);
+  both.covariance = J_first * first.covariance * J_first.transpose() +
+                    J_second * second.covariance * J_second.transpose();
+  both.way = first.way + second.way;
+  return both;
+}
+
+/// What the Jacobians do not show: an error e of the heading shortens what is driven by about
+/// e^2 / 2 of its length, whose second moment is 3/4 sigma^4.
+Eigen::Matrix3d ofSecondOrder(const NodeChain::Link& link) {
+  const double shortened = 0.75 * std::pow(link.covariance(2, 2) * link.way, 2);
+  return Eigen::Vector3d(shortened, shortened, 0.0).asDiagonal();
+}
+
+}  // namespace
 
 void NodeChain::start(graph::Key node) {
   nodes_[node].has_prior = true;
@@ -25,7 +48,8 @@ void NodeChain::append(graph::Key before, graph::Key node, const Motion& motion)
 }
 
 void NodeChain::join(graph::Key before, graph::Key node, const Link& link) {
-  const auto W = graph::weightOfCovariance(twistCovariance(link.increment, link.covariance));
+  const Eigen::Matrix3d P = link.covariance + ofSecondOrder(link);
+  const auto W = graph::weightOfCovariance(twistCovariance(link.increment, P));
   auto& joined = nodes_[node];
   joined.before = before;
   joined.link = link;
@@ -40,16 +64,7 @@ void NodeChain::remove(graph::Key key) {
   if (node.after >= 0) {
     const Link next = nodes_.at(node.after).link;
     cut(node.after);
-    if (node.before >= 0) {
-      Eigen::Matrix3d J_first, J_second;
-      Link both;
-      both.increment = node.link.increment.compose(next.increment, &J_first, &J_second);
-      both.covariance = J_first * node.link.covariance * J_first.transpose() +
-                        J_second * next.covariance * J_second.transpose();
-      both.way = node.link.way + next.way;
-      both.is_composed = true;
-      join(node.before, node.after, both);
-    }
+    if (node.before >= 0) join(node.before, node.after, composed(node.link, next));
   }
   nodes_.erase(key);
   removeVariable(graph_, key);

@@ -17,13 +17,12 @@ namespace slam::graph_slam {
 /// that join them. A node between two others can be removed: the motions beside it become one.
 class NodeChain {
  public:
-  /// How a node is joined to the one before.
+  /// The motion to a node from the one before.
   struct Link {
     graph::FactorId factor = -1;
     Pose2 increment;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the increment's coordinates
-    double way = 0.0;                                      ///< along all nodes between [m]
-    bool is_composed = false;                              ///< nodes between were removed
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the increment, to the first order
+    double way = 0.0;                                      ///< driven, along all nodes between [m]
   };
   struct Node {
     graph::Key before = -1, after = -1;
@@ -45,13 +44,13 @@ class NodeChain {
 
   /// Removes a node that no other factors hold any more, with its variable.
   void remove(graph::Key node);
-  /// Removes the motion between a node and the one before.
-  void cut(graph::Key node);
 
  private:
   friend struct SessionParts;  // takes up the nodes of a session as if they had just come
 
   void join(graph::Key before, graph::Key node, const Link& link);
+  /// Removes the motion between a node and the one before.
+  void cut(graph::Key node);
 
   graph::Optimizer& graph_;
   std::unordered_map<graph::Key, Node> nodes_;  // looked up only, never iterated

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kWindow = 100;
 /// So many nodes before and after one at a new place stay with it and tie it to the map.
 constexpr std::size_t kLead = 5;
-/// A landmark that was seen from so many nodes is known.
+/// A landmark that was seen from so many nodes that stay is known.
 constexpr std::size_t kSightings = 30;
 
 }  // namespace
@@ -22,16 +22,20 @@ void PathReduction::reduce() {
     if (newest_ >= 0 && !sightingsOf(landmarks_).seenFrom(newest_).empty())
       window_.push_back(newest_);
     newest_ = node;
+    open_.insert(node);
   }
   for (; window_.size() > kWindow; window_.pop_front()) judge(window_.front());
 }
 
 void PathReduction::judge(graph::Key node) {
   if (isNew(node)) {
-    keepLeaving();
+    for (const auto before : leaving_) settle(before);
+    leaving_.clear();
     places_.add(path_.graph().pose(node), node);
+    settle(node);
     to_keep_ = kLead;
   } else if (to_keep_ > 0) {
+    settle(node);
     --to_keep_;
   } else {
     leaving_.push_back(node);
@@ -40,14 +44,20 @@ void PathReduction::judge(graph::Key node) {
   for (; leaving_.size() > lead; leaving_.pop_front()) remove(leaving_.front());
 }
 
-void PathReduction::keepLeaving() { leaving_.clear(); }
+/// It stays, so that what it sees counts.
+void PathReduction::settle(graph::Key node) { open_.erase(node); }
 
 void PathReduction::keepAll() {
   for (const auto node : chainOf(path_).takeNew()) places_.add(path_.graph().pose(node), node);
 }
 
+/// What only recent nodes have seen is not known yet: most of them will go.
 bool PathReduction::isKnown(std::size_t landmark) const {
-  return limits_.map_is_fixed || sightingsOf(landmarks_).count(landmark) > kSightings;
+  if (limits_.map_is_fixed) return true;
+  const auto nodes = sightingsOf(landmarks_).nodesThatSaw(landmark);
+  const auto settled = std::count_if(nodes.begin(), nodes.end(),
+                                     [this](graph::Key node) { return open_.count(node) == 0; });
+  return static_cast<std::size_t>(settled) > kSightings;
 }
 
 bool PathReduction::isNew(graph::Key node) const {
@@ -58,6 +68,7 @@ bool PathReduction::isNew(graph::Key node) const {
 }
 
 void PathReduction::remove(graph::Key node) {
+  settle(node);
   const auto& chain = chainOf(path_)[node];
   if (chain.has_prior || chain.before < 0) return;
   if (is_held_(node)) {

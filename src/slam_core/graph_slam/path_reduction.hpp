@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <unordered_set>
 #include <utility>
 
 #include "slam_core/graph_slam/landmark_graph.hpp"
@@ -23,8 +24,8 @@ struct ReductionLimits {
 /// Keeps the graph as large as the area, not as long as the way (a reduced pose graph: Johannsson,
 /// Kaess, Fallon, Leonard 2013). A node of some time ago is removed where enough older ones stand
 /// at its place and its landmarks have been seen often enough: its sightings go, and the motions
-/// beside it become one: so the path always hangs together. What is left out is information, so the
-/// graph never claims to know more than it does.
+/// beside it become one, so that the path always hangs together. What is left out is information:
+/// the graph never claims to know more than it does.
 class PathReduction {
  public:
   /// @param path, landmarks, record outlive this
@@ -44,9 +45,9 @@ class PathReduction {
 
  private:
   void judge(graph::Key node);
+  void settle(graph::Key node);
   bool isNew(graph::Key node) const;
   bool isKnown(std::size_t landmark) const;
-  void keepLeaving();
   void remove(graph::Key node);
   void hangRecord(graph::Key node);
   void dropSightings(graph::Key node);
@@ -58,9 +59,10 @@ class PathReduction {
   std::function<bool(graph::Key)> is_held_ = [](graph::Key) { return false; };
   PlaceRaster places_;
   graph::Key newest_ = -1;
-  std::deque<graph::Key> window_;   ///< nodes that stay because they are recent
-  std::deque<graph::Key> leaving_;  ///< nodes to remove unless new ones follow at once
-  std::size_t to_keep_ = 0;         ///< nodes after a new one that stay with it
+  std::unordered_set<graph::Key> open_;  ///< nodes of which it is not decided yet; looked up only
+  std::deque<graph::Key> window_;        ///< nodes that stay because they are recent
+  std::deque<graph::Key> leaving_;       ///< nodes to remove unless new ones follow at once
+  std::size_t to_keep_ = 0;              ///< nodes after a new one that stay with it
   std::size_t removed_ = 0;
 };
 

@@ -45,7 +45,7 @@ void SessionParts::read(const Session& session, NodeChain& chain) {
     const Eigen::Matrix3d H = motion->weight.transpose() * motion->weight;
     node.link = {idOfFactor(static_cast<Session::Index>(i)), motion->motion,
                  coordinateCovariance(motion->motion, H.inverse()),
-                 motion->motion.position().norm(), false};
+                 motion->motion.position().norm()};
   }
   for (std::size_t i = 0; i < session.nodes.size(); ++i)
     if (const auto first = keyOfNode(static_cast<Session::Index>(i)); nodes[first].before < 0)

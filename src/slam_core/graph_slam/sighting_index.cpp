@@ -50,6 +50,12 @@ std::vector<graph::FactorId> SightingIndex::removeNode(graph::Key node) {
   return factors;
 }
 
+std::vector<graph::Key> SightingIndex::nodesThatSaw(std::size_t landmark) const {
+  std::vector<graph::Key> nodes;
+  for (const auto& sighting : of_landmark_[landmark]) nodes.push_back(sighting.node);
+  return nodes;
+}
+
 const std::vector<std::size_t>& SightingIndex::seenFrom(graph::Key node) const {
   static const std::vector<std::size_t> kNone;
   const auto found = of_node_.find(node);

@@ -29,8 +29,10 @@ class SightingIndex {
 
   /// The factor of a node that tells of the landmark; there must be one.
   graph::FactorId factor(std::size_t landmark, graph::Key node) const;
-  /// How many factors tell of a landmark.
+  /// @return the number of factors that tell of a landmark
   std::size_t count(std::size_t landmark) const { return of_landmark_[landmark].size(); }
+  /// @return the node of each of these factors; -1 for one without a node
+  std::vector<graph::Key> nodesThatSaw(std::size_t landmark) const;
   /// The landmarks that were seen from a node.
   const std::vector<std::size_t>& seenFrom(graph::Key node) const;
 

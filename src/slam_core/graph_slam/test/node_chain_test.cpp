@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <memory>
 
+#include "slam_core/common/random.hpp"
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/graph_slam/place_raster.hpp"
 #include "slam_core/graph_slam/sighting_index.hpp"
+#include "slam_core/graph_slam/twist_covariance.hpp"
 
 namespace slam::graph_slam {
 namespace {
@@ -54,20 +57,47 @@ TEST(NodeChain, KeepsWhatIsKnownOfTheEndWhenNodesBetweenGo) {
   EXPECT_EQ(line.chain.size(), 2u);
   EXPECT_EQ(line.chain[4].before, 0);
   EXPECT_EQ(line.chain[0].after, 4);
-  EXPECT_TRUE(line.chain[4].link.is_composed);
-  EXPECT_NEAR(line.chain[4].link.way, 4 * kStep.position().norm(), 1e-9);
 }
 
-TEST(NodeChain, LosesANodeAtItsEndAndALinkThatIsCut) {
+TEST(NodeChain, LosesANodeAtEitherEnd) {
   Line line;
   line.chain.remove(4);
   EXPECT_EQ(line.chain[3].after, -1);
-  line.chain.cut(2);
-  EXPECT_EQ(line.chain[2].before, -1);
-  EXPECT_EQ(line.chain[1].after, -1);
-  line.chain.remove(2);
-  EXPECT_EQ(line.chain[3].before, -1);
+  line.chain.remove(0);
+  EXPECT_EQ(line.chain[1].before, -1);
   EXPECT_EQ(line.chain.size(), 3u);
+}
+
+/// Of a robot that drives straight on with a heading that wanders by 0.3 rad in all.
+TEST(NodeChain, ComposesMotionsThatErrByAsMuchAsTheySay) {
+  constexpr int kSteps = 40, kRuns = 400;
+  Motion told;
+  told.increment = Pose2(0.5, 0.0, 0.0);
+  told.covariance = Eigen::Vector3d(1e-6, 1e-6, 0.05 * 0.05).asDiagonal();
+  graph::Optimizer graph;
+  NodeChain chain(graph);
+  graph.add(Pose2());
+  chain.start(0);
+  for (graph::Key key = 1; key <= kSteps; ++key) {
+    graph.add(Pose2(0.5 * key, 0.0, 0.0));
+    chain.append(key - 1, key, told);
+  }
+  for (graph::Key key = 1; key < kSteps; ++key) chain.remove(key);
+  graph.add(std::make_unique<graph::PosePrior>(0, Pose2(), 1e6 * Eigen::Matrix3d::Identity()));
+  graph.optimize({kSteps}, 5);
+  const Pose2 end = graph.pose(kSteps);
+  const Eigen::Matrix3d covariance = coordinateCovariance(end, graph.covariance({kSteps}));
+  RandomStream random(1, 0);
+  double sum = 0.0;
+  for (int run = 0; run < kRuns; ++run) {
+    Pose2 truth;
+    for (int i = 0; i < kSteps; ++i)
+      truth = truth * Pose2(0.5 + 1e-3 * random.gaussian(), 1e-3 * random.gaussian(),
+                            0.05 * random.gaussian());
+    const Eigen::Vector3d error = truth.vector() - end.vector();
+    sum += error.dot(covariance.llt().solve(error));
+  }
+  EXPECT_LT(sum / kRuns, 4.0) << "3 are expected";
 }
 
 TEST(NodeChain, TellsEachNewNodeOnce) {

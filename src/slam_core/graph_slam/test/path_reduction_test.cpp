@@ -163,6 +163,8 @@ TEST(PathReduction, StaysDeterminedWhereAllLandmarksAreReplaced) {
       const auto status = drive->graph.execute();
       ASSERT_TRUE(status.isOk()) << "step " << i << ": " << status.message;
     }
+  const double ratio = few.graph.pose().covariance.trace() / all.graph.pose().covariance.trace();
+  EXPECT_LT(ratio, 4.0);
   const auto step = few.world.next();
   few.graph.set(step.motion);
   few.graph.execute();

@@ -8,7 +8,7 @@
 
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
-#include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/session_merger.hpp"
 #include "slam_core/product/test/driven_backend.hpp"
 
 // What a back-end promises whose estimate is a graph of poses, and one that tells what happened.
@@ -65,12 +65,22 @@ class EventContract : public ContractTest {
   static std::vector<Event> eventsOf(const DrivenBackend& backend) {
     return backend.as<EventReporter>().events();
   }
+  /// A back-end, begun anew, that merges sessions is to meet the drive of the same seed again.
+  static void remember(DrivenBackend& backend, std::uint64_t seed) {
+    auto* merger = backend.find<SessionMerger>();
+    if (merger == nullptr) return;
+    backend.run(seed, backend.drive(seed)->stepsOfALap());
+    const auto session = backend.as<SessionKeeper>().session();
+    backend->reset();
+    merger->merge(session);
+  }
 };
 // A back-end that tells nothing has none of these tests.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EventContract);
 
 TEST_P(EventContract, TellsSizesAndReasonsThatFilesCanHold) {
   auto backend = make();
+  remember(backend, 1);
   const auto drive = backend.drive(1);
   std::size_t told = 0;
   for (int i = 0; i < 3 * drive->stepsOfALap(); ++i) {
@@ -83,17 +93,16 @@ TEST_P(EventContract, TellsSizesAndReasonsThatFilesCanHold) {
       ASSERT_EQ(event.reason.find_first_of("\"\n"), std::string::npos) << event.reason;
     }
   }
-  if (backend.find<GridMapper>() != nullptr) {
-    EXPECT_GT(told, 0u) << "in three laps the robot comes back to where it was";
-  }
+  EXPECT_GT(told, 0u) << "in three laps the robot comes back to where it was";
 }
 
 TEST_P(EventContract, TellsOnlyOfTheLastStep) {
   auto backend = make();
+  remember(backend, 2);
   const auto drive = backend.drive(2);
   int steps = 0;
   while (eventsOf(backend).empty() && ++steps < 3 * drive->stepsOfALap()) backend.step(*drive);
-  if (eventsOf(backend).empty()) GTEST_SKIP() << "nothing happened in three laps";
+  ASSERT_FALSE(eventsOf(backend).empty());
   backend.execute();
   EXPECT_TRUE(eventsOf(backend).empty()) << "a step without data";
 }
