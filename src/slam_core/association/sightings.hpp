@@ -30,7 +30,7 @@ class Sightings {
   /// @param reinitialized the doubtful ones that now stand elsewhere
   static Status warningOf(const Verdict& verdict, const std::vector<LandmarkId>& reinitialized);
 
-  /// What is known of a landmark.
+  /// A record counts what is known of a landmark.
   struct Record {
     int fits = 0, misses = 0;
   };
@@ -42,7 +42,7 @@ class Sightings {
   Verdict judge(const std::vector<LandmarkId>& fitting,
                 const std::vector<LandmarkObservation>& gated);
 
-  // to save, and to go on
+  // A session saves the records and takes them up again.
   Record record(LandmarkId id) const;
   void set(LandmarkId id, const Record& record) { records_[id] = record; }
 

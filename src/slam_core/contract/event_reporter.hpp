@@ -24,14 +24,14 @@ struct Event {
   };
 
   Kind kind = Kind::kJump;
-  /// By which the pose of the robot moved beyond its motion: length [m] and angle [rad], not
+  /// The pose of the robot moved by this much beyond its motion: length [m] and angle [rad], not
   /// negative.
   double distance = 0.0, turn = 0.0;
   std::string reason;  ///< a clause, for people
   Stamp stamp;         ///< of the step; the Estimator fills it in
 };
 
-/// What messages and files call the kinds.
+/// The kinds have these names in messages and files.
 inline const Names<Event::Kind>& namesOfEvents() {
   static const Names<Event::Kind> names = {{"jump", Event::Kind::kJump},
                                            {"loop_closed", Event::Kind::kLoopClosed},
@@ -47,7 +47,7 @@ inline const Names<Event::Kind>& namesOfEvents() {
 class EventReporter {
  public:
   virtual ~EventReporter() = default;
-  /// What happened in the last execute(), in order. Small corrections may be among it: the
+  /// @return what happened in the last execute(), in order. Small corrections may be among it: the
   /// Estimator leaves out loops that hardly moved the pose.
   virtual std::vector<Event> events() const = 0;
 };

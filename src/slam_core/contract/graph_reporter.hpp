@@ -11,7 +11,7 @@
 
 namespace slam {
 
-/// What a measurement joins, as a line in the map frame.
+/// An edge shows what a measurement joins, as a line in the map frame.
 struct GraphEdge {
   enum class Kind {
     kMotion,      ///< from one pose to the next one
@@ -25,7 +25,7 @@ struct GraphEdge {
   double weight = 1.0;       ///< how much of it counts, in [0, 1]
 };
 
-/// What files call the kinds of edges.
+/// The kinds of edges have these names in files.
 inline const Names<GraphEdge::Kind>& namesOfEdges() {
   static const Names<GraphEdge::Kind> names = {{"motion", GraphEdge::Kind::kMotion},
                                                {"sighting", GraphEdge::Kind::kSighting},

@@ -31,7 +31,7 @@ struct Innovation {
 };
 
 using FactorVisitor = std::function<void(const Factor& factor, double weight)>;
-/// What a graph holds, to be saved.
+/// The contents of a graph, to be saved.
 struct GraphContents {
   std::vector<std::shared_ptr<const Factor>> factors;  ///< by number; null where one was removed
   std::vector<bool> is_pose;                           ///< of each variable there has ever been

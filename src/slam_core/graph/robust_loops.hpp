@@ -28,7 +28,7 @@ class RobustLoops {
   /// Whether the loops' covariances are believed, or their scale is learnt.
   enum class Noise { kAsTold, kLearnt };
 
-  /// How often so far.
+  /// Counts how often loops were believed and taken back so far.
   struct Changes {
     std::size_t believed = 0, taken_back = 0;
   };

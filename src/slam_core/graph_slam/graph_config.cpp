@@ -8,6 +8,10 @@
 
 namespace slam::graph_slam {
 
+Eigen::Vector3d GraphConfig::driftPerMetre() const {
+  return Eigen::Vector3d(drift_position, drift_position, drift_heading).cwiseAbs2();
+}
+
 void GraphConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
              "build the map, or keep a loaded one fixed and only localise in it");

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 
 #include "slam_core/common/config_fields.hpp"
@@ -32,6 +33,8 @@ struct GraphConfig {
   double lost_share = 0.5;
 
   bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
+  /// The variance of (x, y, theta) by which scans err for each metre of the way.
+  Eigen::Vector3d driftPerMetre() const;
   void describe(Fields& fields);
 
  private:

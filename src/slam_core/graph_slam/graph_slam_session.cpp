@@ -12,7 +12,7 @@
 #include "slam_core/graph_slam/session_parts.hpp"
 #include "slam_core/models/motion_gap.hpp"
 
-// How the back-end saves a session and goes on from one.
+// This file holds how the back-end saves a session, goes on from one and merges one.
 
 namespace slam::graph_slam {
 namespace {

@@ -15,13 +15,13 @@ namespace slam::graph_slam {
 /// A landmark that two maps have, by its id.
 struct SharedLandmark {
   std::size_t first = 0, second = 0;  ///< its numbers there
-  /// Where they have it, each in its own frame [m].
+  /// The maps have it there, each in its own frame [m].
   Eigen::Vector2d in_first = Eigen::Vector2d::Zero(), in_second = Eigen::Vector2d::Zero();
   Eigen::Matrix2d first_covariance = Eigen::Matrix2d::Zero();   ///< [m^2]
   Eigen::Matrix2d second_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
 };
 
-/// How a second map lies in a first one.
+/// A meeting says how a second map lies in a first one.
 struct LandmarkMeeting {
   Pose2 first_second;                 ///< T_first_second, of the map frames
   std::vector<std::size_t> agreeing;  ///< of the shared landmarks, those that lie where it says

@@ -24,6 +24,14 @@ double largestSigma(const Eigen::Matrix3d& covariance) {
 
 }  // namespace
 
+Eigen::Matrix3d covarianceOf(const scan_matching::Match& match, const Eigen::Vector3d& drift) {
+  constexpr double kNothing = 1e-4;  // information of what the scan does not tell
+  const Eigen::Matrix3d of_match =
+      (match.information + kNothing * Eigen::Matrix3d::Identity()).inverse();
+  const Eigen::Matrix3d of_map = drift.asDiagonal();
+  return twistCovariance(match.pose, of_match) + of_map;
+}
+
 std::vector<LoopClosure> LoopSearch::find(const scan_matching::ScanLevels& scan,
                                           const PathGraph& path, Submaps& submaps) const {
   std::vector<Candidate> candidates;
@@ -76,10 +84,7 @@ std::optional<LoopClosure> LoopSearch::closure(const Candidate& candidate, Subma
   LoopClosure closure;
   closure.submap = candidate.submap;
   closure.origin_node = T_odom_origin.between(found->pose);
-  constexpr double kNothing = 1e-4;  // information of what the scan does not tell
-  const Eigen::Matrix3d of_match =
-      (found->information + kNothing * Eigen::Matrix3d::Identity()).inverse();
-  closure.covariance = twistCovariance(found->pose, of_match) + variance;
+  closure.covariance = covarianceOf(*found, variance_);
   closure.was_searched = found->was_searched;
   return closure;
 }

@@ -20,6 +20,10 @@ struct LoopClosure {
   bool was_searched = false;   ///< too far from where the graph had it for a local match
 };
 
+/// The covariance of a twist of the robot where a scan was recognised in a map.
+/// @param drift variance of the part of the map around it, of (x, y, theta)
+Eigen::Matrix3d covarianceOf(const scan_matching::Match& match, const Eigen::Vector3d& drift);
+
 /// Looks for the robot in the submaps of long ago that may lie around it: how far from where the
 /// graph has it, its covariance says.
 class LoopSearch {

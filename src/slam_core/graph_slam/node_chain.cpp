@@ -13,7 +13,7 @@ namespace slam::graph_slam {
 
 namespace {
 
-/// Both motions as one, to the first order in their errors.
+/// @return both motions as one, to the first order in their errors
 NodeChain::Link composed(const NodeChain::Link& first, const NodeChain::Link& second) {
   Eigen::Matrix3d J_first, J_second;
   NodeChain::Link both;
@@ -24,8 +24,8 @@ NodeChain::Link composed(const NodeChain::Link& first, const NodeChain::Link& se
   return both;
 }
 
-/// What the Jacobians do not show: an error e of the heading shortens what is driven by about
-/// e^2 / 2 of its length, whose second moment is 3/4 sigma^4.
+/// The Jacobians do not show that an error e of the heading shortens the way by about e^2 / 2 of
+/// its length. The second moment of e^2 / 2 is 3/4 sigma^4.
 Eigen::Matrix3d ofSecondOrder(const NodeChain::Link& link) {
   const double shortened = 0.75 * std::pow(link.covariance(2, 2) * link.way, 2);
   return Eigen::Vector3d(shortened, shortened, 0.0).asDiagonal();

@@ -17,7 +17,7 @@ namespace slam::graph_slam {
 /// that join them. A node between two others can be removed: the motions beside it become one.
 class NodeChain {
  public:
-  /// The motion to a node from the one before.
+  /// A link is the motion to a node from the one before.
   struct Link {
     graph::FactorId factor = -1;
     Pose2 increment;

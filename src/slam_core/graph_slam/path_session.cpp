@@ -23,7 +23,7 @@ void SessionParts::read(const Session& session, PathGraph& path) {
   if (session.robot.node) path.tail_.node = keyOfNode(*session.robot.node);
 }
 
-/// What joins two nodes that have neighbours already is no motion: it holds both where they are.
+/// A factor between two nodes that have neighbours already is no motion: it ties both to the map.
 void SessionParts::read(const Session& session, NodeChain& chain) {
   auto& nodes = chain.nodes_;
   for (std::size_t i = 0; i < session.factors.size(); ++i) {

@@ -14,7 +14,7 @@
 
 namespace slam::graph_slam {
 
-/// How many nodes lie at which place: a raster of 1 m and 45 degrees.
+/// The raster counts the nodes of each place; a place is 1 m and 45 degrees wide.
 class PlaceRaster {
  public:
   void add(const Pose2& pose, graph::Key node) {

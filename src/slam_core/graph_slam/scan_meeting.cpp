@@ -3,13 +3,11 @@
 
 #include "slam_core/graph_slam/scan_meeting.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "slam_core/geometry/covariance.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/loop_search.hpp"
 
 namespace slam::graph_slam {
 namespace {
@@ -17,19 +15,19 @@ namespace {
 constexpr std::size_t kLeastAgreeing = 3;
 constexpr std::size_t kMajority = 4;  // so many agree for each one that contradicts
 constexpr double kApart = 3.0;        // places that confirm each other [m]
-/// By which one map may be bent against the other between two places.
-constexpr double kLargestShift = 1.0, kLargestTurn = 0.15;  // [m], [rad]
-
-Eigen::Matrix3d driftOf(const GraphConfig& config) {
-  const Eigen::Vector3d each_metre(config.drift_position, config.drift_position,
-                                   config.drift_heading);
-  return (config.submap_way * each_metre.cwiseAbs2()).asDiagonal();
-}
 
 }  // namespace
 
+bool areAlike(const Pose2& a, const Pose2& b) {
+  constexpr double kLargestShift = 1.0, kLargestTurn = 0.15;  // [m], [rad]
+  const Pose2 error = a.between(b);
+  return error.position().norm() <= kLargestShift && std::abs(error.theta()) <= kLargestTurn;
+}
+
 ScanMeeting::ScanMeeting(const Session& known, const ScanSettings& settings)
-    : known_(known), variance_(driftOf(settings.graph)), map_(settings.grid, settings.matcher) {
+    : known_(known),
+      drift_(settings.graph.submap_way * settings.graph.driftPerMetre()),
+      map_(settings.grid, settings.matcher) {
   for (const auto& scan : known.scans) map_.draw(*scan.scan, known.nodes[scan.node]);
 }
 
@@ -38,11 +36,8 @@ bool ScanMeeting::look(std::size_t seen, const LaserScan& scan) {
   if (!found) return false;
   const auto node = nearestNode(found->pose);
   if (!node) return false;
-  constexpr double kNothing = 1e-4;  // information of what the scan does not tell
-  const Eigen::Matrix3d of_match =
-      (found->information + kNothing * Eigen::Matrix3d::Identity()).inverse();
-  recognised_.push_back({*node, seen, known_.nodes[*node].between(found->pose),
-                         twistCovariance(found->pose, of_match) + variance_});
+  recognised_.push_back(
+      {*node, seen, known_.nodes[*node].between(found->pose), covarianceOf(*found, drift_)});
   return true;
 }
 
@@ -96,9 +91,7 @@ std::vector<std::size_t> ScanMeeting::agreeingWith(
   for (std::size_t i = 0; i < recognised_.size(); ++i) {
     if (!poses[i]) continue;
     const Pose2 place = known_.nodes[recognised_[i].known] * recognised_[i].known_seen;
-    const Pose2 error = place.between(known_drive * *poses[i]);
-    if (error.position().norm() < kLargestShift && std::abs(error.theta()) < kLargestTurn)
-      agreeing.push_back(i);
+    if (areAlike(place, known_drive * *poses[i])) agreeing.push_back(i);
   }
   return agreeing;
 }

@@ -13,12 +13,16 @@
 
 namespace slam::graph_slam {
 
-/// How scans are matched, and how far a map is off along the way.
+/// These settings say how scans are matched, and how far a map is off along the way.
 struct ScanSettings {
   GraphConfig graph;
   grid_map::GridMapConfig grid;
   scan_matching::MatcherConfig matcher;
 };
+
+/// Whether two poses are as near to each other as the same place is in two maps that are bent
+/// against each other: 1 m, 0.15 rad.
+bool areAlike(const Pose2& a, const Pose2& b);
 
 /// A scan of one drive that was recognised in the map of another one.
 struct RecognisedScan {
@@ -39,7 +43,7 @@ class ScanMeeting {
   /// @return whether it was recognised
   bool look(std::size_t seen, const LaserScan& scan);
 
-  /// How the map of the drive lies in the known one.
+  /// The scans that agree, and how the map of the drive lies in the known one.
   struct Agreed {
     Pose2 known_drive;                  ///< T_known_drive, of the map frames
     std::vector<RecognisedScan> scans;  ///< that say so; the first is the one that most agree with
@@ -57,7 +61,7 @@ class ScanMeeting {
                                         const std::vector<std::optional<Pose2>>& poses) const;
 
   const Session& known_;
-  Eigen::Matrix3d variance_;  ///< of a map along the way of a submap, of (x, y, theta)
+  Eigen::Vector3d drift_;  ///< variance of a map along the way of a submap, of (x, y, theta)
   ScanRecogniser map_;
   std::vector<RecognisedScan> recognised_;
 };

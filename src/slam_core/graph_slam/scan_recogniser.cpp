@@ -15,14 +15,18 @@ constexpr double kBeyond = 2.0;
 
 ScanRecogniser::ScanRecogniser(const grid_map::GridMapConfig& grid,
                                const scan_matching::MatcherConfig& matcher)
-    : models_(scan_matching::levelModels(grid)),
+    : config_(grid),
+      models_(scan_matching::levelModels(grid)),
       spacing_(matcher.spacing),
       matcher_(matcher),
       map_(grid) {}
 
 void ScanRecogniser::draw(const LaserScan& scan, const Pose2& pose) {
   constexpr double kNoMatter = 1.0;  // ends to match with a map are not needed to draw one
-  map_.insert(scan_matching::pointsOf(scan, models_, kNoMatter), pose);
+  const auto points = scan_matching::pointsOf(scan, models_, kNoMatter);
+  const double needed = static_cast<double>(map_.bytes()) + scan_matching::mostBytesFor(points);
+  if (!grid_map::isWithinMemory(needed, config_)) return;
+  map_.insert(points, pose);
   places_.extend(pose.position());
 }
 

@@ -16,13 +16,14 @@ class ScanRecogniser {
  public:
   ScanRecogniser(const grid_map::GridMapConfig& grid, const scan_matching::MatcherConfig& matcher);
 
-  /// Draws a scan. @param pose T_map_base
+  /// Draws a scan where `grid_map.largest_memory` leaves room for it. @param pose T_map_base
   void draw(const LaserScan& scan, const Pose2& pose);
   /// @return the only place that explains most of the scan; nothing where it fits nowhere, or about
   /// as well elsewhere
   std::optional<scan_matching::Match> find(const LaserScan& scan) const;
 
  private:
+  grid_map::GridMapConfig config_;
   scan_matching::LevelModels models_;
   double spacing_;
   scan_matching::ScanToMapMatcher matcher_;

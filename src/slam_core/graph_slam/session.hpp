@@ -25,7 +25,7 @@ namespace slam::graph_slam {
 struct Session {
   using Index = std::uint32_t;
 
-  /// What a product must have in common with it.
+  /// A product can use a session of the same kind only.
   struct Kind {
     bool has_grid = false;
     double resolution = 0.0;  ///< of the grid [m]
@@ -88,7 +88,7 @@ struct Session {
     Pose2 pose;
   };
 
-  /// Where the robot is: at the last node and the motion since then, or where it was put.
+  /// The robot is at the last node and the motion since then, or where it was put.
   struct Robot {
     std::optional<Index> node;
     std::optional<Motion> motion;

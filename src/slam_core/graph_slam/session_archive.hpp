@@ -140,7 +140,7 @@ class SessionReader {
         matrix(i, j) = value;
       }
   }
-  /// Of a square matrix whose values follow.
+  /// Takes the number of rows of a square matrix, whose values follow.
   Eigen::Index edge() {
     std::uint32_t rows = 0;
     get(rows);

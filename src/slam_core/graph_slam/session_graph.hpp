@@ -23,7 +23,7 @@ class SessionNumbers {
   SessionNumbers(const graph::Optimizer& graph, const std::vector<graph::Key>& landmarks,
                  const std::vector<graph::RobustLoops::State>& loops);
 
-  /// Of a node or landmark. @throw std::logic_error where it has no factor
+  /// @return the number of a node or landmark @throw std::logic_error where it has no factor
   Session::Index variable(graph::Key key) const;
   std::optional<Session::Index> variable(const std::optional<graph::Key>& key) const;
   Session::Index factor(graph::FactorId id) const { return factors_[static_cast<std::size_t>(id)]; }

@@ -41,7 +41,7 @@ class Renumbering {
 
   /// Those of the second session that the first one does not have.
   const std::vector<std::size_t>& addedLandmarks() const { return added_; }
-  /// None for one that is left out.
+  /// @return the number of a landmark of the second session; none where it is left out
   const std::optional<Index>& landmark(Index number) const { return landmarks_[number]; }
   Index node(Index number) const { return nodes_ + number; }
   std::optional<Index> node(const std::optional<Index>& number) const {

@@ -10,11 +10,11 @@
 
 namespace slam::graph_slam {
 
-/// What holds two sessions together.
+/// The links hold two sessions together.
 struct SessionLinks {
   Pose2 first_second;  ///< T_first_second, of the map frames
-  /// The same landmarks, by their numbers in the first and in the second session. Other landmarks
-  /// of the second one whose id the first one has are left out.
+  /// These landmarks are the same, by their numbers in the first and second session. Other
+  /// landmarks of the second one whose id the first one has are left out.
   std::vector<std::pair<Session::Index, Session::Index>> landmarks;
   /// Places that were recognised, between nodes of the joined session. The first one is taken for
   /// granted, so that the sessions hang together; the others are loops that can be taken back.

@@ -3,7 +3,6 @@
 
 #include "slam_core/graph_slam/session_merge.hpp"
 
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
@@ -15,7 +14,7 @@
 namespace slam::graph_slam {
 namespace {
 
-/// Of the second drive, so many scans are looked for.
+/// At most so many scans of the second drive are looked for.
 constexpr std::size_t kScans = 30;
 
 /// Scans of the second session that are recognised in the map of the first.
@@ -34,12 +33,6 @@ std::optional<CommonScans> commonScans(const Session& first, const Session& seco
     common.places.push_back({scan.known, joinedNode(first, static_cast<Session::Index>(scan.seen)),
                              scan.known_seen, graph::weightOfCovariance(scan.covariance)});
   return common;
-}
-
-bool areAlike(const Pose2& a, const Pose2& b) {
-  constexpr double kLargestShift = 1.0, kLargestTurn = 0.15;  // [m], [rad]
-  const Pose2 error = a.between(b);
-  return error.position().norm() <= kLargestShift && std::abs(error.theta()) <= kLargestTurn;
 }
 
 /// The covariance of each landmark that is asked for.

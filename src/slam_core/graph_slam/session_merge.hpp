@@ -28,7 +28,7 @@ struct MergedSession {
 MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,
                      GoesOn goes_on);
 
-// The same in steps, for who recognises scans while it drives.
+// The following does the same in steps, for a robot that recognises scans while it drives.
 
 /// Scans that both sessions have, and what they say.
 struct CommonScans {

@@ -17,8 +17,9 @@ namespace slam::graph_slam {
 /// The numbers of scans in a session, by their addresses; looked up only.
 using ScanNumbers = std::unordered_map<const LaserScan*, Session::Index>;
 
-/// How each part of the back-end goes into a session and out of it. A friend of these parts, so
-/// that nobody else sees what they keep. The path is read first, since it builds the graph.
+/// SessionParts writes each part of the back-end into a session and reads it from there. It is a
+/// friend of these parts, so that nobody else sees what they keep. The path is read first, since it
+/// builds the graph.
 struct SessionParts {
   static SessionNumbers numbersOf(const PathGraph& path, const LandmarkGraph& landmarks,
                                   const std::vector<graph::RobustLoops::State>& loops) {

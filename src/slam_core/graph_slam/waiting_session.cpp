@@ -36,7 +36,7 @@ bool WaitingSession::isDue(const LandmarkIds& running) const {
   return shared >= kEnough && shared > tried_landmarks_;
 }
 
-/// What the scans of the running drive say that were recognised in the waiting map.
+/// @return what the recognised scans of the running drive say of the waiting map
 std::optional<CommonScans> WaitingSession::commonScans(const Session& running) const {
   if (!meeting_) return std::nullopt;
   std::unordered_map<const LaserScan*, Session::Index> nodes;  // looked up only, never iterated

@@ -18,7 +18,7 @@ namespace {
 /// The quantile 0.999 of the chi-square distribution with three degrees of freedom.
 constexpr double kGate = 16.27;
 
-/// How far a pose is from the predicted one, map frame.
+/// @return how far a pose is from the predicted one, in the map frame
 Eigen::Vector3d correctionOf(const PoseEstimate& predicted, const Pose2& pose) {
   Eigen::Vector3d e = pose.vector() - predicted.pose.vector();
   e.z() = wrapAngle(e.z());

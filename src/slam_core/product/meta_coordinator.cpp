@@ -54,7 +54,7 @@ Status MetaCoordinator::set(const SavedSession& session) {
   return beginningModules(parts_.estimator->set(session));
 }
 
-/// Where the back-end could use what it was given.
+/// The modules follow where the back-end could use what it was given.
 Status MetaCoordinator::beginningModules(Status status) {
   if (status.level != Status::Level::kError)
     for (const auto& [name, module] : parts_.modules) module->reset();

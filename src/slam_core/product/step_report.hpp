@@ -12,7 +12,7 @@
 
 namespace slam {
 
-/// By how much a step moved the pose beyond what odometry says.
+/// A correction is how far a step moved the pose beyond what odometry says.
 struct Correction {
   double distance = 0.0;  ///< [m]
   double turn = 0.0;      ///< [rad], not negative
@@ -32,7 +32,7 @@ struct StepReport {
   bool restarted = false;       ///< time began anew with this step
   bool is_relocated = false;    ///< the robot was put somewhere or a map loaded since the last step
   std::vector<Event> events;    ///< what others should know of it, in order
-  /// Nothing at the first step, and in a product without motion.
+  /// There is none at the first step, and in a product without motion.
   std::optional<Correction> correction;
 
   bool hasTrigger() const { return !trigger.empty(); }

@@ -32,7 +32,7 @@ double figure(const graph_slam::GraphSlam& backend, const std::string& name) {
   throw std::runtime_error("the back-end has no figure " + name);
 }
 
-/// What a part of the way has cost and brought.
+/// The cost and the error of a part of the way.
 struct Part {
   double ms = 0.0, worst_ms = 0.0, squared_error = 0.0, nees = 0.0;
   int steps = 0;

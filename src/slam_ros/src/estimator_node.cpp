@@ -135,7 +135,7 @@ BackendActions EstimatorNode::actions() {
   return actions;
 }
 
-/// Where another map is in force now.
+/// All outputs are published anew where another map is in force now.
 slam::Status EstimatorNode::tellingOfMap(slam::Status status) {
   if (status.level == slam::Status::Level::kError) return status;
   outputs_->refresh();

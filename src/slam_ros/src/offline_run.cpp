@@ -107,7 +107,7 @@ std::string OfflineRun::session() const {
   return keeper->session().bytes;
 }
 
-/// What would keep it from being saved is told before the run.
+/// Reports before the run what would keep the session from being saved.
 void OfflineRun::requireSession() const {
   session();
   slam::requireWritable(options_.save_session);

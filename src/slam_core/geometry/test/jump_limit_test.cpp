@@ -14,7 +14,7 @@ constexpr double kTolerance = 1e-9;
 
 Stamp at(double seconds) { return Stamp(durationFromSeconds(seconds)); }
 
-/// How far the robot is from where it was shown, [m] and [rad].
+/// @return how far the robot is from where it was shown, [m] and [rad]
 Eigen::Vector2d moved(const Pose2& from, const Pose2& to) {
   const Pose2 step = from.between(to);
   return {step.position().norm(), std::abs(step.theta())};

@@ -68,7 +68,7 @@ TEST(NodeChain, LosesANodeAtEitherEnd) {
   EXPECT_EQ(line.chain.size(), 3u);
 }
 
-/// Of a robot that drives straight on with a heading that wanders by 0.3 rad in all.
+/// A robot drives straight on while its heading wanders by 0.3 rad in all.
 TEST(NodeChain, ComposesMotionsThatErrByAsMuchAsTheySay) {
   constexpr int kSteps = 40, kRuns = 400;
   Motion told;

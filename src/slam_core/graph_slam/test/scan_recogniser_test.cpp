@@ -37,6 +37,16 @@ TEST(ScanRecogniser, FindsTheScansOfAnotherDriveAndNeverElsewhere) {
   EXPECT_GT(found, kScans / 2);
 }
 
+TEST(ScanRecogniser, DrawsNoMoreThanTheMemoryAllows) {
+  grid_map::GridMapConfig small;
+  small.largest_memory = 0.01;
+  ScanRecogniser map(small, {});
+  RoomDrive drive(3);
+  const auto step = drive.next();
+  map.draw(step.scan, step.truth);
+  EXPECT_FALSE(map.find(step.scan));
+}
+
 TEST(ScanRecogniser, FindsNothingInAMapWithoutScans) {
   RoomDrive drive(3);
   EXPECT_FALSE(ScanRecogniser({}, {}).find(drive.next().scan));

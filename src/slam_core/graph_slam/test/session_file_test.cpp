@@ -54,7 +54,7 @@ std::vector<std::string> said(const std::string& bytes) {
   return {sentenceOf([&] { sessionOf(bytes); })};
 }
 
-/// What is said of the small session after a change, whose checksum fits.
+/// @return what is said of the small session after a change, with a checksum that fits
 std::vector<std::string> saidOf(const std::function<void(Session&)>& change) {
   auto session = small();
   change(session);

@@ -165,6 +165,47 @@ TEST_F(DrivesPastLandmarks, AreMergedWhileTheFirstDrivesOn) {
   expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
 }
 
+/// The second part of the path has a prior of its own, in the second map.
+TEST_F(DrivesPastLandmarks, KeepBothPartsOfAPathWhoseRobotWasPutElsewhere) {
+  second.backend->set(second.backend->pose());
+  second.take(again, 20);
+  const auto b = second.session();
+  const auto merged = graph_slam::merged(first.session(), b, {}, GoesOn::kSecond);
+  EXPECT_EQ(merged.session.nodes.size(), first.session().nodes.size() + b.nodes.size());
+  EXPECT_EQ(bytesOf(sessionOf(bytesOf(merged.session))), bytesOf(merged.session));
+  expectTruth(merged.session, world);
+  expectNear(merged.session.nodes.back(), second.truth, 0.2, 0.06);
+}
+
+TEST_F(DrivesPastLandmarks, OfOneTimeHaveOnePath) {
+  const auto a = first.session(), b = second.session();
+  EXPECT_EQ(graph_slam::merged(a, b, {}, GoesOn::kFirst).session.path.size(), a.path.size());
+  EXPECT_EQ(graph_slam::merged(a, b, {}, GoesOn::kSecond).session.path.size(), b.path.size());
+  auto later = b;
+  for (auto& mark : later.path) mark.stamp += std::chrono::hours(1);
+  const auto both = graph_slam::merged(a, later, {}, GoesOn::kSecond).session.path;
+  ASSERT_EQ(both.size(), a.path.size() + b.path.size());
+  for (std::size_t i = 1; i < both.size(); ++i) EXPECT_LT(both[i - 1].stamp, both[i].stamp);
+}
+
+/// One landmark, seen ahead and behind from one place.
+TEST(Settle, RefusesAGraphThatDoesNotComeToRest) {
+  Session session;
+  const Eigen::Matrix3d exact = 1e6 * Eigen::Matrix3d::Identity();
+  for (Session::Index node = 0; node < 2; ++node) {
+    session.nodes.emplace_back();
+    session.factors.emplace_back(Session::PosePrior{node, Pose2(), Eigen::Matrix3d::Identity()});
+    session.factors.emplace_back(Session::RangeBearing{
+        node, 0, Pose2(), {1.0, node == 0 ? 0.0 : 3.1}, 1e3 * Eigen::Matrix2d::Identity()});
+  }
+  session.factors.emplace_back(Session::Between{0, 1, Pose2(), exact});
+  Session::Landmark landmark;
+  landmark.id = 1;
+  landmark.position = {1e-3, 1e-3};
+  session.landmarks.push_back(landmark);
+  EXPECT_NE(sentenceOf([&] { settle(session); }).find("does not come to rest"), std::string::npos);
+}
+
 TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
   RoomDrive room(1), again(2);
   Drive first{true}, second{true};

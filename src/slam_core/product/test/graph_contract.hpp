@@ -11,7 +11,8 @@
 #include "slam_core/contract/session_merger.hpp"
 #include "slam_core/product/test/driven_backend.hpp"
 
-// What a back-end promises whose estimate is a graph of poses, and one that tells what happened.
+// These contracts hold for a back-end that estimates a graph of poses, and for one that reports
+// events.
 
 namespace slam::test {
 

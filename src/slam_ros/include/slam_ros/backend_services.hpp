@@ -25,13 +25,13 @@ struct BackendActions {
   std::function<void(bool)> pause;
   std::function<slam::LandmarkFile()> map;
   std::function<slam::Status(const slam::LandmarkFile&)> load;
-  // of a back-end that keeps sessions
+  // these are empty where the back-end keeps no sessions
   std::function<slam::SavedSession()> session;
   std::function<slam::Status(const slam::SavedSession&)> take_up, merge;
 };
 
-/// The services `reset`, `pause`, `save_map` and `load_map`; of a back-end that keeps sessions
-/// `save_session`, `load_session` and `merge_session` as well.
+/// Offers the services `reset`, `pause`, `save_map` and `load_map`, and for a back-end that keeps
+/// sessions `save_session`, `load_session` and `merge_session`.
 class BackendServices {
  public:
   /// @param has_grid whether the back-end's map has a grid

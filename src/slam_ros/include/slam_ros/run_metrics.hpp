@@ -60,7 +60,7 @@ class RunMetrics {
   /// Whether the back-end takes the robot for lost after the step of this stamp, for those that
   /// test it.
   void addLost(slam::Stamp stamp, bool is_lost);
-  /// What a step was told as events, and by how much it moved the pose.
+  /// Counts the events of a step and notes how far it moved the pose.
   void addEvents(const slam::StepReport& report);
   /// Work on what makes a step of this stamp, before it is due: an image's, a scan's.
   void addFrontEnd(slam::Stamp stamp, Clock::duration time) { front_end_[stamp] += time; }
