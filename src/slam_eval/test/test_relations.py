@@ -218,6 +218,16 @@ class SlamEval(unittest.TestCase):
             self.assertIn("--tolerance", err)
         self.assertEqual(self.evaluate("--tolerance", "0.04")[0], 2)
 
+    def test_names_the_tolerance_that_takes_stamps_which_are_a_little_off(self):
+        self.write_relations(shift=1000.03)
+        table = "".join("%.6f,%.6f\n" % (t / NANOSECONDS + 1000.0, t / NANOSECONDS)
+                        for t in self.final.stamps)
+        (self.run_folder / "stamps.csv").write_text(table)
+        code, _, err = self.evaluate("--relations", self.relations)
+        self.assertEqual(code, 1)
+        self.assertIn("stamped up to 0.03 s apart: --tolerance 0.1 takes them", err)
+        self.assertEqual(self.evaluate("--relations", self.relations, "--tolerance", "0.1")[0], 0)
+
     def test_refuses_relations_of_another_log(self):
         self.write_relations(shift=500.0)
         code, _, err = self.evaluate("--relations", self.relations)

@@ -18,6 +18,8 @@ from slam_eval.io.trajectory import NANOSECONDS
 TOLERANCE = NANOSECONDS // 100
 # Where one scan alone lies so near, the stamp can mean no other.
 AMBIGUOUS_WITHIN = NANOSECONDS // 100
+# Stamps of one log differ from those of its relations by no more [s].
+LARGEST_SHIFT = 1.0
 
 
 @dataclasses.dataclass
@@ -119,6 +121,20 @@ def relation_errors(relations, final, odometry, table=None, tolerance=TOLERANCE)
                           _joins_no_neighbours(relations.stamps)[valid])
 
 
+def _remedy(relations, table):
+    """What to do where no scan has a relation's stamp."""
+    if table is None:
+        return (" and no stamps.csv of its log: import the log anew, or give the table with "
+                "--stamps")
+    stamps = relations.stamps.ravel()
+    nearest, _ = nearest_written(SourceStamps(table.source, table.source), stamps)
+    gap = np.max(np.abs(nearest - stamps)) / NANOSECONDS
+    if gap > LARGEST_SHIFT:
+        return "; is it of another log?"
+    return (f"; the scans nearest to them are stamped up to {gap:.2f} s apart: "
+            f"--tolerance {gap + 0.1:.1f} takes them")
+
+
 def judge_run(run, relations_path, stamps_path=None, tolerance=TOLERANCE):
     """RelationErrors of a run. Raises InputError, also where no relation fits."""
     relations = read_relations(relations_path)
@@ -131,7 +147,5 @@ def judge_run(run, relations_path, stamps_path=None, tolerance=TOLERANCE):
     errors = relation_errors(relations, run.final, run.odometry, table, tolerance)
     if errors is None:
         raise InputError(f"{relations_path}: the run has poses for none of its {len(relations)} "
-                         "relations" + ("; is it of another log?" if table else
-                                        " and no stamps.csv of its log: import the log anew, or "
-                                        "give the table with --stamps"))
+                         f"relations{_remedy(relations, table)}")
     return errors
