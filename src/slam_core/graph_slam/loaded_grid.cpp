@@ -6,18 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "slam_core/grid_map/grid_conversion.hpp"
-
 namespace slam::graph_slam {
-
-DrawnGrid drawn(const OccupancyGrid& grid, const grid_map::GridMapConfig& config) {
-  DrawnGrid result{std::make_unique<scan_matching::ScanMap>(config), {}};
-  for (std::size_t i = 0; i < scan_matching::kLevels; ++i) {
-    auto& [model, map] = result.map->level(i);
-    result.status = moreUrgent(fillFrom(grid, model, map), result.status);
-  }
-  return result;
-}
 
 std::vector<Pose2> placesIn(const OccupancyGrid& grid) {
   constexpr double kApart = 2.0;  // [m]

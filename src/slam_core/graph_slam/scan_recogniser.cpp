@@ -3,15 +3,7 @@
 
 #include "slam_core/graph_slam/scan_recogniser.hpp"
 
-#include <cmath>
-
 namespace slam::graph_slam {
-namespace {
-
-/// A robot is recognised from places so far beyond those where the map was made [m].
-constexpr double kBeyond = 2.0;
-
-}  // namespace
 
 ScanRecogniser::ScanRecogniser(const grid_map::GridMapConfig& grid,
                                const scan_matching::MatcherConfig& matcher)
@@ -31,13 +23,8 @@ void ScanRecogniser::draw(const LaserScan& scan, const Pose2& pose) {
 }
 
 std::optional<scan_matching::Match> ScanRecogniser::find(const LaserScan& scan) const {
-  if (map_.isEmpty()) return std::nullopt;
   const auto points = scan_matching::pointsOf(scan, models_, spacing_);
-  const double reach = 0.5 * places_.sizes().maxCoeff() + kBeyond;
-  const Pose2 middle(places_.center().x(), places_.center().y(), 0.0);
-  const Eigen::Vector3d sigma(reach, reach, M_PI);
-  const scan_matching::PosePrior anywhere{middle, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
-  return matcher_.recognise(map_.view(), points, anywhere, {reach, M_PI});
+  return matcher_.recogniseAnywhere(map_.view(), points, places_);
 }
 
 }  // namespace slam::graph_slam

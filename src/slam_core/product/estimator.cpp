@@ -13,6 +13,9 @@
 #include "slam_core/contract/session_merger.hpp"
 
 namespace slam {
+
+using relocalisation::Belief;
+
 namespace {
 
 /// A warning, or that all is well where the sentence is empty.
@@ -55,6 +58,7 @@ void Estimator::configure(Settings& settings) {
   faults.attempt([&] { consistency_config_ = settings.read<ConsistencyConfig>(); });
   faults.attempt([&] { events_config_ = settings.read<EventsConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
+  faults.attempt([&] { relocaliser_.configure(settings, capabilities_); });
   faults.attempt([&] { intake_.configure(settings, ports_); });
   faults.raise();
   reset();
@@ -76,6 +80,7 @@ Status Estimator::resetBackend() {
   intake_.knowOnly({});
   consistency_ = ConsistencyMonitor(consistency_config_);
   events_ = EventWatch(events_config_);
+  relocaliser_.reset();
   if (start_session_) return set(*start_session_);
   return start_map_ ? set(*start_map_) : Status::ok();
 }
@@ -93,6 +98,7 @@ void Estimator::reset() {
 Status Estimator::set(const PoseEstimate& initial_pose) {
   backend_->set(bounded(initial_pose, largestSigmas()));
   const auto status = backend_->execute();
+  relocaliser_.assume(Belief::kSure);
   events_.relocate("the robot was put there");
   consistency_.add(statistics());
   return status;
@@ -108,6 +114,7 @@ Status Estimator::set(const MapState& map) {
   events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
+  relocaliser_.assume(Belief::kUnconfirmed);
   return status;
 }
 
@@ -122,6 +129,7 @@ Status Estimator::set(const SavedSession& session) {
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
   events_.relocate("a session was loaded");
+  relocaliser_.assume(Belief::kSure);
   consistency_ = ConsistencyMonitor(consistency_config_);
   if (const auto* mapper = capabilities_.find<LandmarkMapper>())
     intake_.knowOnly(mapper->landmarks());
@@ -164,8 +172,10 @@ Status Estimator::execute() {
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
   const auto consistency_status = watchConsistency();
+  const auto place_status = relocate(step->stamp);
   // what the monitor finds is said once only
-  for (const auto& other : {step_status, consistency_status}) status = moreUrgent(status, other);
+  for (const auto& other : {step_status, place_status, consistency_status})
+    status = moreUrgent(status, other);
   reportStep(*step);
   return status;
 }
@@ -174,15 +184,34 @@ void Estimator::give(const Intake::Step& step) {
   for (const auto& motion : step.motions) {
     carrier_->set(&motion);
     events_.predict(motion);
+    relocaliser_.predict(motion);
   }
   if (!step.motions.empty()) last_motion_ = step.motions.back();
   if (!step.trigger) return;
   if (paused_) {
     counters_.add("paused");
-  } else {
+  } else if (isAdmitted(*step.trigger)) {
     intake_.admit(*step.trigger);
     step.trigger->port->set(step.trigger->value.get());
   }
+}
+
+bool Estimator::isAdmitted(const Intake::Trigger& trigger) {
+  const auto* const value = trigger.value.get();
+  if (trigger.port->kind == kindOf<LandmarkObservationArray>())
+    return relocaliser_.see(*static_cast<const LandmarkObservationArray*>(value));
+  if (trigger.port->kind == kindOf<LaserScan>())
+    return relocaliser_.see(*static_cast<const LaserScan*>(value));
+  return true;
+}
+
+Status Estimator::relocate(Stamp stamp) {
+  const auto place = relocaliser_.judge(backend_->pose(), stamp);
+  if (!place) return relocaliser_.status();
+  backend_->set(*place);
+  events_.relocate("the place was recognised in the map");
+  consistency_ = ConsistencyMonitor(consistency_config_);
+  return backend_->execute();
 }
 
 Status Estimator::faultOfState() {
@@ -213,7 +242,7 @@ void Estimator::reportStep(const Intake::Step& step) {
   StepReport report;
   report.stamp = step.stamp;
   if (step.trigger) report.trigger = step.trigger->port->name;
-  report.pose = backend_->pose();
+  report.pose = relocaliser_.told(backend_->pose());
   // at the very start of motion none has been applied yet
   if (const auto motion = last_motion_ ? last_motion_ : intake_.arrivals().pending) {
     report.odometry_pose = last_motion_ ? motion->odometry_end : motion->odometry_start;
@@ -223,18 +252,24 @@ void Estimator::reportStep(const Intake::Step& step) {
   frames_.complete(report.odometry_frame, report.base_frame);
   report.has_motion = carrier_ != nullptr;
   report.statistics = statistics();
-  if (const auto* reporter = capabilities_.find<LostReporter>())
-    report.is_lost = reporter->lostSince().has_value();
+  report.is_lost = isLost();
   report.restarted = step.restart;
   events_.complete(report, capabilities_);
   pose_ = FilterPose::of(report.stamp, report.pose.pose);
   report_ = std::move(report);
 }
 
+bool Estimator::isLost() const {
+  const auto* reporter = capabilities_.find<LostReporter>();
+  const bool is_lost_by_backend = reporter != nullptr && reporter->lostSince().has_value();
+  return is_lost_by_backend || relocaliser_.belief() == Belief::kLost;
+}
+
 Counters Estimator::counters() const {
   Counters all = intake_.counters();
   all.add(counters_);
   all.add(backend_->counters());
+  all.add(relocaliser_.counters());
   return all;
 }
 

@@ -16,13 +16,16 @@
 #include "slam_core/product/intake.hpp"
 #include "slam_core/product/map_choice.hpp"
 #include "slam_core/product/step_report.hpp"
+#include "slam_core/relocalisation/relocaliser.hpp"
 
 namespace slam {
 
 /// A back-end with its inputs in order, one step at a time. It takes in what the back-end takes;
 /// its output `pose` is that of the last step. Both compositions share it, which is why they give
-/// the same result. Counted beyond the intake's and the back-end's reasons: "paused",
-/// "not_finite_pose" (a step that left no finite pose).
+/// the same result. A pose that came with a loaded map, and one that what is seen contradicts, is
+/// not believed until the robot's place has been recognised in the map (Relocaliser). Counted
+/// beyond the intake's, the back-end's and the relocaliser's reasons: "paused", "not_finite_pose"
+/// (a step that left no finite pose).
 class Estimator final : public Component {
  public:
   /// To be called before everything else. The back-end is configured with this.
@@ -64,6 +67,10 @@ class Estimator final : public Component {
   const Capabilities& capabilities() const { return capabilities_; }
   /// The monitor of the last updates. A step's status tells when a source begins to look too sure.
   const ConsistencyMonitor& consistency() const { return consistency_; }
+  /// How much the pose is believed; to look for the robot in the whole map.
+  friend relocalisation::Relocaliser& relocaliserOf(Estimator& estimator) {
+    return estimator.relocaliser_;
+  }
   const Intake& intake() const { return intake_; }
   Intake& intake() { return intake_; }
 
@@ -77,8 +84,12 @@ class Estimator final : public Component {
   Ports usedPorts() const;
   Status resetBackend();
   void give(const Intake::Step& step);
+  bool isAdmitted(const Intake::Trigger& trigger);
+  /// Puts the robot where it has been recognised, where that is elsewhere.
+  Status relocate(Stamp stamp);
   void reportStep(const Intake::Step& step);
   UpdateStatistics statistics() const;
+  bool isLost() const;
   /// An error where the back-end's pose is not finite.
   Status faultOfState();
   Status watchConsistency();
@@ -94,6 +105,7 @@ class Estimator final : public Component {
   ConsistencyMonitor consistency_;
   EventsConfig events_config_;
   EventWatch events_;
+  relocalisation::Relocaliser relocaliser_;
   std::optional<MapState> start_map_;
   std::optional<SavedSession> start_session_;
   std::optional<Motion> last_motion_;

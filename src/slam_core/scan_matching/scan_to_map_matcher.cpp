@@ -27,7 +27,7 @@ constexpr double kExplained = 0.75;
 /// Of all ends, by a place that is near where it should be.
 constexpr double kRecognised = 0.5;
 
-/// A place is compared with all others so far around it.
+/// A place that is found is compared with all other places within this distance.
 constexpr SearchWindow kAround{10.0, M_PI};  // [m], [rad]
 /// Where no odometry tells the motion, a scan is looked for as far from the guess as the guess may
 /// be off, but no further than this.
@@ -106,6 +106,17 @@ std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanL
   const bool fits = found.is_determined && found.agreement.agreeing > enough && !isDoubtful(found);
   if (!fits || (!is_local && hasRival(found, map, scan, prior.pose, window))) return std::nullopt;
   return found;
+}
+
+std::optional<Match> ScanToMapMatcher::recogniseAnywhere(const MapView& map, const ScanLevels& scan,
+                                                         const Eigen::AlignedBox2d& places) const {
+  constexpr double kBeyond = 2.0;  // [m]
+  if (map.isEmpty() || places.isEmpty()) return std::nullopt;
+  const double reach = 0.5 * places.sizes().maxCoeff() + kBeyond;
+  const Pose2 middle(places.center().x(), places.center().y(), 0.0);
+  const Eigen::Vector3d sigma(reach, reach, M_PI);
+  const PosePrior anywhere{middle, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
+  return recognise(map, scan, anywhere, {reach, M_PI});
 }
 
 Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,11 @@ class ScanToMapMatcher {
   std::optional<Match> recognise(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                                  const SearchWindow& window) const;
 
+  /// The same where nothing is known but that the robot is at one of these places [m], or not far
+  /// from them.
+  std::optional<Match> recogniseAnywhere(const MapView& map, const ScanLevels& scan,
+                                         const Eigen::AlignedBox2d& places) const;
+
   // The same in steps, for who searches once for many maps.
   /// A scan that contradicts most of the map even so tells nothing: the robot is where the prior
   /// leads.
@@ -62,8 +68,8 @@ class ScanToMapMatcher {
                  const Match& nearby) const;
 
  private:
-  /// To search one after the other until a place fits: the local window and, where the prior is a
-  /// guess, larger ones up to what the guess may be off by.
+  /// @return the windows to search, one after the other, until a place fits: the local one and,
+  /// where the prior is a guess, larger ones up to its sigma
   std::vector<SearchWindow> windowsAround(const PosePrior& prior) const;
   /// Whether the scan fits about as well elsewhere within 10 m, or within the window that was
   /// searched where that is wider.

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <optional>
+
+#include "slam_core/relocalisation/local_scans.hpp"
+#include "slam_core/relocalisation/recognition.hpp"
+#include "slam_core/relocalisation/relocalisation_config.hpp"
+#include "slam_core/scan_matching/scan_to_map_matcher.hpp"
+
+namespace slam::relocalisation {
+
+/// Recognises the place of a robot in a grid by what its laser has seen on the last metres. Parts
+/// of a building are alike, so that a place is confirmed only when two searches that are a metre of
+/// the way apart have led to it, and none has led elsewhere in between.
+class GridRecogniser {
+ public:
+  GridRecogniser(const RelocalisationConfig& config, const grid_map::GridMapConfig& grid,
+                 const scan_matching::MatcherConfig& matcher);
+
+  void move(const Motion& motion) { local_.move(motion); }
+  void see(const LaserScan& scan);
+  void forget();
+
+  /// From now on the robot is looked for in this grid, which has cells.
+  void begin(const OccupancyGrid& grid);
+  void end() { map_.reset(); }
+  /// The next find() searches, whether the robot has moved or not.
+  void searchAnyway() { is_due_ = true; }
+  /// Nothing where the robot has not moved far enough since the last search, which takes some
+  /// hundredths of a second. To be called between begin() and end().
+  std::optional<Recognition> find();
+  /// Radius of a circle that holds the grid [m]; 0 where there is none to search.
+  double radius() const { return map_ ? 0.5 * box_.diagonal().norm() : 0.0; }
+
+ private:
+  /// A search has found that the map and the frame of the local scans lie so.
+  struct Found {
+    Pose2 map_local;  ///< T_map_local
+    double way;       ///< the robot had come so far [m]
+  };
+
+  bool isDue() const;
+  bool confirms(const Pose2& place);
+
+  RelocalisationConfig config_;
+  grid_map::GridMapConfig grid_config_;
+  scan_matching::ScanToMapMatcher matcher_;
+  LocalScans local_;
+  std::unique_ptr<scan_matching::ScanMap> map_;  ///< while it is searched
+  Eigen::AlignedBox2d box_;                      ///< of the map [m]
+  std::optional<Found> first_;                   ///< nothing has contradicted it
+  double searched_ = 0.0;                        ///< the way at the last search [m]
+  bool is_due_ = false, has_news_ = false;
+};
+
+}  // namespace slam::relocalisation

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/landmark_recogniser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slam::relocalisation {
+
+void LandmarkRecogniser::move(const Motion& motion) {
+  local_.move(motion);
+  if (candidate_) candidate_->pose = candidate_->pose * motion.increment;
+}
+
+void LandmarkRecogniser::see(const LandmarkObservationArray& array) {
+  local_.see(array);
+  has_news_ |= !array.observations.empty();
+}
+
+void LandmarkRecogniser::forget() {
+  local_.forget();
+  candidate_.reset();
+  has_news_ = false;
+}
+
+void LandmarkRecogniser::begin(LandmarkMap map) {
+  map_ = std::move(map);
+  search_ = std::make_unique<ConstellationSearch>(map_, config_.outlier_share);
+  candidate_.reset();
+  has_news_ = true;
+}
+
+std::optional<Recognition> LandmarkRecogniser::find(Stamp stamp) {
+  if (!std::exchange(has_news_, false)) return std::nullopt;
+  using Verdict = Recognition::Verdict;
+  const auto places = search_->placesOf(local_.all());
+  const double at_least = std::log(config_.odds);
+  const double alone = search_->evidence().logOddsOfOneAlone(local_.all());
+  if (places.empty() || places[0].log_odds < alone + at_least) {
+    candidate_.reset();
+    return Recognition();
+  }
+  const auto& best = places[0];
+  if (places.size() > 1 && best.log_odds < places[1].log_odds + at_least) {
+    candidate_.reset();
+    return Recognition{Verdict::kAmbiguous, {}};
+  }
+  const bool is_confirmed = stays(best.robot.pose, stamp);
+  return Recognition{is_confirmed ? Verdict::kConfirmed : Verdict::kLikely, best.robot};
+}
+
+/// The next sightings confirm a place or lead elsewhere.
+bool LandmarkRecogniser::stays(const Pose2& place, Stamp stamp) {
+  constexpr int kLeastTimes = 3;
+  if (!candidate_ || !areOnePlace(candidate_->pose, place)) {
+    candidate_ = Candidate{place, stamp};
+    return false;
+  }
+  candidate_->pose = place;
+  ++candidate_->times;
+  return candidate_->times >= kLeastTimes &&
+         seconds(stamp - candidate_->since) >= config_.confirmation;
+}
+
+}  // namespace slam::relocalisation

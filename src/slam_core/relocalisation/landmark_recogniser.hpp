@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "slam_core/relocalisation/constellation_search.hpp"
+#include "slam_core/relocalisation/recognition.hpp"
+#include "slam_core/relocalisation/relocalisation_config.hpp"
+
+namespace slam::relocalisation {
+
+/// Recognises the place of a robot by the landmarks around it. Two markers may have one id and one
+/// may have been moved, so that a place must be much more likely than all others, and remain so
+/// for a while.
+class LandmarkRecogniser {
+ public:
+  explicit LandmarkRecogniser(const RelocalisationConfig& config = {},
+                              LocalLandmarks::Ids ids = LocalLandmarks::Ids::kKnown)
+      : config_(config), local_(ids) {}
+
+  void move(const Motion& motion);
+  void see(const LandmarkObservationArray& array);
+  void forget();
+
+  /// From now on the robot is looked for in this map.
+  void begin(LandmarkMap map);
+  void end() { search_.reset(); }
+  /// Nothing where nothing new was seen since the last call. To be called between begin() and
+  /// end().
+  std::optional<Recognition> find(Stamp stamp);
+  /// Radius of a circle that holds the map [m]; 0 where there is none to search.
+  double radius() const { return search_ ? search_->evidence().radius() : 0.0; }
+
+ private:
+  /// The best place, and since when it has been the best.
+  struct Candidate {
+    Pose2 pose;  ///< T_map_base now
+    Stamp since;
+    int times = 1;
+  };
+
+  bool stays(const Pose2& place, Stamp stamp);
+
+  RelocalisationConfig config_;
+  LocalLandmarks local_;
+  LandmarkMap map_;
+  std::unique_ptr<ConstellationSearch> search_;  ///< in the map
+  std::optional<Candidate> candidate_;
+  bool has_news_ = false;
+};
+
+}  // namespace slam::relocalisation

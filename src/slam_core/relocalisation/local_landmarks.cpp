@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/local_landmarks.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "slam_core/models/observation_model.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+constexpr double kSameGate = 13.8;   // 0.999 of chi-square with two degrees of freedom
+constexpr double kVagueSigma = 0.5;  // a landmark that is less certain tells no place [m]
+constexpr std::size_t kMost = 40;    // landmarks; the oldest are forgotten first
+/// The errors of successive sightings have something in common: any number of them counts as four.
+/// With this share of a sighting's covariance added before each update, the variance of a Kalman
+/// filter settles at a quarter of it.
+constexpr double kInCommon = 1.0 / 12.0;
+
+double distanceBetween(const LocalLandmark& a, const LocalLandmark& b) {
+  const Eigen::Vector2d d = a.position - b.position;
+  return d.dot((a.covariance + b.covariance).inverse() * d);
+}
+
+void fuse(LocalLandmark& known, const LocalLandmark& seen) {
+  const Eigen::Matrix2d P = known.covariance + kInCommon * seen.covariance;
+  const Eigen::Matrix2d K = P * (P + seen.covariance).inverse();
+  known.position += K * (seen.position - known.position);
+  const Eigen::Matrix2d fused = P - K * P;
+  known.covariance = 0.5 * (fused + fused.transpose());
+}
+
+}  // namespace
+
+void LocalLandmarks::move(const Motion& motion) {
+  const Pose2 back = motion.increment.inverse();
+  Eigen::Matrix3d J_inverse;
+  motion.increment.inverse(&J_inverse);
+  const Eigen::Matrix3d Q = J_inverse * motion.covariance * J_inverse.transpose();
+  for (auto& landmark : landmarks_) {
+    Eigen::Matrix<double, 2, 3> J_motion;
+    Eigen::Matrix2d J_position;
+    landmark.position = back.transform(landmark.position, &J_motion, &J_position);
+    landmark.covariance = J_position * landmark.covariance * J_position.transpose() +
+                          J_motion * Q * J_motion.transpose();
+  }
+  const auto is_vague = [](const LocalLandmark& landmark) {
+    return !(landmark.covariance.trace() < kVagueSigma * kVagueSigma);
+  };
+  landmarks_.erase(std::remove_if(landmarks_.begin(), landmarks_.end(), is_vague),
+                   landmarks_.end());
+}
+
+bool LocalLandmarks::see(const LandmarkObservationArray& array) {
+  const RangeBearingModel model;
+  bool has_new = false;
+  for (const auto& z : array.observations) {
+    LocalLandmark seen;
+    Eigen::Matrix2d J_z;
+    if (ids_ == Ids::kKnown) seen.id = z.id;
+    seen.position = model.invert({}, array.sensor_pose, z.vector(), nullptr, &J_z);
+    seen.covariance = J_z * z.covariance * J_z.transpose();
+    if (seen.position.allFinite() && seen.covariance.trace() < kVagueSigma * kVagueSigma)
+      has_new |= see(seen);
+  }
+  return has_new;
+}
+
+/// One of the same id that is elsewhere is another landmark: two markers may have one id.
+bool LocalLandmarks::see(const LocalLandmark& seen) {
+  LocalLandmark* nearest = nullptr;
+  double least = kSameGate;
+  for (auto& known : landmarks_) {
+    if (known.id != seen.id) continue;
+    const double distance = distanceBetween(known, seen);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &known;
+  }
+  if (nearest != nullptr) {
+    fuse(*nearest, seen);
+    return false;
+  }
+  if (landmarks_.size() == kMost) landmarks_.erase(landmarks_.begin());
+  landmarks_.push_back(seen);
+  return true;
+}
+
+}  // namespace slam::relocalisation

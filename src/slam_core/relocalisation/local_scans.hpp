@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/models/motion.hpp"
+#include "slam_core/scan_matching/scan_tracker.hpp"
+
+namespace slam::relocalisation {
+
+/// What a laser has seen on the last metres of the robot's way: a picture of the surroundings that
+/// needs no map and no pose. A single scan often fits several places; all of them together seldom
+/// do.
+class LocalScans {
+ public:
+  /// @param way of which scans are kept [m]
+  LocalScans(const grid_map::GridMapConfig& grid, const scan_matching::MatcherConfig& matcher,
+             double way);
+
+  /// Motion since the last scan.
+  void move(const Motion& motion);
+  void take(const LaserScan& scan);
+  void forget();
+
+  bool isEmpty() const { return kept_.empty(); }
+  /// T_local_base at the last scan, in a frame that begins where the robot was after forget().
+  const Pose2& robot() const { return tracker_.robot().pose; }
+  /// So far has the robot come since forget() [m].
+  double way() const { return gone_; }
+  /// The ends of all scans that are kept, in the robot's frame.
+  scan_matching::ScanLevels together() const;
+
+ private:
+  struct Kept {
+    scan_matching::ScanLevels points;
+    Pose2 pose;  ///< T_local_base
+    double gone;
+  };
+
+  void keep(const scan_matching::ScanLevels& points);
+  void redraw();
+
+  grid_map::GridMapConfig config_;
+  double way_, spacing_;
+  scan_matching::LevelModels models_;
+  scan_matching::ScanTracker tracker_;
+  scan_matching::InsertionTrigger trigger_;
+  std::unique_ptr<scan_matching::ScanMap> map_;  ///< of the scans that are kept, and some before
+  std::size_t drawn_ = 0;                        ///< scans in the map
+  std::deque<Kept> kept_;
+  std::optional<Motion> carried_;
+  double gone_ = 0.0;
+};
+
+}  // namespace slam::relocalisation

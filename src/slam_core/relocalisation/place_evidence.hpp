@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/relocalisation/local_landmarks.hpp"
+
+namespace slam::relocalisation {
+
+/// A place of the robot in a map, with the evidence for it.
+struct Place {
+  PoseEstimate robot;
+  /// Logarithm of how much more likely the landmarks around the robot are there than if they had
+  /// nothing to do with the map.
+  double log_odds = 0.0;
+  std::size_t matches = 0;  ///< landmarks that lie where the map has them
+};
+
+/// Weighs a place by the landmarks around the robot. Each of them may be none of the map; the
+/// likelihood is integrated over all poses nearby (Laplace's approximation), so that places by few
+/// precise and by many vague landmarks can be compared.
+class PlaceEvidence {
+ public:
+  /// @param map outlives this @param outlier_share probability that a landmark is none of the map,
+  /// whatever its id says; in (0, 1)
+  PlaceEvidence(const LandmarkMap& map, double outlier_share);
+
+  /// The best place near a pose.
+  /// @return nothing where fewer than two landmarks lie where the map has them
+  std::optional<Place> near(Pose2 robot, const std::vector<LocalLandmark>& around) const;
+  /// The same logarithm of the best explanation that gives no place: that one of the landmarks is
+  /// what its id says, while all others are not.
+  double logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const;
+  /// Whether a landmark around the robot may be this one of the map.
+  static bool mayBe(const LocalLandmark& local, const Landmark& landmark) {
+    return local.id == kUnknownId || local.id == landmark.id;
+  }
+  /// Radius of a circle that holds the robot wherever it sees the map [m].
+  double radius() const { return radius_; }
+
+ private:
+  struct Pairing {
+    std::size_t local, landmark;
+  };
+  struct Normal {
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  };
+
+  std::vector<Pairing> pairingsAt(const Pose2& robot,
+                                  const std::vector<LocalLandmark>& around) const;
+  Normal equationsAt(const Pose2& robot, const std::vector<LocalLandmark>& around,
+                     const std::vector<Pairing>& pairings) const;
+  double logOddsAt(const Pose2& robot, const std::vector<LocalLandmark>& around,
+                   const std::vector<Pairing>& pairings) const;
+  double logOddsOf(const Pose2& robot, const LocalLandmark& local, const Landmark* landmark) const;
+  bool isInMap(const LocalLandmark& local) const;
+
+  const LandmarkMap& map_;
+  double outlier_share_;
+  double area_, radius_;
+};
+
+}  // namespace slam::relocalisation

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/models/landmark_map.hpp"
+
+namespace slam::relocalisation {
+
+/// What a search for the robot has found.
+struct Recognition {
+  enum class Verdict {
+    kNothing,    ///< no place explains what is seen
+    kAmbiguous,  ///< several do
+    kLikely,     ///< one does, which has yet to be confirmed
+    kConfirmed
+  };
+  Verdict verdict = Verdict::kNothing;
+  PoseEstimate robot;  ///< where it is likely or confirmed
+
+  bool hasPlace() const { return verdict == Verdict::kLikely || verdict == Verdict::kConfirmed; }
+};
+
+/// Whether two poses are one place of a robot, as far as different searches would tell it.
+inline bool areOnePlace(const Pose2& a, const Pose2& b) {
+  constexpr double kShift = 0.5, kTurn = 0.3;  // [m], [rad]
+  return (a.position() - b.position()).norm() < kShift &&
+         std::abs(wrapAngle(a.theta() - b.theta())) < kTurn;
+}
+
+}  // namespace slam::relocalisation

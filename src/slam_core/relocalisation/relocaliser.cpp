@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/relocaliser.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "slam_core/contract/grid_mapper.hpp"
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/lost_reporter.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+const SectionRegistrar<RelocalisationConfig> kSectionRegistrar;
+
+/// Whether a place that was found is the one that the back-end has.
+bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
+  constexpr double kPoseGate = 16.27;                           // three degrees of freedom, 0.999
+  constexpr double kSlackPosition = 0.1, kSlackHeading = 0.05;  // [m], [rad]
+  Eigen::Vector3d e = found.pose.vector() - believed.pose.vector();
+  e.z() = wrapAngle(e.z());
+  Eigen::Matrix3d S = found.covariance + believed.covariance;
+  const Eigen::Vector3d slack(kSlackPosition, kSlackPosition, kSlackHeading);
+  S.diagonal() += slack.cwiseAbs2();
+  return e.dot(S.llt().solve(e)) <= kPoseGate;
+}
+
+}  // namespace
+
+void Relocaliser::configure(Settings& settings, const Capabilities& capabilities) {
+  capabilities_ = capabilities;
+  grid_map::GridMapConfig grid;
+  scan_matching::MatcherConfig matcher;
+  const bool has_grid = capabilities.find<GridMapper>() != nullptr;
+  FaultCollector faults;
+  faults.attempt([&] { config_ = settings.read<RelocalisationConfig>(); });
+  if (has_grid) faults.attempt([&] { settings.read(grid); });
+  if (has_grid) faults.attempt([&] { settings.read(matcher); });
+  faults.raise();
+  landmarks_ = LandmarkRecogniser(config_);
+  grid_.reset();
+  if (has_grid) grid_.emplace(config_, grid, matcher);
+  reset();
+}
+
+void Relocaliser::reset() {
+  assume(Belief::kSure);
+  forgetSurroundings();
+  counters_.clear();
+}
+
+void Relocaliser::assume(Belief belief) {
+  end();
+  belief_ = belief;
+  gating_ = GatingRate(kWindow);
+  is_lost_by_scans_ = is_ambiguous_ = false;
+  if (belief == Belief::kLost || belief == Belief::kAnywhere) forgetSurroundings();
+  const bool can_search = config_.enabled && belief != Belief::kSure && begin();
+  if (!can_search) belief_ = Belief::kSure;
+}
+
+/// What was seen before may have been seen from elsewhere: somebody may have carried the robot.
+void Relocaliser::forgetSurroundings() {
+  landmarks_.forget();
+  if (grid_) grid_->forget();
+}
+
+void Relocaliser::searchAnyway() {
+  if (grid_) grid_->searchAnyway();
+}
+
+/// @return whether there is a map in which a place can be recognised
+bool Relocaliser::begin() {
+  constexpr std::size_t kLeastLandmarks = 2;
+  const auto* mapper = capabilities_.find<LandmarkMapper>();
+  auto map = mapper != nullptr ? mapper->landmarks() : LandmarkMap();
+  searches_landmarks_ = map.size() >= kLeastLandmarks;
+  if (searches_landmarks_) landmarks_.begin(std::move(map));
+  const auto grid = grid_ ? capabilities_.find<GridMapper>()->grid() : std::nullopt;
+  searches_grid_ = grid && !grid->cells.empty();
+  if (searches_grid_) grid_->begin(*grid);
+  return searches_landmarks_ || searches_grid_;
+}
+
+void Relocaliser::end() {
+  searches_landmarks_ = searches_grid_ = false;
+  landmarks_.end();
+  if (grid_) grid_->end();
+}
+
+void Relocaliser::predict(const Motion& motion) {
+  landmarks_.move(motion);
+  if (grid_) grid_->move(motion);
+}
+
+bool Relocaliser::see(const LandmarkObservationArray& array) {
+  landmarks_.see(array);
+  if (!searches_landmarks_ || is_lost_by_scans_) return true;
+  counters_.add("withheld", array.observations.size());
+  return false;
+}
+
+bool Relocaliser::see(const LaserScan& scan) {
+  if (grid_ && config_.enabled) grid_->see(scan);
+  return belief_ != Belief::kAnywhere;
+}
+
+bool Relocaliser::isLostByScans() const {
+  const auto* reporter = capabilities_.find<LostReporter>();
+  return reporter != nullptr && reporter->lostSince().has_value();
+}
+
+void Relocaliser::watch() {
+  if (is_lost_by_scans_ && !isLostByScans()) assume(Belief::kSure);
+  if (belief_ != Belief::kSure) return;
+  if (const auto* mapper = capabilities_.find<LandmarkMapper>()) gating_.add(mapper->statistics());
+  if (gating_.isExcessive()) {
+    assume(Belief::kLost);
+  } else if (isLostByScans()) {
+    assume(Belief::kLost);
+    is_lost_by_scans_ = true;
+  }
+}
+
+std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Stamp stamp) {
+  if (!config_.enabled) return std::nullopt;
+  watch();
+  std::optional<Recognition> found;
+  if (searches_landmarks_) found = landmarks_.find(stamp);
+  if (searches_grid_ && !(found && found->hasPlace()))
+    if (const auto by_scans = grid_->find()) found = by_scans;
+  if (!found) return std::nullopt;
+  is_ambiguous_ = found->verdict == Recognition::Verdict::kAmbiguous;
+  return found->hasPlace() ? settle(*found, believed) : std::nullopt;
+}
+
+/// A place that the back-end has already needs no further confirmation, and the back-end goes on
+/// with all it knows.
+std::optional<PoseEstimate> Relocaliser::settle(const Recognition& found,
+                                                const PoseEstimate& believed) {
+  if (belief_ != Belief::kAnywhere && agree(found.robot, believed)) {
+    assume(Belief::kSure);
+    return std::nullopt;
+  }
+  if (found.verdict != Recognition::Verdict::kConfirmed) return std::nullopt;
+  counters_.add("relocalised");
+  assume(Belief::kSure);
+  return found.robot;
+}
+
+PoseEstimate Relocaliser::told(PoseEstimate believed) const {
+  if (belief_ == Belief::kSure) return believed;
+  const double radius = std::max(landmarks_.radius(), grid_ ? grid_->radius() : 0.0);
+  believed.covariance.diagonal() +=
+      Eigen::Vector3d(radius * radius, radius * radius, M_PI * M_PI / 3.0);
+  return believed;
+}
+
+Status Relocaliser::status() const {
+  if (belief_ == Belief::kSure) return Status::ok();
+  const std::string how = searches_grid_ ? "drive on until the laser has seen more"
+                                         : "drive on until several of its landmarks are seen";
+  const std::string ways = is_ambiguous_ ? "several places of the map look alike; " : "";
+  if (belief_ == Belief::kLost)
+    return Status::alarm(
+        "the robot is lost: what is seen contradicts the map around it; it is "
+        "looked for in the whole map; " +
+        ways + how + ", or set an initial pose");
+  const std::string what = belief_ == Belief::kAnywhere
+                               ? "the robot is looked for in the whole map: "
+                               : "the place in the loaded map has not been recognised yet: ";
+  return Status::warning(what + ways + how + ", or set an initial pose");
+}
+
+}  // namespace slam::relocalisation

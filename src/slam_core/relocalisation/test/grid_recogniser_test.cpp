@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/grid_recogniser.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/grid_map/grid_conversion.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+using slam::test::RoomDrive;
+using Verdict = Recognition::Verdict;
+
+/// A lap in the room, drawn where the robot was.
+OccupancyGrid gridOf(RoomDrive drive, const grid_map::GridMapConfig& config) {
+  scan_matching::ScanMap map(config);
+  const auto models = scan_matching::levelModels(config);
+  for (int i = 0; i < 150; ++i) {
+    const auto step = drive.next();
+    map.insert(scan_matching::pointsOf(step.scan, models, 0.02), step.truth);
+  }
+  return occupancyGridOf(map.finest().map, map.finest().model.resolution());
+}
+
+class GridRecogniserTest : public testing::Test {
+ protected:
+  /// Drives on until a place is confirmed, for so many steps at most.
+  Verdict drive(int steps) {
+    Verdict verdict = Verdict::kNothing;
+    for (int i = 0; i < steps && verdict != Verdict::kConfirmed; ++i) {
+      const auto step = robot.next();
+      truth = step.truth;
+      recogniser.move(step.motion);
+      recogniser.see(step.scan);
+      if (const auto found = recogniser.find()) {
+        last = *found;
+        verdict = found->verdict;
+        ++searches;
+      }
+    }
+    return verdict;
+  }
+
+  grid_map::GridMapConfig config;
+  RoomDrive robot{2};
+  GridRecogniser recogniser{{}, config, {}};
+  Recognition last;
+  Pose2 truth;
+  int searches = 0;
+};
+
+TEST_F(GridRecogniserTest, FindsTheRobotAfterAMetreOrTwo) {
+  const auto grid = gridOf(RoomDrive(1), config);
+  for (int i = 0; i < 70; ++i) robot.next();  // half round the box
+  recogniser.begin(grid);
+  ASSERT_EQ(drive(25), Verdict::kConfirmed);
+  EXPECT_LT((last.robot.pose.position() - truth.position()).norm(), 0.1);
+  EXPECT_LT(std::abs(wrapAngle(last.robot.pose.theta() - truth.theta())), 0.05);
+}
+
+TEST_F(GridRecogniserTest, SearchesOnlyAfterSomeOfTheWay) {
+  recogniser.begin(gridOf(RoomDrive(1), config));
+  robot.way_of_step = 0.0;
+  drive(20);
+  EXPECT_EQ(searches, 1);
+  recogniser.searchAnyway();
+  drive(20);
+  EXPECT_EQ(searches, 2);
+}
+
+TEST_F(GridRecogniserTest, DoesNotChooseBetweenTwoRoomsThatAreAlike) {
+  auto one = gridOf(RoomDrive(1), config);
+  OccupancyGrid two = one;
+  two.width = 2 * one.width;
+  two.cells.clear();
+  for (std::uint32_t y = 0; y < one.height; ++y)
+    for (int copy = 0; copy < 2; ++copy)
+      two.cells.insert(two.cells.end(), one.cells.begin() + std::ptrdiff_t{y} * one.width,
+                       one.cells.begin() + std::ptrdiff_t{y + 1} * one.width);
+  recogniser.begin(two);
+  EXPECT_EQ(drive(60), Verdict::kNothing);
+  EXPECT_GT(searches, 5);
+}
+
+TEST_F(GridRecogniserTest, FindsNothingInTheMapOfAnotherPlace) {
+  OccupancyGrid empty;
+  empty.resolution = config.resolution;
+  empty.width = empty.height = 100;
+  empty.cells.assign(100 * 100, 0);
+  recogniser.begin(empty);
+  EXPECT_EQ(drive(40), Verdict::kNothing);
+}
+
+}  // namespace
+}  // namespace slam::relocalisation
