@@ -103,6 +103,7 @@ std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& star
   if (!uses_grid_) return graph;
   auto& scans = graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
   graph->reduction.keepWhile([&scans](graph::Key node) { return reductionOf(scans).holds(node); });
+  graph->reduction.announceTo([&scans](graph::Key node) { pathOf(scans).forget(node); });
   return graph;
 }
 

@@ -3,6 +3,7 @@
 
 #include "slam_core/graph_slam/landmark_graph.hpp"
 
+#include <Eigen/Cholesky>
 #include <memory>
 #include <utility>
 
@@ -77,8 +78,16 @@ LandmarkObservation LandmarkGraph::carriedBack(const LandmarkObservation& z,
   return carried;
 }
 
+/// In some direction of range and bearing the motion since the last node adds more than the noise
+/// of the observation.
+bool LandmarkGraph::isBlurred(const LandmarkObservation& z, const Pose2& sensor) const {
+  if (!path_.tail().node) return false;
+  const Eigen::Matrix2d added = carriedBack(z, sensor).covariance - z.covariance;
+  return Eigen::LLT<Eigen::Matrix2d>(z.covariance - added).info() != Eigen::Success;
+}
+
 void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor) {
-  const auto node = path_.nodeNearby();
+  const auto node = isBlurred(z, sensor) ? path_.addNode() : path_.nodeNearby();
   if (std::exchange(sightings_node_, node) != node) sightings_.clear();
   const auto& motion = path_.tail().motion;
   Sighting sighting{carriedBack(z, sensor), motion ? motion->increment * sensor : sensor};

@@ -23,7 +23,8 @@ struct Match {
 
 /// The landmarks of a graph: a factor of range and bearing for each one that is seen from a node of
 /// the path. What is seen before the next node is due goes into the last one's factors, so that a
-/// robot that stands still does not make the graph grow.
+/// robot that stands still does not make the graph grow. A node is due when the robot has moved, or
+/// where its motion is less certain than what it sees.
 class LandmarkGraph {
  public:
   /// @param path outlives this
@@ -68,6 +69,7 @@ class LandmarkGraph {
 
   void addLandmark(LandmarkId id, const Eigen::Vector2d& place);
   LandmarkObservation carriedBack(const LandmarkObservation& z, const Pose2& sensor) const;
+  bool isBlurred(const LandmarkObservation& z, const Pose2& sensor) const;
   void see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor);
 
   PathGraph& path_;

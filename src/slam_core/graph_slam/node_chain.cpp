@@ -3,6 +3,7 @@
 
 #include "slam_core/graph_slam/node_chain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -58,7 +59,24 @@ void NodeChain::join(graph::Key before, graph::Key node, const Link& link) {
   nodes_[before].after = node;
 }
 
+void NodeChain::addChord(graph::Key from, graph::Key node, const Pose2& motion,
+                         const Eigen::Matrix3d& W) {
+  const auto factor = graph_.add(std::make_unique<graph::Between>(from, node, motion, W));
+  nodes_.at(from).chords.push_back({factor, node});
+  nodes_.at(node).chords.push_back({factor, from});
+}
+
+void NodeChain::loosen(graph::Key key, const Eigen::Matrix3d& more) {
+  const auto& node = nodes_.at(key);
+  if (node.before < 0) return;
+  Link link = node.link;
+  graph_.remove(link.factor);
+  link.covariance += coordinateCovariance(link.increment, more);
+  join(node.before, key, link);
+}
+
 void NodeChain::remove(graph::Key key) {
+  removeChords(key);
   const Node node = nodes_.at(key);
   cut(key);
   if (node.after >= 0) {
@@ -77,6 +95,16 @@ void NodeChain::cut(graph::Key key) {
   nodes_.at(node.before).after = -1;
   node.before = -1;
   node.link = {};
+}
+
+void NodeChain::removeChords(graph::Key key) {
+  for (const auto& chord : nodes_.at(key).chords) {
+    graph_.remove(chord.factor);
+    auto& others = nodes_.at(chord.other).chords;
+    others.erase(std::find_if(others.begin(), others.end(),
+                              [&](const Chord& other) { return other.factor == chord.factor; }));
+  }
+  nodes_.at(key).chords.clear();
 }
 
 }  // namespace slam::graph_slam

@@ -14,7 +14,8 @@
 namespace slam::graph_slam {
 
 /// The nodes of the path in the order in which the robot passed them, with the factors of motion
-/// that join them. A node between two others can be removed: the motions beside it become one.
+/// that join them. A node between two others can be removed: the motions beside it become one. A
+/// chord is a second motion to a node, from one further back; it goes with either of its nodes.
 class NodeChain {
  public:
   /// A link is the motion to a node from the one before.
@@ -24,10 +25,15 @@ class NodeChain {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the increment, to the first order
     double way = 0.0;                                      ///< driven, along all nodes between [m]
   };
+  struct Chord {
+    graph::FactorId factor = -1;
+    graph::Key other = -1;  ///< the node at its other end
+  };
   struct Node {
     graph::Key before = -1, after = -1;
-    Link link;               ///< to the one before, where there is one
-    bool has_prior = false;  ///< something besides motions and sightings says where it is
+    Link link;                  ///< to the one before, where there is one
+    bool has_prior = false;     ///< something besides motions and sightings says where it is
+    std::vector<Chord> chords;  ///< from it and to it
   };
 
   /// @param graph outlives this
@@ -37,12 +43,17 @@ class NodeChain {
   void start(graph::Key node);
   /// Adds the factor of the motion from one node to a new one.
   void append(graph::Key before, graph::Key node, const Motion& motion);
+  /// Adds a second motion to a node. @param W its weight, as of graph::Between
+  void addChord(graph::Key from, graph::Key node, const Pose2& motion, const Eigen::Matrix3d& W);
+  /// Makes the motion to a node from the one before less certain.
+  /// @param more is added to its covariance, of the twist at the node
+  void loosen(graph::Key node, const Eigen::Matrix3d& more);
   const Node& operator[](graph::Key node) const { return nodes_.at(node); }
   std::size_t size() const { return nodes_.size(); }
   /// The nodes that have come since the last call, in order.
   std::vector<graph::Key> takeNew() { return std::exchange(new_, {}); }
 
-  /// Removes a node that no other factors hold any more, with its variable.
+  /// Removes a node with its variable and chords. No factors but those of motion hold it any more.
   void remove(graph::Key node);
 
  private:
@@ -51,6 +62,7 @@ class NodeChain {
   void join(graph::Key before, graph::Key node, const Link& link);
   /// Removes the motion between a node and the one before.
   void cut(graph::Key node);
+  void removeChords(graph::Key node);
 
   graph::Optimizer& graph_;
   std::unordered_map<graph::Key, Node> nodes_;  // looked up only, never iterated

@@ -19,12 +19,17 @@ constexpr std::size_t kSightings = 30;
 
 void PathReduction::reduce() {
   for (const auto node : chainOf(path_).takeNew()) {
-    if (newest_ >= 0 && !sightingsOf(landmarks_).seenFrom(newest_).empty())
-      window_.push_back(newest_);
+    if (newest_ >= 0 && isToBeJudged(newest_)) window_.push_back(newest_);
     newest_ = node;
     open_.insert(node);
   }
   for (; window_.size() > kWindow; window_.pop_front()) judge(window_.front());
+}
+
+/// Nodes that only scans that are drawn need go with those.
+bool PathReduction::isToBeJudged(graph::Key node) const {
+  if (!sightingsOf(landmarks_).seenFrom(node).empty()) return true;
+  return !is_held_(node) && !chainOf(path_)[node].has_prior;
 }
 
 void PathReduction::judge(graph::Key node) {
@@ -77,6 +82,7 @@ void PathReduction::remove(graph::Key node) {
   }
   hangRecord(node);
   dropSightings(node);
+  forget_(node);
   chainOf(path_).remove(node);
   ++removed_;
 }

@@ -40,10 +40,13 @@ class PathReduction {
   /// Nodes that must stay, whatever is seen from them, until they are released.
   void keepWhile(std::function<bool(graph::Key)> is_held) { is_held_ = std::move(is_held); }
   void release(graph::Key node);
+  /// @param forget is called with each node that is about to be removed
+  void announceTo(std::function<void(graph::Key)> forget) { forget_ = std::move(forget); }
   /// The number of nodes removed so far.
   std::size_t removed() const { return removed_; }
 
  private:
+  bool isToBeJudged(graph::Key node) const;
   void judge(graph::Key node);
   void settle(graph::Key node);
   bool isNew(graph::Key node) const;
@@ -57,6 +60,7 @@ class PathReduction {
   LandmarkGraph& landmarks_;
   PathRecord& record_;
   std::function<bool(graph::Key)> is_held_ = [](graph::Key) { return false; };
+  std::function<void(graph::Key)> forget_ = [](graph::Key) {};
   PlaceRaster places_;
   graph::Key newest_ = -1;
   std::unordered_set<graph::Key> open_;  ///< nodes of which it is not decided yet; looked up only

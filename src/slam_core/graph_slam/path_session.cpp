@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <set>
 
 #include "slam_core/graph_slam/session_parts.hpp"
 #include "slam_core/graph_slam/twist_covariance.hpp"
@@ -10,6 +12,7 @@ namespace slam::graph_slam {
 
 void SessionParts::write(const PathGraph& path, const SessionNumbers& numbers, Session& session) {
   graph_slam::write(path.graph_, numbers, session);
+  write(path.chain_, numbers, session);
   const auto& tail = path.tail_;
   session.robot = {numbers.variable(tail.node), tail.motion, path.start_, tail.nodes};
 }
@@ -21,6 +24,14 @@ void SessionParts::read(const Session& session, PathGraph& path) {
   path.start_ = session.robot.start;
   path.tail_ = {std::nullopt, session.robot.motion, session.robot.nodes};
   if (session.robot.node) path.tail_.node = keyOfNode(*session.robot.node);
+}
+
+void SessionParts::write(const NodeChain& chain, const SessionNumbers& numbers, Session& session) {
+  std::set<Session::Index> chords;  // each is at both of its nodes
+  for (const auto key : numbers.nodes())
+    if (const auto node = chain.nodes_.find(key); node != chain.nodes_.end())
+      for (const auto& chord : node->second.chords) chords.insert(numbers.factor(chord.factor));
+  session.chords.assign(chords.begin(), chords.end());
 }
 
 /// A factor between two nodes that have neighbours already is no motion: it ties both to the map.
@@ -36,6 +47,12 @@ void SessionParts::read(const Session& session, NodeChain& chain) {
     if (!motion) continue;
     auto& before = nodes[keyOfNode(motion->from)];
     auto& node = nodes[keyOfNode(motion->to)];
+    const auto id = idOfFactor(static_cast<Session::Index>(i));
+    if (std::binary_search(session.chords.begin(), session.chords.end(), i)) {
+      before.chords.push_back({id, keyOfNode(motion->to)});
+      node.chords.push_back({id, keyOfNode(motion->from)});
+      continue;
+    }
     if (before.after >= 0 || node.before >= 0) {
       before.has_prior = node.has_prior = true;
       continue;
@@ -43,8 +60,7 @@ void SessionParts::read(const Session& session, NodeChain& chain) {
     before.after = keyOfNode(motion->to);
     node.before = keyOfNode(motion->from);
     const Eigen::Matrix3d H = motion->weight.transpose() * motion->weight;
-    node.link = {idOfFactor(static_cast<Session::Index>(i)), motion->motion,
-                 coordinateCovariance(motion->motion, H.inverse()),
+    node.link = {id, motion->motion, coordinateCovariance(motion->motion, H.inverse()),
                  motion->motion.position().norm()};
   }
   for (std::size_t i = 0; i < session.nodes.size(); ++i)

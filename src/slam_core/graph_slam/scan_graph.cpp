@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/graph/factors.hpp"
@@ -44,8 +43,7 @@ void ScanGraph::restart(const PoseEstimate& robot) {
   trigger_.restart();
   doubt_.forget();
   watch_.restart();
-  carried_.reset();
-  node_.reset();
+  told_.restart();
 }
 
 /// The grid hangs on a variable of its own, that lies where the grid says.
@@ -62,17 +60,15 @@ Status ScanGraph::load(const OccupancyGrid& grid) {
   return status;
 }
 
-void ScanGraph::predict(const Motion& motion) {
-  carried_ = carried_ ? joined(*carried_, motion) : motion;
-}
+void ScanGraph::predict(const Motion& motion) { told_.predict(motion); }
 
 Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
   inserted_.reset();
   const auto levels = scan_matching::pointsOf(scan, models_, spacing_);
   loop_watch_.begin();
-  noteNode();
+  told_.locate(tracker_.robot());
   const auto found = match(levels, scan.stamp, counters);
-  correctPath();
+  correctPath(found.is_determined);
   if (!doubt_.admits()) {
     counters.add("contradicting");
     return Status::ok();
@@ -82,16 +78,6 @@ Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
   return insert(scan, levels, found.is_determined, counters);
 }
 
-/// A landmark may have been seen since the last scan, from a new node.
-void ScanGraph::noteNode() {
-  if (path_.tail().node == node_) return;
-  node_ = path_.tail().node;
-  node_in_odom_ = tracker_.robot();
-  if (carried_) node_in_odom_.pose = node_in_odom_.pose * carried_->increment;
-  if (const auto& since = path_.tail().motion)
-    node_in_odom_.pose = node_in_odom_.pose * since->increment.inverse();
-}
-
 Pose2 ScanGraph::mapFromOdom() const {
   const auto& submap = submaps_.current();
   if (submap.origin() < 0) return {};
@@ -99,7 +85,7 @@ Pose2 ScanGraph::mapFromOdom() const {
 }
 
 scan_matching::Match ScanGraph::match(const ScanLevels& scan, Stamp stamp, Counters& counters) {
-  const auto motion = std::exchange(carried_, std::nullopt);
+  const auto motion = told_.takeMotion();
   const auto map = submaps_.currentView();
   const auto found = tracker_.track(map, scan, stamp, motion);
   watch_.note(scan, map.isEmpty(), found, motion.has_value(), counters);
@@ -107,23 +93,12 @@ scan_matching::Match ScanGraph::match(const ScanLevels& scan, Stamp stamp, Count
   return found;
 }
 
-/// What the scans say of the motion since the last node, instead of odometry.
-void ScanGraph::correctPath() {
+/// Where the path has no node yet, the submap says where the robot is.
+void ScanGraph::correctPath(bool is_determined) {
   const auto& now = tracker_.robot();
-  if (!node_) {
-    if (submaps_.current().isEmpty()) return;
-    const Pose2 T_map_odom = mapFromOdom();
-    path_.relocate({T_map_odom * now.pose, coordinateCovariance(T_map_odom, now.covariance)});
-    return;
-  }
-  Eigen::Matrix3d J_inverse, J_inverse_node, J_now;
-  const Pose2 increment =
-      node_in_odom_.pose.inverse(&J_inverse).compose(now.pose, &J_inverse_node, &J_now);
-  const Eigen::Matrix3d J_node = J_inverse_node * J_inverse;
-  Eigen::Matrix3d P = J_node * node_in_odom_.covariance * J_node.transpose() +
-                      J_now * now.covariance * J_now.transpose();
-  P.diagonal() += increment.position().norm() * drift_;
-  path_.correct(increment, symmetric(P));
+  if (told_.follow(now, is_determined) || submaps_.current().isEmpty()) return;
+  const Pose2 T_map_odom = mapFromOdom();
+  path_.relocate({T_map_odom * now.pose, coordinateCovariance(T_map_odom, now.covariance)});
 }
 
 /// A scan that fits nothing shows what the map does not have yet: the robot goes on from there.
@@ -135,35 +110,35 @@ Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points, bool i
         "the graph's scans would need more than grid_map.largest_memory and the map is kept as it "
         "is: raise it or grid_map.resolution");
   }
-  node_ = path_.addNode();
   if (!is_determined) tracker_.anchor();
-  node_in_odom_ = tracker_.robot();
+  const auto& robot = tracker_.robot();
+  const auto node = told_.insert(robot, is_determined);
   const auto shared = inserted_ = std::make_shared<const LaserScan>(scan);
-  submaps_.insert(shared, points, *node_, node_in_odom_.pose);
-  trigger_.note(node_in_odom_.pose);
+  submaps_.insert(shared, points, node, robot.pose);
+  trigger_.note(robot.pose);
   path_.optimize(config_.iterations);
-  renderer_.add(*node_, path_.robot().pose, shared);
-  closeLoops(points, counters);
+  renderer_.add(node, path_.robot().pose, shared);
+  closeLoops(points, node, counters);
   renderer_.follow(path_.graph());
   reduction_.reduce();
   return Status::ok();
 }
 
-void ScanGraph::closeLoops(const ScanLevels& scan, Counters& counters) {
+void ScanGraph::closeLoops(const ScanLevels& scan, graph::Key node, Counters& counters) {
   const auto closures = search_.find(scan, path_, submaps_);
   for (const auto& closure : closures) {
     const auto origin = submaps_.finished()[closure.submap].submap.origin();
     const auto W = graph::weightOfCovariance(closure.covariance);
     const bool is_believed =
-        loops_.add(std::make_shared<graph::Between>(origin, *node_, closure.origin_node, W));
+        loops_.add(std::make_shared<graph::Between>(origin, node, closure.origin_node, W));
     counters.add(is_believed ? "loops" : "loops_that_wait");
     if (closure.was_searched) counters.add("searched_loops");
   }
   if (closures.empty()) return;
   constexpr int kSettled = 10;
-  const Pose2 before = path_.graph().pose(*node_);
+  const Pose2 before = path_.graph().pose(node);
   loops_.judge([this] { path_.optimize(kSettled); });
-  loop_watch_.note(loops_.changes(), before, path_.graph().pose(*node_));
+  loop_watch_.note(loops_.changes(), before, path_.graph().pose(node));
 }
 
 Status ScanGraph::status() const {

@@ -13,6 +13,7 @@
 #include "slam_core/graph_slam/loop_search.hpp"
 #include "slam_core/graph_slam/loop_watch.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/scan_path.hpp"
 #include "slam_core/graph_slam/scan_reduction.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 #include "slam_core/models/laser_scan.hpp"
@@ -54,6 +55,7 @@ class ScanGraph {
   /// The scan that became a node with the last take(); none where none did.
   friend const SharedScan& insertedBy(const ScanGraph& scans) { return scans.inserted_; }
   friend ScanReduction& reductionOf(ScanGraph& scans) { return scans.reduction_; }
+  friend ScanPath& pathOf(ScanGraph& scans) { return scans.told_; }
   friend GraphView viewOf(const graph::Optimizer& graph, const ScanGraph* scans);
 
  private:
@@ -61,17 +63,17 @@ class ScanGraph {
 
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp,
                              Counters& counters);
-  void noteNode();
   Pose2 mapFromOdom() const;
-  void correctPath();
+  void correctPath(bool is_determined);
   Status insert(const LaserScan& scan, const scan_matching::ScanLevels& points, bool is_determined,
                 Counters& counters);
-  void closeLoops(const scan_matching::ScanLevels& scan, Counters& counters);
+  void closeLoops(const scan_matching::ScanLevels& scan, graph::Key node, Counters& counters);
 
   PathGraph& path_;
   GraphConfig config_;
   grid_map::GridMapConfig grid_config_;
   Eigen::Vector3d drift_;  ///< variance for each metre
+  ScanPath told_{path_, drift_, config_.iterations};
   scan_matching::LevelModels models_;
   double spacing_;
   Submaps submaps_;
@@ -84,10 +86,7 @@ class ScanGraph {
   scan_matching::InsertionTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
   scan_matching::ScanWatch watch_;
-  std::optional<Motion> carried_;  ///< since the last scan
   SharedScan inserted_;
-  std::optional<graph::Key> node_;  ///< of the path, when it was last looked at
-  PoseEstimate node_in_odom_;       ///< the same among the submap's parts
 };
 
 }  // namespace slam::graph_slam

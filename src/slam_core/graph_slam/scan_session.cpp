@@ -43,7 +43,7 @@ void SessionParts::write(const Submaps& submaps, const SessionNumbers& numbers,
   if (submaps.younger_) to.younger = recordOf(*submaps.younger_, numbers, scans, 0.0);
   to.gone = submaps.gone_;
   to.renewed = submaps.renewed_;
-  to.last = submaps.last_;
+  to.drawn = submaps.last_;
 }
 
 void SessionParts::read(const Session& session, std::unique_ptr<scan_matching::ScanMap> base,
@@ -77,7 +77,7 @@ void SessionParts::read(const Session& session, std::unique_ptr<scan_matching::S
   if (submaps.younger_) submaps.younger_->map();
   submaps.gone_ = from.gone;
   submaps.renewed_ = from.renewed;
-  submaps.last_ = from.last;
+  submaps.last_ = from.drawn;
 }
 
 void SessionParts::write(const ScanGraph& graph, const SessionNumbers& numbers, Session& session) {
@@ -91,11 +91,32 @@ void SessionParts::write(const ScanGraph& graph, const SessionNumbers& numbers, 
     session.loops.push_back(
         {graph_slam::recordOf(between, numbers), is_believed, weight, is_alone});
   }
+  session.submaps.robot = graph.tracker_.robot();
+  write(graph.told_, numbers, session);
+}
+
+void SessionParts::write(const ScanPath& path, const SessionNumbers& numbers, Session& session) {
+  const auto record = [&](const std::optional<ScanPath::Place>& place) {
+    std::optional<Session::Place> of_session;
+    if (place) of_session = {numbers.variable(place->node), place->in_odom, place->told};
+    return of_session;
+  };
   auto& to = session.submaps;
-  to.robot = graph.tracker_.robot();
-  to.node = numbers.variable(graph.node_);
-  to.node_in_odom = graph.node_in_odom_;
-  to.carried = graph.carried_;
+  to.carried = path.carried_;
+  to.last = record(path.last_);
+  to.reference = record(path.reference_);
+}
+
+void SessionParts::read(const Session& session, ScanPath& path) {
+  const auto restored = [](const std::optional<Session::Place>& place) {
+    std::optional<ScanPath::Place> of_path;
+    if (place) of_path = {keyOfNode(place->node), place->in_odom, place->told};
+    return of_path;
+  };
+  const auto& from = session.submaps;
+  path.carried_ = from.carried;
+  path.last_ = restored(from.last);
+  path.reference_ = restored(from.reference);
 }
 
 Status SessionParts::read(const Session& session, ScanGraph& graph) {
@@ -113,11 +134,8 @@ Status SessionParts::read(const Session& session, ScanGraph& graph) {
   graph.reduction_.keepAll();
   graph.loops_.restore(loopsOf(session));
   graph.tracker_.restart(from.robot);
-  if (!session.scans.empty()) graph.trigger_.note(from.last);
-  graph.node_.reset();
-  if (from.node) graph.node_ = keyOfNode(*from.node);
-  graph.node_in_odom_ = from.node_in_odom;
-  graph.carried_ = from.carried;
+  if (!session.scans.empty()) graph.trigger_.note(from.drawn);
+  read(session, graph.told_);
   return status;
 }
 

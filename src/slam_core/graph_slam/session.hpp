@@ -112,17 +112,23 @@ struct Session {
     std::vector<PlacedScan> scans;
     double ended = 0.0;  ///< the way that had been gone with its last scan; where finished [m]
   };
+  /// A node that scans go by.
+  struct Place {
+    Index node = 0;
+    PoseEstimate in_odom;        ///< T_odom_base
+    std::optional<Motion> told;  ///< since then, by odometry
+  };
   /// The submaps, and the robot in their odometry frame. Only submaps with scans or a loaded grid
   /// are among them.
   struct Submaps {
     std::vector<Submap> finished;
     std::optional<Submap> older, younger;
     double gone = 0.0, renewed = 0.0;  ///< [m]
-    Pose2 last;                        ///< of the last scan, T_odom_base
+    Pose2 drawn;                       ///< the last scan in them, T_odom_base
     PoseEstimate robot;                ///< at the last scan, T_odom_base
-    std::optional<Index> node;         ///< that the scans go by
-    PoseEstimate node_in_odom;
-    std::optional<Motion> carried;  ///< since the last scan
+    std::optional<Motion> carried;     ///< since the last scan
+    std::optional<Place> last;         ///< the last node that had a scan
+    std::optional<Place> reference;    ///< the last one that is drawn in the submap
   };
 
   Kind kind;
@@ -130,7 +136,8 @@ struct Session {
   std::vector<Pose2> nodes;
   std::vector<Landmark> landmarks;
   std::vector<Factor> factors;
-  std::vector<Loop> loops;  ///< in the order in which they were found
+  std::vector<Index> chords;  ///< factors that are a second motion to a node, in order
+  std::vector<Loop> loops;    ///< in the order in which they were found
   std::optional<Index> sightings_node;
   std::vector<Sighting> sightings;
   std::vector<Mark> path;

@@ -72,6 +72,7 @@ class SessionCheck {
     require(ties_.areAllTied(),
             "its graph does not hang together: nodes or landmarks are tied to "
             "nothing that lies in the map");
+    checkChords();
     for (const auto& loop : it_.loops) check(loop);
     checkSightings();
     for (const auto& mark : it_.path) requireNode(mark.node);
@@ -152,6 +153,15 @@ class SessionCheck {
     checkAlone(loop.between);
     require(loop.share > 0.0 && loop.share <= 1.0, "it holds a loop whose weight is no share");
   }
+  void checkChords() const {
+    for (std::size_t i = 0; i < it_.chords.size(); ++i) {
+      const auto chord = it_.chords[i];
+      require(chord < it_.factors.size() &&
+                  std::holds_alternative<Session::Between>(it_.factors[chord]) &&
+                  (i == 0 || it_.chords[i - 1] < chord),
+              "it names a second motion to a node that it does not hold");
+    }
+  }
   void checkSightings() const {
     requireNode(it_.sightings_node);
     std::set<Session::Index> seen;
@@ -186,10 +196,18 @@ class SessionCheck {
     require(!submaps.younger || submaps.older, "a submap of it was begun before the one before");
     require(bases_ == (it_.base ? 1 : 0), "its submaps do not fit the grid it began with");
     if (it_.base) checkBase(*it_.base);
-    requireNode(submaps.node);
-    for (const auto* place : {&submaps.robot, &submaps.node_in_odom})
-      requireSpread(place->covariance);
+    requireSpread(submaps.robot.covariance);
     requireMotion(submaps.carried);
+    for (const auto* place : {&submaps.last, &submaps.reference})
+      if (*place) check(**place);
+    const bool has_last = submaps.last.has_value();
+    require(has_last == submaps.reference.has_value() && (!has_last || it_.robot.node),
+            "the nodes that its scans go by are not those of its path");
+  }
+  void check(const Session::Place& place) const {
+    requireNode(place.node);
+    requireSpread(place.in_odom.covariance);
+    requireMotion(place.told);
   }
   void check(const Session::Scan& scan) const {
     requireNode(scan.node);

@@ -88,9 +88,13 @@ void fields(Archive& in, Session::Submap& it) {
   in(it.origin, it.odom_origin, it.is_base, it.scans, it.ended);
 }
 template <class Archive>
+void fields(Archive& in, Session::Place& it) {
+  in(it.node, it.in_odom, it.told);
+}
+template <class Archive>
 void fields(Archive& in, Session::Submaps& it) {
-  in(it.finished, it.older, it.younger, it.gone, it.renewed, it.last, it.robot, it.node,
-     it.node_in_odom, it.carried);
+  in(it.finished, it.older, it.younger, it.gone, it.renewed, it.drawn, it.robot, it.carried,
+     it.last, it.reference);
 }
 template <class Archive>
 void fields(Archive& in, OccupancyGrid& it) {
@@ -98,7 +102,7 @@ void fields(Archive& in, OccupancyGrid& it) {
 }
 template <class Archive>
 void fields(Archive& in, Session& it) {
-  in(it.kind, it.stamp, it.nodes, it.landmarks, it.factors, it.loops, it.sightings_node,
+  in(it.kind, it.stamp, it.nodes, it.landmarks, it.factors, it.chords, it.loops, it.sightings_node,
      it.sightings, it.path, it.robot, it.last_motion, it.scans, it.submaps, it.base);
 }
 

@@ -159,7 +159,8 @@ Session::Submaps renumberedSubmaps(const Session& second, const Renumbering& ren
   for (auto& submap : submaps.finished) submap = renumbered.submap(submap);
   if (submaps.older) submaps.older = renumbered.submap(*submaps.older);
   if (submaps.younger) submaps.younger = renumbered.submap(*submaps.younger);
-  submaps.node = renumbered.node(submaps.node);
+  for (auto* place : {&submaps.last, &submaps.reference})
+    if (*place) (*place)->node = renumbered.node((*place)->node);
   return submaps;
 }
 
@@ -222,6 +223,7 @@ Session joined(const Session& first, const Session& second, const SessionLinks& 
   auto joined = first;
   append(second, renumbered, links.first_second, joined);
   const auto factors = appendFactors(second, renumbered, joined);
+  for (const auto chord : second.chords) joined.chords.push_back(*factors[chord]);
   for (const auto& place : links.places)
     if (&place == &links.places.front())
       joined.factors.emplace_back(place);

@@ -41,6 +41,9 @@ struct SessionParts {
  private:
   /// Its nodes count as if they had just come.
   static void read(const Session& session, NodeChain& chain);
+  static void write(const NodeChain& chain, const SessionNumbers& numbers, Session& session);
+  static void write(const ScanPath& path, const SessionNumbers& numbers, Session& session);
+  static void read(const Session& session, ScanPath& path);
   static void write(const GridRenderer& renderer, const SessionNumbers& numbers, Session& session);
   static void write(const Submaps& submaps, const SessionNumbers& numbers, const ScanNumbers& scans,
                     Session& session);

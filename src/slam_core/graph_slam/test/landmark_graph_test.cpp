@@ -112,6 +112,21 @@ TEST(LandmarkGraph, GetsANodeWhenTheRobotHasMovedOrTurnedFarEnough) {
   EXPECT_EQ(graph.path.tail().nodes, 3u) << "nothing was seen from there";
 }
 
+/// Only then what it sees corrects where the robot is.
+TEST(LandmarkGraph, GetsANodeWhereTheMotionIsLessCertainThanWhatIsSeen) {
+  for (const double sigma : {0.005, 0.02}) {
+    const bool is_blurred = sigma > 0.01;  // of the bearing
+    Graph graph({0.5, 0.2}, start());
+    appendAll(graph, Pose2());
+    const Eigen::Matrix3d before = graph.path.robot().covariance;
+    graph.path.predict(moved(Pose2(0.03, 0.0, 0.0), sigma * sigma));
+    observeAll(graph, graph.path.robot().pose);
+    EXPECT_EQ(graph.path.tail().nodes, is_blurred ? 2u : 1u);
+    const Eigen::Matrix3d grown = graph.path.robot().covariance - before;
+    EXPECT_LT(grown(2, 2), (is_blurred ? 0.5 : 1.01) * sigma * sigma);
+  }
+}
+
 /// Where nothing errs, the Jacobians of both are those at the truth, so that the covariances are
 /// the same.
 TEST(LandmarkGraph, HasTheCovarianceOfAFilterWhereNothingErrs) {

@@ -100,6 +100,40 @@ TEST(NodeChain, ComposesMotionsThatErrByAsMuchAsTheySay) {
   EXPECT_LT(sum / kRuns, 4.0) << "3 are expected";
 }
 
+TEST(NodeChain, RemovesAChordWithEitherOfItsNodes) {
+  const Eigen::Matrix3d W = 1e3 * Eigen::Matrix3d::Identity();
+  Line line, plain;
+  line.chain.addChord(0, 2, kStep * kStep, W);
+  line.chain.addChord(1, 4, kStep * kStep * kStep, W);
+  line.graph.optimize({4}, 5);
+  const double known = line.graph.covariance({4}).trace();
+  EXPECT_LT(known, 0.5 * plain.graph.covariance({4}).trace());
+  line.chain.remove(2);
+  EXPECT_TRUE(line.chain[0].chords.empty());
+  line.graph.optimize({4}, 5);
+  EXPECT_GT(line.graph.covariance({4}).trace(), 1.2 * known);
+  ASSERT_EQ(line.chain[4].chords.size(), 1u);
+  EXPECT_EQ(line.chain[4].chords[0].other, 1);
+  line.chain.remove(1);
+  EXPECT_TRUE(line.chain[4].chords.empty());
+  line.graph.optimize({4}, 5);
+  EXPECT_TRUE(line.graph.covariance({4}).isApprox(plain.graph.covariance({4}), 1e-3));
+}
+
+TEST(NodeChain, LoosensAMotionAndStillRemovesItsNodes) {
+  Line line;
+  const Eigen::Matrix3d P = line.graph.covariance({4}), before = line.graph.covariance({3});
+  const Eigen::Matrix3d more = Eigen::Vector3d(1e-3, 0.0, 1e-3).asDiagonal();
+  line.chain.loosen(4, more);
+  line.chain.loosen(0, more);  // no motion leads to it
+  line.graph.optimize({4}, 5);
+  EXPECT_TRUE(line.graph.covariance({4}).isApprox(P + more, 1e-2));
+  EXPECT_TRUE(line.graph.covariance({3}).isApprox(before, 1e-6));
+  line.chain.remove(3);
+  line.graph.optimize({4}, 5);
+  EXPECT_TRUE(line.graph.covariance({4}).isApprox(P + more, 1e-2));
+}
+
 TEST(NodeChain, TellsEachNewNodeOnce) {
   Line line;
   EXPECT_EQ(line.chain.takeNew(), (std::vector<graph::Key>{0, 1, 2, 3, 4}));

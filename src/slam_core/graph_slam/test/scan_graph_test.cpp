@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "slam_core/common/test/faults.hpp"
@@ -147,6 +148,81 @@ TEST(ScanGraph, RefusesAMapWithoutAGridAndStaysAsItIs) {
   EXPECT_EQ(status.level, Status::Level::kError);
   EXPECT_TRUE(test::oneSays({status.message}, {"holds no occupancy grid"})) << status.message;
   EXPECT_EQ(gridOf(*backend).cells, before);
+}
+
+const std::vector<Eigen::Vector2d> kMarkers = {{3, 0.5}, {0.5, 3.5}, {-3.5, 2.0}, {-2.5, -1.0}};
+
+enum class Images { kNone, kBetweenScans, kAtScans };
+
+/// A drive with a camera as well; its odometry measures each step too long and turned.
+class MarkerDrive {
+ public:
+  MarkerDrive(std::uint64_t seed, Images images) : room_(seed), images_(images) {
+    room_.way_of_step = 0.05;
+  }
+  /// @return the distance between pose and truth [m]
+  double step(GraphSlam& backend) {
+    auto step = moved(backend);
+    if (images_ == Images::kBetweenScans) look(backend, step);
+    if (count_++ > 0) step = moved(backend);  // the first scan is taken before the robot moves
+    if (images_ == Images::kAtScans) look(backend, step);
+    give(step.scan, backend);
+    EXPECT_NE(backend.execute().level, Status::Level::kError);
+    return (backend.pose().pose.position() - step.truth.position()).norm();
+  }
+
+ private:
+  RoomDrive::Step moved(GraphSlam& backend) {
+    const auto step = room_.next();
+    auto motion = step.motion;
+    if (count_ > 0) motion.increment = motion.increment * Pose2(0.002, 0.0, 0.004);
+    give(motion, backend);
+    return step;
+  }
+  /// The estimator gives what is seen first, and a scan of the same stamp in a step of its own.
+  void look(GraphSlam& backend, const RoomDrive::Step& step) {
+    LandmarkObservationArray seen;
+    seen.stamp = step.scan.stamp;
+    for (std::size_t i = 0; i < kMarkers.size(); ++i)
+      seen.observations.push_back(room_.sight(static_cast<LandmarkId>(i), kMarkers[i]));
+    give(seen, backend);
+    EXPECT_NE(backend.execute().level, Status::Level::kError);
+  }
+
+  RoomDrive room_;
+  Images images_;
+  int count_ = 0;
+};
+
+TEST(ScanGraph, IsAsGoodWithLandmarksAtTheStampsOfScansAsBetweenThem) {
+  const auto errorOf = [](std::uint64_t seed, Images images) {
+    const auto backend = made();
+    MarkerDrive drive(seed, images);
+    double sum = 0.0;
+    for (int i = 0; i < 2 * kLap; ++i) sum += std::pow(drive.step(*backend), 2);
+    return std::sqrt(sum / (2 * kLap));
+  };
+  for (std::uint64_t seed = 11; seed < 14; ++seed)
+    for (const auto images : {Images::kBetweenScans, Images::kAtScans})
+      EXPECT_LT(errorOf(seed, images), 0.015) << seed;
+}
+
+TEST(ScanGraph, RemovesNodesThatScansHaveJoined) {
+  for (const auto mode : {BackendMode::kSlam, BackendMode::kLocalization}) {
+    const auto mapping = made();
+    MarkerDrive drive(12, Images::kBetweenScans);
+    for (int i = 0; i < 2 * kLap; ++i) drive.step(*mapping);
+    GraphConfig config;
+    config.mode = mode;
+    const auto backend = made(config);
+    as<MapKeeper>(*backend).set(as<MapKeeper>(*mapping).state());
+    backend->execute();
+    double worst = 0.0;
+    for (int i = 0; i < 4 * kLap; ++i) worst = std::max(worst, drive.step(*backend));
+    EXPECT_LT(worst, 0.05);
+    EXPECT_GT(figure(*backend, "removed_nodes"), 200.0);
+    EXPECT_EQ(as<PathReviser>(*backend).path().size(), 8u * kLap);
+  }
 }
 
 TEST(Submap, IsDrawnAgainToTheBit) {

@@ -29,10 +29,13 @@ Session small() {
   const Eigen::Matrix3d W = 10.0 * Eigen::Matrix3d::Identity();
   const Eigen::Matrix2d V = 5.0 * Eigen::Matrix2d::Identity();
   session.factors = {
-      Session::PosePrior{0, Pose2(), W}, Session::Between{0, 1, session.nodes[1], W},
+      Session::PosePrior{0, Pose2(), W},
+      Session::Between{0, 1, session.nodes[1], W},
       Session::RangeBearing{1, 0, Pose2(0.1, 0.0, 0.0), {2.0, 0.3}, V},
       Session::PointPrior{0, {3.0, 1.0}, V},
-      Session::JointPrior{0, {0}, Pose2(), {{3.0, 1.0}}, Eigen::MatrixXd::Identity(5, 5)}};
+      Session::JointPrior{0, {0}, Pose2(), {{3.0, 1.0}}, Eigen::MatrixXd::Identity(5, 5)},
+      Session::Between{0, 1, session.nodes[1], 0.5 * W}};
+  session.chords = {5};
   session.loops = {{{0, 1, session.nodes[1], W}, true, 0.5, false}};
   session.sightings_node = 1;
   session.sightings = {{2, {7, 2.0, 0.3, Eigen::Matrix2d::Identity()}, Pose2(0.1, 0.0, 0.0)}};
@@ -46,6 +49,8 @@ Session small() {
   scan->sensor_frame = "laser";
   scan->beams = {{0.1f, 2.0f, true}, {0.2f, 30.0f, false}};
   session.scans = {{1, session.nodes[1], scan}};
+  session.submaps.last = Session::Place{1, {session.nodes[1], {}}, session.robot.motion};
+  session.submaps.reference = Session::Place{0, {}, std::nullopt};
   session.submaps.older = Session::Submap{1, Pose2(), false, {{0, Pose2()}}, 0.0};
   return session;
 }
@@ -77,7 +82,7 @@ TEST(SessionFile, ComesBackToTheBit) {
 TEST(SessionFile, IsLittleEndian) {
   const auto bytes = bytesOf(Session());
   EXPECT_EQ(bytes.substr(0, 8), "SLAMGRPH");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\1\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\2\0\0\0", 4));
   const auto size = bytes.size() - 28;  // of the content
   EXPECT_EQ(static_cast<unsigned char>(bytes[12]), size % 256);
   EXPECT_EQ(static_cast<unsigned char>(bytes[13]), size / 256);
@@ -113,8 +118,12 @@ TEST(SessionFile, WithAFlippedBitIsRefused) {
 
 TEST(SessionFile, OfAnotherVersionIsRefused) {
   auto bytes = bytesOf(small());
-  bytes[8] = 2;
-  EXPECT_TRUE(oneSays(said(bytes), {"version 2", "version 1", "the program that has saved it"}));
+  for (const char version : {1, 3}) {
+    bytes[8] = version;
+    const auto number = "is of version " + std::to_string(version);
+    EXPECT_TRUE(
+        oneSays(said(bytes), {number.c_str(), "reads version 2", "the program that has saved it"}));
+  }
 }
 
 TEST(SessionFile, WithValuesThatAreNotFiniteIsRefused) {
@@ -138,7 +147,12 @@ TEST(SessionFile, WithNumbersOfWhatIsNotThereIsRefused) {
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.path[1].node = 5; }), node));
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.robot.node = 5; }), node));
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.scans[0].node = 5; }), node));
-  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.submaps.node = 5; }), node));
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.submaps.last->node = 5; }), node));
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.submaps.reference->node = 5; }), node));
+  const auto chord = {"second motion to a node that it does not hold"};
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.chords[0] = 6; }), chord));
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.chords[0] = 2; }), chord));
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.chords.push_back(5); }), chord));
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.submaps.older->origin = 5; }), node));
   EXPECT_TRUE(
       oneSays(saidOf([](Session& it) { it.submaps.older->scans[0].scan = 5; }), {"names a scan"}));
@@ -156,6 +170,11 @@ TEST(SessionFile, WithCovariancesThatAreNoneIsRefused) {
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.robot.motion->covariance(0, 0) = -1.0; }),
                       {"not symmetric or is negative"}));
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.robot.start.covariance(0, 1) = 1.0; }),
+                      {"not symmetric or is negative"}));
+  EXPECT_TRUE(
+      oneSays(saidOf([](Session& it) { it.submaps.reference->in_odom.covariance(0, 1) = 1.0; }),
+              {"not symmetric or is negative"}));
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.submaps.last->told->covariance(0, 0) = -1.0; }),
                       {"not symmetric or is negative"}));
 }
 
@@ -192,6 +211,9 @@ TEST(SessionFile, WithPartsThatDoNotFitIsRefused) {
                       }),
                       {"as many cells"}));
   EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.loops[0].share = 1.5; }), {"no share"}));
+  const auto places = {"nodes that its scans go by"};
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.submaps.reference.reset(); }), places));
+  EXPECT_TRUE(oneSays(saidOf([](Session& it) { it.robot.node.reset(); }), places));
   EXPECT_TRUE(oneSays(
       saidOf([](Session& it) { std::get<Session::JointPrior>(it.factors[4]).points.clear(); }),
       {"not as large as the landmarks"}));

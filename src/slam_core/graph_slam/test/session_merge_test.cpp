@@ -223,6 +223,31 @@ TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
   EXPECT_GT(test::shareOnWalls(*grid, room.room()), 0.9);
 }
 
+TEST(DrivesThroughARoom, KeepTheSecondMotionsToTheirNodes) {
+  RoomDrive room(5), again(6);
+  Drive first{true}, second{true};
+  const auto look = [](Drive& drive, RoomDrive& through) {
+    LandmarkObservationArray seen;
+    for (const auto& place : {Eigen::Vector2d(3, 0.5), Eigen::Vector2d(0, 3)}) {
+      seen.observations.push_back(through.sight(place.x() > 1.0 ? 1 : 2, place));
+    }
+    give(seen, *drive.backend);
+    drive.backend->execute();
+    drive.take(through, 1);
+  };
+  for (int i = 0; i < kRoomLap; ++i) look(first, room);
+  for (int i = 0; i < kRoomLap; ++i) look(second, again);
+  const auto a = first.session(), b = second.session();
+  EXPECT_GT(b.chords.size(), 30u);
+  const auto both = graph_slam::merged(a, b, {}, GoesOn::kSecond).session;
+  EXPECT_EQ(both.chords.size(), a.chords.size() + b.chords.size());
+  Drive goes_on{true};
+  as<SessionKeeper>(*goes_on.backend).set({bytesOf(both)});
+  goes_on.take(again, 30);
+  EXPECT_EQ(goes_on.session().chords.size(), both.chords.size());
+  expectNear(goes_on.backend->pose().pose, goes_on.truth, 0.05, 0.02);
+}
+
 TEST(DrivesThroughARoom, AreMergedWhileOneDrives) {
   RoomDrive room(3), again(4);
   Drive first{true}, running{true};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
 
 #include "slam_core/common/test/faults.hpp"
@@ -63,6 +64,22 @@ Pose2 drive(GraphSlam& backend, RoomDrive& room, int steps) {
   return truth;
 }
 
+/// Past a few landmarks that are seen between the scans.
+void driveWithLandmarks(GraphSlam& backend, RoomDrive& room, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const auto step = room.next();
+    give(step.motion, backend);
+    LandmarkObservationArray seen;
+    seen.stamp = step.scan.stamp;
+    for (const auto& [id, place] :
+         std::map<LandmarkId, Eigen::Vector2d>{{1, {3, 0.5}}, {2, {0, 3}}})
+      seen.observations.push_back(room.sight(id, place));
+    give(seen, backend);
+    backend.execute();
+    drive(backend, room, 1);
+  }
+}
+
 std::string saved(GraphSlam& backend) { return as<SessionKeeper>(backend).session().bytes; }
 
 void load(GraphSlam& backend, const std::string& session) {
@@ -97,6 +114,20 @@ TEST(Session, IsSavedAgainToTheBit) {
   RoomDrive room(1);
   drive(*grid, room, 2 * kRoomLap);
   EXPECT_EQ(saved(*grid), saved(*resumed(saved(*grid), {true})));
+}
+
+TEST(Session, KeepsTheMotionsThatScansAddToTheOdometry) {
+  const auto first = made({true});
+  RoomDrive room(12), again(12);
+  driveWithLandmarks(*first, room, kRoomLap);
+  const auto bytes = saved(*first);
+  const auto session = sessionOf(bytes);
+  EXPECT_GT(session.chords.size(), 50u);
+  EXPECT_TRUE(session.submaps.reference);
+  const auto second = resumed(bytes, {true});
+  EXPECT_EQ(saved(*second), bytes);
+  const Pose2 truth = drive(*second, room, 30);
+  EXPECT_LT(distance(second->pose().pose, truth), 0.03);
 }
 
 TEST(Session, LeavesTheRobotWhereItWas) {
