@@ -21,6 +21,22 @@ Eigen::Vector2d unitOrForward(const Eigen::Vector2d& v) {
   return length > 0.0 ? Eigen::Vector2d(v / length) : Eigen::Vector2d::UnitX();
 }
 
+/// The Jacobian of Pose2::exp(twist) in the twist. The position is V(theta) (x, y), and
+/// theta dV/dtheta = R(theta) - V.
+Eigen::Matrix3d arcJacobian(const Eigen::Vector3d& twist) {
+  const double theta = twist.z();
+  const Pose2 end = Pose2::exp(twist);
+  Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
+  J.block<2, 1>(0, 0) = Pose2::exp({1.0, 0.0, theta}).position();
+  J.block<2, 1>(0, 1) = Pose2::exp({0.0, 1.0, theta}).position();
+  if (std::abs(theta) > 1e-4)
+    J.block<2, 1>(0, 2) = (end.rotation() * twist.head<2>() - end.position()) / theta;
+  else  // the quotient loses its digits
+    J.block<2, 1>(0, 2) =
+        0.5 * Eigen::Vector2d(-twist.y(), twist.x()) - theta / 3.0 * twist.head<2>();
+  return J;
+}
+
 }  // namespace
 
 Eigen::Matrix3d QuadraticMotionModel::covariance(const Pose2& increment) const {
@@ -61,12 +77,28 @@ Eigen::Matrix3d LinearMotionModel::covariance(const Pose2& increment) const {
   return Q;
 }
 
+Eigen::Matrix3d VelocityMotionModel::covariance(const Pose2& increment) const {
+  const Eigen::Vector3d twist = increment.log();
+  const double d2 = twist.head<2>().squaredNorm(), r2 = twist.z() * twist.z();
+  const double speed = noise_.alpha1 * d2 + noise_.alpha2 * r2;
+
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+  M.topLeftCorner<2, 2>() =
+      directed(unitOrForward(twist.head<2>()), speed, noise_.omnidirectional ? speed : 0.0);
+  M(2, 2) = noise_.alpha3 * d2 + noise_.alpha4 * r2;
+  const Eigen::Matrix3d J_increment_twist = arcJacobian(twist);
+  Eigen::Matrix3d Q = J_increment_twist * M * J_increment_twist.transpose();
+  Q(2, 2) += noise_.alpha5 * d2 + noise_.alpha6 * r2;
+  return Q;
+}
+
 namespace {
 
 const PolicyTable<MotionModel, OdometryNoise>& motionModelTable() {
   static const PolicyTable<MotionModel, OdometryNoise> kTable(
       {{"linear", makePolicyOf<MotionModel, LinearMotionModel, OdometryNoise>},
-       {"quadratic", makePolicyOf<MotionModel, QuadraticMotionModel, OdometryNoise>}});
+       {"quadratic", makePolicyOf<MotionModel, QuadraticMotionModel, OdometryNoise>},
+       {"velocity", makePolicyOf<MotionModel, VelocityMotionModel, OdometryNoise>}});
   return kTable;
 }
 

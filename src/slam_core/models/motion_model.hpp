@@ -27,6 +27,8 @@ struct OdometryNoise {
   double alpha3 = 0.0;           ///< translation -> rotation variance
   double alpha4 = 0.0;           ///< rotation -> rotation variance
   bool omnidirectional = false;  ///< slips across its way as much as along it
+  double alpha5 = 0.0;           ///< translation -> final rotation variance; velocity model only
+  double alpha6 = 0.0;           ///< rotation -> final rotation variance; velocity model only
 };
 
 /// Eq. 5.1-5.2: the robot turns, then drives. The variances alpha1 d^2 + alpha2 r^2 and
@@ -47,6 +49,21 @@ class QuadraticMotionModel final : public MotionModel {
 class LinearMotionModel final : public MotionModel {
  public:
   explicit LinearMotionModel(const OdometryNoise& noise) : noise_(noise) {}
+  Eigen::Matrix3d covariance(const Pose2& increment) const override;
+
+ private:
+  OdometryNoise noise_;
+};
+
+/// The velocity model (thesis 3.4.3; Thrun, Burgard, Fox 2005, ch. 5.3, table 5.3): speed and turn
+/// rate held over the interval have errors of variance alpha1 v^2 + alpha2 w^2 and alpha3 v^2 +
+/// alpha4 w^2, which bend the arc, and a final rotation of variance alpha5 v^2 + alpha6 w^2 lets
+/// the heading leave it. With v = d / dt and w = r / dt the interval cancels out: of an increment
+/// they are quadratic in its way d and its angle r (alphas [1], [m^2/rad^2], [rad^2/m^2], [1],
+/// [rad^2/m^2], [1]), as QuadraticMotionModel's are, and depend on the rate of odometry likewise.
+class VelocityMotionModel final : public MotionModel {
+ public:
+  explicit VelocityMotionModel(const OdometryNoise& noise) : noise_(noise) {}
   Eigen::Matrix3d covariance(const Pose2& increment) const override;
 
  private:

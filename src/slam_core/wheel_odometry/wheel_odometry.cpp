@@ -30,9 +30,10 @@ bool isFar(const OdometrySample& sample) {
 void WheelOdometry::configure(const WheelOdometryConfig& config) {
   validate(config);
   config_ = config;
-  model_ = makeMotionModel(config.motion_model,
-                           {config.alpha1, config.alpha2, config.alpha3, config.alpha4,
-                            config.drive == WheelOdometryConfig::Drive::kOmnidirectional});
+  model_ = makeMotionModel(
+      config.motion_model,
+      {config.alpha1, config.alpha2, config.alpha3, config.alpha4,
+       config.drive == WheelOdometryConfig::Drive::kOmnidirectional, config.alpha5, config.alpha6});
   limit_ = {config.max_speed, config.max_turn_rate};
   reset();
 }

@@ -31,6 +31,8 @@ struct WheelOdometryConfig {
   double alpha2 = 0.0005;
   double alpha3 = 0.002;
   double alpha4 = 0.005;
+  double alpha5 = 0.0005;
+  double alpha6 = 0.001;
   double floor_position = 0.001;
   double floor_heading = 0.001;
   double max_speed = 10.0;

@@ -21,7 +21,9 @@ void describeModel(WheelOdometryConfig& config, Fields& fields) {
       .ofRobot();
   fields
       .add("motion_model", &config.motion_model,
-           "variance proportional to way and angle (linear), or to their squares (Eq. 5.2)")
+           "variance proportional to way and angle (linear), to their squares, of a turn before a "
+           "drive (quadratic, Eq. 5.2) or of an arc with a final rotation (velocity, Thrun et al. "
+           "2005, ch. 5.3)")
       .oneOf(motionModelNames())
       .ofRobot();
   fields
@@ -49,19 +51,31 @@ void describeCalibration(WheelOdometryConfig& config, Fields& fields) {
 
 void describeNoise(WheelOdometryConfig& config, Fields& fields) {
   fields.add("alpha1", &config.alpha1, "translation to translation variance")
-      .unit("m^2/m; quadratic: 1")
+      .unit("m^2/m; quadratic, velocity: 1")
       .in(Range::atLeast(0))
       .ofRobot();
   fields.add("alpha2", &config.alpha2, "rotation to translation variance")
-      .unit("m^2/rad; quadratic: m^2/rad^2")
+      .unit("m^2/rad; quadratic, velocity: m^2/rad^2")
       .in(Range::atLeast(0))
       .ofRobot();
   fields.add("alpha3", &config.alpha3, "translation to rotation variance")
-      .unit("rad^2/m; quadratic: rad^2/m^2")
+      .unit("rad^2/m; quadratic, velocity: rad^2/m^2")
       .in(Range::atLeast(0))
       .ofRobot();
   fields.add("alpha4", &config.alpha4, "rotation to rotation variance")
-      .unit("rad^2/rad; quadratic: 1")
+      .unit("rad^2/rad; quadratic, velocity: 1")
+      .in(Range::atLeast(0))
+      .ofRobot();
+  fields
+      .add("alpha5", &config.alpha5,
+           "translation to final rotation variance, of the velocity model alone")
+      .unit("rad^2/m^2")
+      .in(Range::atLeast(0))
+      .ofRobot();
+  fields
+      .add("alpha6", &config.alpha6,
+           "rotation to final rotation variance, of the velocity model alone")
+      .unit("1")
       .in(Range::atLeast(0))
       .ofRobot();
   fields

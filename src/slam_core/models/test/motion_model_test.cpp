@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/geometry/test/numeric_jacobian.hpp"
 
 namespace slam {
 namespace {
@@ -148,6 +149,71 @@ TEST(LinearMotionModel, IsTheSpreadOfNoiseThatEntersAlongTheArc) {
   }
   const auto Q = model.covariance(way);
   EXPECT_LT((spread - Q).norm(), 0.04 * Q.norm()) << spread << "\nand\n" << Q;
+}
+
+OdometryNoise velocityNoise() {
+  OdometryNoise noise = kNoise;
+  noise.alpha5 = 0.004;
+  noise.alpha6 = 0.006;
+  return noise;
+}
+
+TEST(VelocityMotionModel, IsTheSpreadOfTable53) {
+  const OdometryNoise noise = velocityNoise();
+  constexpr double kSpeed = 1.5, kTurnRate = 0.6, kInterval = 0.8;  // [m/s, rad/s, s]
+  constexpr double v2 = kSpeed * kSpeed, w2 = kTurnRate * kTurnRate;
+  constexpr int kRuns = 40000;
+  const double speed_sigma = std::sqrt(noise.alpha1 * v2 + noise.alpha2 * w2);
+  const double turn_sigma = std::sqrt(noise.alpha3 * v2 + noise.alpha4 * w2);
+  const double final_sigma = std::sqrt(noise.alpha5 * v2 + noise.alpha6 * w2);
+  const Eigen::Vector3d way =
+      Pose2::exp(kInterval * Eigen::Vector3d(kSpeed, 0, kTurnRate)).vector();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::uint64_t run = 0; run < kRuns; ++run) {
+    RandomStream random(11, run);
+    const double v = kSpeed + speed_sigma * random.gaussian();
+    const double w = kTurnRate + turn_sigma * random.gaussian();
+    const double gamma = final_sigma * random.gaussian();
+    const Eigen::Vector3d end(v / w * std::sin(w * kInterval),
+                              v / w * (1.0 - std::cos(w * kInterval)), (w + gamma) * kInterval);
+    spread += (end - way) * (end - way).transpose() / kRuns;
+  }
+  const auto Q = VelocityMotionModel(noise).covariance(Pose2::fromVector(way));
+  EXPECT_LT((spread - Q).norm(), 0.03 * Q.norm()) << spread << "\nand\n" << Q;
+}
+
+TEST(VelocityMotionModel, PropagatesItsNoiseByTheDerivativeOfTheArc) {
+  const auto noise = velocityNoise();
+  for (const Eigen::Vector3d& twist :
+       {Eigen::Vector3d(1.0, 0, 0), Eigen::Vector3d(-0.5, 0, 0.7), Eigen::Vector3d(2, 0, 1e-5)}) {
+    const auto arc = [](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+      return Pose2::exp(Eigen::Vector3d(u(0), 0.0, u(1))).vector();
+    };
+    const auto minus = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) -> Eigen::VectorXd {
+      return a - b;
+    };
+    const Eigen::MatrixXd J =
+        test::numericJacobian(arc, Eigen::Vector2d(twist.x(), twist.z()), minus);
+    const double d2 = twist.x() * twist.x(), r2 = twist.z() * twist.z();
+    const Eigen::Vector2d M(noise.alpha1 * d2 + noise.alpha2 * r2,
+                            noise.alpha3 * d2 + noise.alpha4 * r2);
+    Eigen::Matrix3d expected = J * M.asDiagonal() * J.transpose();
+    expected(2, 2) += noise.alpha5 * d2 + noise.alpha6 * r2;
+    const auto Q = VelocityMotionModel(noise).covariance(Pose2::exp(twist));
+    EXPECT_LT((Q - expected).norm(), 1e-7 * expected.norm()) << twist.transpose();
+  }
+}
+
+TEST(VelocityMotionModel, ItsFinalRotationGivesItFullRankWhereverItDrives) {
+  for (const auto& way : {Pose2(1, 0, 0), Pose2(0.7, 0.1, 0.3), Pose2(-2, 0.4, -0.5)}) {
+    const auto rank = [&](const OdometryNoise& noise) {
+      const Eigen::Matrix3d Q = VelocityMotionModel(noise).covariance(way);
+      const auto sigmas2 = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(Q).eigenvalues().eval();
+      return (sigmas2.array() > 1e-9 * sigmas2.maxCoeff()).count();
+    };
+    EXPECT_EQ(rank(kNoise), 2) << "an arc alone has two degrees of freedom";
+    EXPECT_EQ(rank(velocityNoise()), 3);
+  }
 }
 
 }  // namespace

@@ -357,7 +357,7 @@ TEST_F(WheelOdometryTest, ForgetsEverythingOnReset) {
 TEST(WheelOdometryConfigTest, ListsAllFaultsOfItsSection) {
   const auto faults = test::faultsOf([] {
     Settings settings({"product.yaml", YAML::Load("{version: 1, wheel_odometry: {alpha1: 0.1}}")},
-                      {"robot.yaml", YAML::Load("{version: 1, wheel_odometry: {alpha2: -1, alpha5: "
+                      {"robot.yaml", YAML::Load("{version: 1, wheel_odometry: {alpha2: -1, alpha7: "
                                                 "1, drive: tracked, increment: velocity, "
                                                 "floor_heading: 0, rotation_scale: 0}}")},
                       {"wheel_odometry.motion_model=quadratc", "wheel_odometry.alpha3=.nan"});
@@ -366,7 +366,7 @@ TEST(WheelOdometryConfigTest, ListsAllFaultsOfItsSection) {
   EXPECT_EQ(faults.size(), 9u);
   EXPECT_TRUE(test::oneSays(faults, {"alpha1", "product.yaml", "belongs in the robot file"}));
   EXPECT_TRUE(test::oneSays(faults, {"alpha2", "-1", ">= 0"}));
-  EXPECT_TRUE(test::oneSays(faults, {"alpha5", "unknown", "did you mean 'alpha"}));
+  EXPECT_TRUE(test::oneSays(faults, {"alpha7", "unknown", "did you mean 'alpha"}));
   EXPECT_TRUE(test::oneSays(faults, {"drive", "'tracked'", "differential, omnidirectional"}));
   EXPECT_TRUE(test::oneSays(faults, {"increment", "'velocity'", "pose, twist"}));
   EXPECT_TRUE(test::oneSays(faults, {"floor_heading", "> 0"}));
