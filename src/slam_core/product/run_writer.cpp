@@ -91,6 +91,11 @@ std::string tumLine(Stamp stamp, const Pose2& pose) {
                      std::sin(pose.theta() / 2) + 0.0, std::cos(pose.theta() / 2) + 0.0);
 }
 
+std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position) {
+  return fmt::format("{} {:.9f} {:.9f} 0.000000000 0 0 0 0\n", stampText(stamp), position.x() + 0.0,
+                     position.y() + 0.0);
+}
+
 RunWriter::RunWriter(const std::string& folder) : folder_(folder) { begin(); }
 
 RunWriter::~RunWriter() {

@@ -17,6 +17,8 @@ namespace slam {
 
 /// One line of a TUM trajectory: "stamp x y 0 0 0 qz qw", nine decimals.
 std::string tumLine(Stamp stamp, const Pose2& pose);
+/// The same for a position [m] alone: its quaternion is "0 0 0 0".
+std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position);
 
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
 /// updates.csv, events.csv; landmarks.yaml, of a grid map.yaml and map.pgm, of a graph graph.csv,

@@ -91,6 +91,50 @@ class TrajectoryError(unittest.TestCase):
         self.assertIsNone(evaluation.trajectory_error(self.estimate, later))
 
 
+class PositionError(unittest.TestCase):
+    """Fixes of an antenna, without headings and with outages."""
+
+    def setUp(self):
+        self.poses = run_maker.ring(400)
+        self.estimate = trajectory(self.poses)
+        world = se2.transform_poses(T, self.poses)
+        antenna = np.array([se2.compose(pose, (3.78, 0.5, 0.0)) for pose in world])
+        antenna[:, 2] = np.nan
+        keep = np.r_[0:100:7, 200:400:10]  # 1 Hz and less, and ten seconds without any
+        stamps = self.estimate.stamps[keep]
+        self.truth = Trajectory(stamps, antenna[keep], (3.78, 0.5))
+
+    def test_an_antenna_ahead_of_the_robot_costs_nothing(self):
+        result = evaluation.trajectory_error(self.estimate, self.truth)
+        self.assertLess(result.max, 1e-9)
+        self.assertEqual(len(result.errors), len(self.truth))
+        np.testing.assert_allclose(result.T_truth_map, T, atol=1e-9)
+        without_its_point = Trajectory(self.truth.stamps, self.truth.poses)
+        self.assertGreater(evaluation.trajectory_error(self.estimate, without_its_point).max, 1.0)
+
+    def test_an_error_of_a_fix_is_that_of_its_place(self):
+        self.truth.poses[5, 0] += 8.0
+        result = evaluation.trajectory_error(self.estimate, self.truth)
+        self.assertEqual(int(np.argmax(result.errors)), 5)
+        self.assertAlmostEqual(result.max, 8.0, delta=0.5)
+
+    def test_fixes_between_poses_are_compared_with_the_pose_between(self):
+        line = np.column_stack([np.arange(11.0), np.zeros((11, 2))])
+        fixes = Trajectory(np.array([50_000_000, 450_000_000]),
+                           np.array([[0.5, 0.0, np.nan], [4.5, 0.0, np.nan]]))
+        self.assertLess(evaluation.trajectory_error(trajectory(line), fixes).max, 1e-9)
+
+    def test_gives_none_of_the_figures_that_take_a_heading(self):
+        run = RunFolder(pathlib.Path("run"), self.estimate, truth=self.truth,
+                        odometry=self.estimate,
+                        updates=updates(self.estimate, np.tile(np.eye(3), (400, 1, 1))))
+        metrics = evaluation.evaluate(run).metrics
+        self.assertIn("ate_rmse_m", metrics)
+        self.assertIn("odometry_ate_rmse_m", metrics)
+        for key in ("nees_mean", "ate_unaligned_rmse_m", "odometry_drift_percent"):
+            self.assertNotIn(key, metrics)
+
+
 class LandmarkError(unittest.TestCase):
 
     def setUp(self):

@@ -13,7 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # nosetests -P
 import run_maker  # noqa: E402
 from slam_eval.io.errors import InputError  # noqa: E402
 from slam_eval.io.trajectory import (  # noqa: E402
-    interpolate, parse_stamp, read_trajectory, Trajectory)
+    interpolate, parse_stamp, read_trajectory, read_truth, Trajectory)
 
 GOOD = "1.000000000 0 0 0 0 0 0 1\n2.000000000 1 0 0 0 0 0 1\n"
 
@@ -67,6 +67,21 @@ class ReadTrajectory(unittest.TestCase):
 
     def test_refuses_a_last_number_that_is_cut_off(self):
         self.refused("1.000000000 0 0 0 0 0 0.6 0", ":1:", "quaternion")
+
+    def test_only_truth_may_have_no_heading(self):
+        text = "# point of the robot: 3.78 0.5\n1.0 4 5 0 0 0 0 0\n2.0 4 5 0 0 0 0 0\n"
+        self.refused(text, "length 1")
+        found = read_truth(self.path)
+        self.assertFalse(found.has_heading)
+        self.assertEqual(found.point, (3.78, 0.5))
+        np.testing.assert_array_equal(found.poses[:, :2], [[4, 5], [4, 5]])
+        self.path.write_text(GOOD)
+        self.assertTrue(read_truth(self.path).has_heading)
+
+    def test_refuses_a_point_of_the_robot_that_is_none(self):
+        self.path.write_text("# point of the robot: 3.78\n" + GOOD)
+        with self.assertRaisesRegex(InputError, "two numbers"):
+            read_truth(self.path)
 
     def test_refuses_nan_and_infinity_and_names_the_line(self):
         self.refused(GOOD + "3.0 nan 0 0 0 0 0 1\n", ":3:", "not finite")

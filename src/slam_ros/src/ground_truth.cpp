@@ -4,6 +4,7 @@
 #include "slam_ros/ground_truth.hpp"
 
 #include <fmt/format.h>
+#include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <slam_msgs/LandmarkMap.h>
@@ -38,22 +39,56 @@ void replace(const std::string& path, const std::string& content) {
     slam::writeFileAtomically(path, content);
 }
 
-/// The poses of a topic's messages, by `poseOf`; empty where the bag has none.
-template <class Message, class PoseOf>
+/// A line of a trajectory; empty where the pose is no number.
+std::string poseLine(slam::Stamp stamp, const geometry_msgs::Pose& message) {
+  const auto pose = fromMsg(message);
+  return pose.isFinite() ? slam::tumLine(stamp, pose) : "";
+}
+
+/// A true pose may have no heading: then its quaternion is zero, in the message and in the line.
+std::string truthLine(slam::Stamp stamp, const geometry_msgs::Pose& message) {
+  const auto& q = message.orientation;
+  const auto position = fromMsg(message).position();
+  const bool has_heading = q.x != 0.0 || q.y != 0.0 || q.z != 0.0 || q.w != 0.0;
+  if (has_heading || !position.allFinite()) return poseLine(stamp, message);
+  return slam::tumLineWithoutHeading(stamp, position);
+}
+
+/// The poses of a topic's messages, by `lineOf` a message; empty where the bag has none.
+template <class Message, class LineOf>
 std::string trajectory(const BagReader& bag, const std::string& topic, std::size_t& poses,
-                       PoseOf poseOf) {
+                       LineOf lineOf) {
   std::string text;
   if (!has<Message>(bag, topic)) return text;
   slam::Stamp last{};
   readTopic<Message>(bag, topic, [&](const auto& message) {
     const auto stamp = fromRos(message.header.stamp);
-    const auto pose = fromMsg(poseOf(message));
-    if (!pose.isFinite() || (poses > 0 && stamp <= last)) return;
-    text += slam::tumLine(stamp, pose);
+    const std::string line = lineOf(stamp, message);
+    if (line.empty() || (poses > 0 && stamp <= last)) return;
+    text += line;
     last = stamp;
     ++poses;
   });
   return text;
+}
+
+/// Which point of the robot the true positions are of, as a comment that the evaluation reads;
+/// empty where it is the robot's frame itself.
+std::string truePoint(const BagReader& bag) {
+  const std::string topic = "/ground_truth/point";
+  std::string text;
+  if (has<geometry_msgs::PointStamped>(bag, topic))
+    readTopic<geometry_msgs::PointStamped>(bag, topic, [&](const auto& message) {
+      text = fmt::format("# point of the robot: {:.9f} {:.9f}\n", message.point.x, message.point.y);
+    });
+  return text;
+}
+
+std::string truePath(const BagReader& bag, std::size_t& poses) {
+  const auto path = trajectory<geometry_msgs::PoseStamped>(
+      bag, "/ground_truth/pose", poses,
+      [](slam::Stamp stamp, const auto& message) { return truthLine(stamp, message.pose); });
+  return path.empty() ? path : truePoint(bag) + path;
 }
 
 std::string mapText(const slam_msgs::LandmarkMap& map) {
@@ -84,10 +119,7 @@ GroundTruthCounts writeGroundTruth(const BagReader& bag, const std::string& fold
       counts.landmarks = map.landmarks.size();
       landmarks = mapText(map);
     });
-  replace(folder + "/ground_truth.tum",
-          trajectory<geometry_msgs::PoseStamped>(
-              bag, "/ground_truth/pose", counts.poses,
-              [](const auto& message) -> const auto& { return message.pose; }));
+  replace(folder + "/ground_truth.tum", truePath(bag, counts.poses));
   replace(folder + "/ground_truth_landmarks.yaml", landmarks);
   replace(folder + "/stamps.csv", sourceStamps(bag.path()));
   return counts;
@@ -96,9 +128,10 @@ GroundTruthCounts writeGroundTruth(const BagReader& bag, const std::string& fold
 void writeWheelOdometry(const BagReader& bag, const std::string& folder) {
   std::size_t poses = 0;
   replace(folder + "/wheel_odometry.tum",
-          trajectory<nav_msgs::Odometry>(
-              bag, "odom", poses,
-              [](const auto& message) -> const auto& { return message.pose.pose; }));
+          trajectory<nav_msgs::Odometry>(bag, "odom", poses,
+                                         [](slam::Stamp stamp, const auto& message) {
+                                           return poseLine(stamp, message.pose.pose);
+                                         }));
 }
 
 }  // namespace slam_ros

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <geometry_msgs/PointStamped.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -292,6 +293,23 @@ TEST_F(Offline, TruthIsWrittenAndThatOfAnEarlierRunTakenAway) {
   EXPECT_EQ(writeGroundTruth(BagReader(folder / "untrue.bag"), folder / "").poses, 0u);
   EXPECT_FALSE(folder.has("ground_truth.tum"));
   EXPECT_FALSE(folder.has("ground_truth_landmarks.yaml"));
+}
+
+TEST_F(Offline, TruthWithoutHeadingStaysWithoutOneAndNamesItsPoint) {
+  geometry_msgs::PoseStamped fix;
+  fix.header.stamp = ros::Time(101);
+  fix.pose.position.x = 3.0;
+  geometry_msgs::PointStamped antenna;
+  antenna.point.x = 3.78;
+  antenna.point.y = 0.5;
+  BagMaker(folder / "gps.bag")
+      .addOdometry()
+      .add("/ground_truth/point", 0, antenna)
+      .add("/ground_truth/pose", 1, fix);
+  EXPECT_EQ(writeGroundTruth(BagReader(folder / "gps.bag"), folder / "").poses, 1u);
+  EXPECT_EQ(folder.read("ground_truth.tum"),
+            "# point of the robot: 3.780000000 0.500000000\n"
+            "101.000000000 3.000000000 0.000000000 0.000000000 0 0 0 0\n");
 }
 
 TEST_F(Offline, TheStampsOfTheLogFollowItsBagIntoTheRun) {

@@ -15,7 +15,7 @@ from slam_eval.io.graph import Graph, read_graph
 from slam_eval.io.grid_map import GridMap, read_grid
 from slam_eval.io.landmarks import LandmarkMap, read_landmarks
 from slam_eval.io.point_cloud import read_points
-from slam_eval.io.trajectory import Trajectory, read_trajectory
+from slam_eval.io.trajectory import Trajectory, read_trajectory, read_truth
 from slam_eval.io.updates import Updates, read_updates
 
 
@@ -96,7 +96,7 @@ def read_run(path):
     run.final = _optional(path / "trajectory_final.tum", read_trajectory)
     run.odometry = _optional(path / "odometry.tum", read_trajectory)
     run.wheels = _optional(path / "wheel_odometry.tum", read_trajectory)
-    run.truth = _optional(path / "ground_truth.tum", read_trajectory)
+    run.truth = _optional(path / "ground_truth.tum", read_truth)
     run.updates = _optional(path / "updates.csv", read_updates)
     run.landmarks = _optional(path / "landmarks.yaml", read_landmarks)
     run.grid = _optional(path / "map.yaml", read_grid)

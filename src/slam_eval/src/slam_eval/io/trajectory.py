@@ -13,12 +13,23 @@ NANOSECONDS = 1_000_000_000
 _COLUMNS = "stamp tx ty tz qx qy qz qw".split()
 
 
+_POINT = "# point of the robot:"
+
+
 @dataclasses.dataclass
 class Trajectory:
-    """Stamps [ns] (int64, rising) and poses (N x 3: x [m], y [m], heading [rad])."""
+    """Stamps [ns] (int64, rising) and poses (N x 3: x [m], y [m], heading [rad]).
+
+    Headings are NaN where truth has none; point: the point of the robot that they tell of [m].
+    """
 
     stamps: np.ndarray
     poses: np.ndarray
+    point: tuple = (0.0, 0.0)
+
+    @property
+    def has_heading(self):
+        return bool(np.all(np.isfinite(self.poses[:, 2])))
 
     def __len__(self):
         return len(self.stamps)
@@ -52,19 +63,32 @@ def parse_line(where, line, separator, columns):
 
 def _pose(where, numbers):
     x, y, _, qx, qy, qz, qw = numbers
+    if (qx, qy, qz, qw) == (0.0, 0.0, 0.0, 0.0):
+        return x, y, np.nan
     if abs(qx * qx + qy * qy + qz * qz + qw * qw - 1.0) > 1e-3:
         raise InputError(f"{where}: the quaternion has not length 1: the line is cut off or of "
                          "another format; run the product again")
     return x, y, np.arctan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
 
 
-def read_trajectory(path):
-    """Read a trajectory file. Raises InputError that names file and line."""
-    stamps, poses = [], []
+def _point(where, line):
+    try:
+        x, y = (float(field) for field in line[len(_POINT):].split())
+    except ValueError:
+        raise InputError(f'{where}: "{line[:60]}" does not name a point by two numbers; '
+                         "run the product again") from None
+    return x, y
+
+
+def read_truth(path):
+    """Read a true trajectory, whose lines may have no heading ("0 0 0 0" for the quaternion)."""
+    stamps, poses, point = [], [], (0.0, 0.0)
     for number, line in enumerate(read_text(path).splitlines(), start=1):
+        where = f"{path}:{number}"
+        if line.startswith(_POINT):
+            point = _point(where, line)
         if not line.strip() or line.startswith("#"):
             continue
-        where = f"{path}:{number}"
         stamp, numbers = parse_line(where, line, None, _COLUMNS)
         if stamps and stamp <= stamps[-1]:
             raise InputError(f"{where}: the stamp {line.split()[0]} is not after the one before; "
@@ -73,7 +97,16 @@ def read_trajectory(path):
         poses.append(_pose(where, numbers))
     if not stamps:
         raise InputError(f"{path}: no pose in the file; run the product again")
-    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses, dtype=float))
+    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses, dtype=float), point)
+
+
+def read_trajectory(path):
+    """Read a trajectory file. Raises InputError that names file and line."""
+    trajectory = read_truth(path)
+    if not trajectory.has_heading:
+        raise InputError(f"{path}: a quaternion has not length 1: a line is cut off or of another "
+                         "format; run the product again")
+    return trajectory
 
 
 def interpolate(truth, stamps, max_gap=0.5):

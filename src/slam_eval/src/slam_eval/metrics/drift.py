@@ -23,8 +23,11 @@ class Drift:
 def segment_drift(trajectory, truth, length=LENGTH):
     """Drift over all pieces of the true way that are `length` [m] long, or None without any.
 
-    Pieces begin at every pose that has truth and end at the first pose after that way.
+    Pieces begin at every pose that has truth and end at the first pose after that way. Truth
+    without headings tells none.
     """
+    if not truth.has_heading:
+        return None
     true, valid = interpolate(truth, trajectory.stamps)
     poses, true = trajectory.poses[valid], true[valid]
     if len(true) < 2:

@@ -76,9 +76,26 @@ class Evaluation:
     metrics: dict = dataclasses.field(default_factory=dict)
 
 
+def position_error(trajectory, truth):
+    """ATE at true positions without headings, such as GPS fixes: the trajectory is interpolated to
+    each of them and carried to the point of the robot that they are of. None where fewer than two
+    fixes lie within the trajectory."""
+    poses, valid = interpolate(trajectory, truth.stamps)
+    if np.count_nonzero(valid) < 2:
+        return None
+    estimate = np.array([se2.compose(pose, (*truth.point, 0.0))[:2] for pose in poses[valid]])
+    true = truth.poses[valid, :2]
+    T = se2.align_rigid(estimate, true)
+    errors = np.linalg.norm(se2.transform_points(T, estimate) - true, axis=1)
+    return TrajectoryError(T, valid, errors)
+
+
 def trajectory_error(trajectory, truth, align=True):
     """ATE of a trajectory, or None where fewer than two poses have truth. Without alignment the map
-    is moved to truth by its first pose that has truth, as for NEES."""
+    is moved to truth by its first pose that has truth, as for NEES; truth without headings has
+    none."""
+    if not truth.has_heading:
+        return position_error(trajectory, truth) if align else None
     true, valid = interpolate(truth, trajectory.stamps)
     if np.count_nonzero(valid) < 2:
         return None
@@ -103,7 +120,10 @@ def landmark_error(estimate, truth, align=True):
 
 
 def pose_consistency(trajectory, updates, truth):
-    """Errors against the filter's own covariance; truth is moved by its first pose, no fit."""
+    """Errors against the filter's own covariance; truth is moved by its first pose, no fit. None
+    where truth has no headings."""
+    if not truth.has_heading:
+        return None
     true, valid = interpolate(truth, trajectory.stamps)
     if not np.any(valid):
         return None

@@ -20,7 +20,8 @@ KEYS = {
     "ate_rmse_m": Key(
         "Absolute trajectory error", "m", ".4f",
         "Root mean square distance between estimated and true positions after a rigid alignment "
-        "(no scale); poses in gaps of truth over 0.5 s are left out.", "Accuracy", True),
+        "(no scale); poses in gaps of truth over 0.5 s are left out. Of truth without headings, such "
+        "as GPS: at each fix, at the antenna.", "Accuracy", True),
     "ate_max_m": Key(
         "Largest trajectory error", "m", ".4f",
         "The largest of these distances.", "Accuracy", True),
