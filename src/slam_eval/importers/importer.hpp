@@ -46,5 +46,6 @@ std::unique_ptr<Importer> makeCarmenImporter();
 std::unique_ptr<Importer> makeCirclesImporter();
 std::unique_ptr<Importer> makeMrclamImporter();
 std::unique_ptr<Importer> makeRawlogImporter();
+std::unique_ptr<Importer> makeVictoriaParkImporter();
 
 }  // namespace slam::eval

@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   importers.push_back(slam::eval::makeCirclesImporter());
   importers.push_back(slam::eval::makeMrclamImporter());
   importers.push_back(slam::eval::makeRawlogImporter());
+  importers.push_back(slam::eval::makeVictoriaParkImporter());
   std::string output;
   std::vector<CLI::App*> commands;
   for (const auto& importer : importers) {
