@@ -20,7 +20,7 @@
 
 namespace slam_frontend {
 
-/// What the product's detector takes in, such as images; `observations` out.
+/// What the product's detector takes in, such as images or scans; `observations` out.
 class FiducialDetectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {

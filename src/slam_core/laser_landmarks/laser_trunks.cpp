@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/laser_landmarks/laser_trunks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+
+namespace slam::laser_landmarks {
+namespace {
+
+const Registrar<LandmarkDetector, LaserTrunks> kRegistrar("laser_trunks");
+const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
+
+/// The width in beams tells the diameter roughly: what is so much thicker or thinner is not fitted.
+constexpr double kRoughly = 1.5;
+
+LandmarkObservationArray emptyArray(const LaserScan& scan, std::uint64_t sequence) {
+  LandmarkObservationArray array;
+  array.sequence = sequence;
+  array.stamp = scan.stamp;
+  array.sensor_frame = scan.sensor_frame;
+  array.sensor_pose = scan.sensor_pose;
+  return array;
+}
+
+double nearestOf(const ScanSegment& segment) {
+  double nearest = segment.beams.front().range;
+  for (const auto& beam : segment.beams) nearest = std::min<double>(nearest, beam.range);
+  return nearest;
+}
+
+}  // namespace
+
+void LaserTrunks::configure(const LaserTrunksConfig& config) {
+  validate(config);
+  if (config.min_diameter >= config.max_diameter)
+    throw ConfigError("laser_trunks.min_diameter has to be less than laser_trunks.max_diameter");
+  config_ = config;
+  reset();
+}
+
+void LaserTrunks::configure(Settings& settings) { configure(settings.read<LaserTrunksConfig>()); }
+
+void LaserTrunks::describe(Ports& ports) {
+  ports.takes<LaserScan>("scan", "laser scans", this);
+  ports.makes<LandmarkObservationArray>("observations", observations_);
+}
+
+void LaserTrunks::reset() {
+  next_scan_.reset();
+  observations_.reset();
+  next_sequence_ = 0;
+  counters_.clear();
+}
+
+Status LaserTrunks::execute() {
+  observations_.reset();
+  const auto scan = std::exchange(next_scan_, std::nullopt);
+  if (!scan) return Status::ok();
+  observations_ = emptyArray(*scan, next_sequence_++);
+  const BeamNoise noise{config_.sigma_range, scan->relative_sigma, config_.sigma_bearing};
+  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump);
+  for (const auto& segment : segments)
+    if (nearestOf(segment) <= config_.max_range) observe(segment, spacing, noise);
+  return Status::ok();
+}
+
+void LaserTrunks::observe(const ScanSegment& segment, double spacing, const BeamNoise& noise) {
+  auto rejection = rejectionOf(segment, spacing);
+  std::optional<Cylinder> trunk;
+  if (rejection.empty()) {
+    trunk = fitCylinder(segment.beams, spacing, noise);
+    rejection = rejectionOf(trunk);
+  }
+  if (!rejection.empty()) return counters_.add(rejection);
+  LandmarkObservation observation{kUnknownId, trunk->range, trunk->bearing, trunk->covariance};
+  if (faultOf(observation).empty())
+    observations_->observations.push_back(observation);
+  else
+    counters_.add("no_circle");
+}
+
+std::string LaserTrunks::rejectionOf(const ScanSegment& segment, double spacing) const {
+  if (segment.beams.size() < static_cast<std::size_t>(config_.min_points)) return "few_points";
+  if (segment.at_first == Beside::kNearer || segment.at_last == Beside::kNearer) return "hidden";
+  if (segment.at_first == Beside::kUnknown || segment.at_last == Beside::kUnknown) return "cut_off";
+  const double diameter = 2.0 * cylinderOfWidth(segment.beams, spacing).radius;
+  if (diameter < config_.min_diameter / kRoughly) return "too_thin";
+  if (diameter > config_.max_diameter * kRoughly) return "too_thick";
+  return "";
+}
+
+std::string LaserTrunks::rejectionOf(const std::optional<Cylinder>& trunk) const {
+  if (!trunk || trunk->misfit > config_.max_misfit) return "no_circle";
+  if (2.0 * trunk->radius < config_.min_diameter) return "too_thin";
+  if (2.0 * trunk->radius > config_.max_diameter) return "too_thick";
+  return "";
+}
+
+}  // namespace slam::laser_landmarks
