@@ -19,6 +19,7 @@ const Range kPositive = Range::above(0.0);
 constexpr double kFarthest = 1000.0;  // [m]; a way that is longer by far would take hours to check
 const Range kCoordinate = Range::closed(-kFarthest, kFarthest);
 const Range kLength = {0.0, kFarthest, true, false};
+constexpr double kBark = 0.3;  // gray
 
 /// Reads one file; the parts' places are kept for the checks that come after.
 class WorldReader {
@@ -35,6 +36,7 @@ class WorldReader {
     readCeiling(root.map("ceiling"));
     for (auto& wall : root.list("walls")) readWall(wall);
     for (auto& box : root.list("furniture")) readFurniture(box);
+    for (auto& tree : root.list("trees")) readTree(tree);
     readMarkerDefaults(root.map("marker"));
     for (auto& marker : root.list("markers")) readMarker(marker);
     for (auto& row : root.list("marker_rows")) readRow(row);
@@ -93,6 +95,30 @@ class WorldReader {
     map.finish();
     world_.furniture.push_back(box);
     places_.furniture.push_back(map.where());
+  }
+
+  /// A trunk up to the ceiling, round but for a fiftieth of its radius.
+  void readTree(YamlMap& map) {
+    constexpr int kSides = 16;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double radius = 0.0;
+    Wall wall;
+    wall.height = world_.ceiling.height;
+    wall.gray = kBark;
+    map.require("centre", centre, kCoordinate);
+    map.require("radius", radius, kLength);
+    map.read("gray", wall.gray, kGray);
+    map.finish();
+    const auto corner = [&](int side) -> Eigen::Vector2d {
+      const double angle = 2.0 * M_PI * (side % kSides) / kSides;
+      return centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    };
+    for (int side = 0; side < kSides; ++side) {
+      wall.from = corner(side);
+      wall.to = corner(side + 1);
+      world_.walls.push_back(wall);
+      places_.walls.push_back(map.where());
+    }
   }
 
   void readMarkerDefaults(YamlMap map) {

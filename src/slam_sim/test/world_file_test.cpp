@@ -85,9 +85,22 @@ markers:)"));
       world.markers[2].T_world_marker.translation().isApprox(Eigen::Vector3d(2, 0.1, 0.6), 1e-12));
 }
 
+TEST_F(WorldFile, ATreeIsARoundTrunkUpToTheCeiling) {
+  const auto world = read(room("markers:", R"(trees:
+  - {centre: [2, 1], radius: 0.2}
+markers:)"));
+  ASSERT_EQ(world.walls.size(), 4u + 16u);
+  for (std::size_t i = 4; i < world.walls.size(); ++i) {
+    EXPECT_NEAR((world.walls[i].from - Eigen::Vector2d(2, 1)).norm(), 0.2, 1e-12);
+    EXPECT_EQ(world.walls[i].to, world.walls[i + 1 < world.walls.size() ? i + 1 : 4].from);
+    EXPECT_EQ(world.walls[i].height, world.ceiling.height);
+  }
+  expectFault(room("markers:", "trees:\n  - {centre: [2, 1]}\nmarkers:"), ":", "has no 'radius'");
+}
+
 TEST_F(WorldFile, EveryShippedWorldIsSound) {
-  for (const auto& [name, markers] :
-       {std::pair("office", 12u), std::pair("corridor", 100u), std::pair("hall", 500u)}) {
+  for (const auto& [name, markers] : {std::pair("office", 12u), std::pair("corridor", 100u),
+                                      std::pair("hall", 500u), std::pair("forest", 0u)}) {
     const auto world = readWorldFile(std::string(SLAM_SIM_FOLDER) + "/worlds/" + name + ".yaml");
     EXPECT_EQ(world.name, name);
     EXPECT_EQ(world.markers.size(), markers);
