@@ -9,8 +9,10 @@ namespace slam::association {
 
 std::vector<std::string> policyNames() { return Registry<AssociationPolicy>::instance().names(); }
 
-std::unique_ptr<AssociationPolicy> makePolicy(const std::string& name) {
-  return Registry<AssociationPolicy>::instance().create(name);
+std::unique_ptr<AssociationPolicy> makePolicy(const std::string& name, const PolicyConfig& config) {
+  auto policy = Registry<AssociationPolicy>::instance().create(name);
+  policy->configure(config);
+  return policy;
 }
 
 }  // namespace slam::association

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "slam_core/association/place_config.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 
 namespace slam::association {
@@ -56,7 +57,9 @@ struct Decision {
     kNew,        ///< it is of a landmark that is not in the map yet
     kUnknown,    ///< clutter: it cannot be told of which landmark it is
     kDuplicate,  ///< clutter: another one of the same array is of that landmark
-    kNotInMap    ///< clutter: it would be new, but the map is fixed
+    kNotInMap,   ///< clutter: it would be new, but the map is fixed
+    kAmbiguous,  ///< clutter: by its place it may be of several landmarks, or of one nearby
+    kOnTrial     ///< it would be new, but has not been seen often enough yet
   };
   Kind kind = Kind::kUnknown;
   std::size_t landmark = 0;
@@ -90,6 +93,8 @@ class AssociationPolicy {
 
   virtual ~AssociationPolicy() = default;
 
+  /// To be called first.
+  virtual void configure(const PolicyConfig& /*config*/) {}
   /// Whether it asks for candidates by place. Then a filter brings the landmarks around the
   /// observations' places into its neighbourhood before it asks, else those with their ids.
   virtual bool usesPlaces() const = 0;
@@ -102,6 +107,7 @@ class AssociationPolicy {
 /// The names of all policies there are, this library's own included.
 std::vector<std::string> policyNames();
 /// @throw ConfigError for a name that is not known
-std::unique_ptr<AssociationPolicy> makePolicy(const std::string& name);
+std::unique_ptr<AssociationPolicy> makePolicy(const std::string& name,
+                                              const PolicyConfig& config = {});
 
 }  // namespace slam::association

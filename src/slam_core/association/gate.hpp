@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 namespace slam::association {
 
@@ -11,6 +12,10 @@ namespace slam::association {
 /// gate: the quantile of the chi-square distribution with two degrees of freedom.
 /// @param probability that a right observation passes, in (0, 1)
 double gateOf(double probability);
+
+/// The same of several innovations together: the quantile with two degrees of freedom for each of
+/// `observations`, which is not 0.
+double jointGateOf(double probability, std::size_t observations);
 
 /// The logarithm of the density of an innovation outside the gate, from its squared Mahalanobis
 /// distance: N(nu; 0, S) at the gate, and from there it falls like a power that keeps the normal

@@ -22,6 +22,16 @@ struct ObservationInnovation {
   bool used = false;                             ///< it passed the gate
 };
 
+/// What an observation was taken for.
+enum class TakenFor { kLandmark, kNew, kGated, kAmbiguous, kOnTrial, kNotInMap, kNothing };
+
+/// What an observation was taken for where its id does not decide on it.
+struct AssociatedObservation {
+  LandmarkId own_id = kUnknownId;    ///< the one that it brings, which was not looked at
+  LandmarkId landmark = kUnknownId;  ///< the landmark's, where it was taken for one
+  TakenFor taken_for = TakenFor::kNothing;
+};
+
 /// The same of several observations of a stamp together, (range, bearing) one after the other.
 struct JointInnovation {
   Eigen::VectorXd nu;
@@ -37,7 +47,7 @@ struct UpdateStatistics {
   int used = 0;       ///< observations of known landmarks that went into the update
   int gated = 0;      ///< outside the chi-square gate, left out
   int added = 0;      ///< landmarks seen for the first time
-  int unknown = 0;    ///< without an id, or not in a fixed map; left out
+  int unknown = 0;    ///< left out: it cannot be told of which landmark, or of one not in the map
   int landmarks = 0;  ///< in the map after the step
   /// That a right observation passes the gate; of what is gated more often something is wrong.
   double gate_probability = 0.9999;
@@ -46,6 +56,8 @@ struct UpdateStatistics {
   double log_likelihood = 0.0;
   /// One by one, those that were gated included; in the order of the observations.
   std::vector<ObservationInnovation> innovations;
+  /// One for each observation, in their order, of a back-end that associates by place; else empty.
+  std::vector<AssociatedObservation> associations;
   JointInnovation joint;      ///< of the first of those that were used, kJoint at most
   PosePrediction prediction;  ///< before the observations; counts only where joint.H is known
 

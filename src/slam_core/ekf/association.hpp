@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/place_evidence.hpp"
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
@@ -21,28 +22,45 @@ struct Association {
   std::vector<LandmarkObservation> gated;          ///< of known landmarks, outside the gate
   std::vector<ObservationInnovation> innovations;  ///< of known landmarks, gated ones included
   double gated_log_likelihood = 0.0;               ///< of the gated ones
+  /// One for each observation, where places decide; those of new landmarks have no landmark yet.
+  std::vector<AssociatedObservation> taken;
   int unknown = 0;  ///< it is not told of which landmark, or of one that is not in a fixed map
 };
 
 /// Brings the landmarks that may have been observed into the neighbourhood, asks the policy once
 /// for all observations of a stamp, and gates what it takes for known landmarks: each observation
 /// must pass the chi-square test on its own. Counted: "duplicate", "gated", "unknown_id",
-/// "not_in_map".
+/// "not_in_map", "ambiguous", "on_trial".
 class Associator {
  public:
   Associator() = default;
   explicit Associator(const EkfConfig& config);
 
+  /// Begins anew with a map.
+  void restart(const LandmarkMap& map);
+  void move(const Motion& motion) { evidence_.move(motion); }
   Association associate(const LandmarkObservationArray& array, EkfState& state,
                         const ObservationModel& model, Counters& counters);
+  /// After the update: landmarks that are not there, to be removed.
+  std::vector<LandmarkId> ghosts(const Association& association, const EkfState& state,
+                                 const Pose2& sensor);
 
  private:
+  using Decision = association::Decision;
+
+  void decide(const LandmarkObservationArray& array, EkfState& state,
+              const ObservationModel& model);
+  std::vector<Decision::Kind> checked(const EkfState& state) const;
+  void match(std::size_t observation, const LandmarkObservationArray& array, const EkfState& state,
+             const ObservationModel& model, Association& association) const;
   void sort(const LandmarkObservationArray& array, const EkfState& state,
             const ObservationModel& model, Association& association, Counters& counters) const;
   bool passesGate(const Match& match, const EkfState& state, const ObservationModel& model,
                   const Pose2& sensor, Association& association) const;
 
   std::unique_ptr<association::AssociationPolicy> policy_;
+  association::PlaceConfig places_;
+  association::PlaceEvidence evidence_;
   double gate_ = 0.0;       ///< largest squared Mahalanobis distance
   int linearizations_ = 1;  ///< of an observation before it is gated, see ObservationUpdate
   bool map_is_fixed_ = false;

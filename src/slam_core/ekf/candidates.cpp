@@ -3,6 +3,7 @@
 
 #include "slam_core/ekf/candidates.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace slam::ekf {
@@ -53,30 +54,67 @@ LandmarksByPlace landmarksByPlace(const LandmarkObservationArray& array, const E
   return result;
 }
 
-Match PlaceCandidates::match(const association::Pairing& pairing) const {
-  return {state_.slotOf(pairing.landmark), array_.observations[pairing.observation]};
+namespace {
+
+constexpr Eigen::Index kInvolved = 6;  ///< the robot, the reference's heading, a landmark
+
+/// The Jacobian of an innovation, and the rows of the covariance that it is by.
+struct JacobianRows {
+  explicit JacobianRows(const Innovation& innovation) {
+    H << innovation.H_robot, innovation.H_heading, innovation.H_landmark;
+    const auto landmark = DenseCovariance::row(innovation.slot);
+    rows = {0, 1, 2, DenseCovariance::kHeadingRow, landmark, landmark + 1};
+  }
+  Eigen::Matrix<double, 2, kInvolved> H;
+  std::array<Eigen::Index, kInvolved> rows;
+};
+
+Eigen::Matrix2d crossOf(const DenseCovariance& P, const Innovation& first,
+                        const Innovation& second) {
+  const JacobianRows a(first), b(second);
+  Eigen::Matrix<double, kInvolved, kInvolved> block;
+  for (std::size_t i = 0; i < a.rows.size(); ++i)
+    for (std::size_t j = 0; j < b.rows.size(); ++j)
+      block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = P(a.rows[i], b.rows[j]);
+  return a.H * block * b.H.transpose();
+}
+
+}  // namespace
+
+PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const EkfState& state,
+                                 const ObservationModel& model, const LandmarksByPlace& near)
+    : IdCandidates(state), near_(array.observations.size()) {
+  const auto& robot = state.robot();
+  for (std::size_t i = 0; i < near_.size(); ++i)
+    for (const auto landmark : near.of[i]) {
+      const auto number = static_cast<std::size_t>(landmark);
+      const auto slot = state.slotOf(number);
+      const auto point = state.point(slot);
+      if (model.isSingular(model.predict(robot, array.sensor_pose, point.now))) continue;
+      near_[i].push_back(
+          {number, state.linearization().innovation(model, robot, robot, array.sensor_pose, point,
+                                                    array.observations[i])});
+      near_[i].back().innovation.slot = slot;
+    }
 }
 
 void PlaceCandidates::candidates(std::size_t observation,
                                  std::vector<association::Candidate>& candidates) const {
-  for (const auto landmark : near_.of[observation]) {
-    const auto number = static_cast<std::size_t>(landmark);
-    const std::vector<Match> one = {match({observation, number})};
-    const auto predicted =
-        model_.predict(state_.robot(), array_.sensor_pose, state_.point(one[0].slot).now);
-    if (model_.isSingular(predicted)) continue;
-    const ObservationUpdate update(model_, state_, array_.sensor_pose, one, 1);
-    if (update.isSolved())
-      candidates.push_back({number, update.innovation(0), update.covariance(0)});
-  }
+  for (const auto& [landmark, z] : near_[observation])
+    candidates.push_back({landmark, z.nu, crossOf(state_.covariance(), z, z) + z.R});
+}
+
+const Innovation* PlaceCandidates::find(const association::Pairing& pairing) const {
+  for (const auto& [landmark, innovation] : near_[pairing.observation])
+    if (landmark == pairing.landmark) return &innovation;
+  return nullptr;
 }
 
 Eigen::Matrix2d PlaceCandidates::crossCovariance(const association::Pairing& first,
                                                  const association::Pairing& second) const {
-  const std::vector<Match> both = {match(first), match(second)};
-  const ObservationUpdate update(model_, state_, array_.sensor_pose, both, 1);
-  if (!update.isSolved()) return Eigen::Matrix2d::Zero();
-  return update.joint().S.topRightCorner<2, 2>();
+  const auto *a = find(first), *b = find(second);
+  if (a == nullptr || b == nullptr) return Eigen::Matrix2d::Zero();
+  return crossOf(state_.covariance(), *a, *b);
 }
 
 }  // namespace slam::ekf

@@ -42,8 +42,7 @@ class IdCandidates : public association::CandidateSource {
 class PlaceCandidates final : public IdCandidates {
  public:
   PlaceCandidates(const LandmarkObservationArray& array, const EkfState& state,
-                  const ObservationModel& model, const LandmarksByPlace& near)
-      : IdCandidates(state), array_(array), model_(model), near_(near) {}
+                  const ObservationModel& model, const LandmarksByPlace& near);
 
   void candidates(std::size_t observation,
                   std::vector<association::Candidate>& candidates) const override;
@@ -51,11 +50,14 @@ class PlaceCandidates final : public IdCandidates {
                                   const association::Pairing& second) const override;
 
  private:
-  Match match(const association::Pairing& pairing) const;
+  /// A pairing, linearised at the prediction.
+  struct Linear {
+    std::size_t landmark;
+    Innovation innovation;
+  };
+  const Innovation* find(const association::Pairing& pairing) const;
 
-  const LandmarkObservationArray& array_;
-  const ObservationModel& model_;
-  const LandmarksByPlace& near_;
+  std::vector<std::vector<Linear>> near_;  ///< by observation
 };
 
 }  // namespace slam::ekf

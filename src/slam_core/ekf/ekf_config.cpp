@@ -3,7 +3,6 @@
 
 #include "slam_core/ekf/ekf_config.hpp"
 
-#include "slam_core/association/association_policy.hpp"
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
@@ -31,8 +30,7 @@ void EkfConfig::describe(Fields& fields) {
            "brought up to date and a new neighbourhood begins")
       .unit("1")
       .in(Range::atLeast(1));
-  fields.add("association", &association, "how it is decided of which landmark an observation is")
-      .oneOf(association::policyNames());
+  places.describe(fields);
   fields
       .add("gate_probability", &gate_probability,
            "an observation is left out when a right one would lie nearer with this probability")

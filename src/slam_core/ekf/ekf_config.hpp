@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "slam_core/association/place_config.hpp"
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
 
@@ -21,7 +22,8 @@ struct EkfConfig {
   int iterations = 5;
   UpdateExtent update = UpdateExtent::kCompressed;
   int neighbourhood = 64;
-  std::string association = "known_ids";
+  std::string association = "known_ids";  ///< the product's, see AssociationChooser
+  association::PlaceConfig places;
   double gate_probability = 0.9999;
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "slam_core/association/decision_record.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
@@ -35,7 +36,11 @@ void EkfSlam::configure(const EkfConfig& config) {
   reset();
 }
 
-void EkfSlam::configure(Settings& settings) { configure(settings.read<EkfConfig>()); }
+void EkfSlam::configure(Settings& settings) {
+  auto config = settings.read<EkfConfig>();
+  config.association = association_;
+  configure(config);
+}
 
 void EkfSlam::describe(Ports& ports) {
   ports.takes<Motion>("motion", "motion", this).carrier();
@@ -45,12 +50,14 @@ void EkfSlam::describe(Ports& ports) {
 void EkfSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
   capabilities.offer<MapKeeper>(*this);
+  capabilities.offer<AssociationChooser>(*this);
 }
 
 void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
   state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()});
+  associator_.restart({});
   sightings_ = association::Sightings();
   statistics_ = {};
   counters_.clear();
@@ -72,7 +79,7 @@ void EkfSlam::set(const Motion& motion) {
 }
 
 MapState EkfSlam::state() const {
-  if (state_.landmarks() <= static_cast<std::size_t>(config_.joint_limit)) return state_.state();
+  if (state_.inMap() <= static_cast<std::size_t>(config_.joint_limit)) return state_.state();
   return {state_.pose(), state_.map(), {}};
 }
 
@@ -82,25 +89,27 @@ Status EkfSlam::execute() {
   replaceMap();
   relocate();
   predict();
-  statistics_.landmarks = static_cast<int>(state_.landmarks());
+  statistics_.landmarks = static_cast<int>(state_.inMap());
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
   auto association = associator_.associate(z, state_, model_, counters_);
   const auto updated = update(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
-  const auto augmented = augment(association.unseen, z.sensor_pose);
+  const auto augmented = augment(association, z.sensor_pose);
+  removeGhosts(association, z.sensor_pose);
   statistics_.gated = static_cast<int>(association.gated.size());
   statistics_.log_likelihood += association.gated_log_likelihood;
   statistics_.unknown += association.unknown;
   statistics_.innovations = std::move(association.innovations);
-  statistics_.landmarks = static_cast<int>(state_.landmarks());
+  statistics_.associations = std::move(association.taken);
+  statistics_.landmarks = static_cast<int>(state_.inMap());
   return summary(association, {updated, augmented, reconsidered});
 }
 
 Status EkfSlam::summary(const Association& association, const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mapIsFixed() && state_.landmarks() == 0)
+  if (config_.mapIsFixed() && state_.inMap() == 0)
     return Status::warning("there is no map to localise in; load one");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
@@ -115,6 +124,7 @@ void EkfSlam::replaceMap() {
   if (!map_) return;
   state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation);
   sightings_ = association::Sightings(map_->landmarks);
+  associator_.restart(map_->landmarks);
   statistics_.prediction.F.setZero();
   map_.reset();
 }
@@ -128,6 +138,7 @@ void EkfSlam::relocate() {
 
 void EkfSlam::predict() {
   if (!motion_) return;
+  associator_.move(*motion_);
   const auto [F, Q] = state_.predict(motion_->increment, motion_->covariance);
   statistics_.prediction = {F * statistics_.prediction.F, Q};
   motion_.reset();
@@ -178,9 +189,11 @@ Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) 
   return association::Sightings::warningOf(verdict, reinitialized);
 }
 
-Status EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {
+Status EkfSlam::augment(Association& association, const Pose2& sensor) {
   auto status = Status::ok();
-  for (const auto& z : unseen) {
+  association::NewLandmarks begun(association.taken);
+  for (const auto& z : association.unseen) {
+    begun.next();
     const auto m = initialized(z, sensor);
     if (!m.isFinite()) {
       counters_.add("not_finite");
@@ -189,10 +202,19 @@ Status EkfSlam::augment(const std::vector<LandmarkObservation>& unseen, const Po
       continue;
     }
     const bool is_named = z.id != kUnknownId && !state_.find(z.id);
-    state_.append(is_named ? z.id : state_.freeId(), m.position, m.J_robot, m.R);
+    const auto id = is_named ? z.id : state_.freeId();
+    state_.append(id, m.position, m.J_robot, m.R);
+    begun.setId(id);
     ++statistics_.added;
   }
   return status;
+}
+
+void EkfSlam::removeGhosts(const Association& association, const Pose2& sensor) {
+  for (const auto id : associator_.ghosts(association, state_, sensor)) {
+    state_.retire(id);
+    counters_.add("ghost");
+  }
 }
 
 EkfSlam::NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {

@@ -5,8 +5,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "slam_core/association/sightings.hpp"
+#include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/map_keeper.hpp"
@@ -21,7 +23,7 @@ namespace slam::ekf {
 /// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
 /// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
 /// robot instead of the map's is the state's doing (neighbourhood.hpp).
-class EkfSlam final : public Backend, LandmarkMapper, MapKeeper {
+class EkfSlam final : public Backend, LandmarkMapper, MapKeeper, AssociationChooser {
  public:
   /// @throw ConfigError
   void configure(const EkfConfig& config);
@@ -46,6 +48,7 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper {
   UpdateStatistics statistics() const override { return statistics_; }
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
+  void useAssociation(const std::string& policy) override { association_ = policy; }
 
   /// Where an observation puts a landmark, its Jacobian by the robot, and the observation's noise.
   struct NewLandmark {
@@ -64,9 +67,11 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper {
   void predict();
   Status update(const std::vector<Match>& matches, const Pose2& sensor);
   Status reconsider(const Association& association, const Pose2& sensor);
-  Status augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
+  Status augment(Association& association, const Pose2& sensor);
+  void removeGhosts(const Association& association, const Pose2& sensor);
   Status summary(const Association& association, const std::vector<Status>& of_steps) const;
 
+  std::string association_ = "known_ids";
   EkfConfig config_;
   RangeBearingModel model_;
   Associator associator_;

@@ -181,9 +181,22 @@ void EkfState::relocate(const PoseEstimate& robot) {
   takeWholeMap();
 }
 
+void EkfState::retire(LandmarkId id) { index_.erase(id); }
+
+std::vector<association::LandmarkPlace> EkfState::places() const {
+  const auto points = allPoints();
+  std::vector<association::LandmarkPlace> places;
+  for (const auto i : orderById()) places.push_back({ids_[at(i)], points[at(i)].now});
+  return places;
+}
+
+/// The numbers of all that are in the map.
 std::vector<Eigen::Index> EkfState::orderById() const {
   std::vector<Eigen::Index> order(ids_.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
+  const auto is_retired = [this](Eigen::Index i) { return index_.count(ids_[at(i)]) == 0; };
+  if (index_.size() < ids_.size())
+    order.erase(std::remove_if(order.begin(), order.end(), is_retired), order.end());
   std::sort(order.begin(), order.end(),
             [this](Eigen::Index a, Eigen::Index b) { return ids_[at(a)] < ids_[at(b)]; });
   return order;

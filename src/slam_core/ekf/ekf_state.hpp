@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "slam_core/association/existence.hpp"
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/ekf/neighbourhood.hpp"
 #include "slam_core/models/landmark_map.hpp"
@@ -45,7 +46,10 @@ class EkfState {
            double inflation);
 
   const Pose2& robot() const { return robot_; }
+  /// How many there are, retired ones included: their numbers are below.
   std::size_t landmarks() const { return ids_.size(); }
+  /// How many are in the map.
+  std::size_t inMap() const { return index_.size(); }
   /// The number of the landmark with this id.
   std::optional<std::size_t> find(LandmarkId id) const;
   LandmarkId id(std::size_t landmark) const { return ids_[landmark]; }
@@ -76,14 +80,18 @@ class EkfState {
   /// A known landmark is forgotten and appended again, in its place in the order.
   void beginAnew(LandmarkId id, const Eigen::Vector2d& m_map,
                  const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
+  /// A landmark is not found any more, nor in map() and state(); the Gaussian keeps it, which is to
+  /// forget it as exactly as if it were taken out. Its number is never given again.
+  void retire(LandmarkId id);
   /// The robot is drawn anew: its correlations are removed.
   void relocate(const PoseEstimate& robot);
   /// A new stretch with the same landmarks, unless this one has just begun.
   void renewReference();
 
   PoseEstimate pose() const { return {robot_, covariance().robot()}; }
-  LandmarkMap map() const;  ///< sorted by id, with marginals
-  MapState state() const;   ///< sorted by id, with the joint covariance
+  std::vector<association::LandmarkPlace> places() const;  ///< sorted by id
+  LandmarkMap map() const;                                 ///< sorted by id, with marginals
+  MapState state() const;  ///< sorted by id, with the joint covariance
 
  private:
   LandmarkPoint point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,

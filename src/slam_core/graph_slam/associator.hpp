@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/place_evidence.hpp"
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
@@ -20,19 +21,27 @@ struct Association {
   std::vector<LandmarkObservation> unseen;  ///< of landmarks that are not in the graph yet
   std::vector<Match> gated;                 ///< of known landmarks, outside the gate
   bool is_solved = true;                    ///< the matches' covariance is positive definite
+  /// One for each observation, where places decide; those of new landmarks have no landmark yet.
+  std::vector<AssociatedObservation> taken;
 };
 
 /// Asks the policy once for all observations of a stamp, and gates those that it takes for known
 /// landmarks: each must pass the chi-square test on its own. Counted: "duplicate", "gated",
-/// "unknown_id", "not_in_map".
+/// "unknown_id", "not_in_map", "ambiguous", "on_trial".
 class Associator {
  public:
   Associator() = default;
   explicit Associator(const GraphConfig& config);
 
+  /// Begins anew with a map.
+  void restart(const LandmarkMap& map);
+  void move(const Motion& motion) { evidence_.move(motion); }
   /// @param statistics what is known of the innovations is added
   Association associate(const LandmarkObservationArray& array, const LandmarkGraph& graph,
                         UpdateStatistics& statistics, Counters& counters);
+  /// After the update: landmarks that are not there, to be removed.
+  std::vector<LandmarkId> ghosts(const Association& association, const LandmarkGraph& graph,
+                                 const Pose2& sensor);
 
  private:
   void decide(const LandmarkObservationArray& array, const LandmarkGraph& graph);
@@ -41,8 +50,11 @@ class Associator {
                           Counters& counters) const;
   void gate(const std::vector<Match>& known, const Pose2& sensor, const LandmarkGraph& graph,
             Association& association, UpdateStatistics& statistics) const;
+  void recordMatches(const LandmarkGraph& graph, Association& association) const;
 
   std::unique_ptr<association::AssociationPolicy> policy_;
+  association::PlaceConfig places_;
+  association::PlaceEvidence evidence_;
   double gate_ = 0.0;  ///< largest squared Mahalanobis distance
   bool map_is_fixed_ = false;
   std::vector<association::Decision> decisions_;

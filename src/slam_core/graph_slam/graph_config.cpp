@@ -3,7 +3,6 @@
 
 #include "slam_core/graph_slam/graph_config.hpp"
 
-#include "slam_core/association/association_policy.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam::graph_slam {
@@ -15,8 +14,7 @@ Eigen::Vector3d GraphConfig::driftPerMetre() const {
 void GraphConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
              "build the map, or keep a loaded one fixed and only localise in it");
-  fields.add("association", &association, "how it is decided of which landmark an observation is")
-      .oneOf(association::policyNames());
+  places.describe(fields);
   fields
       .add("gate_probability", &gate_probability,
            "an observation is left out when a right one would lie nearer with this probability")

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "slam_core/association/place_config.hpp"
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
 
@@ -15,7 +16,8 @@ struct GraphConfig {
   static constexpr const char* kSection = "graph";
 
   BackendMode mode = BackendMode::kSlam;
-  std::string association = "known_ids";
+  std::string association = "known_ids";  ///< the product's, see AssociationChooser
+  association::PlaceConfig places;
   double gate_probability = 0.9999;
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;

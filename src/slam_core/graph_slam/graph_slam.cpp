@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "slam_core/association/decision_record.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/graph_slam/graph_view.hpp"
@@ -49,6 +50,7 @@ void GraphSlam::configure(Settings& settings) {
   scan_matching::MatcherConfig matcher;
   FaultCollector faults;
   faults.attempt([&] { settings.read(config); });
+  config.association = association_;
   if (uses_grid_) {
     faults.attempt([&] { settings.read(grid); });
     faults.attempt([&] { settings.read(matcher); });
@@ -77,6 +79,7 @@ void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<SessionKeeper>(*this);
   capabilities.offer<SessionMerger>(*this);
   capabilities.offer<PathReviser>(*this);
+  capabilities.offer<AssociationChooser>(*this);
 }
 
 Component::Figures GraphSlam::figures() const {
@@ -113,6 +116,7 @@ void GraphSlam::reset() {
   if (graph_ && graph_->scans) revision_ = gridRevision();
   graph_ = emptyGraph({Pose2(), sigma.cwiseAbs2().asDiagonal()});
   sightings_ = association::Sightings();
+  associator_.restart({});
   fixed_map_.clear();
   statistics_ = {};
   events_.clear();
@@ -149,7 +153,7 @@ GraphView GraphSlam::graph() const {
 }
 
 MapState GraphSlam::state() const {
-  const auto size = graph_->landmarks.ids().size();
+  const auto size = graph_->landmarks.ids().inMap();
   if (config_.mapIsFixed() || uses_grid_ || size > static_cast<std::size_t>(config_.joint_limit))
     return {pose(), landmarks(), {}, grid()};
   return graph_->landmarks.state();
@@ -163,7 +167,7 @@ Status GraphSlam::execute() {
   const auto replaced = replaceMap();
   relocate();
   predict();
-  statistics_.landmarks = static_cast<int>(graph_->landmarks.ids().size());
+  statistics_.landmarks = static_cast<int>(graph_->landmarks.ids().inMap());
   const auto seen = takeObservations();
   const auto scanned = takeScan();
   return moreUrgent(moreUrgent(replaced, mergeWaiting()), moreUrgent(scanned, seen));
@@ -173,14 +177,16 @@ Status GraphSlam::takeObservations() {
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
   auto& [path, landmarks, scans, record, reduction] = *graph_;
-  const auto association = associator_.associate(z, landmarks, statistics_, counters_);
+  auto association = associator_.associate(z, landmarks, statistics_, counters_);
   if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
-  const auto augmented = augment(association.unseen, z.sensor_pose);
+  const auto augmented = augment(association, z.sensor_pose);
   path.optimize(config_.iterations);
+  removeGhosts(association, z.sensor_pose);
   record.add(z.stamp, path);
   reduction.reduce();
-  statistics_.landmarks = static_cast<int>(landmarks.ids().size());
+  statistics_.associations = std::move(association.taken);
+  statistics_.landmarks = static_cast<int>(landmarks.ids().inMap());
   return summary(association, {augmented, reconsidered});
 }
 
@@ -200,7 +206,7 @@ Status GraphSlam::summary(const Association& association,
                           const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mapIsFixed() && !graph_->scans && graph_->landmarks.ids().size() == 0)
+  if (config_.mapIsFixed() && !graph_->scans && graph_->landmarks.ids().inMap() == 0)
     return Status::warning("there is no map to localise in; load one");
   if (!association.is_solved)
     return Status::error("the innovations' covariance is not positive definite; update left out");
@@ -230,6 +236,7 @@ Status GraphSlam::replaceMap() {
   }
   graph_ = std::move(graph);
   sightings_ = association::Sightings(map.landmarks);
+  associator_.restart(map.landmarks);
   if (config_.mapIsFixed()) fixed_map_ = map.landmarks;
   statistics_.prediction.F.setZero();
   return status;
@@ -246,6 +253,7 @@ void GraphSlam::relocate() {
 void GraphSlam::predict() {
   if (!motion_) return;
   const auto motion = *std::exchange(motion_, std::nullopt);
+  associator_.move(motion);
   const auto [F, Q] = graph_->path.predict(motion);
   if (graph_->scans) graph_->scans->predict(motion);
   statistics_.prediction = {F * statistics_.prediction.F, Q};
@@ -269,9 +277,18 @@ Status GraphSlam::reconsider(const Association& association, const Pose2& sensor
   return association::Sightings::warningOf(verdict, reinitialized);
 }
 
-Status GraphSlam::augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor) {
+void GraphSlam::removeGhosts(const Association& association, const Pose2& sensor) {
+  for (const auto id : associator_.ghosts(association, graph_->landmarks, sensor)) {
+    graph_->landmarks.retire(id);
+    counters_.add("ghost");
+  }
+}
+
+Status GraphSlam::augment(Association& association, const Pose2& sensor) {
   auto status = Status::ok();
-  for (const auto& z : unseen) {
+  association::NewLandmarks begun(association.taken);
+  for (const auto& z : association.unseen) {
+    begun.next();
     const auto place = placeOf(z, pose().pose, sensor);
     if (!place.allFinite()) {
       counters_.add("not_finite");
@@ -280,6 +297,7 @@ Status GraphSlam::augment(const std::vector<LandmarkObservation>& unseen, const 
       continue;
     }
     graph_->landmarks.append(z.id, place, z, sensor);
+    begun.setId(graph_->landmarks.ids()[graph_->landmarks.ids().size() - 1]);
     ++statistics_.added;
   }
   return status;

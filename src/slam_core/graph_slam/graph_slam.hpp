@@ -5,9 +5,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "slam_core/association/sightings.hpp"
+#include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
@@ -45,7 +47,8 @@ class GraphSlam final : public Backend,
                         MapKeeper,
                         SessionKeeper,
                         SessionMerger,
-                        PathReviser {
+                        PathReviser,
+                        AssociationChooser {
  public:
   /// @throw ConfigError
   void configure(const GraphConfig& config, const grid_map::GridMapConfig& grid = {},
@@ -87,6 +90,7 @@ class GraphSlam final : public Backend,
   GraphView graph() const override;
   std::vector<MapKind> maps() const override { return {MapKind::kLandmarks, MapKind::kGrid}; }
   void useMap(MapKind map) override { uses_grid_ = map == MapKind::kGrid; }
+  void useAssociation(const std::string& policy) override { association_ = policy; }
 
   /// The path and what hangs on it.
   struct Graph {
@@ -117,10 +121,12 @@ class GraphSlam final : public Backend,
   Status takeScan();
   Status mergeWaiting();
   Status reconsider(const Association& association, const Pose2& sensor);
-  Status augment(const std::vector<LandmarkObservation>& unseen, const Pose2& sensor);
+  Status augment(Association& association, const Pose2& sensor);
+  void removeGhosts(const Association& association, const Pose2& sensor);
   Status summary(const Association& association, const std::vector<Status>& of_steps) const;
 
   bool uses_grid_ = false;
+  std::string association_ = "known_ids";
   GraphConfig config_;
   grid_map::GridMapConfig grid_config_;
   scan_matching::MatcherConfig matcher_config_;

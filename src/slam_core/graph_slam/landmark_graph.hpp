@@ -55,6 +55,8 @@ class LandmarkGraph {
   /// Removes all factors of a landmark and re-initialises it at this place.
   void reinitialize(std::size_t landmark, const Eigen::Vector2d& place,
                     const LandmarkObservation& z, const Pose2& sensor);
+  /// It is not in the map any more; the graph keeps what was seen of it.
+  void retire(LandmarkId id) { ids_.retire(id); }
   LandmarkMap map() const;  ///< sorted by id, with marginals
   MapState state() const;   ///< sorted by id, with the joint covariance
 

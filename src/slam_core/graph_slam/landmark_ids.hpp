@@ -24,17 +24,24 @@ class LandmarkIds {
     if (found == number_.end()) return std::nullopt;
     return found->second;
   }
-  /// @param id one that nobody has, where it is known or unknown already
+  /// @param id replaced by one that nobody has, where it is unknown or another's
   void add(LandmarkId id) {
     if (id == kUnknownId || find(id)) id = largest_ + 1;
     number_[id] = ids_.size();
     ids_.push_back(id);
     largest_ = std::max(largest_, id);
   }
+  /// A landmark is not found any more, nor in order(); neither its number nor its id is given
+  /// again.
+  void retire(LandmarkId id) { number_.erase(id); }
+  /// How many are not retired.
+  std::size_t inMap() const { return number_.size(); }
   /// The numbers sorted by id.
   std::vector<std::size_t> order() const {
     std::vector<std::size_t> order(ids_.size());
     std::iota(order.begin(), order.end(), 0);
+    const auto is_retired = [this](std::size_t number) { return !find(ids_[number]); };
+    order.erase(std::remove_if(order.begin(), order.end(), is_retired), order.end());
     std::sort(order.begin(), order.end(),
               [this](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
     return order;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/session_merger.hpp"
 
@@ -31,6 +32,12 @@ void Estimator::adaptTo(const ProductConfig& product) {
   has_odometry_ = product.odometry != "none";
   chooseMap(product, *backend_);
   capabilities_ = capabilitiesOf(*backend_);
+  auto* chooser = capabilities_.find<AssociationChooser>();
+  if (chooser != nullptr) chooser->useAssociation(product.association);
+  if (chooser == nullptr && product.association != "known_ids")
+    throw ConfigError("association: the back-end '" + product.backend +
+                      "' associates no observations by '" + product.association +
+                      "'; leave the key out, or choose another back-end");
 }
 
 Ports Estimator::usedPorts() const {

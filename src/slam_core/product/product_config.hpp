@@ -25,6 +25,7 @@ struct ProductConfig {
   std::string backend = "ekf";
   std::string odometry = "wheel";
   std::string detector = "none";
+  std::string association = "known_ids";
   MapKind map = MapKind::kLandmarks;
   std::map<std::string, bool> modules;  ///< whether it has the additional module of a name
   std::uint64_t seed = 1;

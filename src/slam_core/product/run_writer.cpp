@@ -32,6 +32,18 @@ std::string stampText(Stamp stamp) {
   return fmt::format("{}.{:09d}", nanoseconds(stamp) / 1000000000, nanoseconds(stamp) % 1000000000);
 }
 
+constexpr const char* kAssociationsHeader = "stamp,own_id,taken_for,landmark\n";
+constexpr const char* kAssociations = "associations.csv";
+
+const Names<TakenFor>& namesOfTakenFor() {
+  static const Names<TakenFor> kNames = {
+      {"landmark", TakenFor::kLandmark}, {"new", TakenFor::kNew},
+      {"gated", TakenFor::kGated},       {"ambiguous", TakenFor::kAmbiguous},
+      {"on_trial", TakenFor::kOnTrial},  {"not_in_map", TakenFor::kNotInMap},
+      {"nothing", TakenFor::kNothing}};
+  return kNames;
+}
+
 constexpr const char* kEventsHeader = "stamp,kind,distance,turn,reason\n";
 
 std::string eventLine(const Event& event) {
@@ -118,6 +130,7 @@ void RunWriter::restart() {
     keep("odometry.tum", odometry_);
     keep("updates.csv", updates_);
     keep("events.csv", events_);
+    if (associations_.is_open()) keep(kAssociations, associations_);
   }
   begin();
 }
@@ -150,9 +163,21 @@ void RunWriter::write(const StepReport& report) {
   const bool is_same_stamp = pending_ && pending_->stamp == report.stamp;
   const auto before = is_same_stamp ? pending_->statistics : UpdateStatistics();
   if (!is_same_stamp) writePending();
+  writeAssociations(report);
   pending_ = report;
   addCounts(before, pending_->statistics);
   last_stamp_ = report.stamp;
+}
+
+void RunWriter::writeAssociations(const StepReport& report) {
+  if (report.statistics.associations.empty()) return;
+  if (!associations_.is_open()) {
+    open(kAssociations, associations_);
+    associations_ << kAssociationsHeader;
+  }
+  for (const auto& [own_id, landmark, taken_for] : report.statistics.associations)
+    associations_ << fmt::format("{},{},{},{}\n", stampText(report.stamp), own_id,
+                                 nameOf(taken_for, namesOfTakenFor()), landmark);
 }
 
 void RunWriter::writePending() {
@@ -169,7 +194,7 @@ void RunWriter::writePending() {
 void RunWriter::finish(const Capabilities& backend, const std::string& map_frame,
                        const std::string& config) {
   writePending();
-  for (auto* file : {&trajectory_, &odometry_, &updates_, &events_})
+  for (auto* file : {&trajectory_, &odometry_, &updates_, &events_, &associations_})
     if (!file->flush())
       throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
   const auto* reviser = backend.find<PathReviser>();

@@ -21,7 +21,8 @@ std::string tumLine(Stamp stamp, const Pose2& pose);
 std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position);
 
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
-/// updates.csv, events.csv; landmarks.yaml, of a grid map.yaml and map.pgm, of a graph graph.csv,
+/// updates.csv, events.csv, associations.csv where observations are associated by place;
+/// landmarks.yaml, of a grid map.yaml and map.pgm, of a graph graph.csv,
 /// and config.yaml at the end. Every driver of an Estimator uses this one, so that offline and
 /// online runs can be compared byte for byte. Until finish() they stand in unfinished(), beside
 /// what an earlier run has left.
@@ -67,9 +68,11 @@ class RunWriter {
   void begin();
   void keep(const std::string& name, std::ofstream& file) const;
   void writePending();
+  void writeAssociations(const StepReport& report);
 
   RunFolder folder_;
   std::ofstream trajectory_, odometry_, updates_, events_;
+  std::ofstream associations_;  ///< opened when there is something to write
   std::optional<StepReport> pending_;
   Stamp last_stamp_;
   std::size_t lines_ = 0;

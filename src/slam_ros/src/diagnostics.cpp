@@ -35,6 +35,11 @@ const std::map<std::string, std::string>& sentences() {
       {"restart", "time began anew: map and pose were reset"},
       {"unknown_id", "observations without a known id were left out"},
       {"duplicate", "observations repeated an id of their own array and were left out"},
+      {"ambiguous",
+       "observations may be of several landmarks by their place, or lie too near to one to be of "
+       "another, and were left out"},
+      {"on_trial", "observations of what may be a new landmark were not enough yet"},
+      {"ghost", "landmarks were removed, since they were not seen where they should have been"},
       {"odometry_stamp_jump",
        "odometry messages were stamped far ahead of those before them; they were left out"},
       {"weight_underflow", "steps left no particle any weight; they were made equal"},

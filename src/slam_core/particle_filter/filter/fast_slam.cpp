@@ -50,6 +50,7 @@ FastSlam::Step FastSlam::takeInputs() {
   if (step.latest) {
     step.stamp = step.latest->end;
     belief_.carried = belief_.carried ? joined(*belief_.carried, *step.latest) : step.latest;
+    landmarks_.move(*step.latest);
     if (scans_) scans_->move(*step.latest);
   }
   if (observations) step.stamp = observations->stamp;
@@ -170,7 +171,7 @@ Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
 
 /// The most urgent of what the steps and the whole have to tell, of equally urgent ones the first.
 Status FastSlam::summary(std::initializer_list<Status> of_steps) {
-  account_.statistics.landmarks = static_cast<int>(best().map.size());
+  account_.statistics.landmarks = static_cast<int>(landmarksInMap());
   auto told = Status::ok();
   for (const auto& status : of_steps) told = moreUrgent(status, told);
   return moreUrgent(onTheWhole(), told);

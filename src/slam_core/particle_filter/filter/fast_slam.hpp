@@ -5,7 +5,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
@@ -33,7 +35,8 @@ class FastSlam final : public Backend,
                        PoseSampler,
                        PathReviser,
                        MapKeeper,
-                       MapChooser {
+                       MapChooser,
+                       AssociationChooser {
  public:
   /// The grid's parameters count only where one is used. @throw ConfigError
   void configure(const PfConfig& config, const grid_map::GridMapConfig& grid = {},
@@ -91,6 +94,7 @@ class FastSlam final : public Backend,
   void set(const MapState& map) override { inputs_.map = map; }
   std::vector<MapKind> maps() const override { return {MapKind::kLandmarks, MapKind::kGrid}; }
   void useMap(MapKind map) override { uses_grid_ = map == MapKind::kGrid; }
+  void useAssociation(const std::string& policy) override { association_ = policy; }
 
   Status replaceMap();
   void relocate();
@@ -112,6 +116,7 @@ class FastSlam final : public Backend,
   /// of all together.
   Landmark landmark(std::size_t number) const;
   std::vector<std::size_t> toldLandmarks() const;
+  std::size_t landmarksInMap() const;
   bool tellsBest() const {
     return config_.pose == ToldPose::kBest || (config_.pose == ToldPose::kAuto && scans_);
   }
@@ -120,6 +125,7 @@ class FastSlam final : public Backend,
 
   PfConfig config_;
   bool uses_grid_ = false;
+  std::string association_ = "known_ids";
   Execution execution_;
   std::unique_ptr<ParticleSet> particles_;
   LandmarkUpdate landmarks_;

@@ -25,6 +25,7 @@ void FastSlam::describe(Capabilities& capabilities) {
   capabilities.offer<PathReviser>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<MapChooser>(*this);
+  capabilities.offer<AssociationChooser>(*this);
 }
 
 Component::Figures FastSlam::figures() const {
@@ -58,6 +59,10 @@ std::vector<std::size_t> FastSlam::toldLandmarks() const {
   const auto is_unknown = [&](std::size_t number) { return find(number, best().map) == nullptr; };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), is_unknown), numbers.end());
   return numbers;
+}
+
+std::size_t FastSlam::landmarksInMap() const {
+  return landmarks_.index().hasRetired() ? toldLandmarks().size() : best().map.size();
 }
 
 LandmarkMap FastSlam::landmarks() const {

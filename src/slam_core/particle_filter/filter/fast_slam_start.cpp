@@ -46,6 +46,7 @@ void FastSlam::configure(Settings& settings) {
   scan_matching::MatcherConfig matcher;
   FaultCollector faults;
   faults.attempt([&] { settings.read(config); });
+  config.association = association_;
   if (uses_grid_) faults.attempt([&] { settings.read(grid); });
   if (uses_grid_) faults.attempt([&] { settings.read(scan); });
   if (uses_grid_) faults.attempt([&] { settings.read(matcher); });

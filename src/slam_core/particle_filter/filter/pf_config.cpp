@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "slam_core/association/association_policy.hpp"
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/particle_filter/landmarks/proposal.hpp"
 #include "slam_core/particle_filter/landmarks/weighting.hpp"
@@ -31,11 +30,7 @@ void PfConfig::describe(Fields& fields) {
 }
 
 void PfConfig::describePolicies(Fields& fields) {
-  fields
-      .add("association", &association,
-           "how it is decided of which landmark an observation is, by each particle for itself "
-           "where that depends on its map")
-      .oneOf(association::policyNames());
+  places.describe(fields);
   fields
       .add("proposal", &proposal,
            "where a particle's new pose is drawn from: motion alone (fastslam1), or motion and the "
@@ -153,7 +148,8 @@ LandmarkUpdate::Config landmarksOf(const PfConfig& config) {
           config.gate_probability,
           config.lost_nis,
           config.mapIsFixed(),
-          static_cast<unsigned>(config.threads)};
+          static_cast<unsigned>(config.threads),
+          config.places};
 }
 
 Resampler::Config resamplingOf(const PfConfig& config) {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "slam_core/association/place_config.hpp"
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_update.hpp"
@@ -23,7 +24,8 @@ struct PfConfig {
   static constexpr const char* kSection = "pf";
 
   BackendMode mode = BackendMode::kSlam;
-  std::string association = "known_ids";
+  std::string association = "known_ids";  ///< the product's, see AssociationChooser
+  association::PlaceConfig places;
   std::string proposal = "fastslam2";
   std::string weighting = "predictive";
   std::string resampling = "systematic";

@@ -11,8 +11,14 @@ using association::Decision;
 
 Associator::Associator(const Config& config) : config_(config) {
   do {
-    lanes_.push_back({association::makePolicy(config.policy), {}});
+    lanes_.push_back({association::makePolicy(config.policy, config.of_policy), {}});
   } while (asksEach() && lanes_.size() < config.lanes);
+  restart({});
+}
+
+void Associator::restart(const LandmarkMap& map) {
+  evidence_ = association::PlaceEvidence();
+  if (asksEach()) evidence_ = association::PlaceEvidence(config_.of_policy.places, map);
 }
 
 Association Associator::forAll(const LandmarkObservationArray& array, const LandmarkIndex& index) {
@@ -29,9 +35,11 @@ Association Associator::forAll(const LandmarkObservationArray& array, const Land
 Association Associator::forEach(const LandmarkObservationArray& array, const LandmarkIndex& index,
                                 const ObservationModel& model, const ParticleSet& particles,
                                 const std::vector<PoseGaussian>& priors, Workers& workers) {
+  const double ring = config_.of_policy.places.ring;
   Association association{std::vector<Sight>(particles.size()), array.observations};
   workers.forEach(particles.size(), [&](std::size_t i, unsigned lane) {
-    const PlaceCandidates source(array, index, particles[i].map, priors[i], model, config_.gate);
+    const PlaceCandidates source(array, index, particles[i].map, priors[i], model,
+                                 ring * ring * config_.gate);
     association.sights[i] = ask(array, source, lane);
   });
   const auto& best = particles.best();
@@ -46,6 +54,7 @@ Sight Associator::ask(const LandmarkObservationArray& array, const Source& sourc
   auto& [policy, decisions] = lanes_[lane];
   policy->decide(array, source, config_.map_is_fixed, decisions);
   decisions.resize(array.observations.size());
+  evidence_.hold(decisions);
   Sight sight;
   sight.sensor = array.sensor_pose;
   sight.gate = config_.gate;
@@ -55,9 +64,7 @@ Sight Associator::ask(const LandmarkObservationArray& array, const Source& sourc
     if (kind == Kind::kLandmark)
       sight.matches.push_back({decisions[i].landmark, i, array.observations[i]});
     if (kind == Kind::kNew) sight.unseen.push_back(i);
-    sight.duplicate += kind == Kind::kDuplicate;
-    sight.unknown += kind == Kind::kUnknown;
-    sight.not_in_map += kind == Kind::kNotInMap;
+    sight.kinds.push_back(kind);
   }
   return sight;
 }

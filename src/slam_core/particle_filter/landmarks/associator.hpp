@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/place_evidence.hpp"
 #include "slam_core/models/observation_model.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_index.hpp"
 #include "slam_core/particle_filter/landmarks/sight.hpp"
@@ -35,9 +36,24 @@ class Associator {
     unsigned lanes = 1;
     double gate = 0.0;  ///< largest squared Mahalanobis distance
     bool map_is_fixed = false;
+    association::PolicyConfig of_policy;
   };
 
   explicit Associator(const Config& config);
+
+  /// Begins anew with a map.
+  void restart(const LandmarkMap& map);
+  void move(const Motion& motion) { evidence_.move(motion); }
+  /// To be called before forEach().
+  void see(const LandmarkObservationArray& array) { evidence_.see(array); }
+  /// After the update: landmarks that are not there, to be removed.
+  /// @param sensor T_map_sensor of the most likely particle
+  /// @param seen its landmarks that were seen
+  std::vector<LandmarkId> ghosts(const Pose2& sensor,
+                                 const std::vector<association::LandmarkPlace>& landmarks,
+                                 const std::vector<LandmarkId>& seen) {
+    return evidence_.ghosts(sensor, landmarks, seen);
+  }
 
   /// Whether forEach() is to be called, and not forAll().
   bool asksEach() const { return lanes_.front().policy->usesPlaces(); }
@@ -58,6 +74,7 @@ class Associator {
   };
   Config config_;
   std::vector<Lane> lanes_;
+  association::PlaceEvidence evidence_;
 };
 
 }  // namespace slam::particle_filter

@@ -31,6 +31,8 @@ void LandmarkIndex::clear() {
 std::vector<std::size_t> LandmarkIndex::numbersById() const {
   std::vector<std::size_t> numbers(ids_.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  const auto is_retired = [this](std::size_t number) { return isRetired(number); };
+  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), is_retired), numbers.end());
   std::sort(numbers.begin(), numbers.end(),
             [this](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
   return numbers;

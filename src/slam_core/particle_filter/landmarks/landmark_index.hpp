@@ -22,10 +22,14 @@ class LandmarkIndex {
   std::optional<std::size_t> find(LandmarkId id) const;
   /// Adds a landmark with this id; with a free one where the id is unknown or another landmark's.
   void append(LandmarkId id);
+  /// A landmark is not found any more, nor in numbersById(); the particles keep it.
+  void retire(std::size_t number) { numbers_.erase(ids_[number]); }
+  bool isRetired(std::size_t number) const { return numbers_.count(ids_[number]) == 0; }
+  bool hasRetired() const { return numbers_.size() < ids_.size(); }
   void clear();
 
   LandmarkId id(std::size_t number) const { return ids_[number]; }
-  /// The numbers in the order of the ids.
+  /// The numbers of those that are not retired in the order of the ids.
   std::vector<std::size_t> numbersById() const;
 
  private:

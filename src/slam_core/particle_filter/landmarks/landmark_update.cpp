@@ -5,20 +5,23 @@
 
 #include <cmath>
 
+#include "slam_core/association/decision_record.hpp"
+#include "slam_core/association/gate.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
 
 namespace {
 
-// the quantile of the chi-square distribution with two degrees of freedom has a closed form
-double gateOf(double probability) { return -2.0 * std::log(1.0 - probability); }
+using association::gateOf;
+using Kind = association::Decision::Kind;
 
 void count(const Sight& sight, Account& account) {
-  account.statistics.unknown += sight.unknown + sight.not_in_map;
-  account.counters.add("duplicate", static_cast<std::uint64_t>(sight.duplicate));
-  account.counters.add("unknown_id", static_cast<std::uint64_t>(sight.unknown));
-  account.counters.add("not_in_map", static_cast<std::uint64_t>(sight.not_in_map));
+  for (const auto kind : sight.kinds) {
+    if (kind == Kind::kLandmark || kind == Kind::kNew) continue;
+    account.counters.add(association::reasonOf(kind));
+    account.statistics.unknown += kind == Kind::kDuplicate ? 0 : 1;
+  }
 }
 
 PoseGaussian priorOf(const Particle& particle, const std::optional<Motion>& motion) {
@@ -30,8 +33,11 @@ PoseGaussian priorOf(const Particle& particle, const std::optional<Motion>& moti
 
 LandmarkUpdate::LandmarkUpdate(const Config& config)
     : map_is_fixed_(config.map_is_fixed),
-      associator_(
-          {config.association, config.lanes, gateOf(config.gate_probability), config.map_is_fixed}),
+      associator_({config.association,
+                   config.lanes,
+                   gateOf(config.gate_probability),
+                   config.map_is_fixed,
+                   {config.gate_probability, config.places}}),
       proposal_(makeProposal(config.proposal)),
       weighting_(makeWeighting(config.weighting)),
       fit_(config.lost_nis, gateOf(config.gate_probability)) {}
@@ -39,12 +45,16 @@ LandmarkUpdate::LandmarkUpdate(const Config& config)
 void LandmarkUpdate::load(const LandmarkMap& map) {
   index_.clear();
   for (const auto& landmark : map) index_.append(landmark.id);
+  associator_.restart(map);
 }
 
 bool LandmarkUpdate::take(const std::optional<LandmarkObservationArray>& array, Account& account) {
   array_ = array.value_or(LandmarkObservationArray());
   association_ = {};
-  if (associator_.asksEach()) return has_seen_ = !array_.observations.empty();
+  if (associator_.asksEach()) {
+    if (array) associator_.see(array_);
+    return has_seen_ = !array_.observations.empty();
+  }
   association_ = associator_.forAll(array_, index_);
   count(association_.of(0), account);
   return has_seen_ = !association_.of(0).isEmpty();
@@ -116,6 +126,7 @@ Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors,
   const auto best = particles.best();
   const auto& sight = association_.of(ancestors[best]);
   if (associator_.asksEach()) count(sight, account);
+  if (associator_.asksEach()) record(particles[best], sight, account);
   if (map_is_fixed_ || !has_seen_ || isDoubtful()) return {};
   begin(ancestors, belief);
   execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned lane) {
@@ -123,7 +134,34 @@ Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors,
   });
   beginAnew(particles[best], sight, belief);
   account.statistics.added = static_cast<int>(sight.unseen.size());
+  if (associator_.asksEach()) removeGhosts(particles[best], sight, account);
   return {};
+}
+
+/// What the most likely particle takes the observations for.
+void LandmarkUpdate::record(const Particle& best, const Sight& sight, Account& account) const {
+  auto& record = account.statistics.associations;
+  record = association::recordOf(array_, sight.kinds);
+  for (const auto& [slot, column, z] : sight.matches) {
+    record[column].landmark = index_.id(best.map[slot].number);
+    if (!is_used_[column]) record[column].taken_for = TakenFor::kGated;
+  }
+}
+
+void LandmarkUpdate::removeGhosts(const Particle& best, const Sight& sight, Account& account) {
+  std::vector<LandmarkId> seen;
+  for (const auto& [slot, column, z] : sight.matches)
+    if (is_used_[column]) seen.push_back(index_.id(best.map[slot].number));
+  for (const auto i : sight.unseen)
+    account.statistics.associations[i].landmark = index_.id(begun_[i]);
+  std::vector<association::LandmarkPlace> places;
+  for (std::size_t slot = 0; slot < best.map.size(); ++slot)
+    if (const auto number = best.map[slot].number; !index_.isRetired(number))
+      places.push_back({index_.id(number), best.map[slot].mean()});
+  for (const auto id : associator_.ghosts(best.pose * sight.sensor, places, seen)) {
+    index_.retire(*index_.find(id));
+    account.counters.add("ghost");
+  }
 }
 
 /// Gives numbers to the landmarks that are new to any of the particles that are left.
@@ -138,7 +176,7 @@ void LandmarkUpdate::begin(const Ancestors& ancestors, PoseBelief& belief) {
     const auto number = index_.size();
     begun_[i] = static_cast<std::uint32_t>(number);
     belief.bound.begin(model_, belief.estimate.pose, array_.sensor_pose, number, observations[i]);
-    index_.append(observations[i].id);
+    index_.append(associator_.asksEach() ? kUnknownId : observations[i].id);
   }
 }
 

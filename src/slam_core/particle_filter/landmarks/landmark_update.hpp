@@ -28,6 +28,7 @@ class LandmarkUpdate final : public SensorUpdate {
     double lost_nis = 5.0;
     bool map_is_fixed = false;
     unsigned lanes = 1;  ///< of the workers, at most
+    association::PlaceConfig places;
   };
 
   /// There are no landmarks yet. @param config is valid
@@ -36,11 +37,14 @@ class LandmarkUpdate final : public SensorUpdate {
 
   /// These are the landmarks of the particles' maps, in this order.
   void load(const LandmarkMap& map);
+  /// All motion, that of steps without observations as well; before take().
+  void move(const Motion& motion) { associator_.move(motion); }
   /// The robot is elsewhere: how observations fitted before says nothing any more.
   void relocate() { fit_.forget(); }
 
   /// The observations of a step, or none; what is left out is counted as "unknown_id", "duplicate",
-  /// "not_in_map", by the most likely particle where each decides for itself.
+  /// "not_in_map", "ambiguous", "on_trial", by the most likely particle where each decides for
+  /// itself.
   /// @return whether there may be a landmark among them
   bool take(const std::optional<LandmarkObservationArray>& array, Account& account);
 
@@ -66,6 +70,8 @@ class LandmarkUpdate final : public SensorUpdate {
   void expectNothing(const Sight& sight, Prediction* predictions) const;
   void begin(const Ancestors& ancestors, PoseBelief& belief);
   void updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const;
+  void record(const Particle& best, const Sight& sight, Account& account) const;
+  void removeGhosts(const Particle& best, const Sight& sight, Account& account);
   void beginAnew(const Particle& best, const Sight& sight, PoseBelief& belief) const;
 
   bool map_is_fixed_;

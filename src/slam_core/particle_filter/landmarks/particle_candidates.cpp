@@ -33,6 +33,7 @@ void PlaceCandidates::candidates(std::size_t observation,
     const auto& landmark = map_[slot];
     const double both = sigma + std::sqrt(landmark.xx + landmark.yy);
     if (!((landmark.mean() - place).squaredNorm() <= gate_ * both * both)) continue;
+    if (index_.isRetired(landmark.number)) continue;
     const auto e = expectation({observation, slot});
     if (!e) continue;
     const auto& H = e->H_robot;

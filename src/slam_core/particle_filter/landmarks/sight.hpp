@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "slam_core/association/association_policy.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 
 namespace slam::particle_filter {
@@ -22,8 +23,8 @@ struct Sight {
   double gate = 0.0;  ///< largest squared Mahalanobis distance of a match that counts
   /// Observations of landmarks that are not in the particle's map yet, by their place in the array.
   std::vector<std::size_t> unseen;
-  /// Observations that are left out, by the reason.
-  int duplicate = 0, unknown = 0, not_in_map = 0;
+  /// What each observation of the array is taken for.
+  std::vector<association::Decision::Kind> kinds;
 
   bool isEmpty() const { return matches.empty() && unseen.empty(); }
 };

@@ -41,6 +41,7 @@ const Registrar<AssociationPolicy, ToyNonsense> kNonsense("toy_nonsense");
 PfConfig configOf(const std::string& association) {
   PfConfig config;
   config.association = association;
+  if (association.rfind("toy", 0) == 0) config.places.sightings = 1;
   return config;
 }
 
@@ -174,6 +175,25 @@ TEST_F(PfAssociationTest, APolicyThatTalksNonsenseSpoilsNoFixedMap) {
   EXPECT_GT(localizer->counters()["unknown_id"], 0u);
 }
 
+TEST_F(PfAssociationTest, ThePoliciesMapTheWorldWithoutIds) {
+  for (const std::string policy : {"nearest", "jcbb"}) {
+    by_place = filterOf(configOf(policy));
+    world = SimulatedWorld(4);
+    for (int i = 0; i < 300; ++i) {
+      auto step = world.next();
+      removeIds(step.observations);
+      if (i % 7 == 0) addStray(step.observations);
+      take(*by_place, step);
+      truth = step.truth;
+    }
+    const auto told = as<LandmarkMapper>(*by_place).landmarks();
+    EXPECT_EQ(told.size(), world.landmarks().size()) << policy;
+    for (const auto& landmark : told) EXPECT_LT(error(landmark), 0.4) << policy;
+    EXPECT_LT((by_place->pose().pose.vector() - truth.vector()).norm(), 0.3) << policy;
+    EXPECT_FALSE(as<LandmarkMapper>(*by_place).statistics().associations.empty());
+  }
+}
+
 TEST_F(PfAssociationTest, TheStatisticsSayHowOftenARightObservationPasses) {
   auto config = configOf("known_ids");
   config.gate_probability = 0.995;
@@ -188,7 +208,7 @@ TEST_F(PfAssociationTest, APolicyThatIsNotKnownIsNamedWithThoseThereAre) {
     FAIL();
   } catch (const ConfigError& error) {
     const std::string fault = error.what();
-    EXPECT_NE(fault.find("pf.association"), std::string::npos) << fault;
+    EXPECT_NE(fault.find("association 'known_idz'"), std::string::npos) << fault;
     EXPECT_NE(fault.find("known_ids"), std::string::npos) << fault;
   }
 }

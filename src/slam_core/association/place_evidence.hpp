@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/existence.hpp"
+#include "slam_core/association/trials.hpp"
+
+namespace slam::association {
+
+/// What tells landmarks from clutter where observations are associated by place: only what has
+/// been on trial enters the map (Trials), and what is not there any more leaves it (Existence).
+///
+/// Call order in a step: move(), see(), hold() of the policy's decisions, then ghosts() after the
+/// update. Where ids decide, it does nothing.
+class PlaceEvidence {
+ public:
+  PlaceEvidence() = default;
+  /// @param map landmarks that were loaded
+  explicit PlaceEvidence(const PlaceConfig& config, const LandmarkMap& map = {})
+      : is_needed_(true), trials_(config.sightings), existence_(map) {}
+
+  void move(const Motion& motion) {
+    if (!is_needed_) return;
+    trials_.move(motion);
+    existence_.move(motion);
+  }
+  void see(const LandmarkObservationArray& array) {
+    if (!is_needed_) return;
+    reach_.see(array);
+    trials_.see(array, reach_);
+  }
+  /// What is new is held back until it is confirmed.
+  void hold(std::vector<Decision>& decisions) const {
+    if (!is_needed_) return;
+    for (std::size_t i = 0; i < decisions.size(); ++i)
+      if (decisions[i].kind == Decision::Kind::kNew && !trials_.isConfirmed(i))
+        decisions[i].kind = Decision::Kind::kOnTrial;
+  }
+  /// @param sensor T_map_sensor
+  /// @return landmarks to be removed
+  std::vector<LandmarkId> ghosts(const Pose2& sensor, const std::vector<LandmarkPlace>& landmarks,
+                                 const std::vector<LandmarkId>& seen) {
+    if (!is_needed_) return {};
+    return existence_.see(sensor, landmarks, seen, reach_);
+  }
+
+ private:
+  bool is_needed_ = false;
+  SensorReach reach_;
+  Trials trials_{1};
+  Existence existence_;
+};
+
+}  // namespace slam::association

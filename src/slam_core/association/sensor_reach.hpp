@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+
+#include "slam_core/models/landmark_observation.hpp"
+
+namespace slam::association {
+
+/// Where a landmark sensor sees landmarks, as far as it has shown: by sectors of the bearing, how
+/// often it saw one there and how far. What lies well within should be seen.
+class SensorReach {
+ public:
+  void see(const LandmarkObservationArray& array);
+  /// @param place in the sensor's frame [m]
+  bool covers(const Eigen::Vector2d& place) const;
+  /// Of all that is covered, 1 m^2 at least.
+  double area() const;
+
+ private:
+  static constexpr int kSectors = 24;
+  struct Sector {
+    int count = 0;
+    double range = 0.0;  ///< mean [m]
+  };
+  static std::size_t sectorOf(double bearing);
+  static double reachOf(const Sector& sector);
+
+  std::array<Sector, kSectors> sectors_;
+};
+
+}  // namespace slam::association

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+namespace slam {
+
+/// The capability of a back-end that can be told how it decides of which landmark an observation
+/// is.
+class AssociationChooser {
+ public:
+  virtual ~AssociationChooser() = default;
+  /// From the next configure() on, which throws a ConfigError where the name is not known.
+  /// @param policy one of association::policyNames()
+  virtual void useAssociation(const std::string& policy) = 0;
+};
+
+}  // namespace slam
