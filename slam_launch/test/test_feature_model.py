@@ -168,13 +168,15 @@ class ShippedModel(unittest.TestCase):
 
     def test_the_grid_back_end_maps_no_landmarks(self):
         sentence = ("makes no product: The grid back-end maps what a laser sees and no landmarks, "
-                    "so that it goes with map=grid and detector=none.")
+                    "so that it goes with map=grid, detector=none and association=known_ids.")
         alone = {"backend": "grid", "odometry": "wheel", "map": "grid", "detector": "none"}
-        for change in ({"map": "landmarks"}, {"detector": "apriltag"}, {"detector": "aruco"}):
+        for change in ({"map": "landmarks"}, {"detector": "apriltag"}, {"detector": "aruco"},
+                       {"association": "nearest"}, {"association": "jcbb"}):
             with self.subTest(text(change)), self.assertRaises(ProductError) as caught:
                 self.model.require_valid({**alone, **change})
             self.assertIn(sentence, str(caught.exception))
-        self.assertIn("backend=grid odometry=wheel detector=none map=grid", str(caught.exception))
+        self.assertIn("backend=grid odometry=wheel detector=none association=known_ids "
+                      "map=grid", str(caught.exception))
 
     def test_the_grid_back_end_goes_with_any_odometry_and_with_none(self):
         for odometry in self.model.groups["odometry"].symbols:

@@ -13,8 +13,8 @@ from slam_launch import launch_checks, ports
 from slam_launch.errors import ProductError
 
 DEFAULTS = dict.fromkeys(
-    ("product", "backend", "odometry", "map", "detector", "pointmap", "load_map", "load_session",
-     "bag", "seed", "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine",
+    ("product", "backend", "odometry", "map", "detector", "association", "pointmap", "load_map",
+     "load_session", "bag", "seed", "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine",
      "backend_machine", "env_loader", "only", "jump_limit"), "")
 DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
 

@@ -104,7 +104,8 @@ class EveryProductTest(unittest.TestCase):
         return composition, record, output
 
     def test_publishes_what_its_features_promise(self):
-        valid = self.model.valid()
+        valid = [features for features in self.model.valid()
+                 if features["association"] == "known_ids"]  # which changes nothing of the nodes
         self.assertGreaterEqual(len(valid), 12)
         # bags are read here only: the classes of messages are not made by several threads at once
         bags = [self.bag_for(number, features) for number, features in enumerate(valid)]

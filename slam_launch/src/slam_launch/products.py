@@ -124,13 +124,14 @@ def with_features(features, model):
 
 
 def swappable(features):
-    """Returns the detector and the modules: the rest of a product is the same with another."""
+    """Returns the detector, the association and the modules: the rest of a product is the same
+    with another."""
     return {key: value for key, value in features.items()
-            if key == "detector" or value in ("true", "false")}
+            if key in ("detector", "association") or value in ("true", "false")}
 
 
 def swapped(product, features):
-    """Returns a product with the detector and the modules of other features."""
+    """Returns a product with the detector, the association and the modules of other features."""
     changed = swappable(features)
     return dataclasses.replace(product, content={**product.content, **yaml_features(changed)},
                                features={**product.features, **changed})
