@@ -13,6 +13,10 @@ import tempfile
 
 from slam_eval.bench import (command_line, fiducial, office, online, pointmap, threads,
                              vo)
+from slam_eval.bench.association import circles as association_circles
+from slam_eval.bench.association import mrclam as association_mrclam
+from slam_eval.bench.association import office as association_office
+from slam_eval.bench.association import time as association_time
 from slam_eval.bench.ekf import consistency, demo, landmarks
 from slam_eval.bench.ekf import mrclam as ekf_mrclam
 from slam_eval.bench.ekf import update as ekf_update
@@ -57,6 +61,12 @@ BENCHMARKS = {
         {"mrclam": pf_mrclam.measure, "office": pf_office.measure,
          "circles": circles.measure, "update": pf_update.measure,
          "threads": threads.measure}, command_line.add_pf),
+    "association": Benchmark(
+        "association without ids",
+        "which landmark is which by place alone, judged by ids that are withheld; half an hour",
+        {"mrclam": association_mrclam.measure, "circles": association_circles.measure,
+         "office": association_office.measure, "time": association_time.measure},
+        command_line.add_association),
     "grid": Benchmark(
         "grid maps", "the particle filter with grid maps on real logs and simulations, beside "
         "MRPT's",

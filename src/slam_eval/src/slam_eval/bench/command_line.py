@@ -64,6 +64,12 @@ def _add_mrclam(parser):
                         "shared/data beside the repository)")
 
 
+def _add_circles(parser):
+    parser.add_argument("--circles", metavar="FILE", type=_file,
+                        help="the DLR data set (default: circles/map.circles in $SLAM_DATA_DIR, "
+                        "else in shared/data beside the repository)")
+
+
 def add_ekf(parser):
     """Options of `slam_bench ekf`."""
     _add_mrclam(parser)
@@ -80,9 +86,15 @@ def add_pf(parser):
                         help="runs a robot of the part mrclam (%(default)s)")
     parser.add_argument("--drives", metavar="N", type=count, default=20,
                         help="simulated drives of the part office (%(default)s)")
-    parser.add_argument("--circles", metavar="FILE", type=_file,
-                        help="the DLR data set (default: circles/map.circles in $SLAM_DATA_DIR, "
-                        "else in shared/data beside the repository)")
+    _add_circles(parser)
+
+
+def add_association(parser):
+    """Options of `slam_bench association`."""
+    _add_mrclam(parser)
+    _add_circles(parser)
+    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
+                        help="instead of ekf_wheel,pf_wheel,graph_wheel")
 
 
 def add_grid(parser):
