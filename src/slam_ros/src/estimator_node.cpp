@@ -58,6 +58,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   outputs_->refresh();
   consistency_.emplace(handles.product, *diagnostics_, estimator().consistency());
   services_.emplace(handles.product, map_frame_, makes_grid, actions());
+  localisation_.emplace(handles.product, map_frame_, localisationActions());
   connect(handles.product, settings, inputs);
   start_.emplace([this, handle = handles.product] { subscribe(handle); });
 }
@@ -95,6 +96,7 @@ EstimatorNode::~EstimatorNode() {
   diagnostics_->stop();  // it asks the inputs
   inputs_->stop();
   subscribers_.clear();
+  localisation_.reset();
   services_.reset();
   consistency_.reset();
   outputs_.reset();
@@ -132,6 +134,31 @@ BackendActions EstimatorNode::actions() {
     return tellingOfMap(coordinator_.set(session));
   };
   actions.merge = [this](const slam::SavedSession& session) { return merge(session, estimator()); };
+  return actions;
+}
+
+LocalisationActions EstimatorNode::localisationActions() {
+  using slam::relocalisation::Belief;
+  LocalisationActions actions;
+  actions.search = [this] {
+    auto& relocaliser = relocaliserOf(estimator());
+    relocaliser.assume(Belief::kAnywhere);
+    if (relocaliser.belief() == Belief::kAnywhere) return slam::Status::ok();
+    return slam::Status::error(
+        "there is no map to look for the robot in, or relocalisation.enabled is false: load a map");
+  };
+  actions.search_anyway = [this] { relocaliserOf(estimator()).searchAnyway(); };
+  actions.report = [this](const auto& topic, const auto& status) {
+    diagnostics_->report(topic, status);
+  };
+  if (estimator().capabilities().find<slam::GridMapper>() == nullptr) return actions;
+  actions.set_map = [this](const slam::MapState& map) {
+    const auto status = tellingOfMap(coordinator_.set(map));
+    // the request says where the robot is
+    if (status.level != slam::Status::Level::kError)
+      relocaliserOf(estimator()).assume(Belief::kSure);
+    return status;
+  };
   return actions;
 }
 

@@ -30,7 +30,8 @@ GridPublisher::GridPublisher(ros::NodeHandle handle, const slam::GridMapper& map
       map_frame_(std::move(map_frame)),
       map_(handle.advertise<nav_msgs::OccupancyGrid>("map", 1, true)),
       metadata_(handle.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)),
-      service_(handle.advertiseService("dynamic_map", &GridPublisher::answer, this)),
+      dynamic_(handle.advertiseService("dynamic_map", &GridPublisher::answer, this)),
+      static_(handle.advertiseService("static_map", &GridPublisher::answer, this)),
       rate_(1.0 / period) {}
 
 void GridPublisher::update(slam::Stamp stamp) {

@@ -22,6 +22,7 @@
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
 #include "slam_ros/diagnostics.hpp"
+#include "slam_ros/localisation_services.hpp"
 #include "slam_ros/part_inputs.hpp"
 #include "slam_ros/run_recorder.hpp"
 #include "slam_ros/silence_watch.hpp"
@@ -76,6 +77,7 @@ class EstimatorNode {
                const InputOptions& options);
   slam::Status startWithSession(const OutputsConfig& outputs);
   BackendActions actions();
+  LocalisationActions localisationActions();
   slam::Status tellingOfMap(slam::Status status);
   void tellOfSilence();
   std::string waiting() const;
@@ -101,6 +103,7 @@ class EstimatorNode {
   std::optional<BackendOutputs> outputs_;
   std::optional<ConsistencyPublisher> consistency_;
   std::optional<BackendServices> services_;
+  std::optional<LocalisationServices> localisation_;
   std::string motion_frames_;
   ros::Publisher progress_;
   std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there

@@ -21,9 +21,9 @@ namespace slam_ros {
 nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp,
                               const std::string& frame);
 
-/// `map` and `map_metadata` (latched) and the service `dynamic_map`, as map_server has them. The
-/// filter's thread copies the grid, while somebody looks and when it has changed, at a bounded
-/// rate; the message is sent beside it.
+/// `map` and `map_metadata` (latched) and the services `dynamic_map` and `static_map`, as gmapping
+/// and map_server have them. The filter's thread copies the grid, while somebody looks and when it
+/// has changed, at a bounded rate; the message is sent beside it.
 class GridPublisher {
  public:
   /// @param period of the map at least [s of stamps]
@@ -42,7 +42,7 @@ class GridPublisher {
   const slam::GridMapper& mapper_;
   std::string map_frame_;
   ros::Publisher map_, metadata_;
-  ros::ServiceServer service_;
+  ros::ServiceServer dynamic_, static_;
   RateLimit rate_;
   slam::Stamp stamp_;
   std::uint64_t published_ = 0;  ///< revision of the grid
