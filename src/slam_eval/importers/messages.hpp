@@ -16,8 +16,8 @@ namespace slam::eval {
 inline constexpr char kOdometryTopic[] = "/odom";
 inline constexpr char kObservationsTopic[] = "/observations";
 inline constexpr char kTruthPoseTopic[] = "/ground_truth/pose";
-/// Once, a geometry_msgs/PointStamped: the point of the robot whose true position is told. Without it
-/// it is base_link.
+/// Once, a geometry_msgs/PointStamped: the point of the robot whose true position is told. Without
+/// it it is base_link.
 inline constexpr char kTruthPointTopic[] = "/ground_truth/point";
 inline constexpr char kTruthLandmarksTopic[] = "/ground_truth/landmarks";
 

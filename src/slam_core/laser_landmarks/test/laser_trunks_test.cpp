@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/geometry/angle.hpp"
 #include "slam_core/laser_landmarks/test/simulated_trees.hpp"
 
 namespace slam::laser_landmarks {
@@ -109,6 +112,39 @@ TEST_F(LaserTrunksTest, FarRangesThatErrMoreHaveALargerCovariance) {
   const auto before = see(scan).at(0).covariance(0, 0);
   scan.relative_sigma = 0.05;
   EXPECT_GT(see(scan).at(0).covariance(0, 0), 2.0 * before);
+}
+
+TEST_F(LaserTrunksTest, InAForestItSeesTreesOnlyAndIsAsWrongAsItSays) {
+  std::vector<Tree> trees;  // a tree somewhere in each square of 6 m
+  for (int row = -5; row <= 5; ++row)
+    for (int column = -5; column <= 5; ++column)
+      trees.push_back(
+          {{6.0 * row + 3.0 * random_.uniform(), 6.0 * column + 3.0 * random_.uniform()},
+           0.12 + 0.35 * random_.uniform()});
+  const TreeLaser laser{0.05, 0.003};
+  double sum = 0.0;
+  int seen = 0;
+  for (int view = 0; view < 300; ++view) {
+    const Pose2 base(6.0 * (view % 7) - 19.0, 6.0 * (view % 5) - 13.0, 0.3 * view);
+    for (const auto& observation : see(scanOfTrees(trees, base, laser, random_))) {
+      double nearest = 1e9, nees = 0.0;
+      for (const auto& tree : trees) {
+        const Eigen::Vector2d p = base.inverse().transform(tree.position);
+        const Eigen::Vector2d error(observation.range - p.norm(),
+                                    wrapAngle(observation.bearing - std::atan2(p.y(), p.x())));
+        const double distance = std::hypot(error.x(), observation.range * error.y());
+        if (distance > nearest) continue;
+        nearest = distance;
+        nees = error.dot(observation.covariance.inverse() * error);
+      }
+      EXPECT_LT(nearest, 1.0) << "a ghost";
+      sum += nees;
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 1000);
+  EXPECT_LT(sum / seen, 2.6);
+  EXPECT_GT(sum / seen, 1.5);
 }
 
 TEST_F(LaserTrunksTest, ForgetsEverythingOnReset) {
