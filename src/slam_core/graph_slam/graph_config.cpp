@@ -50,7 +50,8 @@ void GraphConfig::describe(Fields& fields) {
   fields.add("node_angle", &node_angle, "or has turned so far").unit("rad").in(Range::atLeast(0));
   fields
       .add("nodes_per_place", &nodes_per_place,
-           "poses that a place of 1 m and 45 degrees keeps; later ones are removed some time after")
+           "a pose is removed some time after where so many older ones stay within 1 m and 45 "
+           "degrees of it")
       .unit("1")
       .in(Range::closed(1, 1000000));
   fields

@@ -36,7 +36,6 @@ void PathReduction::judge(graph::Key node) {
   if (isNew(node)) {
     for (const auto before : leaving_) settle(before);
     leaving_.clear();
-    places_.add(path_.graph().pose(node), node);
     settle(node);
     to_keep_ = kLead;
   } else if (to_keep_ > 0) {
@@ -49,8 +48,11 @@ void PathReduction::judge(graph::Key node) {
   for (; leaving_.size() > lead; leaving_.pop_front()) remove(leaving_.front());
 }
 
-/// It stays, so that what it sees counts.
-void PathReduction::settle(graph::Key node) { open_.erase(node); }
+/// It stays, so that its place and what it sees count.
+void PathReduction::settle(graph::Key node) {
+  open_.erase(node);
+  places_.add(path_.graph().pose(node), node);
+}
 
 void PathReduction::keepAll() {
   for (const auto node : chainOf(path_).takeNew()) places_.add(path_.graph().pose(node), node);
@@ -73,7 +75,7 @@ bool PathReduction::isNew(graph::Key node) const {
 }
 
 void PathReduction::remove(graph::Key node) {
-  settle(node);
+  open_.erase(node);
   const auto& chain = chainOf(path_)[node];
   if (chain.has_prior || chain.before < 0) return;
   if (is_held_(node)) {

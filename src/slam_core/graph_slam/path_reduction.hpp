@@ -23,7 +23,7 @@ struct ReductionLimits {
 
 /// Keeps the graph as large as the area, not as long as the way (a reduced pose graph: Johannsson,
 /// Kaess, Fallon, Leonard 2013). A node of some time ago is removed where enough older ones stand
-/// at its place and its landmarks have been seen often enough: its sightings go, and the motions
+/// near it and its landmarks have been seen often enough: its sightings go, and the motions
 /// beside it become one, so that the path always hangs together. What is left out is information:
 /// the graph never claims to know more than it does.
 class PathReduction {

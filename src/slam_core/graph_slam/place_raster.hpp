@@ -8,47 +8,71 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/graph/quadratic_factor.hpp"
 
 namespace slam::graph_slam {
 
-/// The raster counts the nodes of each place; a place is 1 m and 45 degrees wide.
+/// The raster counts the nodes near a pose: within 1 m and 45 degrees of it. They are found by a raster, but counted
+/// by their distance: beside a node there are no places that count as empty, however often a robot
+/// comes by that never drives the same line twice.
 class PlaceRaster {
  public:
   void add(const Pose2& pose, graph::Key node) {
-    auto& place = places_[placeOf(pose)];
-    if (place.count++ == 0) place.first = node;
+    cells_[cellOf(pose.x(), pose.y())].push_back({pose, node, size_++});
   }
+  /// The number of nodes near a pose.
   std::size_t count(const Pose2& pose) const {
-    const auto found = places_.find(placeOf(pose));
-    return found == places_.end() ? 0 : found->second.count;
+    std::size_t count = 0;
+    forEachNear(pose, [&](const Entry&) { ++count; });
+    return count;
   }
-  /// The first node of a place.
+  /// The one of them that was added first.
   std::optional<graph::Key> first(const Pose2& pose) const {
-    const auto found = places_.find(placeOf(pose));
-    if (found == places_.end()) return std::nullopt;
-    return found->second.first;
+    const Entry* first = nullptr;
+    forEachNear(pose, [&](const Entry& each) {
+      if (first == nullptr || each.number < first->number) first = &each;
+    });
+    if (first == nullptr) return std::nullopt;
+    return first->node;
   }
 
  private:
-  struct Place {
-    std::size_t count = 0;
-    graph::Key first = -1;
+  static constexpr double kNear = 1.0, kTurned = M_PI / 4;  // [m], [rad]
+
+  struct Entry {
+    Pose2 pose;
+    graph::Key node;
+    std::size_t number;  ///< in the order in which they were added
   };
-  /// Places a million of metres apart may have the same number.
-  static std::uint64_t placeOf(const Pose2& pose) {
-    constexpr double kEdge = 1.0, kTurn = M_PI / 4;  // [m], [rad]
+
+  template <class Visit>
+  void forEachNear(const Pose2& pose, const Visit& visit) const {
+    for (const double dx : {-kNear, 0.0, kNear})
+      for (const double dy : {-kNear, 0.0, kNear}) {
+        const auto found = cells_.find(cellOf(pose.x() + dx, pose.y() + dy));
+        if (found == cells_.end()) continue;
+        for (const auto& each : found->second)
+          if (isNear(pose.between(each.pose))) visit(each);
+      }
+  }
+  static bool isNear(const Pose2& between) {
+    return between.position().norm() <= kNear && std::abs(between.theta()) <= kTurned;
+  }
+  /// Cells a million of metres apart may have the same number.
+  static std::uint64_t cellOf(double x, double y) {
     constexpr std::uint64_t kMost = 1 << 20;
-    const auto cell = [](double value) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value))) % kMost;
+    const auto along = [](double value) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / kNear))) %
+             kMost;
     };
-    return (cell(pose.x() / kEdge) * kMost + cell(pose.y() / kEdge)) * 16 +
-           cell(pose.theta() / kTurn + 8.0);
+    return along(x) * kMost + along(y);
   }
 
-  std::unordered_map<std::uint64_t, Place> places_;  // looked up only, never iterated
+  std::unordered_map<std::uint64_t, std::vector<Entry>> cells_;  // looked up only, never iterated
+  std::size_t size_ = 0;
 };
 
 }  // namespace slam::graph_slam

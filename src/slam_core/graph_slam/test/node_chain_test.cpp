@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <vector>
 
 #include "slam_core/common/random.hpp"
 #include "slam_core/graph/factors.hpp"
@@ -134,6 +137,42 @@ TEST(NodeChain, LoosensAMotionAndStillRemovesItsNodes) {
   EXPECT_TRUE(line.graph.covariance({4}).isApprox(P + more, 1e-2));
 }
 
+/// However far the heading may have wandered, the motion that is left says no more than is known.
+TEST(NodeChain, ComposesMotionsOfAnyHeadingWithoutClaimingTooMuch) {
+  constexpr int kSteps = 40, kRuns = 300;
+  for (const double sigma_of_all : {0.05, 0.3, 1.0, 3.0}) {
+    for (const double turn : {0.0, 0.1}) {
+      const double sigma = sigma_of_all / std::sqrt(double{kSteps});
+      Motion told;
+      told.increment = Pose2(0.5, 0.0, turn);
+      told.covariance = Eigen::Vector3d(1e-4, 1e-4, sigma * sigma).asDiagonal();
+      graph::Optimizer graph;
+      NodeChain chain(graph);
+      Pose2 pose;
+      graph.add(pose);
+      chain.start(0);
+      for (graph::Key key = 1; key <= kSteps; ++key) {
+        graph.add(pose = pose * told.increment);
+        chain.append(key - 1, key, told);
+      }
+      for (graph::Key key = 1; key < kSteps; ++key) chain.remove(key);
+      RandomStream random(1, 0);
+      double sum = 0.0;
+      for (int run = 0; run < kRuns; ++run) {
+        Pose2 truth;
+        for (int i = 0; i < kSteps; ++i)
+          truth =
+              truth * told.increment *
+              Pose2(1e-2 * random.gaussian(), 1e-2 * random.gaussian(), sigma * random.gaussian());
+        visitFactors(graph, [&](const graph::Factor& factor, double) {
+          sum += factor.linearized({Pose2(), truth}).r.squaredNorm();
+        });
+      }
+      EXPECT_LT(sum / kRuns, 4.0) << sigma_of_all << " rad, " << turn << "; 3 are expected";
+    }
+  }
+}
+
 TEST(NodeChain, TellsEachNewNodeOnce) {
   Line line;
   EXPECT_EQ(line.chain.takeNew(), (std::vector<graph::Key>{0, 1, 2, 3, 4}));
@@ -158,17 +197,41 @@ TEST(SightingIndex, FindsFactorsByLandmarkAndByNode) {
   EXPECT_EQ(index.count(2), 0u);
 }
 
-TEST(PlaceRaster, TellsPlacesAndHeadingsApart) {
+TEST(PlaceRaster, CountsNodesWithinAMetreAndAnEighthOfATurn) {
   PlaceRaster raster;
   const Pose2 here(-0.5, 3.5, 0.1);
   raster.add(here, 4);
   raster.add(Pose2(-0.9, 3.1, 0.7), 5);
   EXPECT_EQ(raster.count(here), 2u);
   EXPECT_EQ(raster.first(here), 4);
-  for (const auto& other : {Pose2(0.5, 3.5, 0.1), Pose2(-0.5, 2.5, 0.1), Pose2(-0.5, 3.5, -0.1),
-                            Pose2(-0.5, 3.5, 1.0)}) {
+  EXPECT_EQ(raster.first(Pose2(-1.4, 2.9, 0.7)), 5) << "beyond a metre from the other one";
+  for (const auto& other : {Pose2(0.6, 3.5, 0.1), Pose2(-0.5, 2.0, 0.1), Pose2(-0.5, 3.5, -0.8),
+                            Pose2(-0.5, 3.5, 3.1)}) {
     EXPECT_EQ(raster.count(other), 0u);
     EXPECT_FALSE(raster.first(other));
+  }
+}
+
+/// Wherever the raster's lines and the end of the circle lie.
+TEST(PlaceRaster, CountsTheSameAsWithoutARaster) {
+  RandomStream random(3, 0);
+  const auto draw = [&] {
+    return Pose2(4.0 * random.uniform() - 2.0, 4.0 * random.uniform() - 2.0,
+                 2.0 * M_PI * random.uniform());
+  };
+  PlaceRaster raster;
+  std::vector<Pose2> poses;
+  for (graph::Key node = 0; node < 300; ++node) {
+    poses.push_back(draw());
+    raster.add(poses.back(), node);
+  }
+  for (int i = 0; i < 100; ++i) {
+    const Pose2 here = draw();
+    const auto near = std::count_if(poses.begin(), poses.end(), [&](const Pose2& each) {
+      const Pose2 between = here.between(each);
+      return between.position().norm() <= 1.0 && std::abs(between.theta()) <= M_PI / 4;
+    });
+    EXPECT_EQ(raster.count(here), static_cast<std::size_t>(near));
   }
 }
 
