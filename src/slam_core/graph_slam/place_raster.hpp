@@ -15,8 +15,8 @@
 
 namespace slam::graph_slam {
 
-/// The raster counts the nodes near a pose: within 1 m and 45 degrees of it. They are found by a raster, but counted
-/// by their distance: beside a node there are no places that count as empty, however often a robot
+/// Counts the nodes near a pose: within 1 m and 45 degrees of it. A raster finds them, but their
+/// distance counts: beside a node there are no places that count as empty, however often a robot
 /// comes by that never drives the same line twice.
 class PlaceRaster {
  public:
