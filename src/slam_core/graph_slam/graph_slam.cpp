@@ -279,7 +279,7 @@ Status GraphSlam::reconsider(const Association& association, const Pose2& sensor
 
 void GraphSlam::removeGhosts(const Association& association, const Pose2& sensor) {
   for (const auto id : associator_.ghosts(association, graph_->landmarks, sensor)) {
-    graph_->landmarks.retire(id);
+    idsOf(graph_->landmarks).retire(id);
     counters_.add("ghost");
   }
 }

@@ -36,6 +36,8 @@ class LandmarkGraph {
 
   PoseEstimate robot() const { return path_.robot(); }
   const LandmarkIds& ids() const { return ids_; }
+  /// To retire one: the graph keeps what was seen of it.
+  friend LandmarkIds& idsOf(LandmarkGraph& landmarks) { return landmarks.ids_; }
   friend SightingIndex& sightingsOf(LandmarkGraph& landmarks) { return landmarks.index_; }
   Eigen::Vector2d point(std::size_t landmark) const {
     return path_.graph().pose(keys_[landmark]).position();
@@ -55,8 +57,6 @@ class LandmarkGraph {
   /// Removes all factors of a landmark and re-initialises it at this place.
   void reinitialize(std::size_t landmark, const Eigen::Vector2d& place,
                     const LandmarkObservation& z, const Pose2& sensor);
-  /// It is not in the map any more; the graph keeps what was seen of it.
-  void retire(LandmarkId id) { ids_.retire(id); }
   LandmarkMap map() const;  ///< sorted by id, with marginals
   MapState state() const;   ///< sorted by id, with the joint covariance
 

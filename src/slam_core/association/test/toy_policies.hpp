@@ -60,6 +60,13 @@ class ToyNonsense final : public AssociationPolicy {
   int calls_ = 0;
 };
 
+/// One more observation, each time of nothing somewhere else.
+inline void addClutter(int step, LandmarkObservationArray& array) {
+  array.observations.push_back(array.observations.front());
+  array.observations.back().range = 1.0 + 0.37 * (step % 11);
+  array.observations.back().bearing = 0.6 * (step % 10) - 2.7;
+}
+
 inline void removeIds(LandmarkObservationArray& array) {
   for (auto& z : array.observations) z.id = kUnknownId;
 }

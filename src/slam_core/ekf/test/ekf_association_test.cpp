@@ -17,6 +17,7 @@ namespace {
 
 using association::AssociationPolicy;
 using association::Candidate;
+using association::test::addClutter;
 using association::test::addStray;
 using association::test::observationsOf;
 using association::test::removeIds;
@@ -161,11 +162,7 @@ class EkfPlacePolicyTest : public testing::TestWithParam<const char*> {
     for (int i = 0; i < steps; ++i) {
       auto step = world.next();
       removeIds(step.observations);
-      if (i % 3 == 0) {
-        step.observations.observations.push_back(step.observations.observations.front());
-        step.observations.observations.back().range = 1.0 + 0.37 * (i % 11);
-        step.observations.observations.back().bearing = 0.6 * (i % 10) - 2.7;
-      }
+      if (i % 3 == 0) addClutter(i, step.observations);
       ekf.set(step.motion);
       ekf.set(step.observations);
       ekf.execute();

@@ -18,6 +18,7 @@ namespace {
 
 using association::AssociationPolicy;
 using association::Candidate;
+using association::test::addClutter;
 using association::test::addStray;
 using association::test::observationsOf;
 using association::test::removeIds;
@@ -182,7 +183,7 @@ TEST_F(PfAssociationTest, ThePoliciesMapTheWorldWithoutIds) {
     for (int i = 0; i < 300; ++i) {
       auto step = world.next();
       removeIds(step.observations);
-      if (i % 7 == 0) addStray(step.observations);
+      if (i % 3 == 0) addClutter(i, step.observations);
       take(*by_place, step);
       truth = step.truth;
     }
