@@ -24,6 +24,13 @@ Status statusOf(const std::string& fault) {
   return fault.empty() ? Status::ok() : Status::warning(fault);
 }
 
+/// A policy that goes by places gives landmarks ids of its own.
+relocalisation::LocalLandmarks::Ids idsOf(Settings& settings) {
+  using Ids = relocalisation::LocalLandmarks::Ids;
+  const bool are_known = settings.read<ProductConfig>().association == "known_ids";
+  return are_known ? Ids::kKnown : Ids::kIgnored;
+}
+
 }  // namespace
 
 void Estimator::use(std::unique_ptr<Backend> backend) { backend_ = std::move(backend); }
@@ -65,7 +72,7 @@ void Estimator::configure(Settings& settings) {
   faults.attempt([&] { consistency_config_ = settings.read<ConsistencyConfig>(); });
   faults.attempt([&] { events_config_ = settings.read<EventsConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
-  faults.attempt([&] { relocaliser_.configure(settings, capabilities_); });
+  faults.attempt([&] { relocaliser_.configure(settings, capabilities_, idsOf(settings)); });
   faults.attempt([&] { intake_.configure(settings, ports_); });
   faults.raise();
   reset();

@@ -32,7 +32,8 @@ bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
 
 }  // namespace
 
-void Relocaliser::configure(Settings& settings, const Capabilities& capabilities) {
+void Relocaliser::configure(Settings& settings, const Capabilities& capabilities,
+                            LocalLandmarks::Ids ids) {
   capabilities_ = capabilities;
   grid_map::GridMapConfig grid;
   scan_matching::MatcherConfig matcher;
@@ -42,7 +43,7 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
   if (has_grid) faults.attempt([&] { settings.read(grid); });
   if (has_grid) faults.attempt([&] { settings.read(matcher); });
   faults.raise();
-  landmarks_ = LandmarkRecogniser(config_);
+  landmarks_ = LandmarkRecogniser(config_, ids);
   grid_.reset();
   if (has_grid) grid_.emplace(config_, grid, matcher);
   reset();

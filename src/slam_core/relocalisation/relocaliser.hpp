@@ -32,8 +32,9 @@ enum class Belief {
 /// get), "relocalised".
 class Relocaliser {
  public:
-  /// @param capabilities of the back-end, which outlives this @throw ConfigError
-  void configure(Settings& settings, const Capabilities& capabilities);
+  /// @param capabilities of the back-end, which outlives this @param ids whether those of
+  /// observations are those of the map @throw ConfigError
+  void configure(Settings& settings, const Capabilities& capabilities, LocalLandmarks::Ids ids);
   void reset();
 
   /// The robot was put somewhere, or a map was loaded, or somebody is in doubt. A map that holds
