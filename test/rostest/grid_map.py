@@ -4,6 +4,7 @@
 """The map of the back-ends that make a grid, as map_server and costmap_2d have it: topics, services
 and files."""
 
+import copy
 import pathlib
 import subprocess
 import sys
@@ -13,15 +14,16 @@ import time
 import unittest
 
 from catkin.find_in_workspaces import find_in_workspaces
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry
-from nav_msgs.srv import GetMap
+from nav_msgs.srv import GetMap, SetMap
 from player import wait_for
 import rosbag
 import rospy
 import rostest
 from sensor_msgs.msg import LaserScan
 from slam_msgs.srv import LoadMap, SaveMap
-from std_srvs.srv import Trigger
+from std_srvs.srv import Empty, Trigger
 from tf2_msgs.msg import TFMessage
 import yaml
 
@@ -81,7 +83,8 @@ class GridMapTest(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.connected = wait_for(lambda: all(p.get_num_connections() > 0
                                              for p in cls.publishers.values()), 30)
-        for service in ("dynamic_map", "save_map", "load_map", "reset"):
+        for service in ("dynamic_map", "static_map", "set_map", "save_map", "load_map", "reset",
+                        "global_localization", "request_nomotion_update"):
             rospy.wait_for_service(service, 10)
 
     def call(self, name, kind, **request):
@@ -111,6 +114,8 @@ class GridMapTest(unittest.TestCase):
         answer = self.call("save_map", SaveMap, path=str(self.folder / "early.yaml"))
         self.assertTrue(answer.success, answer.message)
         self.assertIn("early.landmarks.yaml; there is no grid yet", answer.message)
+        with self.assertRaises(rospy.ServiceException):  # there is nothing to look in
+            self.call("global_localization", Empty)
 
     def test_2_the_service_gives_the_map_as_it_is(self):
         self.play()
@@ -160,6 +165,25 @@ class GridMapTest(unittest.TestCase):
         after = self.wait_for_map()
         self.assertGreater(sum(a >= LEAST_OCCUPIED for a in after.data),
                            0.8 * sum(b >= LEAST_OCCUPIED for b in before.data))
+
+    def test_5b_the_services_are_those_of_amcl_and_map_server(self):
+        grid = self.wait_for_map()
+        self.assertEqual(self.call("static_map", GetMap).map.data, grid.data)
+        self.call("global_localization", Empty)
+        self.call("request_nomotion_update", Empty)
+        pose = PoseWithCovarianceStamped()
+        pose.pose.pose.orientation.w = 1.0
+        pose.pose.covariance[0] = pose.pose.covariance[7] = pose.pose.covariance[35] = 0.01
+        self.assertTrue(self.call("set_map", SetMap, map=grid, initial_pose=pose).success)
+        for spoil in (lambda m: m.header.__setattr__("frame_id", "elsewhere"),
+                      lambda m: m.info.__setattr__("resolution", 0.0),
+                      lambda m: m.info.__setattr__("width", m.info.width + 1),
+                      lambda m: m.info.origin.orientation.__setattr__("z", 0.5)):
+            wrong = copy.deepcopy(grid)
+            spoil(wrong)
+            self.assertFalse(self.call("set_map", SetMap, map=wrong, initial_pose=pose).success)
+        pose.pose.covariance[0] = -1.0
+        self.assertFalse(self.call("set_map", SetMap, map=grid, initial_pose=pose).success)
 
     def test_6_a_map_is_saved_while_the_filter_runs(self):
         self.call("reset", Trigger)
