@@ -49,7 +49,8 @@ Session small() {
   scan->sensor_frame = "laser";
   scan->beams = {{0.1f, 2.0f, true}, {0.2f, 30.0f, false}};
   session.scans = {{1, session.nodes[1], scan}};
-  session.submaps.last = Session::Place{1, {session.nodes[1], {}}, session.robot.motion};
+  session.submaps.last =
+      Session::Place{1, {session.nodes[1], Eigen::Matrix3d::Zero()}, session.robot.motion};
   session.submaps.reference = Session::Place{0, {}, std::nullopt};
   session.submaps.older = Session::Submap{1, Pose2(), false, {{0, Pose2()}}, 0.0};
   return session;
