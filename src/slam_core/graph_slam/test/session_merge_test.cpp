@@ -188,24 +188,6 @@ TEST_F(DrivesPastLandmarks, OfOneTimeHaveOnePath) {
   for (std::size_t i = 1; i < both.size(); ++i) EXPECT_LT(both[i - 1].stamp, both[i].stamp);
 }
 
-/// One landmark, seen ahead and behind from one place.
-TEST(Settle, RefusesAGraphThatDoesNotComeToRest) {
-  Session session;
-  const Eigen::Matrix3d exact = 1e6 * Eigen::Matrix3d::Identity();
-  for (Session::Index node = 0; node < 2; ++node) {
-    session.nodes.emplace_back();
-    session.factors.emplace_back(Session::PosePrior{node, Pose2(), Eigen::Matrix3d::Identity()});
-    session.factors.emplace_back(Session::RangeBearing{
-        node, 0, Pose2(), {1.0, node == 0 ? 0.0 : 3.1}, 1e3 * Eigen::Matrix2d::Identity()});
-  }
-  session.factors.emplace_back(Session::Between{0, 1, Pose2(), exact});
-  Session::Landmark landmark;
-  landmark.id = 1;
-  landmark.position = {1e-3, 1e-3};
-  session.landmarks.push_back(landmark);
-  EXPECT_NE(sentenceOf([&] { settle(session); }).find("does not come to rest"), std::string::npos);
-}
-
 TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
   RoomDrive room(1), again(2);
   Drive first{true}, second{true};
