@@ -43,7 +43,7 @@ inline const Names<Event::Kind>& namesOfEvents() {
 }
 
 /// The capability of a back-end that knows more of what happened than its pose shows. Jumps are
-/// found without it, and `lost` and `found` come from the LostReporter.
+/// found without it, and `lost` and `found` come from the Estimator.
 class EventReporter {
  public:
   virtual ~EventReporter() = default;

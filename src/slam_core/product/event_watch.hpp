@@ -23,7 +23,7 @@ struct EventsConfig {
 };
 
 /// Tells what of a step others should know, for every back-end alike: jumps from the pose and the
-/// motion, `lost` and `found` from the LostReporter, the rest from the EventReporter. What moves
+/// motion, `lost` and `found` from the report, the rest from the EventReporter. What moves
 /// the pose by no more than the limits of the configuration is no event, unless the robot was put
 /// there.
 class EventWatch {

@@ -28,7 +28,7 @@ struct StepReport {
   std::string odometry_frame, base_frame;
   bool has_motion = true;       ///< else nobody knows where the odometry has the robot
   UpdateStatistics statistics;  ///< of back-ends that map landmarks
-  std::optional<bool> is_lost;  ///< of back-ends that test it
+  std::optional<bool> is_lost;  ///< by the back-end's own test or the relocaliser's
   bool restarted = false;       ///< time began anew with this step
   bool is_relocated = false;    ///< the robot was put somewhere or a map loaded since the last step
   std::vector<Event> events;    ///< what others should know of it, in order
