@@ -51,7 +51,6 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
 
 void Relocaliser::reset() {
   assume(Belief::kSure);
-  forgetSurroundings();
   counters_.clear();
 }
 
@@ -60,7 +59,7 @@ void Relocaliser::assume(Belief belief) {
   belief_ = belief;
   gating_ = GatingRate(kWindow);
   is_lost_by_scans_ = is_ambiguous_ = false;
-  if (belief == Belief::kLost || belief == Belief::kAnywhere) forgetSurroundings();
+  forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin();
   if (!can_search) belief_ = Belief::kSure;
 }
@@ -95,19 +94,19 @@ void Relocaliser::end() {
 }
 
 void Relocaliser::predict(const Motion& motion) {
-  landmarks_.move(motion);
-  if (grid_) grid_->move(motion);
+  if (searches_landmarks_) landmarks_.move(motion);
+  if (searches_grid_) grid_->move(motion);
 }
 
 bool Relocaliser::see(const LandmarkObservationArray& array) {
-  landmarks_.see(array);
+  if (searches_landmarks_) landmarks_.see(array);
   if (!searches_landmarks_ || is_lost_by_scans_) return true;
   counters_.add("withheld", array.observations.size());
   return false;
 }
 
 bool Relocaliser::see(const LaserScan& scan) {
-  if (grid_ && config_.enabled) grid_->see(scan);
+  if (searches_grid_) grid_->see(scan);
   return belief_ != Belief::kAnywhere;
 }
 
