@@ -128,7 +128,7 @@ Status Estimator::set(const MapState& map) {
   events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
-  relocaliser_.assume(Belief::kUnconfirmed);
+  relocaliser_.assume(Belief::kUnconfirmed, &map);
   return status;
 }
 

@@ -4,6 +4,7 @@
 #include "slam_core/relocalisation/grid_recogniser.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,6 +44,11 @@ void GridRecogniser::forget() {
   first_.reset();
   searched_ = 0.0;
   has_news_ = false;
+}
+
+bool GridRecogniser::canSearch(const OccupancyGrid& grid) {
+  constexpr double kLargestEdge = 500.0;  // [m]; beyond, PlaceSearch has no memory for its rasters
+  return !grid.cells.empty() && grid.resolution * std::max(grid.width, grid.height) <= kLargestEdge;
 }
 
 void GridRecogniser::begin(const OccupancyGrid& grid) {

@@ -26,7 +26,9 @@ class GridRecogniser {
   void see(const LaserScan& scan);
   void forget();
 
-  /// From now on the robot is looked for in this grid, which has cells.
+  /// Whether the grid has cells, and no more than can be searched as a whole.
+  static bool canSearch(const OccupancyGrid& grid);
+  /// From now on the robot is looked for in this grid, which can be searched.
   void begin(const OccupancyGrid& grid);
   void end() { map_.reset(); }
   /// The next find() searches, whether the robot has moved or not.

@@ -20,13 +20,10 @@ const SectionRegistrar<RelocalisationConfig> kSectionRegistrar;
 
 /// Whether a place that was found is the one that the back-end has.
 bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
-  constexpr double kPoseGate = 16.27;                           // three degrees of freedom, 0.999
-  constexpr double kSlackPosition = 0.1, kSlackHeading = 0.05;  // [m], [rad]
+  constexpr double kPoseGate = 16.27;  // three degrees of freedom, 0.999
   Eigen::Vector3d e = found.pose.vector() - believed.pose.vector();
   e.z() = wrapAngle(e.z());
-  Eigen::Matrix3d S = found.covariance + believed.covariance;
-  const Eigen::Vector3d slack(kSlackPosition, kSlackPosition, kSlackHeading);
-  S.diagonal() += slack.cwiseAbs2();
+  const Eigen::Matrix3d S = found.covariance + believed.covariance;
   return e.dot(S.llt().solve(e)) <= kPoseGate;
 }
 
@@ -54,13 +51,13 @@ void Relocaliser::reset() {
   counters_.clear();
 }
 
-void Relocaliser::assume(Belief belief) {
+void Relocaliser::assume(Belief belief, const MapState* loaded) {
   end();
   belief_ = belief;
   gating_ = GatingRate(kWindow);
   is_lost_by_scans_ = is_ambiguous_ = false;
   forgetSurroundings();
-  const bool can_search = config_.enabled && belief != Belief::kSure && begin();
+  const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
   if (!can_search) belief_ = Belief::kSure;
 }
 
@@ -75,15 +72,18 @@ void Relocaliser::searchAnyway() {
 }
 
 /// @return whether there is a map in which a place can be recognised
-bool Relocaliser::begin() {
+bool Relocaliser::begin(const MapState* loaded) {
   constexpr std::size_t kLeastLandmarks = 2;
-  const auto* mapper = capabilities_.find<LandmarkMapper>();
-  auto map = mapper != nullptr ? mapper->landmarks() : LandmarkMap();
-  searches_landmarks_ = map.size() >= kLeastLandmarks;
-  if (searches_landmarks_) landmarks_.begin(std::move(map));
-  const auto grid = grid_ ? capabilities_.find<GridMapper>()->grid() : std::nullopt;
-  searches_grid_ = grid && !grid->cells.empty();
-  if (searches_grid_) grid_->begin(*grid);
+  if (const auto* mapper = capabilities_.find<LandmarkMapper>()) {
+    auto map = loaded != nullptr ? loaded->landmarks : mapper->landmarks();
+    searches_landmarks_ = map.size() >= kLeastLandmarks;
+    if (searches_landmarks_) landmarks_.begin(std::move(map));
+  }
+  if (grid_) {
+    const auto grid = loaded != nullptr ? loaded->grid : capabilities_.find<GridMapper>()->grid();
+    searches_grid_ = grid && GridRecogniser::canSearch(*grid);
+    if (searches_grid_) grid_->begin(*grid);
+  }
   return searches_landmarks_ || searches_grid_;
 }
 

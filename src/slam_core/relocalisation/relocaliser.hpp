@@ -39,7 +39,8 @@ class Relocaliser {
 
   /// The robot was put somewhere, or a map was loaded, or somebody is in doubt. A map that holds
   /// nothing to recognise a place by leaves the pose believed.
-  void assume(Belief belief);
+  /// @param loaded the map that the back-end was just given, to save asking it for a copy
+  void assume(Belief belief, const MapState* loaded = nullptr);
   /// The grid is searched with the next scan, also where the robot stands still.
   void searchAnyway();
 
@@ -61,7 +62,7 @@ class Relocaliser {
  private:
   void watch();
   bool isLostByScans() const;
-  bool begin();
+  bool begin(const MapState* loaded);
   void end();
   void forgetSurroundings();
   std::optional<PoseEstimate> settle(const Recognition& found, const PoseEstimate& believed);

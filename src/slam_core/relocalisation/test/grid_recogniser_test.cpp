@@ -85,6 +85,17 @@ TEST_F(GridRecogniserTest, DoesNotChooseBetweenTwoRoomsThatAreAlike) {
   EXPECT_GT(searches, 5);
 }
 
+TEST(GridRecogniserLimits, SearchNeitherAnEmptyNorAnEndlessGrid) {
+  OccupancyGrid grid;
+  grid.resolution = 1.0;
+  EXPECT_FALSE(GridRecogniser::canSearch(grid));
+  grid.width = grid.height = 400;
+  grid.cells.assign(400 * 400, 0);
+  EXPECT_TRUE(GridRecogniser::canSearch(grid));
+  grid.resolution = 2.0;
+  EXPECT_FALSE(GridRecogniser::canSearch(grid));
+}
+
 TEST_F(GridRecogniserTest, FindsNothingInTheMapOfAnotherPlace) {
   OccupancyGrid empty;
   empty.resolution = config.resolution;
