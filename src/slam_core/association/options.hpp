@@ -30,7 +30,7 @@ class Options {
               double ring);
 
   std::size_t size() const { return of_.size(); }
-  /// Of an observation, the most likely one first.
+  /// @return the options of an observation, the most likely one first
   const std::vector<Option>& of(std::size_t observation) const { return of_[observation]; }
   /// What an observation is that is taken for none of its options: new, far from all that is known,
   /// or clutter.

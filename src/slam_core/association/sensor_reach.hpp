@@ -16,7 +16,7 @@ class SensorReach {
   void see(const LandmarkObservationArray& array);
   /// @param place in the sensor's frame [m]
   bool covers(const Eigen::Vector2d& place) const;
-  /// Of all that is covered, 1 m^2 at least.
+  /// @return the area of all that is covered, 1 m^2 at least [m^2]
   double area() const;
 
  private:

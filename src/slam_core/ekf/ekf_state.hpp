@@ -46,9 +46,9 @@ class EkfState {
            double inflation);
 
   const Pose2& robot() const { return robot_; }
-  /// How many there are, retired ones included: their numbers are below.
+  /// @return the number of landmarks, retired ones included; each has a number below it
   std::size_t landmarks() const { return ids_.size(); }
-  /// How many are in the map.
+  /// @return the number of landmarks in the map
   std::size_t inMap() const { return index_.size(); }
   /// The number of the landmark with this id.
   std::optional<std::size_t> find(LandmarkId id) const;

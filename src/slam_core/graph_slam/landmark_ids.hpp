@@ -34,7 +34,7 @@ class LandmarkIds {
   /// A landmark is not found any more, nor in order(); neither its number nor its id is given
   /// again.
   void retire(LandmarkId id) { number_.erase(id); }
-  /// How many are not retired.
+  /// @return the number of landmarks that are not retired
   std::size_t inMap() const { return number_.size(); }
   /// The numbers sorted by id.
   std::vector<std::size_t> order() const {

@@ -67,7 +67,7 @@ class Estimator final : public Component {
   const Capabilities& capabilities() const { return capabilities_; }
   /// The monitor of the last updates. A step's status tells when a source begins to look too sure.
   const ConsistencyMonitor& consistency() const { return consistency_; }
-  /// How much the pose is believed; to look for the robot in the whole map.
+  /// The relocaliser tells how much the pose is believed, and can be asked to look for the robot.
   friend relocalisation::Relocaliser& relocaliserOf(Estimator& estimator) {
     return estimator.relocaliser_;
   }

@@ -33,8 +33,8 @@ class GridRecogniser {
   void end() { map_.reset(); }
   /// The next find() searches, whether the robot has moved or not.
   void searchAnyway() { is_due_ = true; }
-  /// Nothing where the robot has not moved far enough since the last search, which takes some
-  /// hundredths of a second. To be called between begin() and end().
+  /// To be called between begin() and end(). A search takes some hundredths of a second.
+  /// @return nothing where the robot has not moved far enough since the last search
   std::optional<Recognition> find();
   /// Radius of a circle that holds the grid [m]; 0 where there is none to search.
   double radius() const { return map_ ? 0.5 * box_.diagonal().norm() : 0.0; }

@@ -28,8 +28,8 @@ class LandmarkRecogniser {
   /// From now on the robot is looked for in this map.
   void begin(LandmarkMap map);
   void end() { search_.reset(); }
-  /// Nothing where nothing new was seen since the last call. To be called between begin() and
-  /// end().
+  /// To be called between begin() and end().
+  /// @return nothing where no landmark was seen since the last call
   std::optional<Recognition> find(Stamp stamp);
   /// Radius of a circle that holds the map [m]; 0 where there is none to search.
   double radius() const { return search_ ? search_->evidence().radius() : 0.0; }

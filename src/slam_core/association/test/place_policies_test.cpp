@@ -30,7 +30,7 @@ class PlacePolicyTest : public testing::TestWithParam<const char*> {
   void see(const Eigen::Vector2d& place, const Pose2& robot = Pose2()) {
     array.observations.push_back(observationOf(place, robot));
   }
-  /// How many observations of the first landmarks in their order are taken for others.
+  /// Observation i is of landmark i. @return the number of those that are taken for others
   int wrongOnes() const {
     int wrong = 0;
     for (std::size_t i = 0; i < decisions.size(); ++i)
