@@ -34,7 +34,7 @@ void describeSegments(LaserTrunksConfig& config, Fields& fields) {
       .unit("m")
       .in(Range::above(0));
   fields.add("min_points", &config.min_points, "fewer beams than that on one thing are no trunk")
-      .in(Range::closed(2, 1000));
+      .in(Range::closed(1, 1000));
 }
 
 void describeTrunks(LaserTrunksConfig& config, Fields& fields) {

@@ -12,11 +12,11 @@ struct LaserTrunksConfig {
 
   double sigma_range = 0.05;
   double sigma_bearing = 0.003;
-  double max_range = 40.0;
+  double max_range = 70.0;
   double max_jump = 0.4;
   double min_diameter = 0.05;
   double max_diameter = 1.5;
-  int min_points = 3;
+  int min_points = 1;
   double max_misfit = 3.3;
 
   void describe(Fields& fields);
