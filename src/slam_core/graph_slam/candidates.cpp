@@ -5,51 +5,55 @@
 
 #include <cmath>
 
-#include "slam_core/graph_slam/prediction.hpp"
-
 namespace slam::graph_slam {
 
-/// Robot and landmark may both be in doubt: relative to one another no more than both together.
 PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph,
                                  double gate)
-    : IdCandidates(graph), array_(array), near_(array.observations.size()) {
+    : IdCandidates(graph) {
+  findNear(array, gate);
+  prediction_.emplace(graph, array.sensor_pose, matches_);
+}
+
+/// Robot and landmark may both be in doubt: relative to one another no more than both together.
+void PlaceCandidates::findNear(const LandmarkObservationArray& array, double gate) {
   const RangeBearingModel model;
-  const auto robot = graph.robot();
-  const auto map = graph.map();
-  for (std::size_t i = 0; i < near_.size(); ++i) {
-    const auto& z = array.observations[i];
+  const auto robot = graph_.robot();
+  const auto map = graph_.map();
+  const auto order = graph_.ids().order();
+  for (const auto& z : array.observations) {
+    first_.push_back(matches_.size());
     ObservationModel::Jacobian23 J_robot;
     Eigen::Matrix2d J_z;
     const Eigen::Vector2d place =
         model.invert(robot.pose, array.sensor_pose, z.vector(), &J_robot, &J_z);
     const double variance = (J_robot * robot.covariance * J_robot.transpose()).trace() +
                             (J_z * z.covariance * J_z.transpose()).trace();
-    for (const auto& landmark : map) {
-      const double sigma = std::sqrt(variance) + std::sqrt(landmark.covariance.trace());
-      if ((landmark.position - place).squaredNorm() <= gate * sigma * sigma)
-        near_[i].push_back(*graph.ids().find(landmark.id));
+    for (std::size_t k = 0; k < map.size(); ++k) {
+      const double sigma = std::sqrt(variance) + std::sqrt(map[k].covariance.trace());
+      if ((map[k].position - place).squaredNorm() <= gate * sigma * sigma)
+        matches_.push_back({order[k], z});
     }
   }
+  first_.push_back(matches_.size());
 }
 
 void PlaceCandidates::candidates(std::size_t observation,
                                  std::vector<association::Candidate>& candidates) const {
-  std::vector<Match> matches;
-  for (const auto landmark : near_[observation])
-    matches.push_back({landmark, array_.observations[observation]});
-  const Prediction prediction(graph_, array_.sensor_pose, matches);
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    if (!prediction.isSingular(i))
+  for (auto i = first_[observation]; i < first_[observation + 1]; ++i)
+    if (!prediction_->isSingular(i))
       candidates.push_back(
-          {matches[i].landmark, prediction.innovation(i), prediction.covariance(i)});
+          {matches_[i].landmark, prediction_->innovation(i), prediction_->covariance(i)});
+}
+
+std::size_t PlaceCandidates::matchOf(const association::Pairing& pairing) const {
+  auto match = first_[pairing.observation];
+  while (matches_[match].landmark != pairing.landmark) ++match;
+  return match;
 }
 
 Eigen::Matrix2d PlaceCandidates::crossCovariance(const association::Pairing& first,
                                                  const association::Pairing& second) const {
-  const std::vector<Match> both = {match(first), match(second)};
-  const Prediction prediction(graph_, array_.sensor_pose, both);
-  if (prediction.isSingular(0) || prediction.isSingular(1)) return Eigen::Matrix2d::Zero();
-  return prediction.crossCovariance(0, 1);
+  return prediction_->crossCovariance(matchOf(first), matchOf(second));
 }
 
 }  // namespace slam::graph_slam

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/graph_slam/prediction.hpp"
 
 namespace slam::graph_slam {
 
@@ -36,12 +38,14 @@ class PlaceCandidates final : public IdCandidates {
                                   const association::Pairing& second) const override;
 
  private:
-  Match match(const association::Pairing& pairing) const {
-    return {pairing.landmark, array_.observations[pairing.observation]};
-  }
+  void findNear(const LandmarkObservationArray& array, double gate);
+  std::size_t matchOf(const association::Pairing& pairing) const;
 
-  const LandmarkObservationArray& array_;
-  std::vector<std::vector<std::size_t>> near_;  ///< landmarks, by observation
+  /// Each observation with each landmark near it, by observation; those of observation i begin at
+  /// first_[i].
+  std::vector<Match> matches_;
+  std::vector<std::size_t> first_;
+  std::optional<Prediction> prediction_;  ///< of all matches at once: the graph is solved once
 };
 
 }  // namespace slam::graph_slam

@@ -24,21 +24,21 @@ Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
     points_.push_back(graph.point(match.landmark));
   }
   P_ = graph.covariance(landmarks);
-  const auto size = row(matches.size());
-  nu_ = Eigen::VectorXd::Zero(size);
-  H_ = Eigen::MatrixXd::Zero(size, P_.rows());
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const RangeBearingModel model;
     is_singular_.push_back(model.isSingular(model.predict(robot_, sensor_, points_[i])) ? 1 : 0);
-    if (isSingular(i)) continue;
-    const auto linear = linearized(i, Eigen::Matrix<double, 5, 1>::Zero());
-    nu_.segment<2>(row(i)) = linear.nu;
-    H_.block<2, 3>(row(i), 0) = linear.H.leftCols<3>();
-    H_.block<2, 2>(row(i), rows_[i]) = linear.H.rightCols<2>();
+    linear_.push_back(isSingular(i) ? Linear()
+                                    : linearized(i, Eigen::Matrix<double, 5, 1>::Zero()));
   }
-  S_ = H_ * P_ * H_.transpose();
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    S_.block<2, 2>(row(i), row(i)) += matches[i].z.covariance;
+}
+
+Eigen::Matrix2d Prediction::crossCovariance(std::size_t a, const Jacobian& H_a, std::size_t b,
+                                            const Jacobian& H_b) const {
+  const auto l_a = rows_[a], l_b = rows_[b];
+  Eigen::Matrix<double, 5, 5> P;  // of robot and landmark a with robot and landmark b
+  P << P_.topLeftCorner<3, 3>(), P_.block<3, 2>(0, l_b), P_.block<2, 3>(l_a, 0),
+      P_.block<2, 2>(l_a, l_b);
+  return H_a * P * H_b.transpose();
 }
 
 /// Where the landmark lies in the robot's frame after a correction. Robot and landmark are moved by
@@ -46,12 +46,12 @@ Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
 /// heading that both have in common turns both, and does not change how one looks from the other.
 Eigen::Vector2d Prediction::placeInRobot(std::size_t match,
                                          const Eigen::Matrix<double, 5, 1>& correction,
-                                         Eigen::Matrix<double, 2, 5>& J) const {
+                                         Jacobian& J) const {
   constexpr double kSmall = 1e-6;
   const double omega = correction(2);
   const Eigen::Vector2d before = robot_.inverse().transform(points_[match]);
   const Eigen::Vector2d sideways(-before.y(), before.x());
-  Eigen::Matrix<double, 2, 5> J_u;  // of the displacement to first order
+  Jacobian J_u;  // of the displacement to first order
   J_u << -Eigen::Matrix2d::Identity(), -sideways, robot_.rotation().transpose();
   const Eigen::Vector2d u = J_u * correction;
   Eigen::Matrix2d V, V_omega;  // the mean of the rotations on the way, its derivative
@@ -69,7 +69,7 @@ Eigen::Vector2d Prediction::placeInRobot(std::size_t match,
 Prediction::Linear Prediction::linearized(std::size_t match,
                                           const Eigen::Matrix<double, 5, 1>& correction) const {
   const RangeBearingModel model;
-  Eigen::Matrix<double, 2, 5> J_place;
+  Jacobian J_place;
   const auto place = placeInRobot(match, correction, J_place);
   Eigen::Matrix2d J_z;
   const auto z = model.predict(Pose2(), sensor_, place, nullptr, &J_z);
@@ -99,53 +99,78 @@ double Prediction::nis(std::size_t match, int linearizations) const {
   return nis;
 }
 
-Prediction::Joint Prediction::linearized(const std::vector<std::size_t>& used,
+Prediction::Joint Prediction::linearized(const Used& used,
                                          const Eigen::VectorXd& correction) const {
-  const auto size = row(used.size());
-  Joint joint{Eigen::VectorXd(size),
-              Eigen::MatrixXd::Zero(size, P_.rows()),
-              Eigen::MatrixXd::Zero(size, size),
-              {},
-              {}};
+  Joint joint;
+  joint.nu.resize(row(used.size()));
   for (std::size_t i = 0; i < used.size(); ++i) {
-    const auto landmark = rows_[used[i]];
     Eigen::Matrix<double, 5, 1> of_match;
-    of_match << correction.head<3>(), correction.segment<2>(landmark);
+    of_match << correction.head<3>(), correction.segment<2>(rows_[used[i]]);
     const auto linear = linearized(used[i], of_match);
     joint.nu.segment<2>(row(i)) = linear.nu;
-    joint.H.block<2, 3>(row(i), 0) = linear.H.leftCols<3>();
-    joint.H.block<2, 2>(row(i), landmark) = linear.H.rightCols<2>();
-    joint.R.block<2, 2>(row(i), row(i)) = matches_[used[i]].z.covariance;
+    joint.H.push_back(linear.H);
   }
   return joint;
 }
 
-bool Prediction::solve(Joint& joint) const {
-  joint.S = joint.H * P_ * joint.H.transpose() + joint.R;
+bool Prediction::solve(const Used& used, Joint& joint) const {
+  joint.S.resize(joint.nu.size(), joint.nu.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      joint.S.block<2, 2>(row(i), row(j)) =
+          crossCovariance(used[i], joint.H[i], used[j], joint.H[j]);
+    joint.S.block<2, 2>(row(i), row(i)) =
+        crossCovariance(used[i], joint.H[i], used[i], joint.H[i]) + matches_[used[i]].z.covariance;
+  }
+  joint.S.triangularView<Eigen::StrictlyUpper>() = joint.S.transpose();
   joint.L.compute(joint.S);
   return joint.L.info() == Eigen::Success && joint.nu.allFinite();
 }
 
+/// P H^T S^-1 nu.
+Eigen::VectorXd Prediction::correctionOf(const Used& used, const Joint& joint) const {
+  const Eigen::VectorXd weighed = joint.L.solve(joint.nu);
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(P_.rows());  // H^T S^-1 nu
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const Eigen::Matrix<double, 5, 1> part = joint.H[i].transpose() * weighed.segment<2>(row(i));
+    pull.head<3>() += part.head<3>();
+    pull.segment<2>(rows_[used[i]]) += part.tail<2>();
+  }
+  return P_ * pull;
+}
+
+/// By how much a linearisation differs from the one before at the correction that it led to: the
+/// mean square, in sigmas of the observations.
+double Prediction::curvature(const Used& used, const Joint& joint, const Joint& next,
+                             const Eigen::VectorXd& correction) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    Eigen::Matrix<double, 5, 1> of_match;
+    of_match << correction.head<3>(), correction.segment<2>(rows_[used[i]]);
+    const Eigen::Vector2d off = next.nu.segment<2>(row(i)) - joint.nu.segment<2>(row(i)) -
+                                (next.H[i] - joint.H[i]) * of_match;
+    sum += off.cwiseAbs2().cwiseQuotient(matches_[used[i]].z.covariance.diagonal()).sum();
+  }
+  return sum / static_cast<double>(joint.nu.size());
+}
+
 /// Linearised again where the correction leads, until what is predicted there is what the last
 /// linearisation said, to a hundredth of a sigma in the mean.
-Prediction::Joint Prediction::iterated(const std::vector<std::size_t>& used, Joint joint) const {
+Prediction::Joint Prediction::iterated(const Used& used, Joint joint) const {
   constexpr int kLinearizations = 5;
   constexpr double kLinear = 0.01;
   for (int i = 1; i < kLinearizations; ++i) {
-    const Eigen::VectorXd correction = P_ * joint.H.transpose() * joint.L.solve(joint.nu);
+    const auto correction = correctionOf(used, joint);
     auto next = linearized(used, correction);
-    const Eigen::VectorXd off = next.nu - joint.nu - (next.H - joint.H) * correction;
-    const double squared = off.cwiseAbs2().cwiseQuotient(joint.R.diagonal()).mean();
-    if (squared < kLinear * kLinear || !solve(next)) break;
+    if (curvature(used, joint, next, correction) < kLinear * kLinear || !solve(used, next)) break;
     joint = std::move(next);
   }
   return joint;
 }
 
-bool Prediction::summarize(const std::vector<std::size_t>& used,
-                           UpdateStatistics& statistics) const {
+bool Prediction::summarize(const Used& used, UpdateStatistics& statistics) const {
   auto first = linearized(used, Eigen::VectorXd::Zero(P_.rows()));
-  if (!solve(first)) return false;
+  if (!solve(used, first)) return false;
   const auto joint = iterated(used, std::move(first));
   const double log_root = joint.L.matrixLLT().diagonal().array().log().sum();
   const auto size = row(used.size());
@@ -154,11 +179,21 @@ bool Prediction::summarize(const std::vector<std::size_t>& used,
   statistics.used = static_cast<int>(used.size());
   statistics.log_likelihood -=
       0.5 * (statistics.nis + double(size) * std::log(2.0 * M_PI)) + log_root;
-  const auto told = row(std::min(used.size(), UpdateStatistics::kJoint));
-  statistics.joint = {joint.nu.head(told), joint.S.topLeftCorner(told, told),
-                      joint.R.topLeftCorner(told, told),
-                      joint.H.topLeftCorner(told, 3) * robot_.twistJacobian().transpose()};
+  statistics.joint = tellable(used, joint);
   return true;
+}
+
+/// The first matches, with H by the pose.
+JointInnovation Prediction::tellable(const Used& used, const Joint& joint) const {
+  const auto count = std::min(used.size(), UpdateStatistics::kJoint);
+  const auto size = row(count);
+  JointInnovation told{joint.nu.head(size), joint.S.topLeftCorner(size, size),
+                       Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd(size, 3)};
+  for (std::size_t i = 0; i < count; ++i) {
+    told.R.block<2, 2>(row(i), row(i)) = matches_[used[i]].z.covariance;
+    told.H.middleRows<2>(row(i)) = joint.H[i].leftCols<3>() * robot_.twistJacobian().transpose();
+  }
+  return told;
 }
 
 }  // namespace slam::graph_slam

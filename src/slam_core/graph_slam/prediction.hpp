@@ -21,12 +21,13 @@ class Prediction {
 
   /// Whether the landmark lies in the sensor, so that the prediction of this match means nothing.
   bool isSingular(std::size_t match) const { return is_singular_[match] != 0; }
-  Eigen::Vector2d innovation(std::size_t match) const { return nu_.segment<2>(row(match)); }
+  Eigen::Vector2d innovation(std::size_t match) const { return linear_[match].nu; }
   Eigen::Matrix2d covariance(std::size_t match) const {
-    return S_.block<2, 2>(row(match), row(match));
+    return crossCovariance(match, match) + matches_[match].z.covariance;
   }
+  /// Of what robot and landmarks tell of two predictions, without noise of the observations.
   Eigen::Matrix2d crossCovariance(std::size_t a, std::size_t b) const {
-    return S_.block<2, 2>(row(a), row(b));
+    return crossCovariance(a, linear_[a].H, b, linear_[b].H);
   }
   /// The normalised innovation squared of a match. Where it is linearised again at the robot and
   /// landmark that explain the observation best (Bell and Cathey 1993): what remains of it.
@@ -37,33 +38,42 @@ class Prediction {
   bool summarize(const std::vector<std::size_t>& used, UpdateStatistics& statistics) const;
 
  private:
+  using Jacobian = Eigen::Matrix<double, 2, 5>;  ///< by a twist of the robot and the landmark
+
   static Eigen::Index row(std::size_t match) { return 2 * static_cast<Eigen::Index>(match); }
   struct Linear {
-    Eigen::Vector2d nu;
-    Eigen::Matrix<double, 2, 5> H;  ///< by a twist of the robot and the landmark
+    Eigen::Vector2d nu = Eigen::Vector2d::Zero();
+    Jacobian H = Jacobian::Zero();
   };
   Eigen::Vector2d placeInRobot(std::size_t match, const Eigen::Matrix<double, 5, 1>& correction,
-                               Eigen::Matrix<double, 2, 5>& J) const;
+                               Jacobian& J) const;
   Linear linearized(std::size_t match, const Eigen::Matrix<double, 5, 1>& correction) const;
+  Eigen::Matrix2d crossCovariance(std::size_t a, const Jacobian& H_a, std::size_t b,
+                                  const Jacobian& H_b) const;
 
   /// Some matches together.
   struct Joint {
     Eigen::VectorXd nu;
-    Eigen::MatrixXd H, R, S;  ///< H by the rows of P
+    std::vector<Jacobian> H;  ///< by match
+    Eigen::MatrixXd S;
     Eigen::LLT<Eigen::MatrixXd> L;
   };
-  Joint linearized(const std::vector<std::size_t>& used, const Eigen::VectorXd& correction) const;
-  bool solve(Joint& joint) const;
-  Joint iterated(const std::vector<std::size_t>& used, Joint joint) const;
+  using Used = std::vector<std::size_t>;
+  Joint linearized(const Used& used, const Eigen::VectorXd& correction) const;
+  bool solve(const Used& used, Joint& joint) const;
+  Eigen::VectorXd correctionOf(const Used& used, const Joint& joint) const;
+  double curvature(const Used& used, const Joint& joint, const Joint& next,
+                   const Eigen::VectorXd& correction) const;
+  Joint iterated(const Used& used, Joint joint) const;
+  JointInnovation tellable(const Used& used, const Joint& joint) const;
 
   Pose2 robot_, sensor_;
   const std::vector<Match>& matches_;
   std::vector<Eigen::Vector2d> points_;  ///< by match
   std::vector<Eigen::Index> rows_;       ///< of each match's landmark in P
   std::vector<char> is_singular_;
-  Eigen::MatrixXd P_;  ///< of the robot, as a twist, and the landmarks
-  Eigen::VectorXd nu_;
-  Eigen::MatrixXd H_, S_;
+  std::vector<Linear> linear_;  ///< by match; zero where it is singular
+  Eigen::MatrixXd P_;           ///< of the robot, as a twist, and the landmarks
 };
 
 }  // namespace slam::graph_slam
