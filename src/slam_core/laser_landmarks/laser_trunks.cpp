@@ -17,6 +17,8 @@ const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
 
 /// The width in beams tells the diameter roughly: what is so much thicker or thinner is not fitted.
 constexpr double kRoughly = 1.5;
+/// Of the spacing of beams: what a trunk's edges err by in the same sense for many scans.
+constexpr double kAlike = 0.7;
 
 LandmarkObservationArray emptyArray(const LaserScan& scan, std::uint64_t sequence) {
   LandmarkObservationArray array;
@@ -25,6 +27,15 @@ LandmarkObservationArray emptyArray(const LaserScan& scan, std::uint64_t sequenc
   array.sensor_frame = scan.sensor_frame;
   array.sensor_pose = scan.sensor_pose;
   return array;
+}
+
+/// A filter takes the errors of scans for independent. Those of edges that lie between two beams
+/// are not while a trunk's direction changes slowly: they stay as they are until it has passed a
+/// beam, and a trunk that is narrower than a beam always looks too thick. Trunks of few beams are
+/// far ones.
+Eigen::Matrix2d alikeBetweenScans(double range, double spacing, std::size_t beams) {
+  const double variance = kAlike * spacing * kAlike * spacing / static_cast<double>(beams);
+  return Eigen::Vector2d(range * range * variance, variance).asDiagonal();
 }
 
 double nearestOf(const ScanSegment& segment) {
@@ -63,7 +74,7 @@ Status LaserTrunks::execute() {
   if (!scan) return Status::ok();
   observations_ = emptyArray(*scan, next_sequence_++);
   const BeamNoise noise{config_.sigma_range, scan->relative_sigma, config_.sigma_bearing};
-  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump);
+  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump, noise.relative_sigma);
   for (const auto& segment : segments)
     if (nearestOf(segment) <= config_.max_range) observe(segment, spacing, noise);
   return Status::ok();
@@ -78,6 +89,7 @@ void LaserTrunks::observe(const ScanSegment& segment, double spacing, const Beam
   }
   if (!rejection.empty()) return counters_.add(rejection);
   LandmarkObservation observation{kUnknownId, trunk->range, trunk->bearing, trunk->covariance};
+  observation.covariance += alikeBetweenScans(trunk->range, spacing, segment.beams.size());
   if (faultOf(observation).empty())
     observations_->observations.push_back(observation);
   else

@@ -28,9 +28,8 @@ void describeSegments(LaserTrunksConfig& config, Fields& fields) {
       .ofRobot();
   fields
       .add("max_jump", &config.max_jump,
-           "beams side by side whose ranges differ by more end on different things; below eight "
-           "times "
-           "the noise of a range it cuts edges off")
+           "beams side by side whose ranges differ by more, and by more than the noise of "
+           "laser.relative_sigma explains, end on different things")
       .unit("m")
       .in(Range::above(0));
   fields.add("min_points", &config.min_points, "fewer beams than that on one thing are no trunk")

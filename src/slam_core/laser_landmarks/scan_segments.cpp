@@ -10,7 +10,8 @@
 namespace slam::laser_landmarks {
 namespace {
 
-constexpr double kGap = 1.5;  // of the spacing: a beam is missing
+constexpr double kGap = 1.5;     // of the spacing: a beam is missing
+constexpr double kSigmas = 5.0;  // by which two ranges of one thing differ at most
 
 using Beams = std::vector<LaserBeam>;
 
@@ -42,7 +43,9 @@ ScanSegment segmentAt(const Beams& beams, std::size_t begin, std::size_t end, do
 
 }  // namespace
 
-ScanSegments segmentsOf(const std::vector<LaserBeam>& sweep, double max_jump) {
+ScanSegments segmentsOf(const std::vector<LaserBeam>& sweep, double max_jump,
+                        double relative_sigma) {
+  const double relative_jump = kSigmas * std::sqrt(2.0) * relative_sigma;
   Beams beams = sweep;
   if (beams.size() > 1 && beams.back().bearing < beams.front().bearing)
     std::reverse(beams.begin(), beams.end());
@@ -52,7 +55,8 @@ ScanSegments segmentsOf(const std::vector<LaserBeam>& sweep, double max_jump) {
     std::size_t end = begin + 1;
     while (beams[begin].hit && end < beams.size() && beams[end].hit &&
            areSideBySide(beams[end - 1], beams[end], found.spacing) &&
-           std::abs(beams[end].range - beams[end - 1].range) <= max_jump)
+           std::abs(beams[end].range - beams[end - 1].range) <=
+               max_jump + relative_jump * beams[end].range)
       ++end;
     if (beams[begin].hit) found.segments.push_back(segmentAt(beams, begin, end, found.spacing));
     begin = end;

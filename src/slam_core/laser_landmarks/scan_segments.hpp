@@ -28,8 +28,11 @@ struct ScanSegments {
   double spacing = 0.0;               ///< between two beams of the sweep [rad]
 };
 
-/// Cuts a scan where ranges jump by more than `max_jump` [m], where a beam met nothing and where
-/// one is missing. Beams are in the order of the sweep, of either sense.
-ScanSegments segmentsOf(const std::vector<LaserBeam>& beams, double max_jump);
+/// Cuts a scan where ranges jump by more than `max_jump` [m] and what their noise explains, where a
+/// beam met nothing and where one is missing. A thing that noise cuts would have false edges.
+/// @param beams in the order of the sweep, of either sense
+/// @param relative_sigma standard deviation of a range, relative to it [1]
+ScanSegments segmentsOf(const std::vector<LaserBeam>& beams, double max_jump,
+                        double relative_sigma);
 
 }  // namespace slam::laser_landmarks

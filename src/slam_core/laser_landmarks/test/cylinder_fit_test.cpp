@@ -23,7 +23,7 @@ Tree treeAt(double range, double bearing, double radius) {
 }
 
 std::optional<Cylinder> seen(const Tree& tree, const TreeLaser& laser, RandomStream& random) {
-  const auto found = segmentsOf(scanOfTrees({tree}, Pose2(), laser, random).beams, 0.6);
+  const auto found = segmentsOf(scanOfTrees({tree}, Pose2(), laser, random).beams, 0.6, 0.0);
   if (found.segments.size() != 1) return std::nullopt;
   return fitCylinder(found.segments[0].beams, found.spacing,
                      {std::max(laser.sigma_range, 1e-3), 0.0, laser.sigma_bearing});
@@ -44,7 +44,7 @@ TEST(CylinderFit, FindsTheAxisOfACylinder) {
 TEST(CylinderFit, TheWidthTellsTheRadiusOfManyBeams) {
   RandomStream random(1, 0);
   const auto scan = scanOfTrees({treeAt(3.0, 0.0, 0.5)}, Pose2(), TreeLaser(), random);
-  const auto found = segmentsOf(scan.beams, 0.6);
+  const auto found = segmentsOf(scan.beams, 0.6, 0.0);
   const auto trunk = cylinderOfWidth(found.segments.at(0).beams, found.spacing);
   EXPECT_NEAR(trunk.radius, 0.5, 0.02);
   EXPECT_NEAR(trunk.range, 3.0, 0.02);
@@ -94,7 +94,7 @@ TEST(CylinderFit, AFlatBoardIsNoCircle) {
 TEST(CylinderFit, RangesThatAreOffByMoreThanTheirSigmaAreAMisfit) {
   RandomStream random(3, 0);
   const auto scan = scanOfTrees({treeAt(4.0, 0.0, 0.4)}, Pose2(), TreeLaser{0.01, 0.001}, random);
-  auto found = segmentsOf(scan.beams, 0.6);
+  auto found = segmentsOf(scan.beams, 0.6, 0.0);
   auto& beams = found.segments.at(0).beams;
   EXPECT_LT(fitCylinder(beams, found.spacing, {0.01, 0.0, 0.001})->misfit, 3.3);
   for (std::size_t i = 0; i < beams.size(); i += 2) beams[i].range += 0.2f;

@@ -14,6 +14,7 @@ import tempfile
 from slam_eval.bench import (command_line, fiducial, office, online, pointmap, threads,
                              vo)
 from slam_eval.bench.association import circles as association_circles
+from slam_eval.bench.association import forest as association_forest
 from slam_eval.bench.association import mrclam as association_mrclam
 from slam_eval.bench.association import office as association_office
 from slam_eval.bench.association import time as association_time
@@ -63,9 +64,11 @@ BENCHMARKS = {
          "threads": threads.measure}, command_line.add_pf),
     "association": Benchmark(
         "association without ids",
-        "which landmark is which by place alone, judged by ids that are withheld; half an hour",
+        "which landmark is which by place alone, judged by ids that are withheld, and in parks; "
+        "half an hour",
         {"mrclam": association_mrclam.measure, "circles": association_circles.measure,
-         "office": association_office.measure, "time": association_time.measure},
+         "office": association_office.measure, "forest": association_forest.measure,
+         "time": association_time.measure},
         command_line.add_association),
     "grid": Benchmark(
         "grid maps", "the particle filter with grid maps on real logs and simulations, beside "

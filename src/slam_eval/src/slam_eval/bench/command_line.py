@@ -95,6 +95,8 @@ def add_association(parser):
     _add_circles(parser)
     parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
                         help="instead of ekf_wheel,pf_wheel,graph_wheel")
+    parser.add_argument("--parks", metavar="N", type=count, default=2,
+                        help="parks of each density of the part forest (%(default)s)")
 
 
 def add_grid(parser):

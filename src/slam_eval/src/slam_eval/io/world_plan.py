@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Walls and furniture of a simulated world (slam_sim's world file), to be drawn behind a map
+"""Walls, furniture and trees of a simulated world (slam_sim's world file), to be drawn behind a map
 and to hold it against."""
 import dataclasses
 
@@ -12,11 +12,13 @@ from slam_eval.geometry.surfaces import Surfaces
 from slam_eval.io.errors import InputError, read_text
 
 _CEILING = 2.5  # [m], where the file does not say
+_CORNERS = 16   # of a trunk's outline
 
 
 @dataclasses.dataclass
 class WorldPlan:
-    """Lines of walls and outlines of furniture (each N x 2) [m], in the frame of the truth."""
+    """Lines of walls and outlines of furniture and trunks (each N x 2) [m], in the frame of the
+    truth."""
 
     walls: list
     furniture: list
@@ -44,16 +46,23 @@ def _outline(entry):
     return se2.transform_points((*centre, yaw), corners)
 
 
+def _trunk(entry):
+    angles = np.linspace(0.0, 2.0 * np.pi, _CORNERS, endpoint=False)
+    circle = np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.array(entry["centre"], dtype=float) + float(entry["radius"]) * circle
+
+
 def read_world(path):
     """Read the plan of a world file. Raises InputError."""
     try:
         document = yaml.safe_load(read_text(path))
-        walls, furniture = (document.get(key) or [] for key in ("walls", "furniture"))
+        walls, furniture, trees = (document.get(key) or []
+                                   for key in ("walls", "furniture", "trees"))
         ceiling = float((document.get("ceiling") or {}).get("height", _CEILING))
         return WorldPlan([_wall(entry) for entry in walls],
-                         [_outline(entry) for entry in furniture],
+                         [_outline(entry) for entry in furniture] + [_trunk(tree) for tree in trees],
                          [float(entry.get("height", ceiling)) for entry in walls],
-                         [float(entry["size"][2]) for entry in furniture])
+                         [float(entry["size"][2]) for entry in furniture] + [ceiling] * len(trees))
     except (yaml.YAMLError, AttributeError, KeyError, IndexError, TypeError, ValueError):
         raise InputError(f"{path}: holds no walls and furniture as a world file of slam_sim does; "
                          "give the world that the log was simulated in") from None

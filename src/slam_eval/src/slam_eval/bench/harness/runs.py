@@ -40,11 +40,11 @@ def import_log(context, name, arguments):
     return bag
 
 
-def simulate(context, name, world, seed, sensors, label=None):
+def simulate(context, name, world, seed, sensors, label=None, robot="segway"):
     """Simulate a drive through a world with the sensors given as NAME.bag; returns the bag."""
     bag = context.work / f"{name}.bag"
     command = [workspace_program("slam_sim", "slam_sim"), bag, "--world", world,
-               "--seed", str(seed), "--only", sensors]
+               "--robot", robot, "--seed", str(seed), "--only", sensors]
     call(context, f"{label or name}: simulation", command, context.work / f"{name}_simulation.log")
     return bag
 
