@@ -22,6 +22,8 @@ constexpr double kManyContradict = 0.3;
 constexpr double kWorthAStep = 0.05, kWorthAJump = 0.4;
 /// By how much a place that is worth a jump must fit better than all that are not near it.
 constexpr double kBetterThanRivals = 0.1;
+/// The same of a place that more contradicts than is usual, where nothing is known but the map.
+constexpr double kUnmistakable = 0.4;
 /// Of all ends, by a place that is worth a jump.
 constexpr double kExplained = 0.75;
 /// Of all ends, by a place that is near where it should be.
@@ -72,7 +74,7 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const 
     const auto found = searched(map, scan, prior.pose, window.position, window.heading);
     const bool is_local = window.position <= config_.window_position;
     if (isBetter(found, best, kWorthAStep * endsOf(scan)) &&
-        (is_local || !hasRival(found, map, scan, found.pose, kAround)))
+        (is_local || !hasRival(found, map, scan, found.pose, kAround, kBetterThanRivals)))
       best = found;
   }
   if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
@@ -104,7 +106,8 @@ std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanL
   const auto found = is_local ? matchNearby(map, scan, prior)
                               : searched(map, scan, prior.pose, window.position, window.heading);
   const bool fits = found.is_determined && found.agreement.agreeing > enough && !isDoubtful(found);
-  if (!fits || (!is_local && hasRival(found, map, scan, prior.pose, window))) return std::nullopt;
+  if (!fits || (!is_local && hasRival(found, map, scan, prior.pose, window, kBetterThanRivals)))
+    return std::nullopt;
   return found;
 }
 
@@ -114,9 +117,11 @@ std::optional<Match> ScanToMapMatcher::recogniseAnywhere(const MapView& map, con
   if (map.isEmpty() || places.isEmpty()) return std::nullopt;
   const double reach = 0.5 * places.sizes().maxCoeff() + kBeyond;
   const Pose2 middle(places.center().x(), places.center().y(), 0.0);
-  const Eigen::Vector3d sigma(reach, reach, M_PI);
-  const PosePrior anywhere{middle, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
-  return recognise(map, scan, anywhere, {reach, M_PI});
+  const auto found = searched(map, scan, middle, reach, M_PI);
+  const double margin = isDoubtful(found) ? kUnmistakable : kBetterThanRivals;
+  const bool fits = found.is_determined && found.agreement.agreeing > kExplained * endsOf(scan);
+  if (!fits || hasRival(found, map, scan, middle, {reach, M_PI}, margin)) return std::nullopt;
+  return found;
 }
 
 Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
@@ -126,7 +131,7 @@ Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
   const bool is_worth_it = found.agreement.agreeing > kExplained * endsOf(scan) &&
                            !isDoubtful(found) &&
                            isBetter(found, nearby, kWorthAJump * endsOf(scan)) &&
-                           !hasRival(found, map, scan, found.pose, kAround);
+                           !hasRival(found, map, scan, found.pose, kAround, kBetterThanRivals);
   auto best = is_worth_it ? found : nearby;
   best.wide_search_done = true;
   return best;
@@ -181,7 +186,8 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
 }
 
 bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map, const ScanLevels& scan,
-                                const Pose2& middle, const SearchWindow& window) const {
+                                const Pose2& middle, const SearchWindow& window,
+                                double margin) const {
   constexpr SearchWindow kApart{0.5, 0.3};  // [m], [rad]
   const bool is_wider = window.position > kAround.position;
   const auto search = is_wider ? searchOf(map, scan, middle, {window.position, M_PI})
@@ -190,7 +196,7 @@ bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map, const Sc
   const auto place = search.bestApartFrom(found.pose, kApart);
   if (!place) return false;
   const auto rival = refinedWithin(map, scan, *place, kApart.position, kApart.heading);
-  return !isBetter(found, rival, kBetterThanRivals * endsOf(scan));
+  return !isBetter(found, rival, margin * endsOf(scan));
 }
 
 Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, const Pose2& middle,

@@ -50,7 +50,8 @@ class ScanToMapMatcher {
                                  const SearchWindow& window) const;
 
   /// The same where nothing is known but that the robot is at one of these places [m], or not far
-  /// from them.
+  /// from them. What has moved since the map was drawn contradicts it at the right place too: a
+  /// place that more contradicts than is usual counts where all others are far worse.
   std::optional<Match> recogniseAnywhere(const MapView& map, const ScanLevels& scan,
                                          const Eigen::AlignedBox2d& places) const;
 
@@ -72,9 +73,9 @@ class ScanToMapMatcher {
   /// where the prior is a guess, larger ones up to its sigma
   std::vector<SearchWindow> windowsAround(const PosePrior& prior) const;
   /// Whether the scan fits about as well elsewhere within 10 m, or within the window that was
-  /// searched where that is wider.
+  /// searched where that is wider. @param margin by which the surplus is greater, of all ends
   bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan, const Pose2& middle,
-                const SearchWindow& window) const;
+                const SearchWindow& window, double margin) const;
   /// Searches the wide window. @return a place there that is worth a jump, else `nearby`
   Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;

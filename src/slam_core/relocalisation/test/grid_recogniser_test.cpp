@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "slam_core/grid_map/grid_conversion.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 
@@ -59,6 +61,33 @@ TEST_F(GridRecogniserTest, FindsTheRobotAfterAMetreOrTwo) {
   ASSERT_EQ(drive(25), Verdict::kConfirmed);
   EXPECT_LT((last.robot.pose.position() - truth.position()).norm(), 0.1);
   EXPECT_LT(std::abs(wrapAngle(last.robot.pose.theta() - truth.theta())), 0.05);
+}
+
+/// More has moved since than the matcher takes for usual.
+TEST_F(GridRecogniserTest, FindsTheRobotWhereSomeWallsHaveGone) {
+  auto grid = gridOf(RoomDrive(1), config);
+  constexpr std::size_t kStretch = 20, kEvery = 6;  // cells; of so many stretches one has gone
+  for (std::size_t i = 0; i < grid.cells.size(); ++i)
+    if ((i % grid.width + i / grid.width) / kStretch % kEvery == 0)
+      grid.cells[i] = std::min(grid.cells[i], std::int8_t{0});
+  for (int i = 0; i < 70; ++i) robot.next();
+  recogniser.begin(grid);
+  ASSERT_EQ(drive(40), Verdict::kConfirmed);
+  EXPECT_LT((last.robot.pose.position() - truth.position()).norm(), 0.1);
+}
+
+/// Two lurches of the wheels on the way.
+TEST_F(GridRecogniserTest, FindsTheRobotThoughItsWheelsSlip) {
+  recogniser.begin(gridOf(RoomDrive(1), config));
+  for (int lurch = 0; lurch < 2; ++lurch) {
+    ASSERT_NE(drive(3), Verdict::kConfirmed);
+    Motion slip;
+    slip.increment = Pose2(0.2, 0.0, 0.25);
+    slip.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+    recogniser.move(slip);
+  }
+  ASSERT_EQ(drive(60), Verdict::kConfirmed);
+  EXPECT_LT((last.robot.pose.position() - truth.position()).norm(), 0.15);
 }
 
 TEST_F(GridRecogniserTest, SearchesOnlyAfterSomeOfTheWay) {
