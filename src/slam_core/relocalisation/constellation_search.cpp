@@ -100,10 +100,11 @@ std::vector<Pose2> ConstellationSearch::suggestions(
   return mostSuggested(poses);
 }
 
-std::vector<Place> ConstellationSearch::placesOf(const std::vector<LocalLandmark>& around) const {
+std::vector<Place> ConstellationSearch::placesOf(const std::vector<LocalLandmark>& around,
+                                                 const association::SensorReach& reach) const {
   std::vector<Place> places;
   for (const auto& robot : suggestions(around))
-    if (const auto place = evidence_.near(robot, around)) places.push_back(*place);
+    if (const auto place = evidence_.near(robot, around, reach)) places.push_back(*place);
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.log_odds > b.log_odds; });
   std::vector<Place> apart;

@@ -19,7 +19,9 @@ class ConstellationSearch {
   ConstellationSearch(const LandmarkMap& map, double outlier_share);
 
   /// Places that are apart from one another, the most likely first.
-  std::vector<Place> placesOf(const std::vector<LocalLandmark>& around) const;
+  /// @param reach as PlaceEvidence::near(); one that has seen nothing expects nothing
+  std::vector<Place> placesOf(const std::vector<LocalLandmark>& around,
+                              const association::SensorReach& reach = {}) const;
   const PlaceEvidence& evidence() const { return evidence_; }
 
  private:

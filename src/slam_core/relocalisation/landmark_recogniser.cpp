@@ -8,6 +8,20 @@
 #include <utility>
 
 namespace slam::relocalisation {
+namespace {
+
+/// All sensors reach from the base, so that several count as one.
+LandmarkObservationArray aroundBase(LandmarkObservationArray array) {
+  for (auto& z : array.observations) {
+    const Eigen::Vector2d place =
+        array.sensor_pose.transform({z.range * std::cos(z.bearing), z.range * std::sin(z.bearing)});
+    z.range = place.norm();
+    z.bearing = std::atan2(place.y(), place.x());
+  }
+  return array;
+}
+
+}  // namespace
 
 void LandmarkRecogniser::move(const Motion& motion) {
   local_.move(motion);
@@ -16,6 +30,7 @@ void LandmarkRecogniser::move(const Motion& motion) {
 
 void LandmarkRecogniser::see(const LandmarkObservationArray& array) {
   local_.see(array);
+  reach_.see(aroundBase(array));
   has_news_ |= !array.observations.empty();
 }
 
@@ -35,7 +50,7 @@ void LandmarkRecogniser::begin(LandmarkMap map) {
 std::optional<Recognition> LandmarkRecogniser::find(Stamp stamp) {
   if (!std::exchange(has_news_, false)) return std::nullopt;
   using Verdict = Recognition::Verdict;
-  const auto places = search_->placesOf(local_.all());
+  const auto places = search_->placesOf(local_.all(), reach_);
   const double at_least = std::log(config_.odds);
   const double alone = search_->evidence().logOddsOfOneAlone(local_.all());
   if (places.empty() || places[0].log_odds < alone + at_least) {

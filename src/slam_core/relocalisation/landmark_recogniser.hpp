@@ -46,6 +46,7 @@ class LandmarkRecogniser {
 
   RelocalisationConfig config_;
   LocalLandmarks local_;
+  association::SensorReach reach_;  ///< around the base
   LandmarkMap map_;
   std::unique_ptr<ConstellationSearch> search_;  ///< in the map
   std::optional<Candidate> candidate_;

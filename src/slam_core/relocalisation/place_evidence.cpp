@@ -120,8 +120,22 @@ double PlaceEvidence::logOddsAt(const Pose2& robot, const std::vector<LocalLandm
   return sum;
 }
 
-std::optional<Place> PlaceEvidence::near(Pose2 robot,
-                                         const std::vector<LocalLandmark>& around) const {
+/// A landmark within reach may be hidden, and what hides it hides others.
+double PlaceEvidence::logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
+                                       const association::SensorReach& reach) const {
+  constexpr double kHidden = 0.5;
+  constexpr std::ptrdiff_t kMostMissing = 6;
+  std::vector<char> is_seen(map_.size(), 0);
+  for (const auto& pairing : pairings) is_seen[pairing.landmark] = 1;
+  const Pose2 T_base_map = robot.inverse();
+  std::ptrdiff_t missing = 0;
+  for (std::size_t i = 0; i < map_.size(); ++i)
+    missing += !is_seen[i] && reach.covers(T_base_map.transform(map_[i].position)) ? 1 : 0;
+  return static_cast<double>(std::min(missing, kMostMissing)) * std::log(kHidden);
+}
+
+std::optional<Place> PlaceEvidence::near(Pose2 robot, const std::vector<LocalLandmark>& around,
+                                         const association::SensorReach& reach) const {
   constexpr int kSteps = 3;
   for (int step = 0; step < kSteps; ++step) {
     const auto pairings = pairingsAt(robot, around);
@@ -135,7 +149,8 @@ std::optional<Place> PlaceEvidence::near(Pose2 robot,
   const auto H = equationsAt(robot, around, pairings).H;
   Place place{{robot, symmetric(H.inverse())}, 0.0, pairings.size()};
   const double volume = std::pow(2.0 * M_PI, 1.5) / std::sqrt(H.determinant());
-  place.log_odds = logOddsAt(robot, around, pairings) + std::log(volume / (area_ * 2.0 * M_PI));
+  place.log_odds = logOddsAt(robot, around, pairings) + logOddsOfMissing(robot, pairings, reach) +
+                   std::log(volume / (area_ * 2.0 * M_PI));
   if (!std::isfinite(place.log_odds)) return std::nullopt;
   return place;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/association/sensor_reach.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/relocalisation/local_landmarks.hpp"
 
@@ -31,9 +32,12 @@ class PlaceEvidence {
   /// whatever its id says; in (0, 1)
   PlaceEvidence(const LandmarkMap& map, double outlier_share);
 
-  /// The best place near a pose.
+  /// The best place near a pose. Landmarks of the map that are not around the robot although they
+  /// lie within reach speak against it (negative evidence, Montemerlo 2003, ch. 3).
+  /// @param reach of the robot's sensors, around its base
   /// @return nothing where fewer than two landmarks lie where the map has them
-  std::optional<Place> near(Pose2 robot, const std::vector<LocalLandmark>& around) const;
+  std::optional<Place> near(Pose2 robot, const std::vector<LocalLandmark>& around,
+                            const association::SensorReach& reach) const;
   /// The same logarithm of the best explanation that gives no place: that one of the landmarks is
   /// what its id says, while all others are not.
   double logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const;
@@ -60,6 +64,8 @@ class PlaceEvidence {
   double logOddsAt(const Pose2& robot, const std::vector<LocalLandmark>& around,
                    const std::vector<Pairing>& pairings) const;
   double logOddsOf(const Pose2& robot, const LocalLandmark& local, const Landmark* landmark) const;
+  double logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
+                          const association::SensorReach& reach) const;
   bool isInMap(const LocalLandmark& local) const;
 
   const LandmarkMap& map_;

@@ -98,6 +98,35 @@ TEST(ConstellationSearch, FindsTwoEquallyLikelyPlacesInAMapOfTwoIdenticalHalves)
   EXPECT_NEAR(std::abs(places[0].robot.pose.x() - places[1].robot.pose.x()), 20.0, 1e-6);
 }
 
+/// One half has a landmark more, which the sensor would see.
+TEST(ConstellationSearch, PrefersThePlaceWhereNothingIsMissing) {
+  RandomStream random(4, 1);
+  const auto half = hall(4, 10, 8.0);
+  auto map = half;
+  for (auto landmark : half) {
+    landmark.id += 100;
+    landmark.position.x() += 20.0;
+    map.push_back(landmark);
+  }
+  for (int i = 0; i < 6; ++i)
+    map.push_back({200 + i, {23.0 + 0.4 * i, 4.5}, 1e-4 * Eigen::Matrix2d::Identity()});
+  const Pose2 truth(4.0, 4.0, 0.0);
+  const auto seen = nameless(seenFrom(truth, map, 6.0, random));
+  association::SensorReach reach;
+  LandmarkObservationArray all_round;
+  for (int i = 0; i < 240; ++i) {
+    LandmarkObservation z;
+    z.range = 5.0;
+    z.bearing = 2.0 * M_PI * i / 240 - M_PI;
+    all_round.observations.push_back(z);
+  }
+  reach.see(all_round);
+  const auto places = ConstellationSearch(map, kOutliers).placesOf(seen, reach);
+  ASSERT_GE(places.size(), 2u);
+  EXPECT_NEAR(places[0].robot.pose.x(), truth.x(), 0.2);
+  EXPECT_GT(places[0].log_odds, places[1].log_odds + 2.0);
+}
+
 TEST(ConstellationSearch, FindsNothingWhereThereIsTooLittle) {
   RandomStream random(5, 1);
   const auto map = hall(5, 12, 10.0);
