@@ -128,8 +128,7 @@ Status Estimator::set(const MapState& map) {
   events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
-  relocaliser_.assume(Belief::kUnconfirmed, &map);
-  return status;
+  return moreUrgent(status, relocaliser_.assume(Belief::kUnconfirmed, &map));
 }
 
 Status Estimator::set(const SavedSession& session) {
@@ -143,7 +142,7 @@ Status Estimator::set(const SavedSession& session) {
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
   events_.relocate("a session was loaded");
-  relocaliser_.assume(Belief::kSure);
+  relocaliser_.reset();
   consistency_ = ConsistencyMonitor(consistency_config_);
   if (const auto* mapper = capabilities_.find<LandmarkMapper>())
     intake_.knowOnly(mapper->landmarks());

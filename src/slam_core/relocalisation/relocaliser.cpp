@@ -18,6 +18,10 @@ namespace {
 
 const SectionRegistrar<RelocalisationConfig> kSectionRegistrar;
 
+constexpr const char* kTooLarge =
+    "the grid is too large to be searched for the robot (more than 500 m), so that its pose is "
+    "believed as it is: set an initial pose where the robot is elsewhere";
+
 /// Whether a place that was found is the one that the back-end has.
 bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
   constexpr double kPoseGate = 16.27;  // three degrees of freedom, 0.999
@@ -48,17 +52,23 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
 
 void Relocaliser::reset() {
   assume(Belief::kSure);
+  doubt_.forget();
   counters_.clear();
 }
 
-void Relocaliser::assume(Belief belief, const MapState* loaded) {
+Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   end();
   belief_ = belief;
   gating_ = GatingRate(kWindow);
-  is_lost_by_scans_ = is_ambiguous_ = false;
+  is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = false;
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
-  if (!can_search) belief_ = Belief::kSure;
+  if (loaded != nullptr) doubt_.forget();
+  if (loaded != nullptr) doubt_.know(loaded->landmarks);
+  doubt_.relocate();
+  if (can_search) return Status::ok();
+  belief_ = Belief::kSure;
+  return is_grid_too_large_ ? Status::warning(kTooLarge) : Status::ok();
 }
 
 /// What was seen before may have been seen from elsewhere: somebody may have carried the robot.
@@ -71,17 +81,28 @@ void Relocaliser::searchAnyway() {
   if (grid_) grid_->searchAnyway();
 }
 
+/// What a lost robot has put into the map stands where it took it to be: the robot would be found
+/// where it is not.
+LandmarkMap Relocaliser::landmarksToSearch(const MapState* loaded) const {
+  auto map =
+      loaded != nullptr ? loaded->landmarks : capabilities_.find<LandmarkMapper>()->landmarks();
+  const auto is_doubtful = [this](const Landmark& mark) { return !doubt_.isTrusted(mark.id); };
+  if (doubt_.isLost()) map.erase(std::remove_if(map.begin(), map.end(), is_doubtful), map.end());
+  return map;
+}
+
 /// @return whether there is a map in which a place can be recognised
 bool Relocaliser::begin(const MapState* loaded) {
   constexpr std::size_t kLeastLandmarks = 2;
-  if (const auto* mapper = capabilities_.find<LandmarkMapper>()) {
-    auto map = loaded != nullptr ? loaded->landmarks : mapper->landmarks();
+  if (capabilities_.find<LandmarkMapper>() != nullptr) {
+    auto map = landmarksToSearch(loaded);
     searches_landmarks_ = map.size() >= kLeastLandmarks;
     if (searches_landmarks_) landmarks_.begin(std::move(map));
   }
   if (grid_) {
     const auto grid = loaded != nullptr ? loaded->grid : capabilities_.find<GridMapper>()->grid();
     searches_grid_ = grid && GridRecogniser::canSearch(*grid);
+    is_grid_too_large_ = grid && !grid->cells.empty() && !searches_grid_;
     if (searches_grid_) grid_->begin(*grid);
   }
   return searches_landmarks_ || searches_grid_;
@@ -115,13 +136,17 @@ bool Relocaliser::isLostByScans() const {
   return reporter != nullptr && reporter->lostSince().has_value();
 }
 
-void Relocaliser::watch() {
+void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
   if (is_lost_by_scans_ && !isLostByScans()) assume(Belief::kSure);
   if (belief_ != Belief::kSure) return;
-  if (const auto* mapper = capabilities_.find<LandmarkMapper>()) gating_.add(mapper->statistics());
-  if (gating_.isExcessive()) {
+  if (const auto* mapper = capabilities_.find<LandmarkMapper>()) {
+    const auto statistics = mapper->statistics();
+    gating_.add(statistics);
+    doubt_.judge(statistics, believed, stamp);
+  }
+  if (gating_.isExcessive() || doubt_.isLost()) {
     assume(Belief::kLost);
-  } else if (isLostByScans()) {
+  } else if (isLostByScans() && !is_lost_by_scans_) {
     assume(Belief::kLost);
     is_lost_by_scans_ = true;
   }
@@ -129,7 +154,7 @@ void Relocaliser::watch() {
 
 std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Stamp stamp) {
   if (!config_.enabled) return std::nullopt;
-  watch();
+  watch(believed.pose, stamp);
   std::optional<Recognition> found;
   if (searches_landmarks_) found = landmarks_.find(stamp);
   if (searches_grid_ && !(found && found->hasPlace()))

@@ -11,6 +11,7 @@
 #include "slam_core/consistency/gating_rate.hpp"
 #include "slam_core/contract/capabilities.hpp"
 #include "slam_core/relocalisation/grid_recogniser.hpp"
+#include "slam_core/relocalisation/landmark_doubt.hpp"
 #include "slam_core/relocalisation/landmark_recogniser.hpp"
 
 namespace slam::relocalisation {
@@ -40,7 +41,8 @@ class Relocaliser {
   /// The robot was put somewhere, or a map was loaded, or somebody is in doubt. A map that holds
   /// nothing to recognise a place by leaves the pose believed.
   /// @param loaded the map that the back-end was just given, to save asking it for a copy
-  void assume(Belief belief, const MapState* loaded = nullptr);
+  /// @return a warning where the pose is believed since the grid is too large to be searched
+  Status assume(Belief belief, const MapState* loaded = nullptr);
   /// The grid is searched with the next scan, also where the robot stands still.
   void searchAnyway();
 
@@ -60,9 +62,10 @@ class Relocaliser {
   const Counters& counters() const { return counters_; }
 
  private:
-  void watch();
+  void watch(const Pose2& believed, Stamp stamp);
   bool isLostByScans() const;
   bool begin(const MapState* loaded);
+  LandmarkMap landmarksToSearch(const MapState* loaded) const;
   void end();
   void forgetSurroundings();
   std::optional<PoseEstimate> settle(const Recognition& found, const PoseEstimate& believed);
@@ -74,8 +77,10 @@ class Relocaliser {
   std::optional<GridRecogniser> grid_;  ///< where the back-end has a grid
   bool searches_landmarks_ = false, searches_grid_ = false;
   bool is_lost_by_scans_ = false;  ///< and not by landmarks
-  bool is_ambiguous_ = false;      ///< the last search found several places
-  GatingRate gating_{kWindow};
+  bool is_grid_too_large_ = false;
+  bool is_ambiguous_ = false;   ///< the last search found several places
+  GatingRate gating_{kWindow};  ///< of observations that are known by their ids
+  LandmarkDoubt doubt_;         ///< of those that are associated by place
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

@@ -142,8 +142,9 @@ LocalisationActions EstimatorNode::localisationActions() {
   LocalisationActions actions;
   actions.search = [this] {
     auto& relocaliser = relocaliserOf(estimator());
-    relocaliser.assume(Belief::kAnywhere);
+    const auto status = relocaliser.assume(Belief::kAnywhere);
     if (relocaliser.belief() == Belief::kAnywhere) return slam::Status::ok();
+    if (!status.isOk()) return slam::Status::error(status.message);
     return slam::Status::error(
         "there is no map to look for the robot in, or relocalisation.enabled is false: load a map");
   };

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/landmark_doubt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam_core/geometry/angle.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+constexpr double kViewEdge = 2.0, kViewAngle = M_PI / 4;  // [m], [rad]
+/// A step is independent of another one after this way, turn, or time, in which people walk on.
+constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
+/// A lost robot sees a landmark where one is expected by chance.
+constexpr double kByChance = 0.25;
+/// What hides one landmark hides others: so many tell something of their own at most.
+constexpr double kMostIndependent = 6.0;
+constexpr double kMostOfAStep = 3.0;
+/// Relative to the threshold: up to this the robot counts as right, and is learnt from.
+constexpr double kRight = 0.2;
+constexpr double kMostDoubt = 2.0;     ///< relative to the threshold; more is not summed up
+constexpr double kRemembered = 200.0;  ///< landmarks expected, of which it is learnt
+
+int countOfBoth(const std::set<LandmarkId>& a, const std::set<LandmarkId>& b) {
+  return static_cast<int>(
+      std::count_if(a.begin(), a.end(), [&](LandmarkId id) { return b.count(id) > 0; }));
+}
+
+}  // namespace
+
+LandmarkDoubt::Cell LandmarkDoubt::cellOf(const Pose2& robot) {
+  return {std::lround(robot.x() / kViewEdge), std::lround(robot.y() / kViewEdge),
+          std::lround(wrapAngle(robot.theta()) / kViewAngle)};
+}
+
+void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp) {
+  if (statistics.associations.empty()) return;
+  Ids seen;
+  for (const auto& observation : statistics.associations)
+    if (observation.taken_for == TakenFor::kLandmark) seen.insert(observation.landmark);
+  Ids expected;
+  for (const auto id : views_[cellOf(robot)])
+    if (isTrusted(id)) expected.insert(id);
+  const double weight = weightOf(robot, stamp);
+  // what fits mostly, while others are hidden, is seen from the right place
+  const auto fitting = static_cast<std::size_t>(countOfBoth(seen, trusted_));
+  const bool fits = 2 * fitting >= statistics.associations.size();
+  const double evidence = evidenceOf(expected, seen);
+  sum_ += weight * (fits ? std::min(0.0, evidence) : evidence);
+  sum_ = std::clamp(sum_, 0.0, kMostDoubt * kThreshold);
+  if (sum_ < kRight * kThreshold) learn(expected, seen, weight);
+  note(seen);
+  if (sum_ < kRight * kThreshold) views_[cellOf(robot)].insert(seen.begin(), seen.end());
+  robot_ = robot;
+  stamp_ = stamp;
+}
+
+double LandmarkDoubt::weightOf(const Pose2& robot, Stamp stamp) const {
+  if (!robot_) return 1.0;
+  const Pose2 step = robot_->between(robot);
+  return std::min(1.0, step.position().norm() / kWay + std::abs(step.theta()) / kTurn +
+                           std::max(0.0, seconds(stamp - stamp_)) / kTime);
+}
+
+/// Those that are seen are binomial, by how often a landmark is seen again or by chance.
+double LandmarkDoubt::evidenceOf(const Ids& expected, const Ids& seen) const {
+  if (expected.empty()) return 0.0;
+  const double right = hits_ / (hits_ + misses_);
+  const double lost = std::min(kByChance, 0.5 * right);
+  const auto count = static_cast<double>(expected.size());
+  const double hits = countOfBoth(expected, seen);
+  const double ratio =
+      hits * std::log(lost / right) + (count - hits) * std::log((1.0 - lost) / (1.0 - right));
+  return std::clamp(ratio * std::min(1.0, kMostIndependent / count), -kMostOfAStep, kMostOfAStep);
+}
+
+void LandmarkDoubt::learn(const Ids& expected, const Ids& seen, double weight) {
+  const double hits = countOfBoth(expected, seen);
+  hits_ += weight * hits;
+  misses_ += weight * (static_cast<double>(expected.size()) - hits);
+  const double excess = std::max(1.0, (hits_ + misses_) / kRemembered);
+  hits_ /= excess;
+  misses_ /= excess;
+}
+
+/// Landmarks that a robot has begun in doubt are trusted when the doubt has gone.
+void LandmarkDoubt::note(const Ids& seen) {
+  since_doubt_.insert(seen.begin(), seen.end());
+  if (sum_ > 0.0) return;
+  trusted_.merge(since_doubt_);
+  since_doubt_.clear();
+}
+
+void LandmarkDoubt::know(const LandmarkMap& map) {
+  for (const auto& landmark : map) trusted_.insert(landmark.id);
+}
+
+void LandmarkDoubt::relocate() {
+  sum_ = 0.0;
+  since_doubt_.clear();
+  robot_.reset();
+}
+
+void LandmarkDoubt::forget() { *this = LandmarkDoubt(); }
+
+}  // namespace slam::relocalisation

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/landmark_doubt.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/common/random.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+/// A robot that goes straight on between landmarks, of which it sees those that stand less than 4 m
+/// ahead or behind, two of a metre. What it takes for landmarks of its map has the map's ids.
+class LandmarkDoubtTest : public testing::Test {
+ protected:
+  /// One step of 0.2 m. @param from the place that the robot really sees [m]
+  void step(double from) {
+    UpdateStatistics statistics;
+    for (int i = 0; i < 400; ++i) {
+      const double place = 0.5 * i;
+      if (std::abs(place - from) > 4.0 || random.uniform() > detected) continue;
+      const bool is_mapped = std::abs(place - believed) <= 4.0;
+      const auto taken = is_mapped ? TakenFor::kLandmark : TakenFor::kNew;
+      statistics.associations.push_back({kUnknownId, i, taken});
+    }
+    doubt.judge(statistics, {believed, 0.0, 0.0}, stamp += std::chrono::milliseconds(100));
+    believed += 0.2;
+  }
+  /// @return whether it counts as lost within a way [m]
+  bool drive(double way, double carried = 0.0) {
+    for (const double end = believed + way; believed < end && !doubt.isLost();)
+      step(believed + carried);
+    return doubt.isLost();
+  }
+
+  LandmarkDoubt doubt;
+  RandomStream random{1, 1};
+  double believed = 0.0, detected = 0.8;
+  Stamp stamp = stampFromNanoseconds(1000000000000);
+};
+
+TEST_F(LandmarkDoubtTest, NeverDoubtsARobotThatIsRight) {
+  for (int lap = 0; lap < 50; ++lap) {
+    believed = 0.0;
+    ASSERT_FALSE(drive(60.0)) << "lap " << lap;
+  }
+}
+
+TEST_F(LandmarkDoubtTest, NoticesARobotThatWasCarriedAway) {
+  drive(60.0);
+  believed = 0.0;
+  doubt.relocate();
+  ASSERT_FALSE(drive(20.0));
+  EXPECT_TRUE(drive(5.0, 60.0));
+}
+
+TEST_F(LandmarkDoubtTest, DoesNotTrustWhatALostRobotHasBegun) {
+  drive(30.0);
+  believed = 10.0;
+  ASSERT_TRUE(drive(5.0, 60.0));
+  EXPECT_TRUE(doubt.isTrusted(20));
+  EXPECT_FALSE(doubt.isTrusted(140));
+}
+
+TEST_F(LandmarkDoubtTest, ExpectsNothingWhereTheRobotHasNeverBeen) {
+  drive(20.0);
+  believed = 100.0;
+  EXPECT_FALSE(drive(40.0, -60.0));
+}
+
+TEST_F(LandmarkDoubtTest, KnowsThatLandmarksMayBeHidden) {
+  drive(60.0);
+  believed = 0.0;
+  doubt.relocate();
+  detected = 0.1;  // somebody stands before the sensor; what it still sees fits
+  EXPECT_FALSE(drive(60.0));
+}
+
+TEST_F(LandmarkDoubtTest, SaysNothingOfObservationsThatAreKnownByTheirIds) {
+  UpdateStatistics statistics;
+  statistics.innovations.resize(3);
+  for (int i = 0; i < 1000; ++i)
+    doubt.judge(statistics, {0.2 * i, 0.0, 0.0}, stamp += std::chrono::milliseconds(100));
+  EXPECT_FALSE(doubt.isLost());
+}
+
+}  // namespace
+}  // namespace slam::relocalisation
