@@ -13,7 +13,8 @@ from nav_msgs.msg import Odometry
 import numpy as np
 import rosbag
 from sensor_msgs.msg import LaserScan
-from slam_eval.bench.lost import alarms, bag_edit, buildings, drives
+from slam_eval.bench.harness import bag_edit, buildings
+from slam_eval.bench.lost import alarms, drives
 from slam_eval.io.trajectory import Trajectory
 
 STEP = 0.1  # [m] and [s]

@@ -37,6 +37,7 @@ from slam_eval.bench.pf import circles
 from slam_eval.bench.pf import mrclam as pf_mrclam
 from slam_eval.bench.pf import office as pf_office
 from slam_eval.bench.pf import update as pf_update
+from slam_eval.bench.relocalisation import forest, grids, markers
 from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.errors import InputError
 
@@ -86,6 +87,12 @@ BENCHMARKS = {
         "whether a robot is lost", "false alarms, and what is told of wrong maps and of robots that "
         "were carried away, over drives through random buildings",
         {"drives": lost_drives.measure}, command_line.add_lost),
+    "relocalisation": Benchmark(
+        "relocalisation", "robots that are switched on anywhere in their map: how many are found, "
+        "how soon, and how many believe a wrong place; an hour",
+        {"office": markers.measure_office, "corridor": markers.measure_corridor,
+         "repeated": markers.measure_repeated, "forest": forest.measure, "grid": grids.measure},
+        command_line.add_relocalisation),
     "graph": Benchmark(
         "graphs of poses",
         "graphs of poses solved at every pose, beside Ceres, which solves them at once: time, "

@@ -208,6 +208,19 @@ def add_lost(parser):
                         help="seed of the first building (%(default)s)")
 
 
+def add_relocalisation(parser):
+    """Options of `slam_bench relocalisation`."""
+    parser.add_argument("--starts", metavar="N", type=count, default=100,
+                        help="places at which a robot is switched on, of each case (%(default)s)")
+    parser.add_argument("--seed", metavar="N", type=count, default=1,
+                        help="of the drives and of the places (%(default)s)")
+    parser.add_argument("--bag", metavar="FILE", type=_file, action="append", default=[],
+                        help="bag with a laser and odometry, for a case of the part grid in the map "
+                        "that is made of it; may be given several times")
+    parser.add_argument("--robot", metavar="NAME",
+                        help="robot file of these bags (default: the one that the bag names)")
+
+
 def parse(arguments, benchmarks):
     """The options of the call; benchmarks: Benchmark by name, the first one counts without name."""
     parser = argparse.ArgumentParser(

@@ -11,12 +11,14 @@ from slam_eval.bench.harness.programs import workspace_program
 
 @dataclasses.dataclass
 class Context:
-    """What all parts share: folders for pictures and for temporary files, progress, options."""
+    """What all parts share: folders for pictures and for temporary files, progress, options, and what
+    a part has made that others use as well, by name."""
 
     out: pathlib.Path
     work: pathlib.Path
     progress: object
     options: object
+    made: dict = dataclasses.field(default_factory=dict)
 
     def folder(self, name):
         """A folder for temporary files."""

@@ -7,11 +7,11 @@ import pathlib
 import random
 import shutil
 
+from slam_eval.bench.harness import bag_edit
+from slam_eval.bench.harness.buildings import write_building
 from slam_eval.bench.harness.runs import run_ours, simulate
 from slam_eval.bench.harness.table import number, Section, table, verdict
-from slam_eval.bench.lost import bag_edit
 from slam_eval.bench.lost.alarms import judge, NEAR, wrong_from_start
-from slam_eval.bench.lost.buildings import write_building
 from slam_eval.io.run_folder import read_run
 
 EVERY = 15.0  # mean time between two people who come by [s]

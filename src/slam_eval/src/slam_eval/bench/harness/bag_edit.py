@@ -12,6 +12,7 @@ import numpy as np
 import rosbag
 
 ODOMETRY, SCAN, POSE = "nav_msgs/Odometry", "sensor_msgs/LaserScan", "geometry_msgs/PoseStamped"
+OBSERVATIONS = "slam_msgs/LandmarkObservationArray"
 _STAMP, _STAMP_AT = struct.Struct("<II"), 4
 _PLACE = struct.Struct("<7d")
 _LASER = struct.Struct("<7fI")  # angle_min, angle_max, its step, times, ranges, their number
@@ -40,12 +41,14 @@ def _place_at(kind, raw):
     return _after_string(raw, at) if kind == ODOMETRY else at
 
 
-def _read_place(kind, raw):
+def read_place(kind, raw):
+    """The pose (x, y, theta) of a message of ODOMETRY or POSE."""
     x, y, _, _, _, c, d = _PLACE.unpack_from(raw, _place_at(kind, raw))
     return x, y, 2.0 * math.atan2(c, d)
 
 
-def _write_place(kind, raw, place):
+def write_place(kind, raw, place):
+    """Sets the pose in a message."""
     x, y, theta = place
     _PLACE.pack_into(raw, _place_at(kind, raw), x, y, 0.0, 0.0, 0.0, math.sin(theta / 2),
                      math.cos(theta / 2))
@@ -147,11 +150,11 @@ class _Shift:
 
     def move(self, raw):
         """Odometry goes on from where the robot was lifted."""
-        place = _read_place(ODOMETRY, raw)
+        place = read_place(ODOMETRY, raw)
         if self._by and self._moved is None:
             self._moved = compose(self.robot, inverse(place))
         self.robot = compose(self._moved, place) if self._moved else place
-        _write_place(ODOMETRY, raw, self.robot)
+        write_place(ODOMETRY, raw, self.robot)
 
 
 def rewrite(source, target, people=None, carried=None):
@@ -163,7 +166,7 @@ def rewrite(source, target, people=None, carried=None):
             if topic == "/tf":
                 continue
             raw = bytearray(raw)
-            if kind in (ODOMETRY, SCAN, POSE):
+            if kind in (ODOMETRY, SCAN, POSE, OBSERVATIONS):
                 if shift.is_out(time):
                     continue
                 if shift.is_over(time):
