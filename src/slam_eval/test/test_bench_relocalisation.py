@@ -13,7 +13,7 @@ import rosbag
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.relocalisation.judge import judge, Outcome
 from slam_eval.bench.relocalisation.log import Log, renaming, Slip
-from slam_eval.bench.relocalisation.markers import SecondMarker
+from slam_eval.bench.relocalisation.markers import mapped, SecondMarker
 from slam_eval.bench.relocalisation.starts import draw, SECOND, Start
 from slam_eval.io.trajectory import Trajectory
 from slam_msgs.msg import LandmarkObservation, LandmarkObservationArray
@@ -108,6 +108,11 @@ class Logs(unittest.TestCase):
         start_of = SecondMarker(Log(self.bag), {0, 1, 2})
         self.assertEqual(start_of(T0 + SECOND), Start(T0 + SECOND, T0 + 2 * SECOND, T0 + 6 * SECOND))
         self.assertIsNone(start_of(T0 + 5 * SECOND))  # of those behind only one is in the map
+
+    def test_of_two_markers_with_one_id_the_map_has_the_first(self):
+        arrays = [(1, [4]), (2, [7, 8]), (3, [4])]
+        self.assertEqual(mapped(arrays, {8: 4}, [4, 7, 9]), {4, 7})
+        self.assertEqual(mapped(arrays, {4: 8}, [8, 7]), {4, 7})
 
     def test_starts_are_the_same_for_the_same_seed(self):
         log, start_of = Log(self.bag), SecondMarker(Log(self.bag), {0, 1, 2})
