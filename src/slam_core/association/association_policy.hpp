@@ -59,7 +59,8 @@ struct Decision {
     kDuplicate,  ///< clutter: another one of the same array is of that landmark
     kNotInMap,   ///< clutter: it would be new, but the map is fixed
     kAmbiguous,  ///< clutter: by its place it may be of several landmarks, or of one nearby
-    kOnTrial     ///< it would be new, but has not been seen often enough yet
+    kOnTrial,    ///< it would be new, but has not been seen often enough yet
+    kDistrusted  ///< clutter: its id does not name one place (DistrustedIds)
   };
   Kind kind = Kind::kUnknown;
   std::size_t landmark = 0;

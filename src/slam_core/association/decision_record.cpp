@@ -31,6 +31,7 @@ std::string reasonOf(Decision::Kind kind) {
   if (kind == Kind::kDuplicate) return "duplicate";
   if (kind == Kind::kNotInMap) return "not_in_map";
   if (kind == Kind::kAmbiguous) return "ambiguous";
+  if (kind == Kind::kDistrusted) return "distrusted_id";
   return kind == Kind::kOnTrial ? "on_trial" : "unknown_id";
 }
 

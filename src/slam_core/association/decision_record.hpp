@@ -12,7 +12,7 @@
 namespace slam::association {
 
 /// The reason under which an observation that is clutter is counted: "duplicate", "unknown_id",
-/// "not_in_map", "ambiguous", "on_trial".
+/// "not_in_map", "ambiguous", "on_trial", "distrusted_id".
 std::string reasonOf(Decision::Kind kind);
 
 /// What the decisions of a step took the observations for, without the landmarks' ids.

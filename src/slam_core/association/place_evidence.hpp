@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/distrusted_ids.hpp"
 #include "slam_core/association/existence.hpp"
 #include "slam_core/association/trials.hpp"
 
@@ -15,7 +16,7 @@ namespace slam::association {
 /// been on trial enters the map (Trials), and what is not there any more leaves it (Existence).
 ///
 /// Call order in a step: move(), see(), hold() of the policy's decisions, then ghosts() after the
-/// update. Where ids decide, it does nothing.
+/// update. Where ids decide, it only holds what has an id that is distrusted.
 class PlaceEvidence {
  public:
   PlaceEvidence() = default;
@@ -34,12 +35,15 @@ class PlaceEvidence {
     trials_.see(array, reach_);
   }
   /// What is new is held back until it is confirmed.
-  void hold(std::vector<Decision>& decisions) const {
-    if (!is_needed_) return;
+  void hold(const LandmarkObservationArray& array, std::vector<Decision>& decisions) const {
+    if (!is_needed_) return ids_.refuse(array, decisions);
     for (std::size_t i = 0; i < decisions.size(); ++i)
       if (decisions[i].kind == Decision::Kind::kNew && !trials_.isConfirmed(i))
         decisions[i].kind = Decision::Kind::kOnTrial;
   }
+  /// A landmark is to be re-initialised.
+  /// @return whether it is to be removed instead, see DistrustedIds
+  bool distrusts(LandmarkId id, bool was_confirmed) { return ids_.count(id, was_confirmed); }
   /// @param sensor T_map_sensor
   /// @return landmarks to be removed
   std::vector<LandmarkId> ghosts(const Pose2& sensor, const std::vector<LandmarkPlace>& landmarks,
@@ -53,6 +57,7 @@ class PlaceEvidence {
   SensorReach reach_;
   Trials trials_{1};
   Existence existence_;
+  DistrustedIds ids_;
 };
 
 }  // namespace slam::association

@@ -29,40 +29,38 @@ bool Sightings::robotIsWhereItShould(const std::vector<LandmarkId>& fitting,
   return witnesses > 0 && witnesses >= gated;
 }
 
-Sightings::Verdict Sightings::judge(const std::vector<LandmarkId>& fitting,
-                                    const std::vector<LandmarkObservation>& gated) {
-  Verdict verdict;
+std::vector<Sightings::Verdict> Sightings::judge(const std::vector<LandmarkId>& fitting,
+                                                 const std::vector<LandmarkObservation>& gated) {
+  std::vector<Verdict> verdicts;
   const bool counts = robotIsWhereItShould(fitting, gated.size());
   for (const auto id : fitting) {
     auto& record = records_[id];
     record = {std::min(record.fits + 1, kConfirmed), 0};
   }
-  if (!counts) return verdict;
+  if (!counts) return verdicts;
   for (const auto& z : gated) {
     auto& record = records_[z.id];
     ++record.misses;
-    if (record.fits >= kConfirmed) {
-      if (record.misses < kMoved || record.misses <= verdict.times) continue;
-      verdict.moved = z.id;
-      verdict.times = record.misses;
-    } else if (record.misses >= kDoubtful) {
-      verdict.doubtful.push_back(z);
-      record = {};
-    }
+    const bool was_confirmed = record.fits >= kConfirmed;
+    if (record.misses != (was_confirmed ? kMoved : kDoubtful)) continue;
+    verdicts.push_back({z, was_confirmed});
+    if (!was_confirmed) record = {};
   }
-  return verdict;
+  return verdicts;
 }
 
-Status Sightings::warningOf(const Verdict& verdict, const std::vector<LandmarkId>& reinitialized) {
-  if (!reinitialized.empty()) {
-    std::string ids;
-    for (const auto id : reinitialized) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
-    return Status::warning("landmark " + ids +
-                           " was hardly ever where the map had it: it is begun anew");
-  }
-  if (verdict.times == 0) return Status::ok();
-  return Status::warning("landmark " + std::to_string(verdict.moved) +
-                         " was not where the map has it " + std::to_string(verdict.times) +
+Status Sightings::warningOf(const Verdict& verdict, bool is_reinitialized) {
+  const auto name = "landmark " + std::to_string(verdict.z.id);
+  if (!verdict.was_confirmed)
+    return is_reinitialized ? Status::warning(name +
+                                              " was hardly ever where the map had it: it is "
+                                              "begun anew")
+                            : Status::ok();
+  if (is_reinitialized)
+    return Status::warning(name +
+                           " was seen elsewhere again and again: it was moved, and is begun "
+                           "anew where it is now");
+  return Status::warning(name + " was not where the map has it " + std::to_string(kMoved) +
                          " times in a row: was it moved?");
 }
 

@@ -18,17 +18,14 @@ namespace slam::association {
 /// which confirmed landmarks fit, and as many as do not: else the robot may be what is elsewhere.
 class Sightings {
  public:
-  /// What was seen elsewhere once too often.
+  /// The latest observation of what was seen elsewhere once too often.
   struct Verdict {
-    /// The latest observations of landmarks that were never confirmed: to be begun anew.
-    std::vector<LandmarkObservation> doubtful;
-    LandmarkId moved = kUnknownId;  ///< the confirmed landmark that was elsewhere most often
-    int times = 0;                  ///< in a row
+    LandmarkObservation z;
+    bool was_confirmed = false;  ///< it has been moved, else it was never where the map has it
   };
 
-  /// Warns of what was done about a verdict, and of a landmark that may have been moved.
-  /// @param reinitialized the doubtful ones that now stand elsewhere
-  static Status warningOf(const Verdict& verdict, const std::vector<LandmarkId>& reinitialized);
+  /// Warns of a landmark that was seen elsewhere.
+  static Status warningOf(const Verdict& verdict, bool is_reinitialized);
 
   /// A record counts what is known of a landmark.
   struct Record {
@@ -39,8 +36,11 @@ class Sightings {
   explicit Sightings(const LandmarkMap& map = {});
   /// @param fitting the landmarks of a stamp's observations that passed the gate
   /// @param gated the observations that did not
-  Verdict judge(const std::vector<LandmarkId>& fitting,
-                const std::vector<LandmarkObservation>& gated);
+  /// @return the landmarks to be re-initialised; each of them once in a row of such sightings
+  std::vector<Verdict> judge(const std::vector<LandmarkId>& fitting,
+                             const std::vector<LandmarkObservation>& gated);
+  /// The landmark stands elsewhere from now on.
+  void restart(LandmarkId id) { records_[id] = {}; }
 
   // A session saves the records and takes them up again.
   Record record(LandmarkId id) const;

@@ -33,7 +33,7 @@ Association Associator::associate(const LandmarkObservationArray& array, EkfStat
   evidence_.see(array);
   decide(array, state, model);
   decisions_.resize(array.observations.size());
-  evidence_.hold(decisions_);
+  evidence_.hold(array, decisions_);
   Association association;
   sort(array, state, model, association, counters);
   return association;

@@ -8,6 +8,7 @@
 
 #include "slam_core/association/association_policy.hpp"
 #include "slam_core/association/place_evidence.hpp"
+#include "slam_core/association/sightings.hpp"
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
@@ -30,7 +31,7 @@ struct Association {
 /// Brings the landmarks that may have been observed into the neighbourhood, asks the policy once
 /// for all observations of a stamp, and gates what it takes for known landmarks: each observation
 /// must pass the chi-square test on its own. Counted: "duplicate", "gated", "unknown_id",
-/// "not_in_map", "ambiguous", "on_trial".
+/// "not_in_map", "ambiguous", "on_trial", "distrusted_id".
 class Associator {
  public:
   Associator() = default;
@@ -41,6 +42,10 @@ class Associator {
   void move(const Motion& motion) { evidence_.move(motion); }
   Association associate(const LandmarkObservationArray& array, EkfState& state,
                         const ObservationModel& model, Counters& counters);
+  /// A landmark is to be re-initialised. @return whether it is to be removed instead
+  bool distrusts(const association::Sightings::Verdict& verdict) {
+    return evidence_.distrusts(verdict.z.id, verdict.was_confirmed);
+  }
   /// After the update: landmarks that are not there, to be removed.
   std::vector<LandmarkId> ghosts(const Association& association, const EkfState& state,
                                  const Pose2& sensor);

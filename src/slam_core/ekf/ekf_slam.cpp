@@ -177,16 +177,26 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
 Status EkfSlam::reconsider(const Association& association, const Pose2& sensor) {
   std::vector<LandmarkId> fitting;
   for (const auto& match : association.matches) fitting.push_back(match.z.id);
-  const auto verdict = sightings_.judge(fitting, association.gated);
-  std::vector<LandmarkId> reinitialized;
-  for (const auto& z : verdict.doubtful) {
-    const auto m = initialized(z, sensor);
-    if (!m.isFinite() || config_.mapIsFixed()) continue;
-    state_.beginAnew(z.id, m.position, m.J_robot, m.R);
-    counters_.add("begun_anew");
-    reinitialized.push_back(z.id);
+  auto told = Status::ok();
+  for (const auto& verdict : sightings_.judge(fitting, association.gated))
+    told = moreUrgent(reinitialize(verdict, sensor), told);
+  return told;
+}
+
+Status EkfSlam::reinitialize(const association::Sightings::Verdict& verdict, const Pose2& sensor) {
+  const auto m = initialized(verdict.z, sensor);
+  if (!m.isFinite() || config_.mapIsFixed())
+    return association::Sightings::warningOf(verdict, false);
+  const auto id = verdict.z.id;
+  sightings_.restart(id);
+  if (associator_.distrusts(verdict)) {
+    state_.retire(id);
+    counters_.add("distrusted");
+    return association::DistrustedIds::warningOf(id);
   }
-  return association::Sightings::warningOf(verdict, reinitialized);
+  state_.beginAnew(id, m.position, m.J_robot, m.R);
+  counters_.add("begun_anew");
+  return association::Sightings::warningOf(verdict, true);
 }
 
 Status EkfSlam::augment(Association& association, const Pose2& sensor) {

@@ -67,6 +67,7 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper, AssociationChoo
   void predict();
   Status update(const std::vector<Match>& matches, const Pose2& sensor);
   Status reconsider(const Association& association, const Pose2& sensor);
+  Status reinitialize(const association::Sightings::Verdict& verdict, const Pose2& sensor);
   Status augment(Association& association, const Pose2& sensor);
   void removeGhosts(const Association& association, const Pose2& sensor);
   Status summary(const Association& association, const std::vector<Status>& of_steps) const;

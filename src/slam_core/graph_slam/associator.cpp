@@ -30,7 +30,7 @@ Association Associator::associate(const LandmarkObservationArray& array, const L
                                   UpdateStatistics& statistics, Counters& counters) {
   evidence_.see(array);
   decide(array, graph);
-  evidence_.hold(decisions_);
+  evidence_.hold(array, decisions_);
   Association association;
   const auto known = sort(array, graph, association, statistics, counters);
   gate(known, array.sensor_pose, graph, association, statistics);

@@ -8,6 +8,7 @@
 
 #include "slam_core/association/association_policy.hpp"
 #include "slam_core/association/place_evidence.hpp"
+#include "slam_core/association/sightings.hpp"
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
@@ -27,7 +28,7 @@ struct Association {
 
 /// Asks the policy once for all observations of a stamp, and gates those that it takes for known
 /// landmarks: each must pass the chi-square test on its own. Counted: "duplicate", "gated",
-/// "unknown_id", "not_in_map", "ambiguous", "on_trial".
+/// "unknown_id", "not_in_map", "ambiguous", "on_trial", "distrusted_id".
 class Associator {
  public:
   Associator() = default;
@@ -39,6 +40,10 @@ class Associator {
   /// @param statistics what is known of the innovations is added
   Association associate(const LandmarkObservationArray& array, const LandmarkGraph& graph,
                         UpdateStatistics& statistics, Counters& counters);
+  /// A landmark is to be re-initialised. @return whether it is to be removed instead
+  bool distrusts(const association::Sightings::Verdict& verdict) {
+    return evidence_.distrusts(verdict.z.id, verdict.was_confirmed);
+  }
   /// After the update: landmarks that are not there, to be removed.
   std::vector<LandmarkId> ghosts(const Association& association, const LandmarkGraph& graph,
                                  const Pose2& sensor);

@@ -265,16 +265,26 @@ Status GraphSlam::reconsider(const Association& association, const Pose2& sensor
   for (const auto& match : association.matches) fitting.push_back(match.z.id);
   std::vector<LandmarkObservation> gated;
   for (const auto& match : association.gated) gated.push_back(match.z);
-  const auto verdict = sightings_.judge(fitting, gated);
-  std::vector<LandmarkId> reinitialized;
-  for (const auto& z : verdict.doubtful) {
-    if (config_.mapIsFixed()) continue;
-    graph_->landmarks.reinitialize(*graph_->landmarks.ids().find(z.id),
-                                   placeOf(z, pose().pose, sensor), z, sensor);
-    counters_.add("begun_anew");
-    reinitialized.push_back(z.id);
+  auto told = Status::ok();
+  for (const auto& verdict : sightings_.judge(fitting, gated))
+    told = moreUrgent(reinitialize(verdict, sensor), told);
+  return told;
+}
+
+Status GraphSlam::reinitialize(const association::Sightings::Verdict& verdict,
+                               const Pose2& sensor) {
+  if (config_.mapIsFixed()) return association::Sightings::warningOf(verdict, false);
+  const auto& z = verdict.z;
+  auto& landmarks = graph_->landmarks;
+  sightings_.restart(z.id);
+  if (associator_.distrusts(verdict)) {
+    idsOf(landmarks).retire(z.id);
+    counters_.add("distrusted");
+    return association::DistrustedIds::warningOf(z.id);
   }
-  return association::Sightings::warningOf(verdict, reinitialized);
+  landmarks.reinitialize(*landmarks.ids().find(z.id), placeOf(z, pose().pose, sensor), z, sensor);
+  counters_.add("begun_anew");
+  return association::Sightings::warningOf(verdict, true);
 }
 
 void GraphSlam::removeGhosts(const Association& association, const Pose2& sensor) {

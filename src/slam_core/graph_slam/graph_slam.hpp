@@ -121,6 +121,7 @@ class GraphSlam final : public Backend,
   Status takeScan();
   Status mergeWaiting();
   Status reconsider(const Association& association, const Pose2& sensor);
+  Status reinitialize(const association::Sightings::Verdict& verdict, const Pose2& sensor);
   Status augment(Association& association, const Pose2& sensor);
   void removeGhosts(const Association& association, const Pose2& sensor);
   Status summary(const Association& association, const std::vector<Status>& of_steps) const;

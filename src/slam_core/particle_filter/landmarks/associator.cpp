@@ -54,7 +54,7 @@ Sight Associator::ask(const LandmarkObservationArray& array, const Source& sourc
   auto& [policy, decisions] = lanes_[lane];
   policy->decide(array, source, config_.map_is_fixed, decisions);
   decisions.resize(array.observations.size());
-  evidence_.hold(decisions);
+  evidence_.hold(array, decisions);
   Sight sight;
   sight.sensor = array.sensor_pose;
   sight.gate = config_.gate;

@@ -46,6 +46,11 @@ class Associator {
   void move(const Motion& motion) { evidence_.move(motion); }
   /// To be called before forEach().
   void see(const LandmarkObservationArray& array) { evidence_.see(array); }
+  /// The most likely particle has re-initialised a landmark.
+  /// @return whether it is to be removed instead
+  bool distrusts(LandmarkId id, bool was_confirmed) {
+    return evidence_.distrusts(id, was_confirmed);
+  }
   /// After the update: landmarks that are not there, to be removed.
   /// @param sensor T_map_sensor of the most likely particle
   /// @param seen its landmarks that were seen

@@ -7,6 +7,7 @@
 
 #include "slam_core/association/decision_record.hpp"
 #include "slam_core/association/gate.hpp"
+#include "slam_core/association/sightings.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
@@ -132,10 +133,11 @@ Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors,
   execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned lane) {
     updateMap(particles[i], ancestors[i], lane);
   });
-  beginAnew(particles[best], sight, belief);
+  const auto told =
+      beginAnew(particles[best], sight, predictionsOf(ancestors[best]), belief, account);
   account.statistics.added = static_cast<int>(sight.unseen.size());
   if (associator_.asksEach()) removeGhosts(particles[best], sight, account);
-  return {};
+  return {told, false};
 }
 
 /// What the most likely particle takes the observations for.
@@ -201,14 +203,33 @@ void LandmarkUpdate::updateMap(Particle& particle, std::size_t ancestor, unsigne
   }
 }
 
-/// Tells the belief which landmarks the best particle has begun anew.
-void LandmarkUpdate::beginAnew(const Particle& best, const Sight& sight, PoseBelief& belief) const {
+/// Tells the belief which landmarks the best particle has begun anew, and everybody else.
+Status LandmarkUpdate::beginAnew(const Particle& best, const Sight& sight,
+                                 const Prediction* predictions, PoseBelief& belief,
+                                 Account& account) {
+  auto told = Status::ok();
   for (const auto& [slot, column, z] : sight.matches) {
-    if (is_used_[column]) continue;
     const auto& landmark = best.map[slot];
-    if (landmark.mean() == initialized(model_, best.pose, sight.sensor, z).mean())
-      belief.bound.begin(model_, belief.estimate.pose, sight.sensor, landmark.number, z);
+    if (predictions[column].established) established_.insert(index_.id(landmark.number));
+    if (is_used_[column]) continue;
+    if (landmark.mean() != initialized(model_, best.pose, sight.sensor, z).mean()) continue;
+    belief.bound.begin(model_, belief.estimate.pose, sight.sensor, landmark.number, z);
+    told = moreUrgent(countBegunAnew(z, landmark.number, account), told);
   }
+  return told;
+}
+
+Status LandmarkUpdate::countBegunAnew(const LandmarkObservation& z, std::size_t number,
+                                      Account& account) {
+  const auto id = index_.id(number);
+  const bool was_established = established_.erase(id) > 0;
+  account.counters.add("begun_anew");
+  if (!index_.isRetired(number) && associator_.distrusts(id, was_established)) {
+    index_.retire(number);
+    account.counters.add("distrusted");
+    return association::DistrustedIds::warningOf(id);
+  }
+  return was_established ? association::Sightings::warningOf({z, true}, true) : Status::ok();
 }
 
 }  // namespace slam::particle_filter

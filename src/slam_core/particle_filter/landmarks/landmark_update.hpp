@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,8 @@ class LandmarkUpdate final : public SensorUpdate {
   void relocate() { fit_.forget(); }
 
   /// The observations of a step, or none; what is left out is counted as "unknown_id", "duplicate",
-  /// "not_in_map", "ambiguous", "on_trial", by the most likely particle where each decides for
-  /// itself.
+  /// "not_in_map", "ambiguous", "on_trial", "distrusted_id", by the most likely particle where each
+  /// decides for itself.
   /// @return whether there may be a landmark among them
   bool take(const std::optional<LandmarkObservationArray>& array, Account& account);
 
@@ -72,7 +73,9 @@ class LandmarkUpdate final : public SensorUpdate {
   void updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const;
   void record(const Particle& best, const Sight& sight, Account& account) const;
   void removeGhosts(const Particle& best, const Sight& sight, Account& account);
-  void beginAnew(const Particle& best, const Sight& sight, PoseBelief& belief) const;
+  Status beginAnew(const Particle& best, const Sight& sight, const Prediction* predictions,
+                   PoseBelief& belief, Account& account);
+  Status countBegunAnew(const LandmarkObservation& z, std::size_t number, Account& account);
 
   bool map_is_fixed_;
   RangeBearingModel model_;
@@ -81,6 +84,7 @@ class LandmarkUpdate final : public SensorUpdate {
   std::unique_ptr<Weighting> weighting_;
   LandmarkIndex index_;
   FitMonitor fit_;
+  std::set<LandmarkId> established_;  ///< by the most likely particles, where they are now
 
   // of the step
   LandmarkObservationArray array_;

@@ -21,7 +21,7 @@ struct LandmarkEstimate {
   LandmarkEstimate(const Eigen::Vector2d& mean, const Eigen::Matrix2d& P)
       : x(mean.x()), y(mean.y()), xx(P(0, 0)), xy(0.5 * (P(0, 1) + P(1, 0))), yy(P(1, 1)) {}
 
-  static constexpr int kMostCredit = 5;
+  static constexpr int kMostCredit = 9;
   /// From here on it rather is the robot that is elsewhere than the landmark.
   static constexpr int kEstablished = 3;
   bool isEstablished() const { return credit >= kEstablished; }
