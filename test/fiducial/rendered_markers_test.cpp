@@ -31,10 +31,11 @@ constexpr double kCornerSigma = 0.06;
 std::unique_ptr<LandmarkDetector> makeDetector(const std::string& name) {
   loadLibraries({});
   auto detector = Registry<LandmarkDetector>::instance().create(name);
-  Settings settings({"product", {}}, {"robot", {}},
-                    {"fiducial.marker_size=" + std::to_string(sim::MarkerStand::kSize),
-                     "fiducial.corner_sigma=" + std::to_string(kCornerSigma),
-                     "fiducial.border=" + std::to_string(kBorder)});
+  Settings settings(
+      {"product", {}}, {"robot", {}},
+      {"fiducial.marker_size=" + std::to_string(sim::MarkerStand::kSize),
+       "fiducial.corner_sigma=" + std::to_string(kCornerSigma), "fiducial.sigma_range_relative=0",
+       "fiducial.border=" + std::to_string(kBorder)});
   detector->configure(settings);
   return detector;
 }

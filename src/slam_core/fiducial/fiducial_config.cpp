@@ -25,6 +25,13 @@ void FiducialConfig::describe(Fields& fields) {
       .unit("px")
       .in(Range::above(0))
       .ofRobot();
+  fields
+      .add("sigma_range_relative", &sigma_range_relative,
+           "further standard deviation of a range, as a share of it: of markers that are printed "
+           "a little too large or small, and of a camera whose focal length is a little off")
+      .unit("1")
+      .in(Range::closed(0, 1))
+      .ofRobot();
   fields.add("min_side", &min_side, "markers whose sides are shorter on average are rejected")
       .unit("px")
       .in(Range::atLeast(0));

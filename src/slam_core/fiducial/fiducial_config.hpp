@@ -21,6 +21,7 @@ struct FiducialConfig {
   std::map<std::int64_t, double> marker_sizes;
   std::vector<std::int64_t> ids;
   double corner_sigma = 0.2;
+  double sigma_range_relative = 0.01;
 
   double min_side = 12.0;
   double max_obliqueness = 1.3;

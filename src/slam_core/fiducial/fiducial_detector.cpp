@@ -4,6 +4,7 @@
 #include "slam_core/fiducial/fiducial_detector.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "slam_core/camera/camera_config.hpp"
@@ -86,7 +87,9 @@ void FiducialDetector::estimatePoses() {
       continue;
     }
     marker.pose = *pose;
-    const Eigen::Vector3d one_sigma = sizeSigma(marker.corners) * pose->position;
+    // whatever makes a marker look too large puts it too near
+    const double share = std::hypot(sizeSigma(marker.corners), config_.sigma_range_relative);
+    const Eigen::Vector3d one_sigma = share * pose->position;
     marker.pose.covariance += one_sigma * one_sigma.transpose();
   }
 }

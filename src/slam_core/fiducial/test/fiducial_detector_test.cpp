@@ -219,6 +219,22 @@ TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
   EXPECT_NEAR(observations()[0].bearing, 0.0, 0.01);
 }
 
+/// A marker that is printed too large looks too near, not elsewhere in the image.
+TEST_P(FiducialDetectorTest, TakesARangeToBeWrongByAShareOfIt) {
+  MarkerPicture picture(kCamera);
+  picture.add(printedMarker(1), facing({0.3, 0.0, 1.8}, 0.3));
+  std::vector<Eigen::Matrix2d> covariances;
+  for (const auto* const share : {"0", "0.03"}) {
+    configure({std::string("fiducial.sigma_range_relative=") + share});
+    look(picture);
+    ASSERT_EQ(observations().size(), 1u);
+    covariances.push_back(observations()[0].covariance);
+  }
+  const double sigma = 0.03 * observations()[0].range;
+  EXPECT_NEAR(covariances[1](0, 0) - covariances[0](0, 0), sigma * sigma, 1e-3 * sigma * sigma);
+  EXPECT_NEAR(covariances[1](1, 1), covariances[0](1, 1), 1e-9);
+}
+
 TEST_P(FiducialDetectorTest, DrawsWhatItFound) {
   configure({"fiducial.ids=[1]"});
   EXPECT_TRUE(dynamic_cast<const ViewDrawer&>(*detector_).drawing().empty()) << "no image yet";
@@ -250,6 +266,8 @@ TEST_P(FiducialDetectorTest, RefusesConfigurationsThatCannotBe) {
   EXPECT_TRUE(oneSays(faultsWith({"fiducial.marker_size=0"}), {"fiducial.marker_size", "> 0"}));
   EXPECT_TRUE(oneSays(faultsWith({"fiducial.marker_sizes={5: -0.1}"}),
                       {"fiducial.marker_sizes", "5", "> 0"}));
+  EXPECT_TRUE(oneSays(faultsWith({"fiducial.sigma_range_relative=-0.01"}),
+                      {"fiducial.sigma_range_relative", "-0.01"}));
   EXPECT_TRUE(oneSays(faultsWith({"fiducial.ids=[-3]"}), {"fiducial.ids", "-3"}));
   EXPECT_TRUE(oneSays(faultsWith({"fiducial.ids=[a]"}), {"fiducial.ids", "list of integers"}));
   const auto all = faultsWith({"fiducial.corner_sigma=0", "fiducial.marker_size=0"});
