@@ -23,6 +23,8 @@ bool tellsNothing(float range, float range_min) {
   return std::isnan(range) || range <= 0.0f || range < range_min;
 }
 
+float usable(float intensity) { return std::isfinite(intensity) ? intensity : 0.0f; }
+
 }  // namespace
 
 std::string faultOf(const LaserSweep& sweep) {
@@ -66,13 +68,16 @@ LaserScan toScan(const LaserSweep& sweep, const LaserMount& mount) {
   scan.sensor_pose = {T.translation().x(), T.translation().y(),
                       std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
   scan.beams.reserve(sweep.ranges.size());
+  const bool has_intensities = sweep.intensities.size() == sweep.ranges.size();
   for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
     const float range = sweep.ranges[i];
     if (tellsNothing(range, sweep.range_min)) continue;
     const double angle =
         sweep.angle_min + static_cast<double>(i) * static_cast<double>(sweep.angle_increment);
     const bool hit = range <= sweep.range_max;
-    scan.beams.push_back({static_cast<float>(side * angle), hit ? range : sweep.range_max, hit});
+    const float intensity = has_intensities ? usable(sweep.intensities[i]) : 0.0f;
+    scan.beams.push_back(
+        {static_cast<float>(side * angle), hit ? range : sweep.range_max, hit, intensity});
   }
   return scan;
 }

@@ -20,6 +20,7 @@ struct LaserSweep {
   float angle_min = 0.0f, angle_max = 0.0f, angle_increment = 0.0f;  ///< about the frame's z [rad]
   float range_min = 0.0f, range_max = 0.0f;                          ///< [m]
   std::vector<float> ranges;                                         ///< [m]
+  std::vector<float> intensities;  ///< one for each range, in the sensor's own unit; or none
 };
 
 /// Where a laser is mounted: its frame (x ahead, y left, beams in the plane of both) in the robot's
@@ -42,7 +43,7 @@ constexpr double kMaxTilt = 0.1;
 
 /// The sweep as seen from above: an upside-down laser's bearings are mirrored. Ranges that are not
 /// a number, -Inf, 0 or below range_min tell nothing and are left out; +Inf and those beyond
-/// range_max met nothing up to there.
+/// range_max met nothing up to there. Intensities of another number than the ranges are not used.
 /// @param sweep, mount without faults
 LaserScan toScan(const LaserSweep& sweep, const LaserMount& mount);
 

@@ -16,9 +16,10 @@ namespace slam {
 
 /// One beam of a laser in the horizontal plane.
 struct LaserBeam {
-  float bearing = 0.0f;  ///< about +z from the sensor's x axis [rad]
-  float range = 0.0f;    ///< up to what it met, or up to where it met nothing [m]
-  bool hit = false;      ///< it met something
+  float bearing = 0.0f;    ///< about +z from the sensor's x axis [rad]
+  float range = 0.0f;      ///< up to what it met, or up to where it met nothing [m]
+  bool hit = false;        ///< it met something
+  float intensity = 0.0f;  ///< of what came back, in the sensor's own unit; 0 where it tells none
 
   /// Its end in the sensor frame [m].
   Eigen::Vector2d end() const {

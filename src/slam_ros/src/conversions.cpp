@@ -192,6 +192,7 @@ slam::LaserSweep fromMsg(const sensor_msgs::LaserScan& message) {
   sweep.range_min = message.range_min;
   sweep.range_max = message.range_max;
   sweep.ranges = message.ranges;
+  sweep.intensities = message.intensities;
   return sweep;
 }
 

@@ -56,6 +56,18 @@ TEST(LaserSweep, LeavesOutWhatTellsNothing) {
   EXPECT_NEAR(scan.beams[0].bearing, 0.3, 1e-6) << "of its own place in the sweep";
 }
 
+TEST(LaserSweep, IntensitiesStayWithTheirBeams) {
+  auto sweep = sweepOf({kNan, 2, 3});
+  sweep.intensities = {7, 8, kNan};
+  const auto scan = toScan(sweep, LaserMount());
+  ASSERT_EQ(scan.beams.size(), 2u);
+  EXPECT_EQ(scan.beams[0].intensity, 8.0f);
+  EXPECT_EQ(scan.beams[1].intensity, 0.0f) << "what is not a number tells nothing";
+  sweep.intensities.pop_back();
+  EXPECT_EQ(faultOf(sweep), "") << "ranges are good without";
+  EXPECT_EQ(toScan(sweep, LaserMount()).beams[0].intensity, 0.0f);
+}
+
 TEST(LaserSweep, ABeamThatMetNothingReachesAsFarAsTheLaserSees) {
   const auto scan = toScan(sweepOf({kInf, 8.01f, 8.0f}), LaserMount());
   ASSERT_EQ(scan.beams.size(), 3u);
