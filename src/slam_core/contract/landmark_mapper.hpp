@@ -70,6 +70,8 @@ class LandmarkMapper {
   virtual ~LandmarkMapper() = default;
   virtual LandmarkMap landmarks() const = 0;  ///< sorted by id
   virtual UpdateStatistics statistics() const = 0;
+  /// Whether it maps lines beside points; else it is given none.
+  virtual bool takesLines() const { return false; }
 };
 
 }  // namespace slam

@@ -33,11 +33,19 @@ inline Eigen::Vector3d largestSigmas() {
 /// correlated stays so.
 PoseEstimate bounded(PoseEstimate estimate, const Eigen::Vector3d& largest_sigmas);
 
-/// A point landmark with its marginal covariance in the map frame [m, m^2].
+/// A landmark with its marginal covariance in the map frame. Of a line, `position` is a point of
+/// it.
 struct Landmark {
   LandmarkId id = kUnknownId;
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
+  /// Of (x, y) [m^2]; of a line of its offset along the perpendicular at `position` and of its
+  /// direction [m^2, m rad, rad^2].
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  LandmarkKind kind = LandmarkKind::kPoint;
+  double direction = 0.0;  ///< of the perpendicular to a line, away from who saw it [rad]
+  LineExtent extent = {};  ///< of a line, from `position`
+
+  bool isLine() const { return kind == LandmarkKind::kLine; }
 };
 
 /// Landmarks sorted by id.
@@ -51,5 +59,9 @@ struct MapState {
   Eigen::MatrixXd joint_covariance;
   std::optional<OccupancyGrid> grid = std::nullopt;  ///< of back-ends that make one
 };
+
+/// The map without its lines, for those who take points only.
+LandmarkMap pointsOf(LandmarkMap map);
+MapState withoutLines(const MapState& map);
 
 }  // namespace slam

@@ -15,6 +15,14 @@ namespace {
 /// [m]; no sensor reaches as far, and the fourth power of it is a number still.
 constexpr double kLargestRange = 1e15;
 
+std::string faultOfKind(const LandmarkObservation& observation) {
+  const auto& [begin, end] = observation.extent;
+  if (observation.kind == LandmarkKind::kPoint) return "";
+  if (!observation.isLine()) return " is of a kind that is neither point nor line";
+  const bool is_part = begin < end && std::abs(begin) < kLargestRange && end < kLargestRange;
+  return is_part ? "" : " is a line of which no part was seen";
+}
+
 }  // namespace
 
 std::string faultOf(const LandmarkObservation& observation) {
@@ -26,6 +34,7 @@ std::string faultOf(const LandmarkObservation& observation) {
   if (observation.range > kLargestRange) return name + " has a range that no sensor reaches";
   if (!isCovariance(observation.covariance))
     return name + " has a covariance that is not positive definite";
+  if (const auto fault = faultOfKind(observation); !fault.empty()) return name + fault;
   const Eigen::Vector2d sigma = observation.covariance.diagonal().cwiseSqrt();
   if (sigma.x() > kLargestInputSigmaLength || sigma.y() > kLargestInputSigmaAngle)
     return name +

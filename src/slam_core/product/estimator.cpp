@@ -73,9 +73,14 @@ void Estimator::configure(Settings& settings) {
   faults.attempt([&] { events_config_ = settings.read<EventsConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
   faults.attempt([&] { relocaliser_.configure(settings, capabilities_, idsOf(settings)); });
-  faults.attempt([&] { intake_.configure(settings, ports_); });
+  faults.attempt([&] { intake_.configure(settings, ports_, takesLines()); });
   faults.raise();
   reset();
+}
+
+bool Estimator::takesLines() const {
+  const auto* mapper = capabilities_.find<LandmarkMapper>();
+  return mapper != nullptr && mapper->takesLines();
 }
 
 void Estimator::describe(Ports& ports) {
@@ -122,13 +127,17 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
 Status Estimator::set(const MapState& map) {
   auto* keeper = capabilities_.find<MapKeeper>();
   if (keeper == nullptr) return Status::error("this back-end keeps no map that could be loaded");
-  keeper->set(map);
-  const auto status = backend_->execute();
+  const auto points = withoutLines(map);
+  keeper->set(takesLines() ? map : points);
+  auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
+  if (!takesLines() && points.landmarks.size() < map.landmarks.size())
+    status = moreUrgent(status, Status::warning("the map's lines are left out, since this back-end "
+                                                "maps points only: use backend=ekf"));
   events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
-  return moreUrgent(status, relocaliser_.assume(Belief::kUnconfirmed, &map));
+  return moreUrgent(status, relocaliser_.assume(Belief::kUnconfirmed, &points));
 }
 
 Status Estimator::set(const SavedSession& session) {

@@ -82,6 +82,7 @@ class Estimator final : public Component {
  private:
   /// The back-end's, without those that the product does not use.
   Ports usedPorts() const;
+  bool takesLines() const;
   Status resetBackend();
   void give(const Intake::Step& step);
   bool isAdmitted(const Intake::Trigger& trigger);

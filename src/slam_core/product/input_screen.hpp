@@ -21,9 +21,9 @@ namespace slam {
 /// "invalid_scan", "invalid_NAME" of an input NAME of any other kind.
 class InputScreen {
  public:
-  /// @throw ConfigError
-  void configure(Settings& settings) {
-    observations_ = ObservationIntake(settings.read<LandmarkSensorConfig>());
+  /// @param takes_lines see ObservationIntake @throw ConfigError
+  void configure(Settings& settings, bool takes_lines) {
+    observations_ = ObservationIntake(settings.read<LandmarkSensorConfig>(), takes_lines);
   }
 
   /// When a value arrives. @return nothing where it is left out

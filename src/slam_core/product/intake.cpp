@@ -31,9 +31,9 @@ std::string faultOf(const InputPort& port) {
 
 }  // namespace
 
-void Intake::configure(Settings& settings, const Ports& ports) {
+void Intake::configure(Settings& settings, const Ports& ports, bool takes_lines) {
   FaultCollector faults;
-  faults.attempt([&] { screen_.configure(settings); });
+  faults.attempt([&] { screen_.configure(settings, takes_lines); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
   faults.attempt([&] {
     source_timeout_ = durationFromSeconds(settings.read<ProductConfig>().source_timeout);

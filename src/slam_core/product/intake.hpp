@@ -50,8 +50,9 @@ class Intake {
     Counters held() const;
   };
 
-  /// @param ports of the back-end; they outlive this @throw ConfigError
-  void configure(Settings& settings, const Ports& ports);
+  /// @param ports of the back-end; they outlive this
+  /// @param takes_lines the back-end maps lines @throw ConfigError
+  void configure(Settings& settings, const Ports& ports, bool takes_lines = false);
 
   /// A value for an input; nothing comes of one that there is not.
   void take(const std::string& input, Kind kind, const void* value);

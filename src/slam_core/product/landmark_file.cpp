@@ -51,7 +51,8 @@ std::string jointText(const Eigen::MatrixXd& joint) {
 std::string notFinite(const MapState& map) {
   if (!map.robot.pose.isFinite() || !map.robot.covariance.allFinite()) return "the pose";
   for (const auto& landmark : map.landmarks)
-    if (!landmark.position.allFinite() || !landmark.covariance.allFinite())
+    if (!landmark.position.allFinite() || !landmark.covariance.allFinite() ||
+        !std::isfinite(landmark.direction))
       return fmt::format("landmark {}", landmark.id);
   return map.joint_covariance.allFinite() ? "" : "the joint covariance";
 }
@@ -74,6 +75,29 @@ Eigen::Matrix<double, N, N> covariance(const YAML::Node& node, const std::string
   return matrix;
 }
 
+std::string textOf(const Landmark& landmark) {
+  const auto line = fmt::format(", kind: line, direction: {}, begin: {}, end: {}",
+                                landmark.direction, landmark.extent.begin, landmark.extent.end);
+  return fmt::format("  - {{id: {}, x: {}, y: {}, covariance: [{}]{}}}\n", landmark.id,
+                     landmark.position.x(), landmark.position.y(), numbers(landmark.covariance),
+                     landmark.isLine() ? line : "");
+}
+
+/// A landmark without a kind is a point.
+void readKind(const YAML::Node& entry, Landmark& landmark) {
+  if (!entry["kind"]) return;
+  const auto kind = entry["kind"].as<std::string>(), owner = std::to_string(landmark.id);
+  if (kind != "point" && kind != "line")
+    throw std::runtime_error("kind '" + kind + "' of landmark " + owner +
+                             " is neither point nor line");
+  if (kind == "point") return;
+  landmark.kind = LandmarkKind::kLine;
+  landmark.direction = number(entry, "direction");
+  landmark.extent = {number(entry, "begin"), number(entry, "end")};
+  if (landmark.extent.begin >= landmark.extent.end)
+    throw std::runtime_error("line " + owner + " ends where it begins, or before");
+}
+
 LandmarkMap readLandmarks(const YAML::Node& list) {
   LandmarkMap landmarks;
   for (const auto& entry : list) {
@@ -82,6 +106,7 @@ LandmarkMap readLandmarks(const YAML::Node& list) {
     landmark.position = {number(entry, "x"), number(entry, "y")};
     landmark.covariance =
         covariance<2>(entry["covariance"], "landmark " + std::to_string(landmark.id));
+    readKind(entry, landmark);
     landmarks.push_back(landmark);
   }
   const auto by_id = [](const Landmark& a, const Landmark& b) { return a.id < b.id; };
@@ -173,9 +198,7 @@ std::string toYaml(const LandmarkFile& file) {
       file.map.landmarks.size(), file.map.joint_covariance.size() > 0, robot.pose.x(),
       robot.pose.y(), robot.pose.theta(), numbers(robot.covariance),
       file.map.landmarks.empty() ? " []" : "");
-  for (const auto& landmark : file.map.landmarks)
-    text += fmt::format("  - {{id: {}, x: {}, y: {}, covariance: [{}]}}\n", landmark.id,
-                        landmark.position.x(), landmark.position.y(), numbers(landmark.covariance));
+  for (const auto& landmark : file.map.landmarks) text += textOf(landmark);
   if (file.map.joint_covariance.size() > 0) text += jointText(file.map.joint_covariance);
   return text;
 }

@@ -26,6 +26,16 @@ std::string leaveOutInvalid(Observations& all, Counters& counters) {
   return told;
 }
 
+std::string leaveOutLines(Observations& all, Counters& counters) {
+  const auto is_line = [](const LandmarkObservation& z) { return z.isLine(); };
+  const auto lines = std::count_if(all.begin(), all.end(), is_line);
+  if (lines == 0) return "";
+  counters.add("line_observation", static_cast<std::uint64_t>(lines));
+  all.erase(std::remove_if(all.begin(), all.end(), is_line), all.end());
+  return "observations of lines are left out, since this back-end maps points only: use "
+         "backend=ekf";
+}
+
 /// Those without an id, which come first, go first.
 std::string leaveOutBeyond(std::size_t most, Observations& sorted, Counters& counters) {
   if (sorted.size() <= most) return "";
@@ -54,10 +64,12 @@ std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters&
     return "observations with a sensor pose that holds a value that is not a number are left out";
   }
   const auto invalid = leaveOutInvalid(all, counters);
+  const auto lines = takes_lines_ ? std::string() : leaveOutLines(all, counters);
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.id < b.id; });
   const auto beyond = leaveOutBeyond(kMostObservations, all, counters);
-  return beyond.empty() ? invalid : beyond;
+  if (!beyond.empty()) return beyond;
+  return invalid.empty() ? lines : invalid;
 }
 
 std::string ObservationIntake::admit(LandmarkObservationArray& array, Counters& counters) {

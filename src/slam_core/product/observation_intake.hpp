@@ -14,14 +14,16 @@ namespace slam {
 
 /// What the Estimator lets through to its back-end of an observation array. The work of a step
 /// grows with the cube of the observations and its memory with the square of the map, so that one
-/// wild array could stop a robot. Counted: "invalid_observation", "observations_beyond_limit",
-/// "new_landmarks_beyond_limit".
+/// wild array could stop a robot. Counted: "invalid_observation", "line_observation",
+/// "observations_beyond_limit", "new_landmarks_beyond_limit".
 class ObservationIntake {
  public:
   static constexpr std::size_t kMostObservations = 500;  ///< of one array
   static constexpr std::size_t kMostNewLandmarks = 200;  ///< of one step
 
-  explicit ObservationIntake(const LandmarkSensorConfig& sensor = {}) : sensor_(sensor) {}
+  /// @param takes_lines the back-end maps lines; else they are left out
+  explicit ObservationIntake(const LandmarkSensorConfig& sensor = {}, bool takes_lines = false)
+      : sensor_(sensor), takes_lines_(takes_lines) {}
 
   /// When an array arrives: fills in the sensor's covariances, leaves out what is invalid or beyond
   /// kMostObservations, and sorts by id.
@@ -37,6 +39,7 @@ class ObservationIntake {
 
  private:
   LandmarkSensorConfig sensor_;
+  bool takes_lines_;
   std::unordered_set<LandmarkId> known_;  // looked up only, never iterated
 };
 

@@ -57,6 +57,7 @@ bool LocalLandmarks::see(const LandmarkObservationArray& array) {
   const RangeBearingModel model;
   bool has_new = false;
   for (const auto& z : array.observations) {
+    if (z.isLine()) continue;  // it tells no place
     LocalLandmark seen;
     Eigen::Matrix2d J_z;
     if (ids_ == Ids::kKnown) seen.id = z.id;

@@ -84,8 +84,8 @@ void Relocaliser::searchAnyway() {
 /// What a lost robot has put into the map stands where it took it to be: the robot would be found
 /// where it is not.
 LandmarkMap Relocaliser::landmarksToSearch(const MapState* loaded) const {
-  auto map =
-      loaded != nullptr ? loaded->landmarks : capabilities_.find<LandmarkMapper>()->landmarks();
+  auto map = pointsOf(loaded != nullptr ? loaded->landmarks
+                                        : capabilities_.find<LandmarkMapper>()->landmarks());
   const auto is_doubtful = [this](const Landmark& mark) { return !doubt_.isTrusted(mark.id); };
   if (doubt_.isLost()) map.erase(std::remove_if(map.begin(), map.end(), is_doubtful), map.end());
   return map;

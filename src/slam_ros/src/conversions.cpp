@@ -160,6 +160,9 @@ slam_msgs::LandmarkObservationArray toMsg(const slam::LandmarkObservationArray& 
     entry.range = observation.range;
     entry.bearing = observation.bearing;
     copyTo<2>(observation.covariance, entry.covariance);
+    entry.kind = static_cast<std::uint8_t>(observation.kind);
+    entry.begin = observation.extent.begin;
+    entry.end = observation.extent.end;
     message.observations.push_back(entry);
   }
   return message;
@@ -177,6 +180,8 @@ slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray
     observation.range = entry.range;
     observation.bearing = entry.bearing;
     observation.covariance = squareMatrix<2>(entry.covariance);
+    observation.kind = static_cast<slam::LandmarkKind>(entry.kind);
+    observation.extent = {entry.begin, entry.end};
     array.observations.push_back(observation);
   }
   return array;
@@ -207,6 +212,10 @@ slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp sta
     entry.x = landmark.position.x();
     entry.y = landmark.position.y();
     copyTo<2>(landmark.covariance, entry.covariance);
+    entry.kind = static_cast<std::uint8_t>(landmark.kind);
+    entry.direction = landmark.direction;
+    entry.begin = landmark.extent.begin;
+    entry.end = landmark.extent.end;
     message.landmarks.push_back(entry);
   }
   return message;

@@ -16,6 +16,7 @@ using visualization_msgs::Marker;
 constexpr double kChiSquare95 = 5.991;   // two degrees of freedom
 constexpr double kSmallestAxis = 0.02;   // [m], below it an ellipse could not be seen
 constexpr double kPointDiameter = 0.08;  // [m]
+constexpr double kLineWidth = 0.04;      // [m]
 constexpr double kTextHeight = 0.25;     // [m]
 
 std_msgs::ColorRGBA color(float r, float g, float b, float a) {
@@ -75,15 +76,31 @@ Marker text(const std_msgs::Header& header, const slam::Landmark& landmark) {
   return message;
 }
 
+/// The part of a wall that was seen.
+Marker segment(const std_msgs::Header& header, const slam::Landmark& landmark) {
+  auto message = marker(header, "landmark", landmark, Marker::LINE_LIST);
+  message.pose =
+      toSpatialMsg({landmark.position.x(), landmark.position.y(), landmark.direction + M_PI / 2.0});
+  message.scale.x = kLineWidth;
+  message.color = color(0.75F, 0.15F, 0.05F, 1.0F);
+  for (const double place : {landmark.extent.begin, landmark.extent.end})
+    message.points.emplace_back().x = place;
+  return message;
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray toMarkers(const slam::LandmarkMap& landmarks,
                                           const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
-  array.markers.reserve(3 * landmarks.size());
+  array.markers.reserve(3 * landmarks.size());  // two of a line
   for (const auto& landmark : landmarks) {
-    array.markers.push_back(ellipse(header, landmark));
-    array.markers.push_back(point(header, landmark));
+    if (landmark.isLine()) {
+      array.markers.push_back(segment(header, landmark));
+    } else {
+      array.markers.push_back(ellipse(header, landmark));
+      array.markers.push_back(point(header, landmark));
+    }
     array.markers.push_back(text(header, landmark));
   }
   return array;

@@ -29,5 +29,24 @@ TEST(BoundedEstimate, HasTheLargestSigmasAndTheSameCorrelations) {
       << estimate.covariance;
 }
 
+TEST(MapWithoutLines, HasThePointsWithTheirCovariances) {
+  MapState map;
+  map.landmarks.resize(3);
+  for (LandmarkId id = 0; id < 3; ++id) map.landmarks[static_cast<std::size_t>(id)].id = id;
+  map.landmarks[1].kind = LandmarkKind::kLine;
+  map.joint_covariance.resize(9, 9);
+  for (Eigen::Index row = 0; row < 9; ++row)
+    for (Eigen::Index column = 0; column < 9; ++column)
+      map.joint_covariance(row, column) = static_cast<double>(10 * row + column);
+  const auto points = withoutLines(map);
+  ASSERT_EQ(points.landmarks.size(), 2u);
+  EXPECT_EQ(points.landmarks[1].id, 2);
+  ASSERT_EQ(points.joint_covariance.rows(), 7);
+  EXPECT_EQ(points.joint_covariance(4, 6), 48.0) << "of landmark 0 with landmark 2";
+  map.joint_covariance.resize(0, 0);
+  EXPECT_EQ(withoutLines(map).landmarks.size(), 2u);
+  EXPECT_EQ(withoutLines(map).joint_covariance.size(), 0);
+}
+
 }  // namespace
 }  // namespace slam

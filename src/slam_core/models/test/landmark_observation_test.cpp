@@ -43,6 +43,18 @@ TEST(LandmarkObservationFault, NamesTheLandmarkAndWhatIsWrong) {
   }
 }
 
+TEST(LandmarkObservationFault, ALineHasALength) {
+  auto z = goodObservation();
+  z.kind = LandmarkKind::kLine;
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "a line of which no part was seen"}));
+  z.extent = {-1.0, 2.0};
+  EXPECT_EQ(faultOf(z), "");
+  z.extent.end = std::nan("");
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "a line of which no part was seen"}));
+  z.kind = static_cast<LandmarkKind>(7);
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "neither point nor line"}));
+}
+
 TEST(LandmarkObservationFault, KnowsNoNegativeIdButThatOfTheUnknown) {
   auto z = goodObservation();
   z.id = kUnknownId;

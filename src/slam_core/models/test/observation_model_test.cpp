@@ -10,12 +10,30 @@
 #include "slam_core/common/random.hpp"
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/geometry/test/numeric_jacobian.hpp"
+#include "slam_core/models/line_model.hpp"
 
 namespace slam {
 namespace {
 
+/// A landmark that a sensor sees at this range and bearing.
+struct PointCase {
+  RangeBearingModel model;
+  static Eigen::Vector2d landmarkAt(const Pose2& T_map_sensor, double range, double bearing) {
+    return T_map_sensor.transform({range * std::cos(bearing), range * std::sin(bearing)});
+  }
+};
+struct LineCase {
+  const Eigen::Vector2d anchor{3.0, -2.0};
+  LineModel model{anchor};
+  Eigen::Vector2d landmarkAt(const Pose2& T_map_sensor, double range, double bearing) const {
+    const double direction = wrapAngle(T_map_sensor.theta() + bearing);
+    const Eigen::Vector2d n(std::cos(direction), std::sin(direction));
+    return {n.dot(T_map_sensor.position() + range * n - anchor), direction};
+  }
+};
+
 /// What every observation model promises.
-template <class Model>
+template <class Case>
 class ObservationModelContract : public testing::Test {
  protected:
   /// Calls check(robot, sensor, landmark) for random ones; every other sensor sits at the centre.
@@ -28,14 +46,14 @@ class ObservationModelContract : public testing::Test {
                                       : Pose2(0.5 * random.gaussian(), 0.5 * random.gaussian(),
                                               3 * random.gaussian());
       const double range = 0.3 + 5 * random.uniform(), angle = 2 * M_PI * random.uniform();
-      const Eigen::Vector2d offset(range * std::cos(angle), range * std::sin(angle));
-      check(robot, sensor, (robot * sensor).transform(offset));
+      check(robot, sensor, case_.landmarkAt(robot * sensor, range, angle));
     }
   }
-  Model model_;
+  Case case_;
+  const ObservationModel& model_ = case_.model;
 };
 
-using Models = testing::Types<RangeBearingModel>;
+using Models = testing::Types<PointCase, LineCase>;
 TYPED_TEST_SUITE(ObservationModelContract, Models);
 
 TYPED_TEST(ObservationModelContract, PredictsWithTheNumericJacobians) {
@@ -85,7 +103,7 @@ TYPED_TEST(ObservationModelContract, InvertUndoesPredict) {
 
 TYPED_TEST(ObservationModelContract, IsSingularOnTopOfTheSensor) {
   const Pose2 robot(1, 2, 0.5), sensor(0.3, 0.1, 0.2);
-  const Eigen::Vector2d m = (robot * sensor).position();
+  const auto m = this->case_.landmarkAt(robot * sensor, 0.0, 0.3);
   EXPECT_TRUE(this->model_.isSingular(this->model_.predict(robot, sensor, m)));
 }
 

@@ -56,6 +56,30 @@ class LandmarkFileTest : public testing::Test {
   const std::string path = folder / "landmarks.yaml";
 };
 
+TEST_F(LandmarkFileTest, ALineStaysALine) {
+  auto saved = exampleFile();
+  auto& line = saved.map.landmarks[1];
+  line.kind = LandmarkKind::kLine;
+  line.direction = -1.0 / 3.0;
+  line.extent = {-2.0 / 7.0, 5.5};
+  saveLandmarks(path, saved);
+  const auto loaded = loadLandmarks(path, "map").map.landmarks;
+  EXPECT_FALSE(loaded[0].isLine());
+  ASSERT_TRUE(loaded[1].isLine());
+  EXPECT_EQ(loaded[1].position, line.position);
+  EXPECT_EQ(loaded[1].direction, line.direction);
+  EXPECT_EQ(loaded[1].extent.begin, line.extent.begin);
+  EXPECT_EQ(loaded[1].extent.end, line.extent.end);
+  const auto refusal = [&](const std::string& piece, const std::string& other) {
+    auto text = toYaml(saved);
+    return refusalOf(text.replace(text.find(piece), piece.size(), other));
+  };
+  EXPECT_TRUE(
+      oneSays({refusal("kind: line", "kind: circle")}, {"landmark 7", "neither point nor line"}));
+  EXPECT_TRUE(oneSays({refusal("end: 5.5", "end: -1")}, {"line 7 ends where it begins"}));
+  EXPECT_TRUE(oneSays({refusal("end: 5.5", "end: .nan")}, {"end is not a finite number"}));
+}
+
 TEST_F(LandmarkFileTest, ReadsBackEveryBit) {
   const auto saved = exampleFile();
   saveLandmarks(path, saved);

@@ -76,6 +76,19 @@ TEST_F(ObservationIntakeTest, AddsSoManyLandmarksInAStepAndTheOthersLater) {
   EXPECT_EQ(array.observations.size(), kMostNew + 50);
 }
 
+TEST_F(ObservationIntakeTest, LeavesOutLinesOfABackendThatMapsPoints) {
+  auto array = arrayOf(0, 3);
+  array.observations[1].kind = LandmarkKind::kLine;
+  array.observations[1].extent = {-1.0, 1.0};
+  auto same = array;
+  EXPECT_TRUE(
+      test::oneSays({intake.screen(array, counters)}, {"lines are left out", "backend=ekf"}));
+  EXPECT_EQ(array.observations.size(), 2u);
+  EXPECT_EQ(counters["line_observation"], 1u);
+  EXPECT_EQ(ObservationIntake({}, true).screen(same, counters), "");
+  EXPECT_EQ(same.observations.size(), 3u);
+}
+
 TEST_F(ObservationIntakeTest, CountsNoLandmarkOfTheMapAsNew) {
   LandmarkMap map(kMost);
   for (std::size_t i = 0; i < map.size(); ++i) map[i].id = static_cast<LandmarkId>(i);
