@@ -110,8 +110,10 @@ std::vector<LandmarkId> Associator::ghosts(const Association& association, const
 bool Associator::passesGate(const Match& match, const EkfState& state,
                             const ObservationModel& model, const Pose2& sensor,
                             Association& association) const {
-  const auto predicted = model.predict(state.robot(), sensor, state.point(match.slot).now);
-  if (model.isSingular(predicted)) return false;
+  const auto point = state.point(match.slot);
+  const auto& of_kind = point.modelOr(model);
+  if (match.z.isLine() != (point.line != nullptr)) return false;
+  if (of_kind.isSingular(of_kind.predict(state.robot(), sensor, point.now))) return false;
   const std::vector<Match> one = {match};
   std::optional<ObservationInnovation> seen;
   double nis = 0.0;

@@ -31,7 +31,47 @@ LandmarksInView LandmarksByPlace::all() const {
   return view;
 }
 
+namespace {
+
+/// Where an observation puts a landmark, and how far it may be off.
+struct Placed {
+  Eigen::Vector2d m;
+  Eigen::Matrix2d P;
+};
+
+Placed placed(const ObservationModel& model, const LandmarkObservation& z, const PoseEstimate& pose,
+              const Pose2& sensor) {
+  Eigen::Matrix<double, 2, 3> J_robot;
+  Eigen::Matrix2d J_z;
+  Placed result;
+  result.m = model.invert(pose.pose, sensor, z.vector(), &J_robot, &J_z);
+  result.P = J_robot * pose.covariance * J_robot.transpose() + J_z * z.covariance * J_z.transpose();
+  return result;
+}
+
 /// Robot and landmark may both be in doubt: relative to one another no more than both together.
+bool isNear(const Placed& place, const Landmark& point, double gate) {
+  const double sigma = std::sqrt(place.P.trace()) + std::sqrt(point.covariance.trace());
+  return (point.position - place.m).squaredNorm() <= gate * sigma * sigma;
+}
+
+/// The same of a line, which has to be seen where it is known to be, too.
+bool isNear(const LandmarkObservation& z, const Landmark& line, const PoseEstimate& pose,
+            const Pose2& sensor, double gate) {
+  const LineModel model(line.position);
+  const Eigen::Vector2d known(0.0, line.direction);
+  const auto place = placed(model, z, pose, sensor);
+  const Eigen::Vector2d off = model.innovation(place.m, known);
+  const Eigen::Vector2d sigma =
+      place.P.diagonal().cwiseSqrt() + line.covariance.diagonal().cwiseSqrt();
+  const double along = std::sqrt(gate * pose.covariance.topLeftCorner<2, 2>().trace());
+  return (off.cwiseAbs2().array() <= gate * sigma.cwiseAbs2().array()).all() &&
+         gapBetween(model.extentOf(pose.pose * sensor, z, known), line.extent) <=
+             kLargestLineGap + along;
+}
+
+}  // namespace
+
 LandmarksByPlace landmarksByPlace(const LandmarkObservationArray& array, const EkfState& state,
                                   const ObservationModel& model, double gate) {
   const auto map = state.map();
@@ -39,15 +79,11 @@ LandmarksByPlace landmarksByPlace(const LandmarkObservationArray& array, const E
   LandmarksByPlace result;
   for (const auto& z : array.observations) {
     auto& near = result.of.emplace_back();
-    Eigen::Matrix<double, 2, 3> J_robot;
-    Eigen::Matrix2d J_z;
-    const Eigen::Vector2d place =
-        model.invert(pose.pose, array.sensor_pose, z.vector(), &J_robot, &J_z);
-    const double variance = (J_robot * pose.covariance * J_robot.transpose()).trace() +
-                            (J_z * z.covariance * J_z.transpose()).trace();
+    const auto place = placed(model, z, pose, array.sensor_pose);
     for (const auto& landmark : map) {
-      const double sigma = std::sqrt(variance) + std::sqrt(landmark.covariance.trace());
-      if ((landmark.position - place).squaredNorm() <= gate * sigma * sigma)
+      if (landmark.isLine() != z.isLine()) continue;
+      if (z.isLine() ? isNear(z, landmark, pose, array.sensor_pose, gate)
+                     : isNear(place, landmark, gate))
         near.push_back(static_cast<Eigen::Index>(*state.find(landmark.id)));
     }
   }
@@ -90,7 +126,8 @@ PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const Ek
       const auto number = static_cast<std::size_t>(landmark);
       const auto slot = state.slotOf(number);
       const auto point = state.point(slot);
-      if (model.isSingular(model.predict(robot, array.sensor_pose, point.now))) continue;
+      const auto& of_kind = point.modelOr(model);
+      if (of_kind.isSingular(of_kind.predict(robot, array.sensor_pose, point.now))) continue;
       near_[i].push_back(
           {number, state.linearization().innovation(model, robot, robot, array.sensor_pose, point,
                                                     array.observations[i])});

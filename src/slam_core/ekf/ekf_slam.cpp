@@ -167,10 +167,12 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
   statistics_.used = static_cast<int>(matches.size());
   statistics_.log_likelihood += step->logLikelihood();
   statistics_.joint = step->joint();
-  if (config_.mapIsFixed())
+  if (config_.mapIsFixed()) {
     state_.updateRobot(dx, W);
-  else
-    state_.update(dx, W);
+    return Status::ok();
+  }
+  state_.update(dx, W);
+  for (const auto& match : matches) state_.extend(match.slot, sensor, match.z);
   return Status::ok();
 }
 
@@ -194,7 +196,7 @@ Status EkfSlam::reinitialize(const association::Sightings::Verdict& verdict, con
     counters_.add("distrusted");
     return association::DistrustedIds::warningOf(id);
   }
-  state_.beginAnew(id, m.position, m.J_robot, m.R);
+  state_.beginAnew(id, m);
   counters_.add("begun_anew");
   return association::Sightings::warningOf(verdict, true);
 }
@@ -213,7 +215,7 @@ Status EkfSlam::augment(Association& association, const Pose2& sensor) {
     }
     const bool is_named = z.id != kUnknownId && !state_.find(z.id);
     const auto id = is_named ? z.id : state_.freeId();
-    state_.append(id, m.position, m.J_robot, m.R);
+    state_.append(id, m);
     begun.setId(id);
     ++statistics_.added;
   }
@@ -227,10 +229,16 @@ void EkfSlam::removeGhosts(const Association& association, const Pose2& sensor) 
   }
 }
 
-EkfSlam::NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {
+NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {
   NewLandmark m;
   Eigen::Matrix2d J_z;
-  m.position = model_.invert(state_.robot(), sensor, z.vector(), &m.J_robot, &J_z);
+  if (z.isLine()) {
+    const LineModel line(state_.robot() * sensor, z);
+    m.m_map = line.invert(state_.robot(), sensor, z.vector(), &m.J_robot, &J_z);
+    m.line = MappedLine{line, line.extentOf(state_.robot() * sensor, z, m.m_map)};
+  } else {
+    m.m_map = model_.invert(state_.robot(), sensor, z.vector(), &m.J_robot, &J_z);
+  }
   m.R = J_z * z.covariance * J_z.transpose();
   return m;
 }

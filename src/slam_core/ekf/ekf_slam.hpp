@@ -19,7 +19,7 @@
 
 namespace slam::ekf {
 
-/// EKF-SLAM with a map of point landmarks (thesis 5.1; Thrun, Burgard, Fox 2005, table 10.1): all
+/// EKF-SLAM with a map of points and lines (thesis 5.1; Thrun, Burgard, Fox 2005, table 10.1): all
 /// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
 /// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
 /// robot instead of the map's is the state's doing (neighbourhood.hpp).
@@ -46,20 +46,11 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper, AssociationChoo
   // what it offers as capabilities
   LandmarkMap landmarks() const override { return state_.map(); }
   UpdateStatistics statistics() const override { return statistics_; }
+  bool takesLines() const override { return true; }
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
   void useAssociation(const std::string& policy) override { association_ = policy; }
 
-  /// Where an observation puts a landmark, its Jacobian by the robot, and the observation's noise.
-  struct NewLandmark {
-    Eigen::Vector2d position;
-    Eigen::Matrix<double, 2, 3> J_robot;
-    Eigen::Matrix2d R;
-    /// A landmark so far away that its covariance would not be finite is not finite either.
-    bool isFinite() const {
-      return position.allFinite() && R.allFinite() && (J_robot * J_robot.transpose()).allFinite();
-    }
-  };
   NewLandmark initialized(const LandmarkObservation& z, const Pose2& sensor) const;
   StretchLimits limits() const;
   void replaceMap();

@@ -37,7 +37,10 @@ EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const M
     index_[landmark.id] = static_cast<Eigen::Index>(ids_.size());
     ids_.push_back(landmark.id);
     largest_id_ = std::max(largest_id_, landmark.id);
-    starts_.push_back(landmark.position);
+    const auto& m = landmark;
+    starts_.push_back(m.isLine() ? Eigen::Vector2d(0.0, m.direction) : m.position);
+    lines_.emplace_back();
+    if (m.isLine()) lines_.back() = MappedLine{LineModel(m.position), m.extent};
   }
   firsts_ = starts_;
   born_.assign(ids_.size(), 0.0);
@@ -53,8 +56,11 @@ std::optional<std::size_t> EkfState::find(LandmarkId id) const {
 
 LandmarkPoint EkfState::point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,
                               double born) const {
-  const auto& start = starts_[at(landmark)];
-  return {linearization_->moved(start, correction, turn - born), start, firsts_[at(landmark)]};
+  const auto &start = starts_[at(landmark)], &first = firsts_[at(landmark)];
+  if (const auto& line = lines_[at(landmark)])
+    return {linearization_->moved(line->model, start, correction, turn - born), start, first,
+            &line->model};
+  return {linearization_->moved(start, correction, turn - born), start, first};
 }
 
 LandmarkPoint EkfState::point(Eigen::Index slot, const Eigen::Vector2d& correction,
@@ -152,25 +158,31 @@ void EkfState::updateRobot(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W) 
   correctRobot(dx.head<3>());
 }
 
-void EkfState::append(LandmarkId id, const Eigen::Vector2d& m_map,
-                      const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R) {
-  neighbourhood_.append(J_m_robot, R);
+void EkfState::extend(Eigen::Index slot, const Pose2& sensor, const LandmarkObservation& z) {
+  auto& line = lines_[at(neighbourhood_.taken()[at(slot)])];
+  if (line)
+    line->extent = united(line->extent, line->model.extentOf(robot_ * sensor, z, point(slot).now));
+}
+
+void EkfState::append(LandmarkId id, const NewLandmark& m) {
+  neighbourhood_.append(m.J_robot, m.R);
   index_[id] = static_cast<Eigen::Index>(ids_.size());
   ids_.push_back(id);
   largest_id_ = std::max(largest_id_, id);
-  starts_.push_back(m_map);
-  firsts_.push_back(m_map);
+  starts_.push_back(m.m_map);
+  firsts_.push_back(m.m_map);
+  lines_.push_back(m.line);
   born_.push_back(turn());
   is_seen_.push_back(true);
   ++seen_;
 }
 
-void EkfState::beginAnew(LandmarkId id, const Eigen::Vector2d& m_map,
-                         const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R) {
+void EkfState::beginAnew(LandmarkId id, const NewLandmark& m) {
   const auto landmark = index_.at(id);
   renew();
-  neighbourhood_.replace(landmark, J_m_robot, R);
-  starts_[at(landmark)] = firsts_[at(landmark)] = m_map;
+  neighbourhood_.replace(landmark, m.J_robot, m.R);
+  starts_[at(landmark)] = firsts_[at(landmark)] = m.m_map;
+  lines_[at(landmark)] = m.line;
   takeWholeMap();
 }
 
@@ -186,7 +198,8 @@ void EkfState::retire(LandmarkId id) { index_.erase(id); }
 std::vector<association::LandmarkPlace> EkfState::places() const {
   const auto points = allPoints();
   std::vector<association::LandmarkPlace> places;
-  for (const auto i : orderById()) places.push_back({ids_[at(i)], points[at(i)].now});
+  for (const auto i : orderById())
+    if (!lines_[at(i)]) places.push_back({ids_[at(i)], points[at(i)].now});
   return places;
 }
 
@@ -202,13 +215,22 @@ std::vector<Eigen::Index> EkfState::orderById() const {
   return order;
 }
 
+Landmark EkfState::landmark(Eigen::Index landmark, const LandmarkPoint& point) const {
+  const auto id = ids_[at(landmark)];
+  if (const auto& line = lines_[at(landmark)])
+    return line->model.landmarkOf(id, point.now, line->extent);
+  return {id, point.now, Eigen::Matrix2d::Zero()};
+}
+
 LandmarkMap EkfState::map() const {
   const auto points = allPoints();
   const auto marginals = neighbourhood_.marginals(transports(points));
   LandmarkMap map;
   map.reserve(ids_.size());
-  for (const auto i : orderById())
-    map.push_back({ids_[at(i)], points[at(i)].now, marginals[at(i)]});
+  for (const auto i : orderById()) {
+    map.push_back(landmark(i, points[at(i)]));
+    map.back().covariance = marginals[at(i)];
+  }
   return map;
 }
 
@@ -220,7 +242,7 @@ MapState EkfState::state() const {
   MapState state{pose(), {}, {}};
   for (const auto i : orderById()) {
     for (Eigen::Index axis = 0; axis < 2; ++axis) rows.push_back(3 + 2 * i + axis);
-    state.landmarks.push_back({ids_[at(i)], points[at(i)].now, Eigen::Matrix2d::Zero()});
+    state.landmarks.push_back(landmark(i, points[at(i)]));
   }
   auto& joint = state.joint_covariance;
   joint.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(rows.size()));

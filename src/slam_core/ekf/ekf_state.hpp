@@ -13,6 +13,7 @@
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/ekf/neighbourhood.hpp"
 #include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/line_model.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::ekf {
@@ -29,6 +30,19 @@ struct LandmarksInView {
   std::vector<Eigen::Index> landmarks;  ///< one may stand here more than once
   Eigen::Index others = 0;              ///< observations of landmarks that may be new
   Eigen::Index observations = 0;        ///< all of them
+};
+
+/// Where an observation puts a landmark, its Jacobian by the robot, and the observation's noise.
+struct NewLandmark {
+  Eigen::Vector2d m_map = Eigen::Vector2d::Zero();  ///< [m], or of a line [m, rad]
+  Eigen::Matrix<double, 2, 3> J_robot = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix2d R = Eigen::Matrix2d::Zero();
+  std::optional<MappedLine> line = std::nullopt;  ///< of a line
+
+  /// A landmark so far away that its covariance would not be finite is not finite either.
+  bool isFinite() const {
+    return m_map.allFinite() && R.allFinite() && (J_robot * J_robot.transpose()).allFinite();
+  }
 };
 
 /// The Gaussian over robot and map: estimates, their joint covariance (Neighbourhood), and the ids
@@ -64,6 +78,10 @@ class EkfState {
   LandmarkPoint point(Eigen::Index slot,
                       const Eigen::Vector2d& correction = Eigen::Vector2d::Zero(),
                       double turn = 0.0) const;
+  /// Of a landmark that is a line; else nullptr.
+  const MappedLine* line(std::size_t landmark) const {
+    return lines_[landmark] ? &*lines_[landmark] : nullptr;
+  }
   const DenseCovariance& covariance() const { return neighbourhood_.covariance(); }
   const Linearization& linearization() const { return *linearization_; }
 
@@ -74,12 +92,12 @@ class EkfState {
   void update(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
   /// The same for the robot only, the map being known (Schmidt-Kalman update).
   void updateRobot(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
+  /// Another part of a line of the neighbourhood was seen.
+  void extend(Eigen::Index slot, const Pose2& sensor, const LandmarkObservation& z);
   /// Appends m = g(robot, z): J = dg/drobot, R the noise of z mapped into the plane.
-  void append(LandmarkId id, const Eigen::Vector2d& m_map,
-              const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
+  void append(LandmarkId id, const NewLandmark& m);
   /// A known landmark is forgotten and appended again, in its place in the order.
-  void beginAnew(LandmarkId id, const Eigen::Vector2d& m_map,
-                 const Eigen::Matrix<double, 2, 3>& J_m_robot, const Eigen::Matrix2d& R);
+  void beginAnew(LandmarkId id, const NewLandmark& m);
   /// A landmark is not found any more, nor in map() and state(); the Gaussian keeps it, which is to
   /// forget it as exactly as if it were taken out. Its number is never given again.
   void retire(LandmarkId id);
@@ -89,7 +107,7 @@ class EkfState {
   void renewReference();
 
   PoseEstimate pose() const { return {robot_, covariance().robot()}; }
-  std::vector<association::LandmarkPlace> places() const;  ///< sorted by id
+  std::vector<association::LandmarkPlace> places() const;  ///< of points, sorted by id
   LandmarkMap map() const;                                 ///< sorted by id, with marginals
   MapState state() const;  ///< sorted by id, with the joint covariance
 
@@ -99,6 +117,7 @@ class EkfState {
   double turn() const { return neighbourhood_.correction()(DenseCovariance::kHeadingRow); }
   std::vector<LandmarkPoint> allPoints() const;
   Eigen::Matrix2Xd transports(const std::vector<LandmarkPoint>& points) const;
+  Landmark landmark(Eigen::Index landmark, const LandmarkPoint& point) const;
   void correctRobot(const Eigen::Vector3d& dx);
   void renew();
   void takeWholeMap();
@@ -112,6 +131,7 @@ class EkfState {
   LandmarkId largest_id_ = kUnknownId;
   std::unordered_map<LandmarkId, Eigen::Index> index_;  // looked up only, never iterated
   std::vector<Eigen::Vector2d> starts_, firsts_;        ///< see LandmarkPoint
+  std::vector<std::optional<MappedLine>> lines_;        ///< by landmark
   std::vector<double> born_;   ///< turn() when the landmark was added, by landmark
   std::vector<bool> is_seen_;  ///< in this stretch, by landmark
   Eigen::Index seen_ = 0;      ///< how many of them

@@ -50,6 +50,11 @@ Eigen::Vector2d Linearization::moved(const Eigen::Vector2d& start,
   return start + correction;
 }
 
+Eigen::Vector2d Linearization::moved(const LineModel& /*line*/, const Eigen::Vector2d& start,
+                                     const Eigen::Vector2d& correction, double /*turn*/) const {
+  return start + correction;
+}
+
 Eigen::Vector2d Linearization::robotTransport(const Pose2&, const Pose2&) const {
   return Eigen::Vector2d::Zero();
 }
@@ -62,14 +67,15 @@ Innovation TextbookLinearization::innovation(const ObservationModel& model, cons
                                              const Pose2& /*origin*/, const Pose2& sensor,
                                              const LandmarkPoint& landmark,
                                              const LandmarkObservation& z) const {
-  return linearized(model, robot, sensor, landmark.now, z);
+  return linearized(landmark.modelOr(model), robot, sensor, landmark.now, z);
 }
 
-Innovation FirstEstimatesLinearization::innovation(const ObservationModel& model,
+Innovation FirstEstimatesLinearization::innovation(const ObservationModel& of_points,
                                                    const Pose2& robot, const Pose2& origin,
                                                    const Pose2& sensor,
                                                    const LandmarkPoint& landmark,
                                                    const LandmarkObservation& z) const {
+  const auto& model = landmark.modelOr(of_points);
   const bool on_top = model.isSingular(model.predict(origin, sensor, landmark.first));
   auto innovation = linearized(model, origin, sensor, on_top ? landmark.now : landmark.first, z);
   innovation.nu = model.innovation(z.vector(), model.predict(robot, sensor, landmark.now));
@@ -85,6 +91,7 @@ Innovation ConstrainedLinearization::innovation(const ObservationModel& model, c
                                                 const Pose2& /*origin*/, const Pose2& sensor,
                                                 const LandmarkPoint& landmark,
                                                 const LandmarkObservation& z) const {
+  if (landmark.line != nullptr) return linearized(*landmark.line, robot, sensor, landmark.now, z);
   if (model.isSingular(model.predict(robot, sensor, landmark.first)))
     return linearized(model, robot, sensor, landmark.now, z);
   // H = (-A, -A J (offset of the sensor) - b, A) with b = A J d, d from the sensor to the
@@ -104,7 +111,7 @@ Innovation RightInvariantLinearization::innovation(const ObservationModel& model
                                                    const Pose2& sensor,
                                                    const LandmarkPoint& landmark,
                                                    const LandmarkObservation& z) const {
-  auto innovation = linearized(model, robot, sensor, landmark.now, z);
+  auto innovation = linearized(landmark.modelOr(model), robot, sensor, landmark.now, z);
   innovation.H_robot.col(2) += innovation.H_robot.leftCols<2>() * robotTransport(origin, robot);
   innovation.H_heading = innovation.H_landmark * landmarkTransport(landmark);
   return innovation;
@@ -122,6 +129,13 @@ Eigen::Vector2d RightInvariantLinearization::moved(const Eigen::Vector2d& start,
   return movedOnGroup(start, correction, turn);
 }
 
+Eigen::Vector2d RightInvariantLinearization::moved(const LineModel& line,
+                                                   const Eigen::Vector2d& start,
+                                                   const Eigen::Vector2d& correction,
+                                                   double turn) const {
+  return line.turned(start, turn) + correction - turn * line.turnDerivative(start);
+}
+
 Eigen::Vector2d RightInvariantLinearization::robotTransport(const Pose2& before,
                                                             const Pose2& after) const {
   return J(after.position() - before.position());
@@ -129,6 +143,9 @@ Eigen::Vector2d RightInvariantLinearization::robotTransport(const Pose2& before,
 
 Eigen::Vector2d RightInvariantLinearization::landmarkTransport(
     const LandmarkPoint& landmark) const {
+  if (landmark.line != nullptr)
+    return landmark.line->turnDerivative(landmark.now) -
+           landmark.line->turnDerivative(landmark.start);
   return J(landmark.now - landmark.start);
 }
 

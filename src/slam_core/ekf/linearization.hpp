@@ -9,15 +9,22 @@
 
 #include "slam_core/ekf/innovation.hpp"
 #include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/line_model.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam::ekf {
 
-/// A landmark as a linearisation looks at it [m], map frame.
+/// A landmark as a linearisation looks at it: a point [m], map frame, or a line [m, rad].
 struct LandmarkPoint {
-  Eigen::Vector2d now;    ///< the newest estimate
-  Eigen::Vector2d start;  ///< when the stretch began, or when it was added since
-  Eigen::Vector2d first;  ///< when it was added to the map
+  Eigen::Vector2d now;              ///< the newest estimate
+  Eigen::Vector2d start;            ///< when the stretch began, or when it was added since
+  Eigen::Vector2d first;            ///< when it was added to the map
+  const LineModel* line = nullptr;  ///< of a line
+
+  /// The model by which the landmark is observed.
+  const ObservationModel& modelOr(const ObservationModel& of_points) const {
+    return line != nullptr ? static_cast<const ObservationModel&>(*line) : of_points;
+  }
 };
 
 /// Which error the covariance describes, where Jacobians are evaluated and how a correction moves
@@ -33,6 +40,7 @@ class Linearization {
   virtual ~Linearization() = default;
 
   /// nu, R and H of an observation.
+  /// @param model of points
   /// @param robot where Jacobians may be evaluated, a candidate within an iterated update
   /// @param origin the predicted pose, to which the error of the robot refers
   virtual Innovation innovation(const ObservationModel& model, const Pose2& robot,
@@ -44,6 +52,10 @@ class Linearization {
   /// The landmark after all corrections of a stretch; `turn`: those of the reference's heading.
   virtual Eigen::Vector2d moved(const Eigen::Vector2d& start, const Eigen::Vector2d& correction,
                                 double turn) const;
+
+  /// The same of a line.
+  virtual Eigen::Vector2d moved(const LineModel& line, const Eigen::Vector2d& start,
+                                const Eigen::Vector2d& correction, double turn) const;
 
   virtual Eigen::Vector2d robotTransport(const Pose2& before, const Pose2& after) const;
   virtual Eigen::Vector2d landmarkTransport(const LandmarkPoint& landmark) const;
@@ -91,11 +103,12 @@ class ConstrainedLinearization final : public FirstEstimatesLinearization {
 
 /// The right-invariant error of the group SE_{1+N}(2) (Barrau and Bonnabel 2015, 2017): robot and
 /// map turn together with the heading's error, so that a correction leaves unobservable what was
-/// so. Written in the coordinates (x, y, theta) it is the textbook filter with two changes: the
-/// correction goes through the group's exponential, and the covariance is carried along with the
-/// estimate (the transports). Landmarks turn with the reference's heading instead of the robot's,
-/// which equals it at the start of the stretch: so landmarks out of sight need not be touched at
-/// every step. The stretch ends before the two headings part.
+/// so. Of a line, which the group moves otherwise, this holds for its turning; its shift refers to
+/// the newest direction. Written in the coordinates (x, y, theta) it is the textbook filter with
+/// two changes: the correction goes through the group's exponential, and the covariance is carried
+/// along with the estimate (the transports). Landmarks turn with the reference's heading instead of
+/// the robot's, which equals it at the start of the stretch: so landmarks out of sight need not be
+/// touched at every step. The stretch ends before the two headings part.
 class RightInvariantLinearization final : public Linearization {
  public:
   Innovation innovation(const ObservationModel& model, const Pose2& robot, const Pose2& origin,
@@ -104,6 +117,8 @@ class RightInvariantLinearization final : public Linearization {
   Pose2 moved(const Pose2& robot, const Eigen::Vector3d& correction) const override;
   Eigen::Vector2d moved(const Eigen::Vector2d& start, const Eigen::Vector2d& correction,
                         double turn) const override;
+  Eigen::Vector2d moved(const LineModel& line, const Eigen::Vector2d& start,
+                        const Eigen::Vector2d& correction, double turn) const override;
   Eigen::Vector2d robotTransport(const Pose2& before, const Pose2& after) const override;
   Eigen::Vector2d landmarkTransport(const LandmarkPoint& landmark) const override;
   bool isStale(double turn, double variance) const override;

@@ -126,8 +126,10 @@ double ObservationUpdate::nonlinearity(const ObservationModel& model, const Pose
   const Pose2 robot = candidate();
   double sum = 0.0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
+    const auto point = candidate(i);
+    const auto& of_kind = point.modelOr(model);
     const Eigen::Vector2d nu =
-        model.innovation(matches_[i].z.vector(), model.predict(robot, sensor, candidate(i).now));
+        of_kind.innovation(matches_[i].z.vector(), of_kind.predict(robot, sensor, point.now));
     const Eigen::Vector2d off = nu - foretold.segment<2>(column(i));
     sum += off.cwiseAbs2().cwiseQuotient(matches_[i].z.covariance.diagonal()).sum();
   }

@@ -34,8 +34,8 @@ EkfState mapAround(const slam::Pose2& robot) {
   const Eigen::Matrix3d P = Eigen::Vector3d(0.01, 0.01, 4e-4).asDiagonal();
   EkfState state(slam::ekf::makeLinearization("right_invariant"), {}, {robot, P});
   for (int i = 0; i < kLandmarks; ++i)
-    state.append(i, landmark(i), Eigen::Matrix<double, 2, 3>::Zero(),
-                 0.01 * Eigen::Matrix2d::Identity());
+    state.append(
+        i, {landmark(i), Eigen::Matrix<double, 2, 3>::Zero(), 0.01 * Eigen::Matrix2d::Identity()});
   state.relocate({robot, P});
   return state;
 }

@@ -232,7 +232,7 @@ class PlaceCandidatesTest : public testing::Test {
       RangeBearingModel::Jacobian23 J_robot;
       Eigen::Matrix2d J_z;
       model.invert(Pose2(), Pose2(), z.vector(), &J_robot, &J_z);
-      state.append(state.freeId(), landmarks[i], J_robot, J_z * z.covariance * J_z.transpose());
+      state.append(state.freeId(), {landmarks[i], J_robot, J_z * z.covariance * J_z.transpose()});
     }
     near = landmarksByPlace(array, state, model, 18.0);
     state.take(near.all());
