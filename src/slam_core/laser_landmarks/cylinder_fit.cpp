@@ -36,8 +36,7 @@ Residual beamResidual(const State& x, const LaserBeam& beam, const BeamNoise& no
   const double cosine = std::sqrt(1.0 - sine * sine);
   const double half_chord = std::sqrt(rho * rho - D * D * sine * sine);
   const double slope = D * sine * (D * cosine / half_chord - 1.0);  // in phi
-  const double relative = noise.relative_sigma * beam.range;
-  const double sigma = std::sqrt(noise.sigma_range * noise.sigma_range + relative * relative +
+  const double sigma = std::sqrt(noise.rangeVariance(beam.range) +
                                  slope * slope * noise.sigma_bearing * noise.sigma_bearing);
   Residual residual;
   residual.value = (beam.range - (D * cosine - half_chord)) / sigma;
@@ -87,8 +86,7 @@ Normal normalAt(const State& x, const Beams& beams, double spacing, const BeamNo
   const Beams used = inner(beams, spacing);
   for (const auto& beam : used) normal.add(beamResidual(x, beam, noise));
   normal.beams = used.size();
-  const double sigma =
-      std::sqrt(spacing * spacing / 12.0 + noise.sigma_bearing * noise.sigma_bearing);
+  const double sigma = std::sqrt(noise.edgeVariance(spacing));
   normal.add(edgeResidual(x, beams.front().bearing - spacing / 2.0, -1.0, sigma));
   normal.add(edgeResidual(x, beams.back().bearing + spacing / 2.0, 1.0, sigma));
   return normal;
@@ -99,12 +97,6 @@ State confined(State x) {
   x(2) = std::max(x(2), kLeastRadius);
   x(0) = std::max(x(0), 1.01 * x(2));
   return x;
-}
-
-/// Two edges more than beams, three values estimated.
-double misfitOf(double sum, std::size_t beams) {
-  const double dof = std::max(static_cast<double>(beams) - 1.0, 1.0), spread = 2.0 / (9.0 * dof);
-  return (std::cbrt(sum / dof) - (1.0 - spread)) / std::sqrt(spread);
 }
 
 }  // namespace
@@ -136,7 +128,8 @@ std::optional<Cylinder> fitCylinder(const Beams& beams, double spacing, const Be
   const Normal normal = normalAt(x, beams, spacing, noise);
   const Eigen::LLT<Eigen::Matrix3d> factor(normal.information);
   if (!(step < std::sqrt(kConverged)) || factor.info() != Eigen::Success) return std::nullopt;
-  Cylinder cylinder{x(0), wrapAngle(x(1)), x(2), {}, misfitOf(normal.sum, normal.beams)};
+  const double dof = static_cast<double>(normal.beams) + 2.0 - 3.0;  // two edges, three values
+  Cylinder cylinder{x(0), wrapAngle(x(1)), x(2), {}, misfitOf(normal.sum, dof)};
   cylinder.covariance = factor.solve(Eigen::Matrix3d::Identity()).topLeftCorner<2, 2>();
   return cylinder;
 }

@@ -7,16 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/laser_landmarks/beam_noise.hpp"
 
 namespace slam::laser_landmarks {
-
-/// How wrong a beam is.
-struct BeamNoise {
-  double sigma_range = 0.0;     ///< [m]
-  double relative_sigma = 0.0;  ///< of a range, relative to it [1]
-  double sigma_bearing = 0.0;   ///< [rad]
-};
 
 /// An upright cylinder as a horizontal laser sees it: a circle.
 struct Cylinder {
@@ -25,8 +18,7 @@ struct Cylinder {
   double radius = 0.0;   ///< [m]
   /// of (range, bearing) [m^2, m rad, rad^2], whatever the radius is
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  /// by how many standard deviations the residuals are larger than expected (Wilson, Hilferty 1931)
-  double misfit = 0.0;
+  double misfit = 0.0;  ///< see misfitOf()
 };
 
 /// The circle that the angular width of the beams tells: r s / (1 - s) is its radius, with r the

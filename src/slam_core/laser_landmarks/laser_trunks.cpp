@@ -8,6 +8,7 @@
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/laser_landmarks/observation_array.hpp"
 
 namespace slam::laser_landmarks {
 namespace {
@@ -19,15 +20,6 @@ const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
 constexpr double kRoughly = 1.5;
 /// Of the spacing of beams: what a trunk's edges err by in the same sense for many scans.
 constexpr double kAlike = 0.7;
-
-LandmarkObservationArray emptyArray(const LaserScan& scan, std::uint64_t sequence) {
-  LandmarkObservationArray array;
-  array.sequence = sequence;
-  array.stamp = scan.stamp;
-  array.sensor_frame = scan.sensor_frame;
-  array.sensor_pose = scan.sensor_pose;
-  return array;
-}
 
 /// A filter takes the errors of scans for independent. Those of edges that lie between two beams
 /// are not while a trunk's direction changes slowly: they stay as they are until it has passed a
