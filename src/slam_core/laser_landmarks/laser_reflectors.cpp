@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/laser_landmarks/laser_reflectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/laser_landmarks/observation_array.hpp"
+#include "slam_core/laser_landmarks/scan_segments.hpp"
+
+namespace slam::laser_landmarks {
+namespace {
+
+const Registrar<LandmarkDetector, LaserReflectors> kReflectorsRegistrar("laser_reflectors");
+const SectionRegistrar<LaserReflectorsConfig> kReflectorsSectionRegistrar;
+
+constexpr int kPatience = 50;  // scans without intensities
+
+double meanRange(const ScanSegment& reflector) {
+  double sum = 0.0;
+  for (const auto& beam : reflector.beams) sum += beam.range;
+  return sum / static_cast<double>(reflector.beams.size());
+}
+
+double angularWidth(const ScanSegment& reflector, double spacing) {
+  return reflector.beams.back().bearing - reflector.beams.front().bearing + spacing;
+}
+
+/// From the sensor to the axis of a cylinder, as one beam tells it that meets the cylinder at an
+/// angle from the direction of the axis; beyond the edge, as if at the edge.
+double rangeToAxis(double range, double angle, double radius) {
+  const double sideways = range * std::sin(angle);
+  return range * std::cos(angle) + std::sqrt(std::max(0.0, radius * radius - sideways * sideways));
+}
+
+}  // namespace
+
+void LaserReflectors::configure(const LaserReflectorsConfig& config) {
+  validate(config);
+  if (config.min_width >= config.max_width)
+    throw ConfigError("laser_reflectors.min_width has to be less than laser_reflectors.max_width");
+  config_ = config;
+  reset();
+}
+
+void LaserReflectors::configure(Settings& settings) {
+  configure(settings.read<LaserReflectorsConfig>());
+}
+
+void LaserReflectors::describe(Ports& ports) {
+  ports.takes<LaserScan>("scan", "laser scans", this);
+  ports.makes<LandmarkObservationArray>("observations", observations_);
+}
+
+void LaserReflectors::reset() {
+  next_scan_.reset();
+  observations_.reset();
+  next_sequence_ = 0;
+  dark_scans_ = 0;
+  counters_.clear();
+}
+
+Status LaserReflectors::execute() {
+  observations_.reset();
+  const auto scan = std::exchange(next_scan_, std::nullopt);
+  if (!scan) return Status::ok();
+  observations_ = emptyArray(*scan, next_sequence_++);
+  const Brightness brightness(scan->beams, config_.range_exponent, config_.contrast);
+  const BeamNoise noise{config_.sigma_range, scan->relative_sigma, config_.sigma_bearing};
+  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump);
+  for (const auto& segment : segments)
+    for (const auto& part : brightness.brightPartsOf(segment))
+      if (meanRange(part) <= config_.max_range) observe(part, spacing, noise);
+  return watchIntensities(brightness.isKnown());
+}
+
+void LaserReflectors::observe(const ScanSegment& reflector, double spacing,
+                              const BeamNoise& noise) {
+  const auto rejection = rejectionOf(reflector, spacing);
+  if (!rejection.empty()) return counters_.add(rejection);
+  const auto landmark = landmarkOf(reflector, spacing, noise);
+  if (faultOf(landmark).empty()) observations_->observations.push_back(landmark);
+}
+
+std::string LaserReflectors::rejectionOf(const ScanSegment& reflector, double spacing) const {
+  if (reflector.at_first == Beside::kNearer || reflector.at_last == Beside::kNearer)
+    return "hidden";
+  if (reflector.at_first == Beside::kUnknown || reflector.at_last == Beside::kUnknown)
+    return "cut_off";
+  const double range = meanRange(reflector), width = range * angularWidth(reflector, spacing);
+  if (width + range * spacing < config_.min_width) return "too_narrow";
+  return width - range * spacing > config_.max_width ? "too_wide" : "";
+}
+
+/// The bearing is the middle between two edges.
+LandmarkObservation LaserReflectors::landmarkOf(const ScanSegment& reflector, double spacing,
+                                                const BeamNoise& noise) const {
+  const auto& beams = reflector.beams;
+  const double middle = (beams.front().bearing + beams.back().bearing) / 2.0;
+  double sum = 0.0;
+  for (const auto& beam : beams)
+    sum += rangeToAxis(beam.range, beam.bearing - middle, config_.radius);
+  const auto count = static_cast<double>(beams.size());
+  LandmarkObservation z;
+  z.range = sum / count;
+  z.bearing = wrapAngle(middle);
+  z.covariance = Eigen::Vector2d(noise.rangeVariance(z.range) / count,
+                                 noise.edgeVariance(spacing) / std::min(count, 2.0))
+                     .asDiagonal();
+  return z;
+}
+
+Status LaserReflectors::watchIntensities(bool is_known) {
+  if (is_known) dark_scans_ = -1;
+  if (dark_scans_ < 0 || ++dark_scans_ < kPatience) return Status::ok();
+  return Status::warning(
+      "the laser has told no intensity yet, by which laser_reflectors finds reflectors: have its "
+      "driver send intensities, or choose another detector");
+}
+
+}  // namespace slam::laser_landmarks
