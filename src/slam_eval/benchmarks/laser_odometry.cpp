@@ -138,7 +138,7 @@ nlohmann::json run(const Options& options) {
     OdometrySample wheels;
     wheels.stamp = Stamp(at);
     wheels.pose = odometer.pose();
-    gate.set(sweepOf(robot.laser, Stamp(at), sensors.scan(truth, i)));
+    gate.set(sweepOf(robot.laser, Stamp(at), sensors.scan(truth, i).ranges));
     gate.execute();
     laser.take(gate.scan().value(), wheels, truth);
     with_wheels.take(gate.scan().value(), wheels, truth);

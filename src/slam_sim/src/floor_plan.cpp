@@ -12,6 +12,7 @@ namespace slam::sim {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRetroreflection = 30.0;  // of tape, against a white wall
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -54,23 +55,29 @@ double distanceToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& fr
 }
 
 FloorPlan::FloorPlan(const World& world) : furniture_(world.furniture) {
-  for (const auto& wall : world.walls)
+  for (const auto& wall : world.walls) {
     faces_.push_back({wall.from, wall.to, wall.height,
-                      "the wall from " + pointText(wall.from) + " to " + pointText(wall.to)});
+                      "the wall from " + pointText(wall.from) + " to " + pointText(wall.to),
+                      wall.is_reflector ? kRetroreflection : wall.gray});
+    has_reflectors_ = has_reflectors_ || wall.is_reflector;
+  }
   for (const auto& box : world.furniture) {
     const auto corners = cornersOf(box);
     for (std::size_t i = 0; i < corners.size(); ++i)
       faces_.push_back({corners[i], corners[(i + 1) % corners.size()], box.size.z(),
-                        "the furniture at " + pointText(box.centre)});
+                        "the furniture at " + pointText(box.centre), box.gray});
   }
 }
 
-double FloorPlan::rayCast(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction,
-                          double z) const {
-  double nearest = kInfinity;
-  for (const auto& face : faces_)
-    if (face.height >= z) nearest = std::min(nearest, hit(origin, direction, face));
-  return nearest;
+FloorPlan::RayEnd FloorPlan::rayEnd(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction,
+                                    double z) const {
+  RayEnd end{kInfinity, nullptr};
+  for (const auto& face : faces_) {
+    if (face.height < z) continue;
+    const double distance = hit(origin, direction, face);
+    if (distance < end.distance) end = {distance, &face};
+  }
+  return end;
 }
 
 const Face* FloorPlan::nearest(const Eigen::Vector2d& point, double z, double* distance) const {

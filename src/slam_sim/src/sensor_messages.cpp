@@ -74,7 +74,7 @@ tf2_msgs::TFMessage mountMessage(const RobotModel& robot, const ros::Time& stamp
 }
 
 sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& stamp,
-                                   std::vector<float> ranges) {
+                                   LaserReadings readings) {
   sensor_msgs::LaserScan message;
   message.header.stamp = stamp;
   message.header.frame_id = laser.frame;
@@ -84,7 +84,8 @@ sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& sta
   message.scan_time = static_cast<float>(1.0 / laser.pace.rate);
   message.range_min = static_cast<float>(laser.min_range);
   message.range_max = static_cast<float>(laser.max_range);
-  message.ranges = std::move(ranges);
+  message.ranges = std::move(readings.ranges);
+  message.intensities = std::move(readings.intensities);
   return message;
 }
 

@@ -34,7 +34,7 @@ tf2_msgs::TFMessage transformMessage(const nav_msgs::Odometry& odometry);
 tf2_msgs::TFMessage mountMessage(const RobotModel& robot, const ros::Time& stamp);
 
 sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& stamp,
-                                   std::vector<float> ranges);
+                                   LaserReadings readings);
 sensor_msgs::CameraInfo cameraInfoMessage(const CameraModel& camera, const ros::Time& stamp);
 /// mono8
 sensor_msgs::Image imageMessage(const CameraModel& camera, const ros::Time& stamp,

@@ -37,7 +37,7 @@ RandomStream Sensors::wheelNoise(std::uint64_t reading) const {
   return RandomStream(seed_, reading, kWheels);
 }
 
-std::vector<float> Sensors::scan(const Pose2& T_world_base, std::uint64_t reading) const {
+LaserReadings Sensors::scan(const Pose2& T_world_base, std::uint64_t reading) const {
   RandomStream random(seed_, reading, kLaser);
   return laser_.scan(T_world_base, random);
 }

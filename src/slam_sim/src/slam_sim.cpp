@@ -59,7 +59,7 @@ void addOptions(CLI::App& app, Options& options) {
   auto& recording = options.recording;
   recording.threads = cores;
   app.add_option("OUT.bag", options.bag, "the bag to write")->required();
-  app.add_option("--world", options.world, "office, corridor, hall, forest or a file.yaml")
+  app.add_option("--world", options.world, "office, corridor, hall, depot, forest or a file.yaml")
       ->capture_default_str();
   app.add_option("--robot", options.robot, "segway, omni, car or a file.yaml")
       ->capture_default_str();

@@ -74,6 +74,7 @@ class WorldReader {
     map.read("closed", closed);
     map.read("height", wall.height, kLength);
     map.read("gray", wall.gray, kGray);
+    map.read("reflector", wall.is_reflector);
     map.finish();
     if (points.size() < 2) map.fault("needs at least 2 points");
     if (closed && !points.empty()) points.push_back(points.front());
@@ -97,7 +98,7 @@ class WorldReader {
     places_.furniture.push_back(map.where());
   }
 
-  /// A trunk up to the ceiling, round but for a fiftieth of its radius.
+  /// A trunk or pole up to the ceiling, round but for a fiftieth of its radius.
   void readTree(YamlMap& map) {
     constexpr int kSides = 16;
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -108,6 +109,7 @@ class WorldReader {
     map.require("centre", centre, kCoordinate);
     map.require("radius", radius, kLength);
     map.read("gray", wall.gray, kGray);
+    map.read("reflector", wall.is_reflector);
     map.finish();
     const auto corner = [&](int side) -> Eigen::Vector2d {
       const double angle = 2.0 * M_PI * (side % kSides) / kSides;

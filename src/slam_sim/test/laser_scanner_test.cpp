@@ -27,10 +27,13 @@ class LaserInARoom : public testing::Test {
     laser_.relative_noise = 0.0;
   }
 
-  std::vector<float> scan(const Pose2& pose, std::uint64_t seed = 1) const {
+  LaserReadings readings(const Pose2& pose, std::uint64_t seed = 1) const {
     const FloorPlan plan(world_);
     RandomStream random(seed, 0);
     return LaserScanner(plan, laser_).scan(pose, random);
+  }
+  std::vector<float> scan(const Pose2& pose, std::uint64_t seed = 1) const {
+    return readings(pose, seed).ranges;
   }
 
   World world_;
@@ -67,6 +70,16 @@ TEST_F(LaserInARoom, NothingAroundIsNoReturn) {
   world_.walls.clear();
   world_.furniture.clear();
   for (const float range : scan(Pose2(1.0, 1.0, 0.0))) EXPECT_EQ(range, kInfinity);
+}
+
+TEST_F(LaserInARoom, AReflectorIsBrighterThanAWallAndEitherFadesWithTheDistance) {
+  EXPECT_TRUE(readings(Pose2(1.0, 1.0, 0.0)).intensities.empty()) << "there is none";
+  world_.walls[1].is_reflector = true;  // ahead
+  const auto from_far = readings(Pose2(1.0, 1.0, 0.0)).intensities;
+  ASSERT_EQ(from_far.size(), 5u);
+  EXPECT_NEAR(from_far[0], 800.0, 200.0) << "a light wall 1 m to the right";
+  EXPECT_NEAR(from_far[2], 30000.0 / 9.0, 800.0);
+  EXPECT_NEAR(readings(Pose2(2.5, 1.0, 0.0)).intensities[2], 30000.0 / 2.25, 3200.0);
 }
 
 TEST_F(LaserInARoom, NoiseIsProportionalToTheRange) {

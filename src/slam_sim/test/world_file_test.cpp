@@ -94,13 +94,19 @@ markers:)"));
     EXPECT_NEAR((world.walls[i].from - Eigen::Vector2d(2, 1)).norm(), 0.2, 1e-12);
     EXPECT_EQ(world.walls[i].to, world.walls[i + 1 < world.walls.size() ? i + 1 : 4].from);
     EXPECT_EQ(world.walls[i].height, world.ceiling.height);
+    EXPECT_FALSE(world.walls[i].is_reflector);
   }
+  const auto post = read(room("markers:", R"(trees:
+  - {centre: [2, 1], radius: 0.05, reflector: true}
+markers:)"));
+  EXPECT_TRUE(post.walls.back().is_reflector);
   expectFault(room("markers:", "trees:\n  - {centre: [2, 1]}\nmarkers:"), ":", "has no 'radius'");
 }
 
 TEST_F(WorldFile, EveryShippedWorldIsSound) {
-  for (const auto& [name, markers] : {std::pair("office", 12u), std::pair("corridor", 100u),
-                                      std::pair("hall", 500u), std::pair("forest", 0u)}) {
+  for (const auto& [name, markers] :
+       {std::pair("office", 12u), std::pair("corridor", 100u), std::pair("hall", 500u),
+        std::pair("forest", 0u), std::pair("depot", 0u)}) {
     const auto world = readWorldFile(std::string(SLAM_SIM_FOLDER) + "/worlds/" + name + ".yaml");
     EXPECT_EQ(world.name, name);
     EXPECT_EQ(world.markers.size(), markers);

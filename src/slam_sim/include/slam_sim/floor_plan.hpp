@@ -16,6 +16,7 @@ struct Face {
   Eigen::Vector2d from, to;  ///< [m]
   double height = 0.0;       ///< [m]
   std::string name;          ///< of what it belongs to, for messages: "the wall from ... to ..."
+  double brightness = 0.0;   ///< of what a laser gets back, 1 from a white wall
 };
 
 /// The faces of all walls and furniture: what a laser hits and a robot runs into.
@@ -24,10 +25,19 @@ class FloorPlan {
   explicit FloorPlan(const World& world);
 
   const std::vector<Face>& faces() const { return faces_; }
+  bool hasReflectors() const { return has_reflectors_; }
 
-  /// Distance along the unit vector `direction` to the first face that is at least `z` high [m];
-  /// infinity where there is none.
-  double rayCast(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction, double z) const;
+  /// Where a ray ends: the distance [m] and the face, or infinity and nullptr.
+  struct RayEnd {
+    double distance;
+    const Face* face;
+  };
+  /// The end of a ray along the unit vector `direction`, at the first face at least `z` high [m].
+  RayEnd rayEnd(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction, double z) const;
+  /// The distance to there [m].
+  double rayCast(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction, double z) const {
+    return rayEnd(origin, direction, z).distance;
+  }
 
   /// The face next to a point, of those at least `z` high; nullptr in an empty plan.
   const Face* nearest(const Eigen::Vector2d& point, double z, double* distance) const;
@@ -39,6 +49,7 @@ class FloorPlan {
  private:
   std::vector<Face> faces_;
   std::vector<Box> furniture_;
+  bool has_reflectors_ = false;
 };
 
 /// The corners of a piece of furniture, counter-clockwise [m].

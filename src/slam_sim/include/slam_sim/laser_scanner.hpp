@@ -12,17 +12,23 @@
 
 namespace slam::sim {
 
+/// What a laser tells of a scan, from the first beam, the one farthest to the right, to the last.
+struct LaserReadings {
+  std::vector<float> ranges;  ///< [m]; as REP-117 has it, +Inf is no return, -Inf is too near
+  /// of what came back, 1000 from a white wall at 1 m; empty in a world without reflectors
+  std::vector<float> intensities;
+};
+
 /// A planar laser: all beams of a scan at one instant.
 class LaserScanner {
  public:
   LaserScanner(const FloorPlan& plan, const LaserModel& model) : plan_(plan), model_(model) {}
 
-  /// Ranges [m] from the first beam, the one farthest to the right, to the last. As REP-117 has it,
-  /// +Inf is no return, -Inf is too near to measure.
-  std::vector<float> scan(const Pose2& T_world_base, RandomStream& random) const;
+  LaserReadings scan(const Pose2& T_world_base, RandomStream& random) const;
 
  private:
   float range(double distance, RandomStream& random) const;
+  static float intensity(const FloorPlan::RayEnd& end, RandomStream& random);
 
   const FloorPlan& plan_;
   LaserModel model_;

@@ -14,7 +14,8 @@ namespace slam::sim {
 struct Wall {
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();  ///< [m]
   double height = 2.5;                                                           ///< [m]
-  double gray = 0.8;  ///< part of the light that it throws back, 0 black to 1 white
+  double gray = 0.8;          ///< part of the light that it throws back, 0 black to 1 white
+  bool is_reflector = false;  ///< it throws a laser's light back to where it came from
 };
 
 /// A piece of furniture, a box that stands on the floor.
