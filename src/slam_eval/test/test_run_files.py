@@ -53,6 +53,18 @@ class ReadLandmarks(InFolder):
         np.testing.assert_allclose(found.covariances[1], [[1e-4, 2e-5], [2e-5, 3e-4]])
         np.testing.assert_allclose(found.pose, [0.1, 0.2, 0.3])
 
+    def test_reads_lines_beside_points(self):
+        line = ("  - {id: 9, x: 1.0, y: 2.0, covariance: [1e-4, 0, 0, 1e-4], kind: line, "
+                "direction: 1.5707963267948966, begin: -3.0, end: 1.0}\n")
+        text = MAP.replace("landmarks:\n", "landmarks:\n" + line)
+        self.assertIn(line, text)
+        (self.folder / "map.yaml").write_text(text)
+        found = read_landmarks(self.folder / "map.yaml")
+        self.assertEqual(found.ids, [7, 3])
+        self.assertEqual(len(found), 3)
+        np.testing.assert_allclose(found.lines, [[[4.0, 2.0], [0.0, 2.0]]], atol=1e-12)
+        self.refuses(text.replace("end: 1.0", "end: far"), "landmark 9: end", "finite number")
+
     def test_leaves_the_joint_covariance_out_wherever_it_stands(self):
         joint = "joint_covariance: # lower triangle\n  [1.0,\n   2.0, 3.0]\n"
         block = "joint_covariance:\n- 1.0\n- 2.0\n"

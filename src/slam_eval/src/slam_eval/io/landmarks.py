@@ -15,15 +15,17 @@ _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 @dataclasses.dataclass
 class LandmarkMap:
-    """Landmark ids, positions (N x 2) [m], covariances (N x 2 x 2) [m^2] and the last pose."""
+    """Ids of points, positions (N x 2) [m], covariances (N x 2 x 2) [m^2] and the last pose; and of
+    lines the two ends of what was seen of them (N x 2 x 2) [m]."""
 
     ids: list
     positions: np.ndarray
     covariances: np.ndarray
     pose: Optional[np.ndarray] = None
+    lines: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros((0, 2, 2)))
 
     def __len__(self):
-        return len(self.ids)
+        return len(self.ids) + len(self.lines)
 
 
 def match_by_id(estimate, truth):
@@ -87,10 +89,25 @@ def _read_landmark(path, entry):
     return identity, position, _numbers(path, what + "covariance", covariance, 4)
 
 
+def _is_line(entry):
+    return isinstance(entry, dict) and entry.get("kind", "point") == "line"
+
+
+def _read_line(path, entry):
+    """The two ends of what was seen of a line."""
+    identity, position, _ = _read_landmark(path, entry)
+    direction, begin, end = (_numbers(path, f"landmark {identity}: {key}", entry.get(key), 1)[0]
+                             for key in ("direction", "begin", "end"))
+    along = np.array([-np.sin(direction), np.cos(direction)])
+    return np.array(position) + np.outer([begin, end], along)
+
+
 def read_landmarks(path):
     """Read a landmark map. Raises InputError that names file and field."""
     document = _load_document(path)
-    rows = [_read_landmark(path, entry) for entry in document["landmarks"] or []]
+    entries = document["landmarks"] or []
+    rows = [_read_landmark(path, entry) for entry in entries if not _is_line(entry)]
+    lines = [_read_line(path, entry) for entry in entries if _is_line(entry)]
     ids = [row[0] for row in rows]
     for identity in ids:
         if len(set(ids)) != len(ids) and ids.count(identity) > 1:
@@ -102,4 +119,5 @@ def read_landmarks(path):
         pose = np.array([_numbers(path, "pose: " + k, pose.get(k), 1)[0]
                          for k in ("x", "y", "theta")])
     return LandmarkMap(ids, np.array([row[1] for row in rows]).reshape(-1, 2),
-                       np.array([row[2] for row in rows]).reshape(-1, 2, 2), pose)
+                       np.array([row[2] for row in rows]).reshape(-1, 2, 2), pose,
+                       np.array(lines).reshape(-1, 2, 2))

@@ -20,11 +20,12 @@ def plot_map(run, result, path, reference="ground truth", world=None):
     the grid and the points of a laser under them."""
     estimate, landmarks = run.trajectory.poses[:, :2], run.landmarks
     grid = run.grid and run.grid.known_part()
-    has_landmarks = landmarks is not None and len(landmarks) > 0
+    has_landmarks = landmarks is not None and len(landmarks.ids) > 0
     truth, true = plan.truth_in_map(run, result), plan.true_landmarks_in_map(run, result)
     world = plan.world_in_map(world, result)
     with look.style():
         points = plan.bounds(estimate, truth, true, landmarks.positions if has_landmarks else None,
+                             landmarks.lines.reshape(-1, 2) if landmarks is not None else None,
                              run.points, plan.grid_corners(grid), world=world)
         span = float(np.max(np.ptp(points, axis=0)))
         scale = plan.magnification(landmarks, [], span, 0.03) if has_landmarks else 1
@@ -36,6 +37,7 @@ def plot_map(run, result, path, reference="ground truth", world=None):
         plan.draw_truth(axes, truth, reference)
         if has_landmarks:
             plan.draw_landmarks(axes, landmarks, scale)
+        plan.draw_lines(axes, landmarks)
         plan.draw_true_landmarks(axes, true)
         _finish(figure, axes, f"Path and map · {run.title}",
                 {"ATE": result.ate, "landmarks": result.landmark_error}, path)

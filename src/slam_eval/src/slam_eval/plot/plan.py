@@ -148,7 +148,7 @@ def bounds(*parts, world=None):
 
 def extent(landmarks, scale=1.0):
     """Corners of the ellipses, so that they fit; a huge one may reach over the edge."""
-    if landmarks is None or not len(landmarks):
+    if landmarks is None or not len(landmarks.ids):
         return ()
     reach = _SIGMAS_95 * scale * np.sqrt(
         np.maximum(np.einsum("nii->ni", landmarks.covariances), 0.0))
@@ -169,6 +169,13 @@ def magnification(landmarks, errors, span, part=0.04):
 def larger(scale):
     """What the legend adds for a magnification."""
     return f", drawn {scale} times larger" if scale > 1 else ""
+
+
+def draw_lines(axes, landmarks):
+    """Line landmarks, as far as they were seen."""
+    for i, ends in enumerate(landmarks.lines if landmarks is not None else ()):
+        axes.plot(*ends.T, "-", color=look.LANDMARK, linewidth=1.6, zorder=4,
+                  label="line landmark" if i == 0 else None)
 
 
 def draw_landmarks(axes, landmarks, scale):
