@@ -10,8 +10,8 @@
 
 namespace slam_ros {
 
-/// For each landmark its 95 % ellipse, its position and its id. A map that lost landmarks must be
-/// preceded by clearMarkers().
+/// For each point its 95 % ellipse, its position and its id, for each line the part that was seen
+/// and its id. A map that lost landmarks must be preceded by clearMarkers().
 visualization_msgs::MarkerArray toMarkers(const slam::LandmarkMap& landmarks,
                                           const std_msgs::Header& header);
 

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/markers.hpp"
+
+namespace slam_ros {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// A point, and a wall on the left that was seen from 3 m behind to 1 m ahead.
+slam::LandmarkMap pointAndWall() {
+  slam::LandmarkMap map(2);
+  map[0].id = 3;
+  map[1].id = 4;
+  map[1].position = {1.0, 2.0};
+  map[1].kind = slam::LandmarkKind::kLine;
+  map[1].direction = M_PI / 2;
+  map[1].extent = {-1.0, 3.0};
+  return map;
+}
+
+TEST(LandmarkMessages, ObservationsKeepTheirKind) {
+  slam::LandmarkObservationArray array;
+  array.observations.resize(2);
+  array.observations[1].kind = slam::LandmarkKind::kLine;
+  array.observations[1].extent = {-1.5, 2.5};
+  const auto same = fromMsg(toMsg(array)).observations;
+  ASSERT_EQ(same.size(), 2u);
+  EXPECT_FALSE(same[0].isLine());
+  EXPECT_TRUE(same[1].isLine());
+  EXPECT_EQ(same[1].extent.begin, -1.5);
+  EXPECT_EQ(same[1].extent.end, 2.5);
+}
+
+TEST(LandmarkMessages, AMapTellsPointsFromLines) {
+  const auto message = toMsg(pointAndWall(), slam::Stamp(), "map");
+  EXPECT_EQ(message.landmarks[0].kind, slam_msgs::Landmark::POINT);
+  EXPECT_EQ(message.landmarks[1].kind, slam_msgs::Landmark::LINE);
+  EXPECT_EQ(message.landmarks[1].direction, M_PI / 2);
+  EXPECT_EQ(message.landmarks[1].begin, -1.0);
+  EXPECT_EQ(message.landmarks[1].end, 3.0);
+}
+
+TEST(LandmarkMarkers, DrawALineAsLongAsItWasSeen) {
+  std_msgs::Header header;
+  header.frame_id = "map";
+  int lines = 0, ellipses = 0;
+  for (const auto& marker : toMarkers(pointAndWall(), header).markers) {
+    ellipses += marker.ns == "ellipse" ? 1 : 0;
+    if (marker.type != Marker::LINE_LIST) continue;
+    ++lines;
+    EXPECT_EQ(marker.id, 4);
+    ASSERT_EQ(marker.points.size(), 2u);
+    EXPECT_EQ(marker.points[0].x, -1.0) << "along the wall";
+    EXPECT_EQ(marker.points[1].x, 3.0);
+    EXPECT_NEAR(std::abs(marker.pose.orientation.z), 1.0, 1e-12) << "which runs backwards";
+  }
+  EXPECT_EQ(lines, 1);
+  EXPECT_EQ(ellipses, 1) << "of the point";
+}
+
+}  // namespace
+}  // namespace slam_ros
