@@ -72,7 +72,7 @@ Status LaserReflectors::execute() {
   observations_ = emptyArray(*scan, next_sequence_++);
   const Brightness brightness(scan->beams, config_.range_exponent, config_.contrast);
   const BeamNoise noise{config_.sigma_range, scan->relative_sigma, config_.sigma_bearing};
-  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump);
+  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump, scan->relative_sigma);
   for (const auto& segment : segments)
     for (const auto& part : brightness.brightPartsOf(segment))
       if (meanRange(part) <= config_.max_range) observe(part, spacing, noise);

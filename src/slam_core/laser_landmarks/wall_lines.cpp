@@ -149,7 +149,8 @@ Line fused(const Line& a, const Line& b) {
 std::vector<WallLine> wallLinesOf(const LaserScan& scan, const LaserLinesConfig& config,
                                   Counters& counters) {
   const BeamNoise noise{config.sigma_range, scan.relative_sigma, config.sigma_bearing};
-  const auto found = segmentsOf(withinRange(scan, config.max_range), config.max_jump);
+  const auto found =
+      segmentsOf(withinRange(scan, config.max_range), config.max_jump, scan.relative_sigma);
   std::vector<WallLine> lines;
   for (std::size_t s = 0; s < found.segments.size(); ++s) {
     Splitter splitter(found.segments[s].beams, config, noise);
