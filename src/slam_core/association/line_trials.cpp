@@ -9,9 +9,9 @@
 namespace slam::association {
 namespace {
 
-constexpr double kTrackGate = 18.4;        // squared Mahalanobis distance, two degrees of freedom
-constexpr int kForgotten = 20;             // arrays
-constexpr std::size_t kMostTracks = 1000;  // the newest
+constexpr double kLineGate = 18.4;  // squared Mahalanobis distance, two degrees of freedom
+constexpr int kForgotten = 20;      // arrays
+constexpr std::size_t kMostLineTracks = 1000;  // the newest
 
 }  // namespace
 
@@ -50,7 +50,7 @@ bool LineTrials::isConfirmed(std::size_t line) const { return is_confirmed_[line
 /// @return the track of the first `end` that the line is most likely of; `end` where of none
 std::size_t LineTrials::nearest(const Track& seen, std::size_t end) const {
   std::size_t best = end;
-  double least = kTrackGate;
+  double least = kLineGate;
   for (std::size_t i = 0; i < end; ++i) {
     const Eigen::Vector2d nu = model_.innovation(seen.m, tracks_[i].m);
     const double nis = nu.dot((tracks_[i].P + seen.P).inverse() * nu);
@@ -74,8 +74,8 @@ void LineTrials::update(const Track& seen, Track& track) const {
 void LineTrials::dropOld() {
   const auto is_old = [](const Track& track) { return track.unseen > kForgotten; };
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), is_old), tracks_.end());
-  if (tracks_.size() > kMostTracks)
-    tracks_.erase(tracks_.begin(), tracks_.end() - static_cast<std::ptrdiff_t>(kMostTracks));
+  if (tracks_.size() > kMostLineTracks)
+    tracks_.erase(tracks_.begin(), tracks_.end() - static_cast<std::ptrdiff_t>(kMostLineTracks));
 }
 
 }  // namespace slam::association
