@@ -19,6 +19,7 @@ add_library(slam_ros_bags
   src/bag_file.cpp
   src/bag_inputs.cpp
   src/bag_process.cpp
+  src/earlier_messages.cpp
   src/bag_reader.cpp
   src/bag_transforms.cpp
   src/flow_window.cpp

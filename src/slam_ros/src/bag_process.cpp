@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "slam_core/common/child_process.hpp"
+#include "slam_ros/earlier_messages.hpp"
 
 namespace slam_ros {
 namespace {
@@ -80,8 +81,8 @@ void writeContents(rosbag::Bag& bag, const PieceWriter& out) {
     const auto is_same = [&](const std::string& other) { return sameTopic(other, name); };
     if (std::any_of(told.begin(), told.end(), is_same)) continue;  // one of several publishers
     told.push_back(name);
-    for (const auto& text : {name, connection->datatype, connection->md5sum})
-      out.write(Kind::kText, text);
+    const auto md5sum = md5sumOfToday(connection->datatype, connection->md5sum);
+    for (const auto& text : {name, connection->datatype, md5sum}) out.write(Kind::kText, text);
     out.write(rosbag::View(bag, rosbag::TopicQuery(name)).size(), {});
   }
 }
@@ -94,6 +95,7 @@ void writeMessages(rosbag::Bag& bag, const std::vector<std::string>& topics,
   for (const auto& message : rosbag::View(bag, rosbag::TopicQuery(topics))) {
     buffer.bytes.clear();
     message.write(buffer);
+    bringUpToDate(message.getMD5Sum(), buffer.bytes);
     out.write({Kind::kMessage, static_cast<std::uint32_t>(buffer.bytes.size()),
                numbers.at(message.getTopic()), message.getTime()},
               buffer.bytes.data());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
+#include <topic_tools/shape_shifter.h>
 
 #include "bag_maker.hpp"
 #include "found_inputs.hpp"
@@ -54,6 +55,52 @@ TEST_F(BagFile, ListsTopicsWithTypesAndCounts) {
             "/observations (slam_msgs/LandmarkObservationArray, 17 messages), /odom "
             "(nav_msgs/Odometry, 81 messages)");
   EXPECT_EQ(bag.end() - bag.begin(), std::chrono::seconds(4));
+}
+
+/// Two observations as they were written when all landmarks were points.
+topic_tools::ShapeShifter earlierObservations() {
+  constexpr std::size_t kItem = 56, kAdded = 17, kCount = 2;
+  slam_msgs::LandmarkObservationArray message;
+  message.header.stamp = at(0.5);
+  message.header.frame_id = "camera";
+  message.observations.resize(kCount);
+  message.observations[0].id = 3;
+  message.observations[1].id = 5;
+  message.observations[1].range = 2.5;
+  message.observations[1].covariance[3] = 0.25;
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, message);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const auto end = bytes.end() - static_cast<std::ptrdiff_t>(i * kItem);
+    bytes.erase(end - kAdded, end);
+  }
+  topic_tools::ShapeShifter earlier;
+  earlier.morph("4d86d73cdfcf3dec4ab59a5ebc938d7b", "slam_msgs/LandmarkObservationArray",
+                "Header header", "0");
+  ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  earlier.read(in);
+  return earlier;
+}
+
+TEST_F(BagFile, OfTheTimeWhenAllLandmarksWerePointsIsReadAsOneOfToday) {
+  using Message = slam_msgs::LandmarkObservationArray;
+  rosbag::Bag(folder / "x.bag", rosbag::bagmode::Write)
+      .write("/observations", at(0.5), earlierObservations());
+  const BagReader bag(folder / "x.bag");
+  EXPECT_EQ(bag.topics().at(0).md5sum, ros::message_traits::MD5Sum<Message>::value());
+  std::vector<Message> read;
+  bag.read({{"/observations", [&](const BagMessage& message) {
+               CheckedStream(message.bytes).next(read.emplace_back());
+             }}});
+  ASSERT_EQ(read.size(), 1u);
+  ASSERT_EQ(read[0].observations.size(), 2u);
+  EXPECT_EQ(read[0].header.frame_id, "camera");
+  EXPECT_EQ(read[0].observations[0].id, 3);
+  EXPECT_EQ(read[0].observations[1].id, 5);
+  EXPECT_EQ(read[0].observations[1].range, 2.5);
+  EXPECT_EQ(read[0].observations[1].covariance[3], 0.25);
+  EXPECT_EQ(read[0].observations[1].kind, slam_msgs::LandmarkObservation::POINT);
 }
 
 TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {
