@@ -19,6 +19,10 @@ constexpr double kByChance = 0.25;
 /// What hides one landmark hides others: so many tell something of their own at most.
 constexpr double kMostIndependent = 6.0;
 constexpr double kMostOfAStep = 3.0;
+/// A landmark that is missing may have been moved: it alone tells no more.
+constexpr double kMostOfOne = 3.0;
+/// That most of what is seen fits is more likely in the right place by this logarithm.
+constexpr double kOfWhatFits = 1.0;
 /// Relative to the threshold: up to this the robot counts as right, and is learnt from.
 constexpr double kRight = 0.2;
 constexpr double kMostDoubt = 2.0;     ///< relative to the threshold; more is not summed up
@@ -41,21 +45,37 @@ void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot
   Ids seen;
   for (const auto& observation : statistics.associations)
     if (observation.taken_for == TakenFor::kLandmark) seen.insert(observation.landmark);
-  Ids expected;
-  for (const auto id : views_[cellOf(robot)])
-    if (isTrusted(id)) expected.insert(id);
+  const auto expected = expectedAt(robot, seen);
   const double weight = weightOf(robot, stamp);
-  // what fits mostly, while others are hidden, is seen from the right place
   const auto fitting = static_cast<std::size_t>(countOfBoth(seen, trusted_));
   const bool fits = 2 * fitting >= statistics.associations.size();
   const double evidence = evidenceOf(expected, seen);
-  sum_ += weight * (fits ? std::min(0.0, evidence) : evidence);
+  // what fits mostly, while others are hidden, is seen from the right place
+  sum_ += weight * (fits ? std::min(0.0, evidence) - kOfWhatFits : evidence);
   sum_ = std::clamp(sum_, 0.0, kMostDoubt * kThreshold);
-  if (sum_ < kRight * kThreshold) learn(expected, seen, weight);
+  if (!fits) noteMissing(expected, seen, weight * evidence);
+  if (sum_ < kRight * kThreshold) {
+    learn(expected, seen, weight);
+    views_[cellOf(robot)].insert(seen.begin(), seen.end());
+  }
   note(seen);
-  if (sum_ < kRight * kThreshold) views_[cellOf(robot)].insert(seen.begin(), seen.end());
   robot_ = robot;
   stamp_ = stamp;
+}
+
+/// One that has been missing for long in this doubt says nothing new.
+LandmarkDoubt::Ids LandmarkDoubt::expectedAt(const Pose2& robot, const Ids& seen) {
+  Ids expected;
+  for (const auto id : views_[cellOf(robot)])
+    if (isTrusted(id) && (seen.count(id) > 0 || missing_[id] < kMostOfOne)) expected.insert(id);
+  return expected;
+}
+
+/// @param evidence for "lost", to which each landmark that is missing has given its part
+void LandmarkDoubt::noteMissing(const Ids& expected, const Ids& seen, double evidence) {
+  const int missing = static_cast<int>(expected.size()) - countOfBoth(expected, seen);
+  for (const auto id : expected)
+    if (seen.count(id) == 0) missing_[id] += std::max(0.0, evidence) / missing;
 }
 
 double LandmarkDoubt::weightOf(const Pose2& robot, Stamp stamp) const {
@@ -90,6 +110,7 @@ void LandmarkDoubt::learn(const Ids& expected, const Ids& seen, double weight) {
 void LandmarkDoubt::note(const Ids& seen) {
   since_doubt_.insert(seen.begin(), seen.end());
   if (sum_ > 0.0) return;
+  missing_.clear();
   trusted_.merge(since_doubt_);
   since_doubt_.clear();
 }
@@ -100,6 +121,7 @@ void LandmarkDoubt::know(const LandmarkMap& map) {
 
 void LandmarkDoubt::relocate() {
   sum_ = 0.0;
+  missing_.clear();
   since_doubt_.clear();
   robot_.reset();
 }

@@ -46,15 +46,18 @@ class LandmarkDoubt {
 
   static Cell cellOf(const Pose2& robot);
   double weightOf(const Pose2& robot, Stamp stamp) const;
+  Ids expectedAt(const Pose2& robot, const Ids& seen);
   double evidenceOf(const Ids& expected, const Ids& seen) const;
+  void noteMissing(const Ids& expected, const Ids& seen, double evidence);
   void learn(const Ids& expected, const Ids& seen, double weight);
   void note(const Ids& seen);
 
   static constexpr double kThreshold = 15.0;  ///< a false alarm in e^15 independent steps at most
 
-  std::map<Cell, Ids> views_;         ///< what has been seen from there
-  Ids trusted_, since_doubt_;         ///< seen before the doubt began, and since then
-  double hits_ = 7.0, misses_ = 3.0;  ///< of landmarks that were expected
+  std::map<Cell, Ids> views_;             ///< what has been seen from there
+  Ids trusted_, since_doubt_;             ///< seen before the doubt began, and since then
+  std::map<LandmarkId, double> missing_;  ///< what each has given since the doubt began
+  double hits_ = 7.0, misses_ = 3.0;      ///< of landmarks that were expected
   double sum_ = 0.0;
   std::optional<Pose2> robot_;  ///< at the last step that counted
   Stamp stamp_;

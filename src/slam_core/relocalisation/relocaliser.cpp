@@ -63,9 +63,11 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = false;
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
-  if (loaded != nullptr) doubt_.forget();
-  if (loaded != nullptr) doubt_.know(loaded->landmarks);
   doubt_.relocate();
+  if (loaded != nullptr) {
+    doubt_.forget();
+    doubt_.know(loaded->landmarks);
+  }
   if (can_search) return Status::ok();
   belief_ = Belief::kSure;
   return is_grid_too_large_ ? Status::warning(kTooLarge) : Status::ok();

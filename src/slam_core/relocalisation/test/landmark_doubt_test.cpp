@@ -77,6 +77,19 @@ TEST_F(LandmarkDoubtTest, KnowsThatLandmarksMayBeHidden) {
   EXPECT_FALSE(drive(60.0));
 }
 
+/// The only one that is expected has been moved.
+TEST_F(LandmarkDoubtTest, DoesNotTakeARobotForLostSinceOneLandmarkIsMissing) {
+  UpdateStatistics before, after;
+  before.associations = {{kUnknownId, 1, TakenFor::kLandmark}};
+  after.associations = {{kUnknownId, 2, TakenFor::kNew}};
+  const auto look = [&](const UpdateStatistics& statistics) {
+    doubt.judge(statistics, {}, stamp += std::chrono::seconds(1));
+  };
+  for (int i = 0; i < 20; ++i) look(before);
+  for (int i = 0; i < 1000; ++i) look(after);
+  EXPECT_FALSE(doubt.isLost());
+}
+
 TEST_F(LandmarkDoubtTest, SaysNothingOfObservationsThatAreKnownByTheirIds) {
   UpdateStatistics statistics;
   statistics.innovations.resize(3);
