@@ -14,7 +14,7 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kBaseline = 0.5;  // two landmarks that tell a heading are so far apart [m]
+constexpr double kBaseline = 0.25;  // two landmarks that tell a heading are so far apart [m]
 constexpr double kWidest = 40.0;   // and no further, as one sensor sees them [m]
 /// Landmarks around the robot of which all pairs suggest poses: the surest ones.
 constexpr std::size_t kMostPaired = 12;
