@@ -2,12 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
-#include <topic_tools/shape_shifter.h>
+
+#include <cstring>
 
 #include "bag_maker.hpp"
 #include "found_inputs.hpp"
 #include "slam_ros/bag_reader.hpp"
 #include "slam_ros/bag_transforms.hpp"
+
+namespace {
+
+/// The bytes of an array of observations as they were written when all landmarks were points.
+struct EarlierObservations {
+  std::vector<std::uint8_t> bytes;
+};
+
+}  // namespace
+
+namespace ros {
+namespace message_traits {
+template <>
+struct MD5Sum<EarlierObservations> {
+  static const char* value() { return "4d86d73cdfcf3dec4ab59a5ebc938d7b"; }
+  static const char* value(const EarlierObservations&) { return value(); }
+};
+template <>
+struct DataType<EarlierObservations> {
+  static const char* value() { return "slam_msgs/LandmarkObservationArray"; }
+  static const char* value(const EarlierObservations&) { return value(); }
+};
+template <>
+struct Definition<EarlierObservations> {
+  static const char* value() { return "Header header"; }
+  static const char* value(const EarlierObservations&) { return value(); }
+};
+}  // namespace message_traits
+namespace serialization {
+template <>
+struct Serializer<EarlierObservations> {
+  template <class Stream>
+  static void write(Stream& stream, const EarlierObservations& message) {
+    std::memcpy(stream.advance(serializedLength(message)), message.bytes.data(),
+                message.bytes.size());
+  }
+  static std::uint32_t serializedLength(const EarlierObservations& message) {
+    return static_cast<std::uint32_t>(message.bytes.size());
+  }
+};
+}  // namespace serialization
+}  // namespace ros
 
 namespace slam_ros {
 namespace {
@@ -57,11 +100,10 @@ TEST_F(BagFile, ListsTopicsWithTypesAndCounts) {
   EXPECT_EQ(bag.end() - bag.begin(), std::chrono::seconds(4));
 }
 
-/// Two observations as they were written when all landmarks were points.
-topic_tools::ShapeShifter earlierObservations() {
+EarlierObservations twoEarlierObservations() {
   constexpr std::size_t kItem = 56, kAdded = 17, kCount = 2;
   slam_msgs::LandmarkObservationArray message;
-  message.header.stamp = at(0.5);
+  message.header.stamp = test::at(0.5);
   message.header.frame_id = "camera";
   message.observations.resize(kCount);
   message.observations[0].id = 3;
@@ -75,18 +117,13 @@ topic_tools::ShapeShifter earlierObservations() {
     const auto end = bytes.end() - static_cast<std::ptrdiff_t>(i * kItem);
     bytes.erase(end - kAdded, end);
   }
-  topic_tools::ShapeShifter earlier;
-  earlier.morph("4d86d73cdfcf3dec4ab59a5ebc938d7b", "slam_msgs/LandmarkObservationArray",
-                "Header header", "0");
-  ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  earlier.read(in);
-  return earlier;
+  return {bytes};
 }
 
 TEST_F(BagFile, OfTheTimeWhenAllLandmarksWerePointsIsReadAsOneOfToday) {
   using Message = slam_msgs::LandmarkObservationArray;
   rosbag::Bag(folder / "x.bag", rosbag::bagmode::Write)
-      .write("/observations", at(0.5), earlierObservations());
+      .write("/observations", test::at(0.5), twoEarlierObservations());
   const BagReader bag(folder / "x.bag");
   EXPECT_EQ(bag.topics().at(0).md5sum, ros::message_traits::MD5Sum<Message>::value());
   std::vector<Message> read;
