@@ -78,7 +78,7 @@ class EkfState {
   LandmarkPoint point(Eigen::Index slot,
                       const Eigen::Vector2d& correction = Eigen::Vector2d::Zero(),
                       double turn = 0.0) const;
-  /// Of a landmark that is a line; else nullptr.
+  /// The line that a landmark is; nullptr where it is a point.
   const MappedLine* line(std::size_t landmark) const {
     return lines_[landmark] ? &*lines_[landmark] : nullptr;
   }

@@ -139,8 +139,9 @@ Eigen::VectorXd Prediction::correctionOf(const Used& used, const Joint& joint) c
   return P_ * pull;
 }
 
-/// By how much a linearisation differs from the one before at the correction that it led to: the
-/// mean square, in sigmas of the observations.
+/// @return how much a linearisation differs from the one before, at the correction that this one
+/// led
+///   to: the mean square, in sigmas of the observations
 double Prediction::curvature(const Used& used, const Joint& joint, const Joint& next,
                              const Eigen::VectorXd& correction) const {
   double sum = 0.0;

@@ -25,7 +25,7 @@ class Prediction {
   Eigen::Matrix2d covariance(std::size_t match) const {
     return crossCovariance(match, match) + matches_[match].z.covariance;
   }
-  /// Of what robot and landmarks tell of two predictions, without noise of the observations.
+  /// How the errors of robot and landmarks correlate two predictions; without observation noise.
   Eigen::Matrix2d crossCovariance(std::size_t a, std::size_t b) const {
     return crossCovariance(a, linear_[a].H, b, linear_[b].H);
   }

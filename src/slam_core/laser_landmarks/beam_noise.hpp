@@ -28,7 +28,8 @@ struct BeamNoise {
   }
 };
 
-/// By how many standard deviations residuals are larger than expected (Wilson, Hilferty 1931).
+/// @return by how many standard deviations residuals are larger than expected (Wilson, Hilferty
+/// 1931)
 /// @param sum of the squared residuals, each over its standard deviation
 /// @param dof degrees of freedom that they leave
 inline double misfitOf(double sum, double dof) {

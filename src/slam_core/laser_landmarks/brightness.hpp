@@ -13,8 +13,8 @@ namespace slam::laser_landmarks {
 /// How bright things are in a scan.
 class Brightness {
  public:
-  /// What is not bright: the median over the beams of intensity times range to the power of
-  /// `range_exponent`, so that far things are compared with what they would send back from here.
+  /// The median over the beams of intensity times range to the power of `range_exponent` stands for
+  /// what is not bright, so that far things are compared with what they would send back from here.
   Brightness(const std::vector<LaserBeam>& beams, double range_exponent, double contrast);
 
   /// Whether any beam has an intensity.

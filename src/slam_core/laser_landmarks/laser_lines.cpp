@@ -3,11 +3,10 @@
 
 #include "slam_core/laser_landmarks/laser_lines.hpp"
 
-#include <utility>
+#include <cmath>
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
-#include "slam_core/laser_landmarks/observation_array.hpp"
 
 namespace slam::laser_landmarks {
 namespace {
@@ -15,6 +14,16 @@ namespace {
 const Registrar<LandmarkDetector, LaserLines> kLinesRegistrar("laser_lines");
 const Registrar<LandmarkDetector, LaserCorners> kCornersRegistrar("laser_corners");
 const SectionRegistrar<LaserLinesConfig> kLinesSectionRegistrar;
+
+/// A point landmark without an id, by its place in the sensor's frame and the covariance of that
+/// [m, m^2].
+LandmarkObservation observationOf(const Eigen::Vector2d& place, const Eigen::Matrix2d& covariance) {
+  const double range = place.norm();
+  Eigen::Matrix2d J;
+  J << place.x() / range, place.y() / range, -place.y() / (range * range),
+      place.x() / (range * range);
+  return {kUnknownId, range, std::atan2(place.y(), place.x()), J * covariance * J.transpose()};
+}
 
 }  // namespace
 
@@ -26,39 +35,21 @@ void WallDetector::configure(const LaserLinesConfig& config) {
 
 void WallDetector::configure(Settings& settings) { configure(settings.read<LaserLinesConfig>()); }
 
-void WallDetector::describe(Ports& ports) {
-  ports.takes<LaserScan>("scan", "laser scans", this);
-  ports.makes<LandmarkObservationArray>("observations", observations_);
-}
-
-void WallDetector::reset() {
-  next_scan_.reset();
-  observations_.reset();
-  next_sequence_ = 0;
-  counters_.clear();
-}
-
-Status WallDetector::execute() {
-  observations_.reset();
-  const auto scan = std::exchange(next_scan_, std::nullopt);
-  if (!scan) return Status::ok();
-  observations_ = emptyArray(*scan, next_sequence_++);
-  for (const auto& z : landmarksOf(wallLinesOf(*scan, config_, counters_)))
-    if (faultOf(z).empty()) observations_->observations.push_back(z);
+Status WallDetector::find(const LaserScan& scan, Observations& found, Counters& counters) {
+  found = landmarksOf(wallLinesOf(scan, config_, counters));
   return Status::ok();
 }
 
-std::vector<LandmarkObservation> LaserLines::landmarksOf(const std::vector<WallLine>& lines) const {
-  std::vector<LandmarkObservation> landmarks;
+ScanDetector::Observations LaserLines::landmarksOf(const std::vector<WallLine>& lines) const {
+  Observations landmarks;
   for (const auto& wall : wallsOf(lines, config().sigma_wall))
     landmarks.push_back(
         {kUnknownId, wall.range, wall.bearing, wall.covariance, LandmarkKind::kLine, wall.extent});
   return landmarks;
 }
 
-std::vector<LandmarkObservation> LaserCorners::landmarksOf(
-    const std::vector<WallLine>& lines) const {
-  std::vector<LandmarkObservation> landmarks;
+ScanDetector::Observations LaserCorners::landmarksOf(const std::vector<WallLine>& lines) const {
+  Observations landmarks;
   for (const auto& [position, covariance] : cornersOf(lines, config()))
     landmarks.push_back(observationOf(position, covariance));
   return landmarks;

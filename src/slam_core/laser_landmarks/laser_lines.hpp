@@ -6,50 +6,37 @@
 #include <optional>
 #include <string>
 
-#include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/laser_landmarks/laser_lines_config.hpp"
+#include "slam_core/laser_landmarks/scan_detector.hpp"
 #include "slam_core/laser_landmarks/wall_lines.hpp"
-#include "slam_core/models/laser_scan.hpp"
 
 namespace slam::laser_landmarks {
 
-/// Finds the straight walls in the scans of a horizontal laser: what they are taken for, lines or
-/// corners, says the derived class. Landmarks have no ids. Counted as in wallLinesOf().
-class WallDetector : public LandmarkDetector {
+/// Finds the straight walls in the scans of a horizontal laser. The derived class says whether
+/// lines or corners are the landmarks. Counted as in wallLinesOf().
+class WallDetector : public ScanDetector {
  public:
   void configure(const LaserLinesConfig& config);
   void configure(Settings& settings) override;
-  void describe(Ports& ports) override;
-  void set(const LaserScan& scan) { next_scan_ = scan; }
-  Status execute() override;
-  const std::optional<LandmarkObservationArray>& observations() const override {
-    return observations_;
-  }
-  Counters counters() const override { return counters_; }
-  void reset() override;
 
  protected:
   const LaserLinesConfig& config() const { return config_; }
 
  private:
-  virtual std::vector<LandmarkObservation> landmarksOf(
-      const std::vector<WallLine>& lines) const = 0;
+  Status find(const LaserScan& scan, Observations& found, Counters& counters) override;
+  virtual Observations landmarksOf(const std::vector<WallLine>& lines) const = 0;
 
   LaserLinesConfig config_;
-  std::optional<LaserScan> next_scan_;
-  std::optional<LandmarkObservationArray> observations_;
-  std::uint64_t next_sequence_ = 0;
-  Counters counters_;
 };
 
 /// The walls themselves, as line landmarks.
 class LaserLines final : public WallDetector {
-  std::vector<LandmarkObservation> landmarksOf(const std::vector<WallLine>& lines) const override;
+  Observations landmarksOf(const std::vector<WallLine>& lines) const override;
 };
 
 /// The corners and edges of walls of which both sides are seen, as point landmarks.
 class LaserCorners final : public WallDetector {
-  std::vector<LandmarkObservation> landmarksOf(const std::vector<WallLine>& lines) const override;
+  Observations landmarksOf(const std::vector<WallLine>& lines) const override;
 };
 
 }  // namespace slam::laser_landmarks

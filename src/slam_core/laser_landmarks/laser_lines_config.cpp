@@ -3,22 +3,12 @@
 
 #include "slam_core/laser_landmarks/laser_lines_config.hpp"
 
+#include "slam_core/laser_landmarks/beam_fields.hpp"
+
 namespace slam::laser_landmarks {
 namespace {
 
-void describeBeams(LaserLinesConfig& config, Fields& fields) {
-  fields
-      .add("sigma_range", &config.sigma_range,
-           "standard deviation of a range; laser.relative_sigma comes to it")
-      .unit("m")
-      .in(Range::above(0))
-      .ofRobot();
-  fields
-      .add("sigma_bearing", &config.sigma_bearing,
-           "standard deviation of a beam's direction, its width included")
-      .unit("rad")
-      .in(Range::above(0))
-      .ofRobot();
+void describeLines(LaserLinesConfig& config, Fields& fields) {
   fields
       .add("sigma_wall", &config.sigma_wall,
            "standard deviation of what the beams on one wall have in common: it is not quite flat, "
@@ -26,18 +16,6 @@ void describeBeams(LaserLinesConfig& config, Fields& fields) {
       .unit("m")
       .in(Range::atLeast(0))
       .ofRobot();
-  fields.add("max_range", &config.max_range, "longer beams are not used")
-      .unit("m")
-      .in(Range::above(0))
-      .ofRobot();
-}
-
-void describeLines(LaserLinesConfig& config, Fields& fields) {
-  fields
-      .add("max_jump", &config.max_jump,
-           "beams side by side whose ranges differ by more end on different things")
-      .unit("m")
-      .in(Range::above(0));
   fields
       .add("split_distance", &config.split_distance,
            "beams that end farther from the straight line between the first and the last are two "
@@ -72,7 +50,8 @@ void describeCorners(LaserLinesConfig& config, Fields& fields) {
 }  // namespace
 
 void LaserLinesConfig::describe(Fields& fields) {
-  describeBeams(*this, fields);
+  addBeamNoise(*this, "", fields);
+  addSegments(*this, "longer beams are not used", fields);
   describeLines(*this, fields);
   describeCorners(*this, fields);
 }

@@ -7,7 +7,7 @@
 
 namespace slam::laser_landmarks {
 
-/// Of laser_lines and of laser_corners.
+/// The section is that of laser_corners, too.
 struct LaserLinesConfig {
   static constexpr const char* kSection = "laser_lines";
 

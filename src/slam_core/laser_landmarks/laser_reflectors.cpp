@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/laser_landmarks/observation_array.hpp"
 #include "slam_core/laser_landmarks/scan_segments.hpp"
 
 namespace slam::laser_landmarks {
@@ -52,39 +50,25 @@ void LaserReflectors::configure(Settings& settings) {
   configure(settings.read<LaserReflectorsConfig>());
 }
 
-void LaserReflectors::describe(Ports& ports) {
-  ports.takes<LaserScan>("scan", "laser scans", this);
-  ports.makes<LandmarkObservationArray>("observations", observations_);
-}
-
 void LaserReflectors::reset() {
-  next_scan_.reset();
-  observations_.reset();
-  next_sequence_ = 0;
+  ScanDetector::reset();
   dark_scans_ = 0;
-  counters_.clear();
 }
 
-Status LaserReflectors::execute() {
-  observations_.reset();
-  const auto scan = std::exchange(next_scan_, std::nullopt);
-  if (!scan) return Status::ok();
-  observations_ = emptyArray(*scan, next_sequence_++);
-  const Brightness brightness(scan->beams, config_.range_exponent, config_.contrast);
-  const BeamNoise noise{config_.sigma_range, scan->relative_sigma, config_.sigma_bearing};
-  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump, scan->relative_sigma);
+Status LaserReflectors::find(const LaserScan& scan, Observations& found, Counters& counters) {
+  const Brightness brightness(scan.beams, config_.range_exponent, config_.contrast);
+  const BeamNoise noise{config_.sigma_range, scan.relative_sigma, config_.sigma_bearing};
+  const auto [segments, spacing] = segmentsOf(scan.beams, config_.max_jump, scan.relative_sigma);
   for (const auto& segment : segments)
-    for (const auto& part : brightness.brightPartsOf(segment))
-      if (meanRange(part) <= config_.max_range) observe(part, spacing, noise);
+    for (const auto& part : brightness.brightPartsOf(segment)) {
+      if (meanRange(part) > config_.max_range) continue;
+      const auto rejection = rejectionOf(part, spacing);
+      if (rejection.empty())
+        found.push_back(landmarkOf(part, spacing, noise));
+      else
+        counters.add(rejection);
+    }
   return watchIntensities(brightness.isKnown());
-}
-
-void LaserReflectors::observe(const ScanSegment& reflector, double spacing,
-                              const BeamNoise& noise) {
-  const auto rejection = rejectionOf(reflector, spacing);
-  if (!rejection.empty()) return counters_.add(rejection);
-  const auto landmark = landmarkOf(reflector, spacing, noise);
-  if (faultOf(landmark).empty()) observations_->observations.push_back(landmark);
 }
 
 std::string LaserReflectors::rejectionOf(const ScanSegment& reflector, double spacing) const {

@@ -3,6 +3,8 @@
 
 #include "slam_core/laser_landmarks/laser_reflectors_config.hpp"
 
+#include "slam_core/laser_landmarks/beam_fields.hpp"
+
 namespace slam::laser_landmarks {
 namespace {
 
@@ -21,30 +23,6 @@ void describeBrightness(LaserReflectorsConfig& config, Fields& fields) {
       .unit("1")
       .in(Range::closed(0, 4))
       .ofRobot();
-}
-
-void describeReflectorBeams(LaserReflectorsConfig& config, Fields& fields) {
-  fields
-      .add("sigma_range", &config.sigma_range,
-           "standard deviation of a range on a reflector; laser.relative_sigma comes to it")
-      .unit("m")
-      .in(Range::above(0))
-      .ofRobot();
-  fields
-      .add("sigma_bearing", &config.sigma_bearing,
-           "standard deviation of a beam's direction, its width included")
-      .unit("rad")
-      .in(Range::above(0))
-      .ofRobot();
-  fields.add("max_range", &config.max_range, "a reflector whose nearest beam is longer is left out")
-      .unit("m")
-      .in(Range::above(0))
-      .ofRobot();
-  fields
-      .add("max_jump", &config.max_jump,
-           "beams side by side whose ranges differ by more end on different things")
-      .unit("m")
-      .in(Range::above(0));
 }
 
 void describeShape(LaserReflectorsConfig& config, Fields& fields) {
@@ -70,7 +48,8 @@ void describeShape(LaserReflectorsConfig& config, Fields& fields) {
 
 void LaserReflectorsConfig::describe(Fields& fields) {
   describeBrightness(*this, fields);
-  describeReflectorBeams(*this, fields);
+  addBeamNoise(*this, " on a reflector", fields);
+  addSegments(*this, "a reflector whose mean range is longer is left out", fields);
   describeShape(*this, fields);
 }
 

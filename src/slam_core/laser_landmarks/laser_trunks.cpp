@@ -8,7 +8,6 @@
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
-#include "slam_core/laser_landmarks/observation_array.hpp"
 
 namespace slam::laser_landmarks {
 namespace {
@@ -18,7 +17,7 @@ const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
 
 /// The width in beams tells the diameter roughly: what is so much thicker or thinner is not fitted.
 constexpr double kRoughly = 1.5;
-/// Of the spacing of beams: what a trunk's edges err by in the same sense for many scans.
+/// A trunk's edges err by this share of the beams' spacing in the same sense for many scans.
 constexpr double kAlike = 0.7;
 
 /// A filter takes the errors of scans for independent. Those of edges that lie between two beams
@@ -48,44 +47,30 @@ void LaserTrunks::configure(const LaserTrunksConfig& config) {
 
 void LaserTrunks::configure(Settings& settings) { configure(settings.read<LaserTrunksConfig>()); }
 
-void LaserTrunks::describe(Ports& ports) {
-  ports.takes<LaserScan>("scan", "laser scans", this);
-  ports.makes<LandmarkObservationArray>("observations", observations_);
-}
-
-void LaserTrunks::reset() {
-  next_scan_.reset();
-  observations_.reset();
-  next_sequence_ = 0;
-  counters_.clear();
-}
-
-Status LaserTrunks::execute() {
-  observations_.reset();
-  const auto scan = std::exchange(next_scan_, std::nullopt);
-  if (!scan) return Status::ok();
-  observations_ = emptyArray(*scan, next_sequence_++);
-  const BeamNoise noise{config_.sigma_range, scan->relative_sigma, config_.sigma_bearing};
-  const auto [segments, spacing] = segmentsOf(scan->beams, config_.max_jump, noise.relative_sigma);
-  for (const auto& segment : segments)
-    if (nearestOf(segment) <= config_.max_range) observe(segment, spacing, noise);
+Status LaserTrunks::find(const LaserScan& scan, Observations& found, Counters& counters) {
+  const BeamNoise noise{config_.sigma_range, scan.relative_sigma, config_.sigma_bearing};
+  const auto [segments, spacing] = segmentsOf(scan.beams, config_.max_jump, scan.relative_sigma);
+  for (const auto& segment : segments) {
+    if (nearestOf(segment) > config_.max_range) continue;
+    const auto trunk = trunkOf(segment, spacing, noise, counters);
+    if (!trunk) continue;
+    const auto alike = alikeBetweenScans(trunk->range, spacing, segment.beams.size());
+    found.push_back({kUnknownId, trunk->range, trunk->bearing, trunk->covariance + alike});
+  }
   return Status::ok();
 }
 
-void LaserTrunks::observe(const ScanSegment& segment, double spacing, const BeamNoise& noise) {
+std::optional<Cylinder> LaserTrunks::trunkOf(const ScanSegment& segment, double spacing,
+                                             const BeamNoise& noise, Counters& counters) const {
   auto rejection = rejectionOf(segment, spacing);
   std::optional<Cylinder> trunk;
   if (rejection.empty()) {
     trunk = fitCylinder(segment.beams, spacing, noise);
     rejection = rejectionOf(trunk);
   }
-  if (!rejection.empty()) return counters_.add(rejection);
-  LandmarkObservation observation{kUnknownId, trunk->range, trunk->bearing, trunk->covariance};
-  observation.covariance += alikeBetweenScans(trunk->range, spacing, segment.beams.size());
-  if (faultOf(observation).empty())
-    observations_->observations.push_back(observation);
-  else
-    counters_.add("no_circle");
+  if (rejection.empty()) return trunk;
+  counters.add(rejection);
+  return std::nullopt;
 }
 
 std::string LaserTrunks::rejectionOf(const ScanSegment& segment, double spacing) const {

@@ -6,46 +6,35 @@
 #include <optional>
 #include <string>
 
-#include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/laser_landmarks/cylinder_fit.hpp"
 #include "slam_core/laser_landmarks/laser_trunks_config.hpp"
+#include "slam_core/laser_landmarks/scan_detector.hpp"
 #include "slam_core/laser_landmarks/scan_segments.hpp"
-#include "slam_core/models/laser_scan.hpp"
 
 namespace slam::laser_landmarks {
 
 /// Finds upright cylinders in the scans of a horizontal laser: trunks of trees, poles, pillars. A
 /// scan is cut where ranges jump; what is wide enough, thin enough and not hidden at either side is
-/// a landmark where a circle fits it (Guivant, Nebot 2001). Landmarks have no ids: of which one an
-/// observation is, the back-end's association has to tell.
+/// a landmark where a circle fits it (Guivant, Nebot 2001).
 ///
 /// Counted, of segments within max_range that are no landmark: "few_points", "hidden" (something
 /// nearer is beside it), "cut_off" (at an end of the sweep, or beside a beam that told nothing),
 /// "too_thin", "too_thick", "no_circle".
-class LaserTrunks final : public LandmarkDetector {
+class LaserTrunks final : public ScanDetector {
  public:
   void configure(const LaserTrunksConfig& config);
   void configure(Settings& settings) override;
-  void describe(Ports& ports) override;
-  void set(const LaserScan& scan) { next_scan_ = scan; }
-  Status execute() override;
-  const std::optional<LandmarkObservationArray>& observations() const override {
-    return observations_;
-  }
-  Counters counters() const override { return counters_; }
-  void reset() override;
 
  private:
-  void observe(const ScanSegment& segment, double spacing, const BeamNoise& noise);
+  Status find(const LaserScan& scan, Observations& found, Counters& counters) override;
+  /// The trunk that a segment is of; if none, the reason is counted.
+  std::optional<Cylinder> trunkOf(const ScanSegment& segment, double spacing,
+                                  const BeamNoise& noise, Counters& counters) const;
   /// Why the segment is no trunk, before a circle is fitted; empty where it may be one.
   std::string rejectionOf(const ScanSegment& segment, double spacing) const;
   std::string rejectionOf(const std::optional<Cylinder>& trunk) const;
 
   LaserTrunksConfig config_;
-  std::optional<LaserScan> next_scan_;
-  std::optional<LandmarkObservationArray> observations_;
-  std::uint64_t next_sequence_ = 0;
-  Counters counters_;
 };
 
 }  // namespace slam::laser_landmarks

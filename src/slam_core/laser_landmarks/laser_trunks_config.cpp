@@ -3,40 +3,14 @@
 
 #include "slam_core/laser_landmarks/laser_trunks_config.hpp"
 
+#include "slam_core/laser_landmarks/beam_fields.hpp"
+
 namespace slam::laser_landmarks {
 namespace {
 
-void describeNoise(LaserTrunksConfig& config, Fields& fields) {
-  fields
-      .add("sigma_range", &config.sigma_range,
-           "standard deviation of a range on bark; laser.relative_sigma comes to it")
-      .unit("m")
-      .in(Range::above(0))
-      .ofRobot();
-  fields
-      .add("sigma_bearing", &config.sigma_bearing,
-           "standard deviation of a beam's direction, its width included")
-      .unit("rad")
-      .in(Range::above(0))
-      .ofRobot();
-}
-
-void describeSegments(LaserTrunksConfig& config, Fields& fields) {
-  fields.add("max_range", &config.max_range, "a trunk whose nearest beam is longer is left out")
-      .unit("m")
-      .in(Range::above(0))
-      .ofRobot();
-  fields
-      .add("max_jump", &config.max_jump,
-           "beams side by side whose ranges differ by more, and by more than the noise of "
-           "laser.relative_sigma explains, end on different things")
-      .unit("m")
-      .in(Range::above(0));
+void describeTrunks(LaserTrunksConfig& config, Fields& fields) {
   fields.add("min_points", &config.min_points, "fewer beams than that on one thing are no trunk")
       .in(Range::closed(1, 1000));
-}
-
-void describeTrunks(LaserTrunksConfig& config, Fields& fields) {
   fields.add("min_diameter", &config.min_diameter, "a thinner thing is no trunk")
       .unit("m")
       .in(Range::atLeast(0));
@@ -53,8 +27,8 @@ void describeTrunks(LaserTrunksConfig& config, Fields& fields) {
 }  // namespace
 
 void LaserTrunksConfig::describe(Fields& fields) {
-  describeNoise(*this, fields);
-  describeSegments(*this, fields);
+  addBeamNoise(*this, " on bark", fields);
+  addSegments(*this, "a trunk whose nearest beam is longer is left out", fields);
   describeTrunks(*this, fields);
 }
 

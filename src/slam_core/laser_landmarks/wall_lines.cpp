@@ -76,7 +76,7 @@ class Splitter {
 
   double sigma(const LaserBeam& beam) const { return std::sqrt(noise_.rangeVariance(beam.range)); }
 
-  /// Where the split went too far, one line fits both neighbours.
+  /// A split may go too far: then one line fits both neighbours, and they become one.
   void merge() {
     for (std::size_t i = 0; i + 1 < pieces_.size();) {
       const Piece both{pieces_[i].begin, pieces_[i + 1].end};

@@ -38,8 +38,8 @@ PoseEstimate bounded(PoseEstimate estimate, const Eigen::Vector3d& largest_sigma
 struct Landmark {
   LandmarkId id = kUnknownId;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
-  /// Of (x, y) [m^2]; of a line of its offset along the perpendicular at `position` and of its
-  /// direction [m^2, m rad, rad^2].
+  /// A point has the covariance of (x, y) [m^2], a line that of its offset along the perpendicular
+  /// at `position` and of its direction [m^2, m rad, rad^2].
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   LandmarkKind kind = LandmarkKind::kPoint;
   double direction = 0.0;  ///< of the perpendicular to a line, away from who saw it [rad]

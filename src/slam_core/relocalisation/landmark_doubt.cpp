@@ -21,7 +21,7 @@ constexpr double kMostIndependent = 6.0;
 constexpr double kMostOfAStep = 3.0;
 /// A landmark that is missing may have been moved: it alone tells no more.
 constexpr double kMostOfOne = 3.0;
-/// That most of what is seen fits is more likely in the right place by this logarithm.
+/// A robot in the right place sees more often what fits mostly, by this logarithm of the ratio.
 constexpr double kOfWhatFits = 1.0;
 /// Relative to the threshold: up to this the robot counts as right, and is learnt from.
 constexpr double kRight = 0.2;

@@ -29,7 +29,7 @@ class LandmarkDoubt {
   /// @param robot T_map_base, as the back-end has it after the step
   void judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp);
   bool isLost() const { return sum_ >= kThreshold; }
-  /// What is known of the map when it has been loaded.
+  /// The landmarks of a map that was loaded are trusted.
   void know(const LandmarkMap& map);
   /// Whether a landmark was in the map before the doubt began; others may stand where the lost
   /// robot took them to be.

@@ -27,7 +27,7 @@ class FloorPlan {
   const std::vector<Face>& faces() const { return faces_; }
   bool hasReflectors() const { return has_reflectors_; }
 
-  /// Where a ray ends: the distance [m] and the face, or infinity and nullptr.
+  /// A ray ends at this distance [m] on this face; infinity and nullptr where it meets nothing.
   struct RayEnd {
     double distance;
     const Face* face;
