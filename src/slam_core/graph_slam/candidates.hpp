@@ -31,6 +31,8 @@ class PlaceCandidates final : public IdCandidates {
  public:
   /// @param gate largest squared Mahalanobis distance; all within it are found, and some beyond
   PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph, double gate);
+  PlaceCandidates(const PlaceCandidates&) = delete;  // the prediction refers to the matches
+  PlaceCandidates& operator=(const PlaceCandidates&) = delete;
 
   void candidates(std::size_t observation,
                   std::vector<association::Candidate>& candidates) const override;

@@ -17,16 +17,16 @@ const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
 
 /// The width in beams tells the diameter roughly: what is so much thicker or thinner is not fitted.
 constexpr double kRoughly = 1.5;
-/// A trunk's edges err by this share of the beams' spacing in the same sense for many scans.
-constexpr double kAlike = 0.7;
+/// A filter takes the errors of scans for independent. Two errors of trunks of few beams, which are
+/// the far ones, are not: one that is narrower than a beam looks as wide as one whenever it is
+/// seen, and its axis half of that too far; and edges that lie between two beams ahead of a robot
+/// stay there for many scans. These are their shares of the spacing for one beam, as standard
+/// deviations.
+constexpr double kAlikeRange = 0.5, kAlikeBearing = 0.3;
 
-/// A filter takes the errors of scans for independent. Those of edges that lie between two beams
-/// are not while a trunk's direction changes slowly: they stay as they are until it has passed a
-/// beam, and a trunk that is narrower than a beam always looks too thick. Trunks of few beams are
-/// far ones.
 Eigen::Matrix2d alikeBetweenScans(double range, double spacing, std::size_t beams) {
-  const double variance = kAlike * spacing * kAlike * spacing / static_cast<double>(beams);
-  return Eigen::Vector2d(range * range * variance, variance).asDiagonal();
+  const Eigen::Array2d sigmas(kAlikeRange * range * spacing, kAlikeBearing * spacing);
+  return (sigmas.square() / static_cast<double>(beams)).matrix().asDiagonal();
 }
 
 double nearestOf(const ScanSegment& segment) {
