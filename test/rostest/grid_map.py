@@ -226,6 +226,7 @@ class GridMapTest(unittest.TestCase):
         answer = self.call("load_map", LoadMap, path=self.write_map("large.yaml", 1100.0))
         self.assertTrue(answer.success, answer.message)
         self.assertIn("not all of it is used", answer.message)
+        self.assertIn("too large to be searched", answer.message)
 
     def test_9_a_grid_that_was_not_saved_is_told_to_be_missing(self):
         answer = self.call("load_map", LoadMap, path=str(self.folder / "early.yaml"))

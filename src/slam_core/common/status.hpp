@@ -35,4 +35,11 @@ inline Status moreUrgent(Status first, Status second) {
   return urgency(second) >= urgency(first) && !second.isOk() ? second : first;
 }
 
+/// Both sentences of two, at the level of the one that is more urgent.
+inline Status together(const Status& first, const Status& second) {
+  auto both = moreUrgent(first, second);
+  if (!first.isOk() && !second.isOk()) both.message = first.message + "; " + second.message;
+  return both;
+}
+
 }  // namespace slam

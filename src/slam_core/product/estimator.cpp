@@ -132,12 +132,12 @@ Status Estimator::set(const MapState& map) {
   auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
   if (!takesLines() && points.landmarks.size() < map.landmarks.size())
-    status = moreUrgent(status, Status::warning("the map's lines are left out, since this back-end "
-                                                "maps points only: use backend=ekf"));
+    status = together(status, Status::warning("the map's lines are left out, since this back-end "
+                                              "maps points only: use backend=ekf"));
   events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
-  return moreUrgent(status, relocaliser_.assume(Belief::kUnconfirmed, &points));
+  return together(status, relocaliser_.assume(Belief::kUnconfirmed, &points));
 }
 
 Status Estimator::set(const SavedSession& session) {
