@@ -86,10 +86,12 @@ enclosing_workspace() { # the one that holds this clone and was built by catkin_
   echo "$home"
 }
 
-build_flags() { # an enclosing workspace keeps its own
+# An enclosing workspace keeps its own flags. The tests of slam_core are built once, with sanitizers
+# (test/run_tests), but for those of statistics.
+build_flags() {
   [[ $workspace == "$home" ]] || return 0
   printf '%s\n' --source "$repo" -DCMAKE_BUILD_TYPE=Release \
-    "-DSLAM_WERROR=$([[ ${CI:-} ]] && echo ON || echo OFF)" \
+    "-DSLAM_WERROR=$([[ ${CI:-} ]] && echo ON || echo OFF)" -DSLAM_TESTS=statistics \
     "-DCMAKE_C_COMPILER_LAUNCHER=$(type -p ccache)" "-DCMAKE_CXX_COMPILER_LAUNCHER=$(type -p ccache)"
 }
 

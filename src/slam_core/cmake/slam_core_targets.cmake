@@ -60,10 +60,15 @@ function(slam_core_install)
   endif()
 endfunction()
 
-# slam_core_tests(FILE... LINK target...): one GoogleTest program for each file. Nothing under
-# BUILD_TESTING=OFF.
+# slam_core_tests(FILE... STATISTICS FILE... LINK target...): one GoogleTest program for each file.
+# Tests of many runs for the sake of their mean stand behind STATISTICS; only they are built under
+# SLAM_TESTS=statistics. Nothing under BUILD_TESTING=OFF.
 function(slam_core_tests)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "STATISTICS;LINK" ${ARGN})
+  set(files ${ARG_STATISTICS})
+  if(SLAM_TESTS STREQUAL "all")
+    list(APPEND files ${ARG_UNPARSED_ARGUMENTS})
+  endif()
   if(catkin_FOUND AND NOT CATKIN_ENABLE_TESTING)
     return()
   endif()
@@ -77,7 +82,7 @@ function(slam_core_tests)
       return()
     endif()
   endif()
-  foreach(file IN LISTS ARG_UNPARSED_ARGUMENTS)
+  foreach(file IN LISTS files)
     get_filename_component(name ${file} NAME_WE)
     set(target slam_core_${name})
     if(catkin_FOUND)
