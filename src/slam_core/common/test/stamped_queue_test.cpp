@@ -10,12 +10,12 @@
 namespace slam {
 namespace {
 
-Stamp at(double s) { return Stamp(durationFromSeconds(s)); }
+Stamp queued(double s) { return Stamp(durationFromSeconds(s)); }
 
 class StampedQueueTest : public testing::Test {
  protected:
   void push(double stamp, std::uint64_t sequence) {
-    queue.push(at(stamp), sequence, static_cast<int>(sequence), counters);
+    queue.push(queued(stamp), sequence, static_cast<int>(sequence), counters);
   }
   std::vector<int> drain() {
     std::vector<int> values;
@@ -30,9 +30,9 @@ class StampedQueueTest : public testing::Test {
 TEST_F(StampedQueueTest, KeepsTheOrderOfItsSource) {
   push(1, 0);
   push(2, 1);
-  EXPECT_EQ(queue.stamps().last(), at(2));
+  EXPECT_EQ(queue.stamps().last(), queued(2));
   EXPECT_EQ(drain(), (std::vector<int>{0, 1}));
-  EXPECT_EQ(queue.stamps().last(), at(2)) << "also when it is no longer held";
+  EXPECT_EQ(queue.stamps().last(), queued(2)) << "also when it is no longer held";
   EXPECT_TRUE(counters.all().empty());
 }
 
@@ -97,7 +97,7 @@ TEST_F(StampedQueueTest, KeepsAsideWhatMayBeANewRun) {
   EXPECT_EQ(queue.items().size(), 1u);
   queue.restart();
   EXPECT_EQ(queue.setAside(), 0u);
-  EXPECT_EQ(queue.stamps().last(), at(95.5));
+  EXPECT_EQ(queue.stamps().last(), queued(95.5));
   push(96, 12);
   EXPECT_EQ(counters["lost"], 1u) << "the sequence goes on from the new run";
   EXPECT_EQ(drain(), (std::vector<int>{9, 10, 12}));
@@ -124,7 +124,7 @@ TEST_F(StampedQueueTest, LeavesTheFutureOnceThreeInARowSaySo) {
   EXPECT_EQ(queue.setAside(), 0u);
   EXPECT_EQ(counters["stamp_jump"], 2u);
   EXPECT_EQ(counters["late"] + counters["lost"], 0u);
-  EXPECT_EQ(queue.stamps().last(), at(2));
+  EXPECT_EQ(queue.stamps().last(), queued(2));
   EXPECT_EQ(drain(), (std::vector<int>{0, 3, 4, 5}));
 }
 
@@ -149,7 +149,7 @@ TEST_F(StampedQueueTest, StaysInTheFutureWhereItsReceiverIsAsWell) {
   push(1, 0);
   push(101, 1);
   push(101.2, 2);
-  queue.goneTo(at(101));
+  queue.goneTo(queued(101));
   for (std::uint64_t i = 3; i < 7; ++i) push(double(i), i);
   EXPECT_EQ(queue.setAside(), 4u) << "only all sources together begin anew";
   EXPECT_EQ(counters["stamp_jump"], 0u);
@@ -166,19 +166,19 @@ TEST_F(StampedQueueTest, StaysInTheFutureWhenAllBeginsBeforeTheJump) {
 TEST_F(StampedQueueTest, BelievesAJumpOnlyWhenASecondOfMessagesIsBehindIt) {
   push(1, 0);
   push(1.5, 1);
-  EXPECT_EQ(queue.stamps().believed(), at(1.5));
+  EXPECT_EQ(queue.stamps().believed(), queued(1.5));
   push(101, 2);
   push(101.5, 3);
-  EXPECT_EQ(queue.stamps().believed(), at(1.5));
+  EXPECT_EQ(queue.stamps().believed(), queued(1.5));
   push(102, 4);
-  EXPECT_EQ(queue.stamps().believed(), at(102));
+  EXPECT_EQ(queue.stamps().believed(), queued(102));
 }
 
 TEST_F(StampedQueueTest, DoesNotDoubtASlowSource) {
   for (std::uint64_t i = 0; i < 4; ++i) push(10 * double(i), i);
   for (std::uint64_t i = 4; i < 9; ++i) {
     push(10 * double(i), i);
-    EXPECT_EQ(queue.stamps().believed(), at(10 * double(i)));
+    EXPECT_EQ(queue.stamps().believed(), queued(10 * double(i)));
   }
 }
 

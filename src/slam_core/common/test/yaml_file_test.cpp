@@ -17,7 +17,7 @@ using test::oneSays;
 using test::sentenceOf;
 using test::TemporaryFolder;
 
-constexpr YamlLimits kLimits = YamlLimits::configuration();
+constexpr YamlLimits kYamlLimits = YamlLimits::configuration();
 
 struct ListConfig {
   static constexpr const char* kSection = "s";
@@ -37,12 +37,12 @@ std::string bomb(int lines) {
   return text;
 }
 
-std::string faultOf(const std::string& text, const YamlLimits& limits = kLimits) {
+std::string faultOf(const std::string& text, const YamlLimits& limits = kYamlLimits) {
   return sentenceOf([&] { parseYaml(text, limits); });
 }
 
 TEST(YamlFile, HasAliasesThatStandForWhatTheyReferTo) {
-  const auto root = parseYaml("noise: &n [1, 2]\nother: *n\n", kLimits);
+  const auto root = parseYaml("noise: &n [1, 2]\nother: *n\n", kYamlLimits);
   EXPECT_EQ(root["other"][1].as<int>(), 2);
   EXPECT_EQ(faultOf(bomb(4)), "");
 }
@@ -72,15 +72,15 @@ TEST(YamlFile, NestedTooDeepIsRefused) {
   const auto nested = [](std::size_t depth) {
     return std::string(depth, '[') + std::string(depth, ']');
   };
-  EXPECT_EQ(faultOf(nested(kLimits.depth)), "");
-  EXPECT_TRUE(oneSays({faultOf(nested(kLimits.depth + 1))}, {"nested more than 32 deep"}));
+  EXPECT_EQ(faultOf(nested(kYamlLimits.depth)), "");
+  EXPECT_TRUE(oneSays({faultOf(nested(kYamlLimits.depth + 1))}, {"nested more than 32 deep"}));
   EXPECT_TRUE(oneSays({faultOf(nested(1'000'000))}, {"nested more than 32 deep"}));
 }
 
 TEST(YamlFile, OfALargeMapIsBoundedToo) {
   constexpr auto kMap = YamlLimits::map();
   std::string numbers = "[0";
-  while (numbers.size() < kLimits.bytes + 100) numbers += ", 0.125";
+  while (numbers.size() < kYamlLimits.bytes + 100) numbers += ", 0.125";
   EXPECT_TRUE(oneSays({faultOf("a: &a [*a]\nrows: " + numbers + "]\n", kMap)}, {"within"}));
   EXPECT_NE(faultOf(std::string(5 << 20, '[') + std::string(5 << 20, ']'), kMap), "");
 }

@@ -21,7 +21,7 @@ using test::facing;
 using test::MarkerPicture;
 using test::printedMarker;
 
-const CameraModel kCamera(test::vgaCalibration());
+const CameraModel kVgaCamera(test::vgaCalibration());
 
 /// Ahead, from 0.2 m before and 0.5 m above the robot's middle.
 CameraMount mountAhead() {
@@ -41,7 +41,7 @@ class FiducialDetectorTest : public testing::TestWithParam<const char*> {
     detector_->configure(settings);
     settings.requireAllRead();
     inputs_.emplace(*detector_);
-    camera_.gate.set(kCamera.calibration());
+    camera_.gate.set(kVgaCamera.calibration());
     camera_.gate.set(mountAhead());
   }
 
@@ -69,7 +69,7 @@ TEST_P(FiducialDetectorTest, TellsRangeAndBearingOfMarkersSortedById) {
   configure();
   const std::map<int, Eigen::Vector3d> places = {
       {31, {0.5, -0.2, 2.0}}, {4, {-0.4, 0.1, 1.5}}, {7, {0.1, -0.1, 3.0}}};
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   for (const auto& [id, place] : places) picture.add(printedMarker(id), facing(place, 0.4, id));
   EXPECT_TRUE(look(picture).isOk());
   ASSERT_TRUE(detector_->observations());
@@ -93,7 +93,7 @@ TEST_P(FiducialDetectorTest, GivesAnArrayForEveryImage) {
   configure();
   EXPECT_TRUE(detector_->execute().isOk());
   EXPECT_FALSE(detector_->observations()) << "no image was due";
-  const MarkerPicture nothing(kCamera);
+  const MarkerPicture nothing(kVgaCamera);
   for (std::uint64_t i = 0; i < 3; ++i) {
     EXPECT_TRUE(look(nothing).isOk());
     ASSERT_TRUE(detector_->observations());
@@ -107,7 +107,7 @@ TEST_P(FiducialDetectorTest, GivesAnArrayForEveryImage) {
 
 TEST_P(FiducialDetectorTest, UsesTheSizesOfMarkersById) {
   configure({"fiducial.marker_size=0.1", "fiducial.marker_sizes={12: 0.2}"});
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(3, 0.1), facing({-0.2, 0.0, 1.0}, 0.3));
   picture.add(printedMarker(12, 0.2), facing({0.2, 0.0, 1.0}, 0.3));
   look(picture);
@@ -117,7 +117,7 @@ TEST_P(FiducialDetectorTest, UsesTheSizesOfMarkersById) {
 
 TEST_P(FiducialDetectorTest, GivesTheSameTwiceAndAfterAReset) {
   configure();
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   for (int id = 0; id < 6; ++id)
     picture.add(printedMarker(id), facing({0.3 * id - 0.75, 0.0, 1.8}, 0.3, id));
   std::vector<LandmarkObservationArray> arrays;
@@ -138,7 +138,7 @@ TEST_P(FiducialDetectorTest, GivesTheSameTwiceAndAfterAReset) {
 
 TEST_P(FiducialDetectorTest, RejectsAllMarkersOfAnIdThatIsThereTwice) {
   configure();
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(5), facing({-0.3, 0.0, 1.5}, 0.3));
   picture.add(printedMarker(6), facing({0.0, 0.0, 1.5}, 0.3));
   picture.add(printedMarker(5), facing({0.3, 0.0, 1.5}, 0.3));
@@ -152,7 +152,7 @@ TEST_P(FiducialDetectorTest, RejectsAllMarkersOfAnIdThatIsThereTwice) {
 
 TEST_P(FiducialDetectorTest, RejectsWhatIsNotListed) {
   configure({"fiducial.ids=[1, 2]"});
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(2), facing({-0.3, 0.0, 1.5}, 0.3));
   picture.add(printedMarker(3), facing({0.3, 0.0, 1.5}, 0.3));
   EXPECT_NE(look(picture).message.find("marker 3 is not listed"), std::string::npos);
@@ -162,7 +162,7 @@ TEST_P(FiducialDetectorTest, RejectsWhatIsNotListed) {
 }
 
 TEST_P(FiducialDetectorTest, RejectsByTheLimitsOfTheConfiguration) {
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(1), facing({0.0, 0.0, 1.5}, 0.8));
   const auto reasonWith = [&](const std::string& override) {
     configure({override});
@@ -187,10 +187,10 @@ TEST_P(FiducialDetectorTest, TakesNoMarkerForWholeThatTheBorderCuts) {
   int whole = 0;
   for (double beyond = -0.12 * kSide; beyond < 0.13 * kSide; beyond += 0.01 * kSide) {
     const double middle = kRightmost + beyond - 0.5 * kSide;
-    const Eigen::Vector2d on_plane = *kCamera.unproject(Eigen::Vector2d(middle, 200.0));
+    const Eigen::Vector2d on_plane = *kVgaCamera.unproject(Eigen::Vector2d(middle, 200.0));
     auto T = facing({0, 0, 1}, 0.15, 1.0);
     T.translation() = 0.8 * on_plane.homogeneous();
-    MarkerPicture picture(kCamera);
+    MarkerPicture picture(kVgaCamera);
     picture.add(printedMarker(7), T);
     look(picture);
     if (beyond > 0.02 * kSide) {
@@ -208,7 +208,7 @@ TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
   up.camera_frame = "camera";
   up.T_base_camera.translation().z() = 0.5;
   camera_.gate.set(up);
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(1), facing({0.002, 0.0, 1.8}, 0.3));
   picture.add(printedMarker(2), facing({0.6, 0.0, 1.8}, 0.3));
   EXPECT_EQ(look(picture).message, "");
@@ -221,7 +221,7 @@ TEST_P(FiducialDetectorTest, RejectsMarkersRightAboveACameraThatLooksUp) {
 
 /// A marker that is printed too large looks too near, not elsewhere in the image.
 TEST_P(FiducialDetectorTest, TakesARangeToBeWrongByAShareOfIt) {
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(1), facing({0.3, 0.0, 1.8}, 0.3));
   std::vector<Eigen::Matrix2d> covariances;
   for (const auto* const share : {"0", "0.03"}) {
@@ -238,7 +238,7 @@ TEST_P(FiducialDetectorTest, TakesARangeToBeWrongByAShareOfIt) {
 TEST_P(FiducialDetectorTest, DrawsWhatItFound) {
   configure({"fiducial.ids=[1]"});
   EXPECT_TRUE(dynamic_cast<const ViewDrawer&>(*detector_).drawing().empty()) << "no image yet";
-  MarkerPicture picture(kCamera);
+  MarkerPicture picture(kVgaCamera);
   picture.add(printedMarker(1), facing({-0.3, 0.0, 1.5}, 0.3));
   picture.add(printedMarker(2), facing({0.3, 0.0, 1.5}, 0.3));
   look(picture);

@@ -17,8 +17,6 @@ namespace {
 using test::SimulatedStep;
 using test::SimulatedWorld;
 
-constexpr int kLap = 126;  // steps of the world's robot around its circle
-
 GraphConfig localization() {
   GraphConfig config;
   config.mode = BackendMode::kLocalization;
@@ -72,11 +70,11 @@ TEST_F(GraphSlamTest, MovesThePastWhenALoopCloses) {
     graph.reset();
     SimulatedWorld world(seed);
     std::vector<Pose2> told, truth;
-    for (int i = 0; i < kLap + 10; ++i) {
+    for (int i = 0; i < SimulatedWorld::kLap + 10; ++i) {
       auto step = world.next();
       // between its first metres and the end of the lap it sees hardly anything
-      if (i > 10 && i < kLap && i % 10 != 0) step.observations.observations.clear();
-      if (i > 10 && i < kLap && step.observations.observations.size() > 1)
+      if (i > 10 && i < SimulatedWorld::kLap && i % 10 != 0) step.observations.observations.clear();
+      if (i > 10 && i < SimulatedWorld::kLap && step.observations.observations.size() > 1)
         step.observations.observations.resize(1);
       run(graph, step);
       told.push_back(graph.pose().pose);
@@ -125,7 +123,7 @@ TEST_F(GraphSlamTest, TakesNothingFromAFalseObservationFarOutsideTheGate) {
 
 TEST_F(GraphSlamTest, TellsALoadedMapAsItWasWhileItLocalises) {
   SimulatedWorld first(8);
-  for (int i = 0; i < kLap; ++i) run(graph, first.next());
+  for (int i = 0; i < SimulatedWorld::kLap; ++i) run(graph, first.next());
   for (const bool has_joint : {true, false}) {
     auto map = as<MapKeeper>(graph).state();
     if (!has_joint) map.joint_covariance.resize(0, 0);

@@ -19,14 +19,12 @@ namespace {
 
 using Kind = GraphEdge::Kind;
 
-constexpr int kLap = 145;  // steps
-
 std::ptrdiff_t countOf(Kind kind, const GraphView& view) {
   return std::count_if(view.edges.begin(), view.edges.end(),
                        [kind](const auto& edge) { return edge.kind == kind; });
 }
 
-std::unique_ptr<GraphSlam> made(MapKind map) {
+std::unique_ptr<GraphSlam> madeWith(MapKind map) {
   auto backend = std::make_unique<GraphSlam>();
   as<MapChooser>(*backend).useMap(map);
   backend->configure(GraphConfig());
@@ -34,7 +32,7 @@ std::unique_ptr<GraphSlam> made(MapKind map) {
 }
 
 TEST(GraphView, ShowsNodesMotionAndSightingsOfLandmarks) {
-  const auto backend = made(MapKind::kLandmarks);
+  const auto backend = madeWith(MapKind::kLandmarks);
   test::SimulatedWorld world(1);
   std::size_t used = 0;
   for (int i = 0; i < 50; ++i) {
@@ -55,9 +53,9 @@ TEST(GraphView, ShowsNodesMotionAndSightingsOfLandmarks) {
 }
 
 TEST(GraphView, ShowsSubmapsAndEachLoopOnce) {
-  const auto backend = made(MapKind::kGrid);
+  const auto backend = madeWith(MapKind::kGrid);
   test::RoomDrive drive(1);
-  for (int i = 0; i < 3 * kLap; ++i) {
+  for (int i = 0; i < 3 * test::RoomDrive::kLap; ++i) {
     const auto step = drive.next();
     give(step.motion, *backend);
     give(step.scan, *backend);

@@ -17,8 +17,6 @@ namespace {
 using test::SimulatedStep;
 using test::SimulatedWorld;
 
-constexpr int kRound = 126;  // steps of the world's robot around its circle
-
 GraphConfig reduced(int nodes_per_place = 1) {
   GraphConfig config;
   config.nodes_per_place = nodes_per_place;
@@ -59,18 +57,18 @@ struct Drive {
 /// Each lap is a little beside the last one, since the robot drives with noise.
 TEST(PathReduction, KeepsTheGraphAsLargeAsTheArea) {
   Drive drive(reduced(3));
-  drive.run(6 * kRound);
+  drive.run(6 * SimulatedWorld::kLap);
   const double nodes = figureOf(drive.graph, "nodes");
   const double megabytes = figureOf(drive.graph, "factor_megabytes");
-  drive.run(8 * kRound);
+  drive.run(8 * SimulatedWorld::kLap);
   EXPECT_LT(figureOf(drive.graph, "nodes"), 1.1 * nodes);
   EXPECT_LT(figureOf(drive.graph, "factor_megabytes"), 1.2 * megabytes);
-  EXPECT_GT(figureOf(drive.graph, "removed_nodes"), 7 * kRound);
+  EXPECT_GT(figureOf(drive.graph, "removed_nodes"), 7 * SimulatedWorld::kLap);
 }
 
 TEST(PathReduction, RemovesNothingBeforeAPlaceIsFull) {
   Drive drive(whole());
-  drive.run(3 * kRound);
+  drive.run(3 * SimulatedWorld::kLap);
   EXPECT_EQ(figureOf(drive.graph, "removed_nodes"), 0.0);
 }
 
@@ -78,8 +76,8 @@ TEST(PathReduction, RemovesNothingBeforeAPlaceIsFull) {
 TEST(PathReduction, NeverKnowsMoreThanTheWholeGraph) {
   Drive all(whole()), few(reduced());
   for (int lap = 0; lap < 6; ++lap) {
-    all.run(kRound);
-    few.run(kRound);
+    all.run(SimulatedWorld::kLap);
+    few.run(SimulatedWorld::kLap);
     const double ratio = few.graph.pose().covariance.trace() / all.graph.pose().covariance.trace();
     EXPECT_GT(ratio, 0.98) << "lap " << lap;
     EXPECT_LT(ratio, 4.0) << "lap " << lap;
@@ -93,7 +91,7 @@ TEST(PathReduction, LeavesErrorsAsSmallAsTheyAreTold) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     Drive drive(reduced(), seed);
     for (int lap = 0; lap < 6; ++lap) {
-      drive.run(kRound);
+      drive.run(SimulatedWorld::kLap);
       const auto [pose, covariance] = drive.graph.pose();
       const Eigen::Vector3d error = drive.truth.back().between(pose).log();
       sum += error.dot(twistCovariance(pose, covariance).ldlt().solve(error));
@@ -105,7 +103,7 @@ TEST(PathReduction, LeavesErrorsAsSmallAsTheyAreTold) {
 
 TEST(PathReduction, LeavesAPoseForEachStep) {
   Drive drive(reduced());
-  drive.run(5 * kRound);
+  drive.run(5 * SimulatedWorld::kLap);
   ASSERT_GT(figureOf(drive.graph, "removed_nodes"), 100.0);
   const auto path = as<PathReviser>(drive.graph).path();
   ASSERT_EQ(path.size(), drive.truth.size());
@@ -118,7 +116,7 @@ TEST(PathReduction, LeavesAPoseForEachStep) {
 
 TEST(PathReduction, KeepsNothingButTheRecentNodesInAFixedMap) {
   Drive mapping(reduced());
-  mapping.run(3 * kRound);
+  mapping.run(3 * SimulatedWorld::kLap);
   auto config = reduced();
   config.mode = BackendMode::kLocalization;
   GraphSlam localising;
@@ -131,7 +129,7 @@ TEST(PathReduction, KeepsNothingButTheRecentNodesInAFixedMap) {
     localising.execute();
     const auto before = as<LandmarkMapper>(localising).landmarks();
     auto world = mapping.world;
-    for (int i = 0; i < 4 * kRound; ++i) {
+    for (int i = 0; i < 4 * SimulatedWorld::kLap; ++i) {
       const auto step = world.next();
       localising.set(step.motion);
       localising.set(step.observations);
@@ -142,7 +140,7 @@ TEST(PathReduction, KeepsNothingButTheRecentNodesInAFixedMap) {
     const auto after = as<LandmarkMapper>(localising).landmarks();
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].position, before[i].position);
-    EXPECT_EQ(as<PathReviser>(localising).path().size(), std::size_t{4} * kRound);
+    EXPECT_EQ(as<PathReviser>(localising).path().size(), std::size_t{4} * SimulatedWorld::kLap);
   }
 }
 
@@ -158,10 +156,10 @@ void replaceLandmarks(SimulatedStep& step) {
 /// seen before.
 TEST(PathReduction, StaysDeterminedWhereAllLandmarksAreReplaced) {
   Drive all(whole()), few(reduced());
-  all.run(4 * kRound);
-  few.run(4 * kRound);
+  all.run(4 * SimulatedWorld::kLap);
+  few.run(4 * SimulatedWorld::kLap);
   for (int lap = 0; lap < 4; ++lap) {
-    for (int i = 0; i < kRound; ++i)
+    for (int i = 0; i < SimulatedWorld::kLap; ++i)
       for (auto* drive : {&all, &few}) {
         auto step = drive->world.next();
         replaceLandmarks(step);
@@ -182,12 +180,12 @@ TEST(PathReduction, StaysDeterminedWhereAllLandmarksAreReplaced) {
 
 TEST(PathReduction, BeginsAnewWithAReset) {
   Drive fresh(reduced()), used(reduced(), 2);
-  used.run(4 * kRound);
+  used.run(4 * SimulatedWorld::kLap);
   used.graph.reset();
   EXPECT_EQ(figureOf(used.graph, "removed_nodes"), 0.0);
   used.world = SimulatedWorld(1);
-  fresh.run(4 * kRound);
-  used.run(4 * kRound);
+  fresh.run(4 * SimulatedWorld::kLap);
+  used.run(4 * SimulatedWorld::kLap);
   EXPECT_GT(figureOf(fresh.graph, "removed_nodes"), 0.0);
   EXPECT_EQ(fresh.graph.pose().pose.vector(), used.graph.pose().pose.vector());
   EXPECT_EQ(fresh.graph.pose().covariance, used.graph.pose().covariance);
@@ -195,16 +193,16 @@ TEST(PathReduction, BeginsAnewWithAReset) {
 
 TEST(PathReduction, GoesOnWithAMapThatIsLoadedInBetween) {
   Drive drive(reduced());
-  drive.run(4 * kRound);
+  drive.run(4 * SimulatedWorld::kLap);
   as<MapKeeper>(drive.graph).set(as<MapKeeper>(drive.graph).state());
-  drive.run(4 * kRound);
+  drive.run(4 * SimulatedWorld::kLap);
   EXPECT_LT(drive.error(), 0.2);
   EXPECT_GT(figureOf(drive.graph, "removed_nodes"), 0.0);
 }
 
 TEST(PathReduction, IsNoNeedOfARobotThatStandsStill) {
   Drive drive(reduced());
-  drive.run(kRound);
+  drive.run(SimulatedWorld::kLap);
   const double nodes = figureOf(drive.graph, "nodes");
   auto step = drive.world.next();
   step.motion.increment = Pose2();
@@ -221,8 +219,8 @@ TEST(PathReduction, IsNoNeedOfARobotThatStandsStill) {
 /// Motion may be as uncertain as an input may be (`kLargestInputSigmaLength`).
 TEST(PathReduction, BearsMotionOfWhichNothingIsKnown) {
   Drive drive(reduced());
-  drive.run(2 * kRound);
-  for (int i = 0; i < 3 * kRound; ++i) {
+  drive.run(2 * SimulatedWorld::kLap);
+  for (int i = 0; i < 3 * SimulatedWorld::kLap; ++i) {
     auto step = drive.world.next();
     step.motion.covariance = Eigen::Vector3d(1e6, 1e6, 1e2).asDiagonal();
     drive.graph.set(step.motion);

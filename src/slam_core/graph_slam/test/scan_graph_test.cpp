@@ -20,8 +20,6 @@ namespace {
 
 using test::RoomDrive;
 
-constexpr int kLap = 145;  // steps
-
 std::unique_ptr<GraphSlam> made(const GraphConfig& config = {},
                                 const grid_map::GridMapConfig& grid = {}) {
   auto backend = std::make_unique<GraphSlam>();
@@ -59,7 +57,7 @@ OccupancyGrid gridOf(GraphSlam& backend) { return *as<GridMapper>(backend).grid(
 TEST(ScanGraph, ClosesLoopsInEachLap) {
   const auto backend = made();
   RoomDrive drive(1);
-  EXPECT_LT(run(*backend, drive, 3 * kLap), 0.03);
+  EXPECT_LT(run(*backend, drive, 3 * RoomDrive::kLap), 0.03);
   EXPECT_GT(backend->counters()["loops"], 10u);
   EXPECT_LT(figure(*backend, "rejected_loops"), 0.1 * figure(*backend, "loops"));
 }
@@ -67,26 +65,26 @@ TEST(ScanGraph, ClosesLoopsInEachLap) {
 TEST(ScanGraph, StopsGrowingInARoomThatIsKnown) {
   const auto backend = made();
   RoomDrive drive(9);
-  run(*backend, drive, 8 * kLap);
+  run(*backend, drive, 8 * RoomDrive::kLap);
   const double nodes = figure(*backend, "nodes"), megabytes = figure(*backend, "map_megabytes");
-  EXPECT_LT(run(*backend, drive, 8 * kLap), 0.05);
+  EXPECT_LT(run(*backend, drive, 8 * RoomDrive::kLap), 0.05);
   EXPECT_LT(figure(*backend, "nodes"), 1.3 * nodes);
   EXPECT_LT(figure(*backend, "map_megabytes"), 1.3 * megabytes);
   EXPECT_GT(figure(*backend, "removed_nodes"), 0.5 * nodes);
-  EXPECT_EQ(as<PathReviser>(*backend).path().size(), 16u * kLap);
+  EXPECT_EQ(as<PathReviser>(*backend).path().size(), 16u * RoomDrive::kLap);
 }
 
 TEST(ScanGraph, NeedsNoMotion) {
   const auto backend = made();
   RoomDrive drive(2);
-  EXPECT_LT(run(*backend, drive, 2 * kLap, false), 0.04);
+  EXPECT_LT(run(*backend, drive, 2 * RoomDrive::kLap, false), 0.04);
 }
 
 /// What is asked for in between must not show in the end.
 TEST(ScanGraph, DrawsTheSameGridWheneverItIsAskedFor) {
   const auto asked = made(), left = made();
   RoomDrive first(3), second(3);
-  for (int i = 0; i < 2 * kLap; ++i) {
+  for (int i = 0; i < 2 * RoomDrive::kLap; ++i) {
     take(*asked, first.next());
     take(*left, second.next());
     if (i % 20 == 0) gridOf(*asked);
@@ -100,7 +98,7 @@ TEST(ScanGraph, KeepsItsMapWhereMemoryEnds) {
   const auto backend = made({}, grid);
   RoomDrive drive(4);
   std::vector<std::string> told;
-  for (int i = 0; i < kLap; ++i) told.push_back(take(*backend, drive.next()).message);
+  for (int i = 0; i < RoomDrive::kLap; ++i) told.push_back(take(*backend, drive.next()).message);
   EXPECT_GT(backend->counters()["scans_without_memory"], 0u);
   EXPECT_TRUE(test::oneSays(told, {"grid_map.largest_memory", "kept as it is"}));
 }
@@ -111,7 +109,7 @@ TEST(ScanGraph, StopsAtTheSameScanWhetherTheGridIsAskedForOrNot) {
   grid.largest_memory = 2.0;
   const auto asked = made({}, grid), left = made({}, grid);
   RoomDrive first(8), second(8);
-  for (int i = 0; i < 4 * kLap; ++i) {
+  for (int i = 0; i < 4 * RoomDrive::kLap; ++i) {
     take(*asked, first.next());
     take(*left, second.next());
     gridOf(*asked);
@@ -126,14 +124,14 @@ TEST(ScanGraph, StopsAtTheSameScanWhetherTheGridIsAskedForOrNot) {
 TEST(ScanGraph, LocalisesInALoadedGridWithoutGrowing) {
   const auto mapping = made();
   RoomDrive drive(5);
-  run(*mapping, drive, kLap);
+  run(*mapping, drive, RoomDrive::kLap);
   GraphConfig config;
   config.mode = BackendMode::kLocalization;
   const auto localising = made(config);
   as<MapKeeper>(*localising).set(as<MapKeeper>(*mapping).state());
   localising->execute();
   const auto before = gridOf(*localising).cells;
-  EXPECT_LT(run(*localising, drive, kLap), 0.05);
+  EXPECT_LT(run(*localising, drive, RoomDrive::kLap), 0.05);
   EXPECT_EQ(figure(*localising, "nodes"), 0.0);
   EXPECT_EQ(gridOf(*localising).cells, before);
 }
@@ -199,8 +197,8 @@ TEST(ScanGraph, IsAsGoodWithLandmarksAtTheStampsOfScansAsBetweenThem) {
     const auto backend = made();
     MarkerDrive drive(seed, images);
     double sum = 0.0;
-    for (int i = 0; i < 2 * kLap; ++i) sum += std::pow(drive.step(*backend), 2);
-    return std::sqrt(sum / (2 * kLap));
+    for (int i = 0; i < 2 * RoomDrive::kLap; ++i) sum += std::pow(drive.step(*backend), 2);
+    return std::sqrt(sum / (2 * RoomDrive::kLap));
   };
   for (std::uint64_t seed = 11; seed < 14; ++seed)
     for (const auto images : {Images::kBetweenScans, Images::kAtScans})
@@ -211,17 +209,17 @@ TEST(ScanGraph, RemovesNodesThatScansHaveJoined) {
   for (const auto mode : {BackendMode::kSlam, BackendMode::kLocalization}) {
     const auto mapping = made();
     MarkerDrive drive(12, Images::kBetweenScans);
-    for (int i = 0; i < 2 * kLap; ++i) drive.step(*mapping);
+    for (int i = 0; i < 2 * RoomDrive::kLap; ++i) drive.step(*mapping);
     GraphConfig config;
     config.mode = mode;
     const auto backend = made(config);
     as<MapKeeper>(*backend).set(as<MapKeeper>(*mapping).state());
     backend->execute();
     double worst = 0.0;
-    for (int i = 0; i < 4 * kLap; ++i) worst = std::max(worst, drive.step(*backend));
+    for (int i = 0; i < 4 * RoomDrive::kLap; ++i) worst = std::max(worst, drive.step(*backend));
     EXPECT_LT(worst, 0.05);
     EXPECT_GT(figure(*backend, "removed_nodes"), 200.0);
-    EXPECT_EQ(as<PathReviser>(*backend).path().size(), 8u * kLap);
+    EXPECT_EQ(as<PathReviser>(*backend).path().size(), 8u * RoomDrive::kLap);
   }
 }
 

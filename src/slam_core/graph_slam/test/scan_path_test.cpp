@@ -13,8 +13,8 @@ constexpr double kScanSigma = 0.001, kOdometrySigma = 0.02;  // [m], [rad]
 Eigen::Matrix3d covarianceOf(double sigma) { return sigma * sigma * Eigen::Matrix3d::Identity(); }
 
 /// A path that begins at the origin of map and odom frame, with a scan there that is drawn.
-struct Drive {
-  Drive() {
+struct ScannedPath {
+  ScannedPath() {
     path.addNode();
     reference = scans.insert(seen(Pose2()), true);
   }
@@ -28,7 +28,7 @@ struct Drive {
   }
   /// @return whether the path has taken it
   bool scan(const Pose2& robot, bool is_determined = true) {
-    scans.locate(Drive::seen(last));
+    scans.locate(ScannedPath::seen(last));
     scans.takeMotion();
     last = robot;
     const bool is_taken = scans.follow(seen(robot), is_determined);
@@ -46,49 +46,49 @@ struct Drive {
   Pose2 last;
 };
 
-const Pose2 kStep(0.1, 0.0, 0.02), kTold(0.12, 0.01, 0.0);
+const Pose2 kScanStep(0.1, 0.0, 0.02), kTold(0.12, 0.01, 0.0);
 
 TEST(ScanPath, TellsTheMotionSinceTheLastNode) {
-  Drive drive;
+  ScannedPath drive;
   drive.move(kTold);
-  EXPECT_TRUE(drive.scan(kStep));
+  EXPECT_TRUE(drive.scan(kScanStep));
   EXPECT_EQ(drive.path.tail().node, drive.reference);
-  drive.expectRobot(kStep, 1e-9);
+  drive.expectRobot(kScanStep, 1e-9);
 }
 
 TEST(ScanPath, JoinsANodeToTheReferenceWhereALandmarkWasSeenSince) {
-  Drive drive;
+  ScannedPath drive;
   drive.move(kTold.part(0.5));
   const auto of_landmark = drive.path.addNode();
   drive.move(kTold.part(0.5));
-  drive.scan(kStep);
+  drive.scan(kScanStep);
   const auto node = *drive.path.tail().node;
   EXPECT_NE(node, of_landmark);
   EXPECT_EQ(drive.chords(node), 1u);
   EXPECT_EQ(chainOf(drive.path)[node].chords[0].other, drive.reference);
   EXPECT_EQ(chainOf(drive.path)[node].before, of_landmark);
-  drive.expectRobot(kStep, 1e-3);
+  drive.expectRobot(kScanStep, 1e-3);
   EXPECT_LT(drive.path.robot().covariance.diagonal().cwiseSqrt().maxCoeff(), 2.0 * kScanSigma);
 }
 
 TEST(ScanPath, SharesANodeOfItsOwnStamp) {
-  Drive drive;
+  ScannedPath drive;
   drive.move(kTold);
   const auto of_landmark = drive.path.addNode();
-  drive.scan(kStep);
+  drive.scan(kScanStep);
   EXPECT_EQ(drive.path.tail().node, of_landmark);
   EXPECT_EQ(drive.chords(of_landmark), 1u);
-  drive.expectRobot(kStep, 1e-3);
+  drive.expectRobot(kScanStep, 1e-3);
 }
 
 /// The errors of many scans that are matched with one submap do not add up.
 TEST(ScanPath, StaysAsSureFromNodeToNode) {
-  Drive drive;
+  ScannedPath drive;
   Pose2 truth;
   for (int i = 0; i < 40; ++i) {
     drive.move(kTold);
     drive.path.addNode();
-    drive.scan(truth = truth * kStep);
+    drive.scan(truth = truth * kScanStep);
   }
   drive.expectRobot(truth, 2e-3);
   EXPECT_LT(drive.path.robot().covariance.diagonal().cwiseSqrt().maxCoeff(), 2.0 * kScanSigma);
@@ -96,64 +96,64 @@ TEST(ScanPath, StaysAsSureFromNodeToNode) {
 
 TEST(ScanPath, IsToldByTheScanAloneWhereOdometryHasSlipped) {
   for (const bool is_shared : {false, true}) {
-    Drive drive;
+    ScannedPath drive;
     drive.move(Pose2(0.5, 0.2, 0.3));
     drive.path.addNode();
     if (!is_shared) drive.move(Pose2(0.01, 0.0, 0.0));
-    drive.scan(kStep);
-    drive.expectRobot(kStep, 1e-3);
+    drive.scan(kScanStep);
+    drive.expectRobot(kScanStep, 1e-3);
   }
 }
 
 TEST(ScanPath, LeavesOdometryWhereAScanDeterminesNothing) {
-  Drive drive;
+  ScannedPath drive;
   drive.move(kTold);
   const auto of_landmark = drive.path.addNode();
-  drive.scan(kStep, false);
+  drive.scan(kScanStep, false);
   EXPECT_EQ(drive.chords(of_landmark), 0u);
   drive.expectRobot(kTold, 1e-6);
 }
 
 /// Without odometry a landmark's node is where the last scan was.
 TEST(ScanPath, NeedsNoOdometry) {
-  Drive drive;
-  drive.scan(kStep);
+  ScannedPath drive;
+  drive.scan(kScanStep);
   const auto of_landmark = drive.path.addNode();
-  drive.scan(kStep * kStep);
+  drive.scan(kScanStep * kScanStep);
   EXPECT_EQ(drive.chords(of_landmark), 0u);
-  drive.expectRobot(kStep * kStep, 1e-4);
+  drive.expectRobot(kScanStep * kScanStep, 1e-4);
 }
 
 TEST(ScanPath, DrawsAScanAtTheNodeThatItHas) {
-  Drive drive;
+  ScannedPath drive;
   drive.move(kTold);
   const auto of_landmark = drive.path.addNode();
-  drive.scan(kStep);
-  EXPECT_EQ(drive.scans.insert(Drive::seen(kStep), true), of_landmark);
+  drive.scan(kScanStep);
+  EXPECT_EQ(drive.scans.insert(ScannedPath::seen(kScanStep), true), of_landmark);
   drive.move(kTold);
   drive.path.addNode();
-  drive.scan(kStep * kStep);
+  drive.scan(kScanStep * kScanStep);
   EXPECT_EQ(chainOf(drive.path)[*drive.path.tail().node].chords[0].other, of_landmark);
 }
 
 TEST(ScanPath, GoesOnWhereItsNodesAreRemoved) {
   for (const bool is_reference : {true, false}) {
-    Drive drive;
+    ScannedPath drive;
     drive.move(kTold);
-    drive.scan(kStep);
-    drive.reference = drive.scans.insert(Drive::seen(kStep), true);
-    Pose2 truth = kStep;
+    drive.scan(kScanStep);
+    drive.reference = drive.scans.insert(ScannedPath::seen(kScanStep), true);
+    Pose2 truth = kScanStep;
     for (int i = 0; i < 4; ++i) {
       drive.move(kTold);
       drive.path.addNode();
-      drive.scan(truth = truth * kStep);
+      drive.scan(truth = truth * kScanStep);
       if (i != 1) continue;
       const auto removed = is_reference ? drive.reference : *drive.path.tail().node;
       drive.move(kTold);
       drive.path.addNode();
       drive.scans.forget(removed);
       chainOf(drive.path).remove(removed);
-      drive.scan(truth = truth * kStep);
+      drive.scan(truth = truth * kScanStep);
     }
     drive.expectRobot(truth, 0.1);  // what odometry alone tells now is a little off
     EXPECT_EQ(drive.chords(*drive.path.tail().node), 1u);

@@ -17,7 +17,7 @@ using test::RoomDrive;
 TEST(ScanRecogniser, FindsTheScansOfAnotherDriveAndNeverElsewhere) {
   ScanRecogniser map({}, {});
   RoomDrive first(3);
-  for (int i = 0; i < 145; ++i) {
+  for (int i = 0; i < RoomDrive::kLap; ++i) {
     const auto step = first.next();
     if (i % 5 == 0) map.draw(step.scan, step.truth);
   }

@@ -22,11 +22,9 @@ using test::RoomDrive;
 using test::sentenceOf;
 using test::SimulatedWorld;
 
-constexpr int kLap = 126, kRoomLap = 145;  // steps
-
 /// A back-end that drives from where its world is now, which is the origin of its map.
-struct Drive {
-  explicit Drive(bool has_grid) {
+struct MergedDrive {
+  explicit MergedDrive(bool has_grid) {
     as<MapChooser>(*backend).useMap(has_grid ? MapKind::kGrid : MapKind::kLandmarks);
     backend->configure(GraphConfig());
   }
@@ -79,12 +77,12 @@ void expectTruth(const Session& session, const SimulatedWorld& world) {
 class DrivesPastLandmarks : public testing::Test {
  protected:
   DrivesPastLandmarks() {
-    first.take(world, kLap + 20);
+    first.take(world, SimulatedWorld::kLap + 20);
     start = skip(again, 40);
-    second.take(again, kLap);
+    second.take(again, SimulatedWorld::kLap);
   }
   SimulatedWorld world{1}, again{2};
-  Drive first{false}, second{false};
+  MergedDrive first{false}, second{false};
   Pose2 start;  ///< of the second one
 };
 
@@ -99,10 +97,10 @@ TEST_F(DrivesPastLandmarks, BecomeOneMapInTheFrameOfTheFirst) {
 
 TEST_F(DrivesPastLandmarks, GoOnWithTheRobotThatIsAskedFor) {
   const auto a = first.session(), b = second.session();
-  Drive goes_on{false};
+  MergedDrive goes_on{false};
   as<SessionKeeper>(*goes_on.backend)
       .set({bytesOf(graph_slam::merged(a, b, {}, GoesOn::kSecond).session)});
-  goes_on.take(again, kLap);
+  goes_on.take(again, SimulatedWorld::kLap);
   expectNear(goes_on.backend->pose().pose, again.next().truth, 0.3, 0.1);
   expectTruth(goes_on.session(), world);
   const auto by_first = graph_slam::merged(a, b, {}, GoesOn::kFirst).session;
@@ -136,7 +134,7 @@ TEST_F(DrivesPastLandmarks, HaveNothingInCommonWhereIdsDiffer) {
 
 TEST_F(DrivesPastLandmarks, AreNotMergedWithAGrid) {
   RoomDrive room(1);
-  Drive grid{true};
+  MergedDrive grid{true};
   grid.take(room, 20);
   EXPECT_NE(sentenceOf([&] {
               graph_slam::merged(first.session(), grid.session(), {}, GoesOn::kFirst);
@@ -145,9 +143,9 @@ TEST_F(DrivesPastLandmarks, AreNotMergedWithAGrid) {
 }
 
 TEST_F(DrivesPastLandmarks, KeepALoadedMapAsTheFirst) {
-  Drive loaded{false};
+  MergedDrive loaded{false};
   as<MapKeeper>(*loaded.backend).set(as<MapKeeper>(*first.backend).state());
-  loaded.take(world, kLap);
+  loaded.take(world, SimulatedWorld::kLap);
   EXPECT_NE(sentenceOf([&] {
               graph_slam::merged(first.session(), loaded.session(), {}, GoesOn::kFirst);
             }).find("give it as the first one"),
@@ -159,8 +157,8 @@ TEST_F(DrivesPastLandmarks, AreMergedWhileTheFirstDrivesOn) {
   first.take(world, 3);
   EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
   expectTruth(first.session(), world);
-  EXPECT_GT(first.session().nodes.size(), second.session().nodes.size() + kLap / 2);
-  first.take(world, kLap);
+  EXPECT_GT(first.session().nodes.size(), second.session().nodes.size() + SimulatedWorld::kLap / 2);
+  first.take(world, SimulatedWorld::kLap);
   EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
   expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
 }
@@ -190,14 +188,14 @@ TEST_F(DrivesPastLandmarks, OfOneTimeHaveOnePath) {
 
 TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
   RoomDrive room(1), again(2);
-  Drive first{true}, second{true};
-  first.take(room, kRoomLap);
+  MergedDrive first{true}, second{true};
+  first.take(room, RoomDrive::kLap);
   const Pose2 start = skip(again, 60);
-  second.take(again, kRoomLap);
+  second.take(again, RoomDrive::kLap);
   const auto merged = graph_slam::merged(first.session(), second.session(), {}, GoesOn::kSecond);
   EXPECT_GE(merged.scans, 3u);
   expectNear(merged.first_second, start, 0.1, 0.03);
-  Drive goes_on{true};
+  MergedDrive goes_on{true};
   as<SessionKeeper>(*goes_on.backend).set({bytesOf(merged.session)});
   goes_on.take(again, 30);
   expectNear(goes_on.backend->pose().pose, goes_on.truth, 0.05, 0.02);
@@ -207,8 +205,8 @@ TEST(DrivesThroughARoom, BecomeOneMapByTheirScans) {
 
 TEST(DrivesThroughARoom, KeepTheSecondMotionsToTheirNodes) {
   RoomDrive room(5), again(6);
-  Drive first{true}, second{true};
-  const auto look = [](Drive& drive, RoomDrive& through) {
+  MergedDrive first{true}, second{true};
+  const auto look = [](MergedDrive& drive, RoomDrive& through) {
     LandmarkObservationArray seen;
     for (const auto& place : {Eigen::Vector2d(3, 0.5), Eigen::Vector2d(0, 3)}) {
       seen.observations.push_back(through.sight(place.x() > 1.0 ? 1 : 2, place));
@@ -217,13 +215,13 @@ TEST(DrivesThroughARoom, KeepTheSecondMotionsToTheirNodes) {
     drive.backend->execute();
     drive.take(through, 1);
   };
-  for (int i = 0; i < kRoomLap; ++i) look(first, room);
-  for (int i = 0; i < kRoomLap; ++i) look(second, again);
+  for (int i = 0; i < RoomDrive::kLap; ++i) look(first, room);
+  for (int i = 0; i < RoomDrive::kLap; ++i) look(second, again);
   const auto a = first.session(), b = second.session();
   EXPECT_GT(b.chords.size(), 30u);
   const auto both = graph_slam::merged(a, b, {}, GoesOn::kSecond).session;
   EXPECT_EQ(both.chords.size(), a.chords.size() + b.chords.size());
-  Drive goes_on{true};
+  MergedDrive goes_on{true};
   as<SessionKeeper>(*goes_on.backend).set({bytesOf(both)});
   goes_on.take(again, 30);
   EXPECT_EQ(goes_on.session().chords.size(), both.chords.size());
@@ -232,12 +230,12 @@ TEST(DrivesThroughARoom, KeepTheSecondMotionsToTheirNodes) {
 
 TEST(DrivesThroughARoom, AreMergedWhileOneDrives) {
   RoomDrive room(3), again(4);
-  Drive first{true}, running{true};
-  first.take(room, kRoomLap);
+  MergedDrive first{true}, running{true};
+  first.take(room, RoomDrive::kLap);
   const Pose2 start = skip(again, 60);
   running.take(again, 5);
   as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
-  running.take(again, kRoomLap);
+  running.take(again, RoomDrive::kLap);
   EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
   expectNear(running.backend->pose().pose, start.between(running.truth), 0.06, 0.03);
   EXPECT_GT(running.session().scans.size(), first.session().scans.size());

@@ -21,15 +21,13 @@ using test::RoomDrive;
 using test::sentenceOf;
 using test::SimulatedWorld;
 
-constexpr int kLap = 126, kRoomLap = 145;  // steps
-
 struct Options {
   bool has_grid = false;
   BackendMode mode = BackendMode::kSlam;
   double resolution = 0.05;
 };
 
-std::unique_ptr<GraphSlam> made(const Options& options = {}) {
+std::unique_ptr<GraphSlam> madeFor(const Options& options = {}) {
   auto backend = std::make_unique<GraphSlam>();
   as<MapChooser>(*backend).useMap(options.has_grid ? MapKind::kGrid : MapKind::kLandmarks);
   GraphConfig config;
@@ -89,7 +87,7 @@ void load(GraphSlam& backend, const std::string& session) {
 }
 
 std::unique_ptr<GraphSlam> resumed(const std::string& session, const Options& options = {}) {
-  auto backend = made(options);
+  auto backend = madeFor(options);
   load(*backend, session);
   return backend;
 }
@@ -107,19 +105,19 @@ double worstOf(const std::vector<StampedPose>& a, const std::vector<StampedPose>
 std::vector<StampedPose> pathOf(GraphSlam& backend) { return as<PathReviser>(backend).path(); }
 
 TEST(Session, IsSavedAgainToTheBit) {
-  const auto landmarks = made(), grid = made({true});
+  const auto landmarks = madeFor(), grid = madeFor({true});
   SimulatedWorld world(1);
-  drive(*landmarks, world, kLap + 33);
+  drive(*landmarks, world, SimulatedWorld::kLap + 33);
   EXPECT_EQ(saved(*landmarks), saved(*resumed(saved(*landmarks))));
   RoomDrive room(1);
-  drive(*grid, room, 2 * kRoomLap);
+  drive(*grid, room, 2 * RoomDrive::kLap);
   EXPECT_EQ(saved(*grid), saved(*resumed(saved(*grid), {true})));
 }
 
 TEST(Session, KeepsTheMotionsThatScansAddToTheOdometry) {
-  const auto first = made({true});
+  const auto first = madeFor({true});
   RoomDrive room(12), again(12);
-  driveWithLandmarks(*first, room, kRoomLap);
+  driveWithLandmarks(*first, room, RoomDrive::kLap);
   const auto bytes = saved(*first);
   const auto session = sessionOf(bytes);
   EXPECT_GT(session.chords.size(), 50u);
@@ -131,9 +129,9 @@ TEST(Session, KeepsTheMotionsThatScansAddToTheOdometry) {
 }
 
 TEST(Session, LeavesTheRobotWhereItWas) {
-  const auto backend = made();
+  const auto backend = madeFor();
   SimulatedWorld world(2);
-  drive(*backend, world, kLap);
+  drive(*backend, world, SimulatedWorld::kLap);
   const auto loaded = resumed(saved(*backend));
   EXPECT_EQ(loaded->pose().pose.vector(), backend->pose().pose.vector());
   EXPECT_LT((loaded->pose().covariance - backend->pose().covariance).norm(),
@@ -142,46 +140,46 @@ TEST(Session, LeavesTheRobotWhereItWas) {
 }
 
 TEST(Session, GoesOnWithLandmarksAsIfItHadNeverStopped) {
-  const auto whole = made(), first = made();
+  const auto whole = madeFor(), first = madeFor();
   SimulatedWorld world(3), again(3);
-  drive(*whole, world, 2 * kLap);
-  drive(*first, again, kLap / 2 + 3);
+  drive(*whole, world, 2 * SimulatedWorld::kLap);
+  drive(*first, again, SimulatedWorld::kLap / 2 + 3);
   const auto second = resumed(saved(*first));
-  drive(*second, again, 2 * kLap - kLap / 2 - 3);
+  drive(*second, again, 2 * SimulatedWorld::kLap - SimulatedWorld::kLap / 2 - 3);
   EXPECT_LT(worstOf(pathOf(*second), pathOf(*whole)), 2e-3);
   EXPECT_EQ(as<LandmarkMapper>(*second).landmarks().size(),
             as<LandmarkMapper>(*whole).landmarks().size());
 }
 
 TEST(Session, GoesOnWithScansAsIfItHadNeverStopped) {
-  const auto whole = made({true}), first = made({true});
+  const auto whole = madeFor({true}), first = madeFor({true});
   RoomDrive room(4), again(4);
-  drive(*whole, room, 3 * kRoomLap);
-  drive(*first, again, kRoomLap);
+  drive(*whole, room, 3 * RoomDrive::kLap);
+  drive(*first, again, RoomDrive::kLap);
   const auto second = resumed(saved(*first), {true});
-  const Pose2 truth = drive(*second, again, 2 * kRoomLap);
+  const Pose2 truth = drive(*second, again, 2 * RoomDrive::kLap);
   EXPECT_LT(distance(second->pose().pose, truth), 0.03);
   EXPECT_LT(worstOf(pathOf(*second), pathOf(*whole)), 0.03);
   EXPECT_GT(second->counters()["loops"], 10u);
 }
 
 TEST(Session, GoesOnInTheSameWayEachTime) {
-  const auto first = made({true});
+  const auto first = madeFor({true});
   RoomDrive room(5);
-  drive(*first, room, kRoomLap);
+  drive(*first, room, RoomDrive::kLap);
   const auto session = saved(*first);
   const auto a = resumed(session, {true}), b = resumed(session, {true});
   RoomDrive same = room;
-  drive(*a, room, kRoomLap);
-  drive(*b, same, kRoomLap);
+  drive(*a, room, RoomDrive::kLap);
+  drive(*b, same, RoomDrive::kLap);
   EXPECT_EQ(saved(*a), saved(*b));
 }
 
 /// The bags of two runs have nothing to tell of the motion from the end of one to the next.
 TEST(Session, CrossesAShortPauseByTheOdometry) {
-  const auto first = made();
+  const auto first = madeFor();
   SimulatedWorld world(6);
-  drive(*first, world, kLap);
+  drive(*first, world, SimulatedWorld::kLap);
   const auto second = resumed(saved(*first));
   for (int i = 0; i < 4; ++i) world.next();
   EXPECT_LT(distance(second->pose().pose, drive(*second, world, 1)), 0.15);
@@ -189,7 +187,7 @@ TEST(Session, CrossesAShortPauseByTheOdometry) {
 
 TEST(Session, IsLocalisedInAndDoesNotMove) {
   for (const bool has_grid : {false, true}) {
-    const auto first = made({has_grid});
+    const auto first = madeFor({has_grid});
     SimulatedWorld world(7);
     RoomDrive room(7);
     const auto go = [&](GraphSlam& backend) {
@@ -215,9 +213,9 @@ TEST(Session, IsLocalisedInAndDoesNotMove) {
 }
 
 TEST(Session, GoesOnWhereAnInitialPosePutsTheRobot) {
-  const auto first = made();
+  const auto first = madeFor();
   SimulatedWorld world(8);
-  const Pose2 truth = drive(*first, world, kLap);
+  const Pose2 truth = drive(*first, world, SimulatedWorld::kLap);
   const auto map = as<LandmarkMapper>(*first).landmarks();
   const auto second = resumed(saved(*first));
   drive(*second, world, 3);
@@ -230,22 +228,22 @@ TEST(Session, GoesOnWhereAnInitialPosePutsTheRobot) {
 }
 
 TEST(Session, KeepsAGridThatWasLoaded) {
-  const auto first = made({true});
+  const auto first = madeFor({true});
   RoomDrive room(9);
-  drive(*first, room, kRoomLap);
-  const auto second = made({true});
+  drive(*first, room, RoomDrive::kLap);
+  const auto second = madeFor({true});
   as<MapKeeper>(*second).set(as<MapKeeper>(*first).state());
   second->execute();
-  drive(*second, room, kRoomLap / 2);
+  drive(*second, room, RoomDrive::kLap / 2);
   const auto third = resumed(saved(*second), {true});
   EXPECT_EQ(as<GridMapper>(*third).grid()->cells, as<GridMapper>(*second).grid()->cells);
   EXPECT_EQ(saved(*third), saved(*second));
-  EXPECT_LT(distance(third->pose().pose, drive(*third, room, kRoomLap / 2)), 0.1);
+  EXPECT_LT(distance(third->pose().pose, drive(*third, room, RoomDrive::kLap / 2)), 0.1);
 }
 
 TEST(Session, OfAnotherKindIsRefusedAndAllStaysAsItIs) {
-  const auto landmarks = made(), grid = made({true}),
-             coarse = made({true, BackendMode::kSlam, 0.1});
+  const auto landmarks = madeFor(), grid = madeFor({true}),
+             coarse = madeFor({true, BackendMode::kSlam, 0.1});
   SimulatedWorld world(10);
   drive(*landmarks, world, 20);
   RoomDrive room(10);
@@ -264,9 +262,9 @@ TEST(Session, OfAnotherKindIsRefusedAndAllStaysAsItIs) {
 
 /// Outside a back-end.
 TEST(Session, CanBeOptimised) {
-  const auto backend = made();
+  const auto backend = madeFor();
   SimulatedWorld world(11);
-  drive(*backend, world, kLap);
+  drive(*backend, world, SimulatedWorld::kLap);
   auto session = sessionOf(saved(*backend));
   auto graph = optimizerOf(session);
   EXPECT_TRUE(graph.optimize({}, 10));

@@ -14,7 +14,7 @@
 namespace slam::grid_map {
 namespace {
 
-constexpr auto kUnknown = OccupancyGrid::kUnknown;
+constexpr auto kUnseen = OccupancyGrid::kUnknown;
 
 const std::string kYaml =
     "image: m.pgm\nresolution: 0.05\norigin: [-1, 2.5, 0.0]\nnegate: 0\n"
@@ -45,13 +45,13 @@ class GridFileTest : public testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-OccupancyGrid smallGrid() {
+OccupancyGrid savedGrid() {
   OccupancyGrid grid;
   grid.resolution = 0.05;
   grid.origin = {-12.35, 0.1 + 0.2};
   grid.width = 3;
   grid.height = 2;
-  grid.cells = {0, 100, kUnknown, 25, 65, 40};
+  grid.cells = {0, 100, kUnseen, 25, 65, 40};
   return grid;
 }
 
@@ -60,7 +60,7 @@ void expectContains(const std::string& text, const std::string& part) {
 }
 
 TEST_F(GridFileTest, WritesTheGreyValuesOfMapSaverTheTopRowFirst) {
-  saveGrid(path("map.yaml"), smallGrid());
+  saveGrid(path("map.yaml"), savedGrid());
   const std::string image = contentOf(path("map.pgm"));
   EXPECT_EQ(image.substr(0, 3), "P5\n");
   const std::string pixels = image.substr(image.size() - 6);
@@ -68,13 +68,13 @@ TEST_F(GridFileTest, WritesTheGreyValuesOfMapSaverTheTopRowFirst) {
 }
 
 TEST_F(GridFileTest, ReadsBackWhatItWroteAsFreeOccupiedOrUnknown) {
-  saveGrid(path("map.yaml"), smallGrid());
+  saveGrid(path("map.yaml"), savedGrid());
   const auto grid = loadGrid(path("map.yaml"));
-  EXPECT_EQ(grid.resolution, smallGrid().resolution);
-  EXPECT_EQ(grid.origin, smallGrid().origin) << "to the last digit";
+  EXPECT_EQ(grid.resolution, savedGrid().resolution);
+  EXPECT_EQ(grid.origin, savedGrid().origin) << "to the last digit";
   EXPECT_EQ(grid.width, 3u);
   EXPECT_EQ(grid.height, 2u);
-  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 100, kUnknown, 0, 100, kUnknown}));
+  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 100, kUnseen, 0, 100, kUnseen}));
 }
 
 TEST_F(GridFileTest, ReadsAMapOfMapSaver) {
@@ -82,7 +82,7 @@ TEST_F(GridFileTest, ReadsAMapOfMapSaver) {
   folder_.write("m.pgm", std::string("P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n2 2\n255\n") +
                              std::string("\xcd\x00\xfe\xfe", 4));
   const auto grid = loadGrid(path("m.yaml"));
-  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 0, kUnknown, 100}));
+  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 0, kUnseen, 100}));
   EXPECT_EQ(grid.origin, Eigen::Vector2d(-1, 2.5));
 }
 
@@ -90,11 +90,11 @@ TEST_F(GridFileTest, ReadsANegatedImageAndTheModesOfMapServer) {
   const std::string image = std::string("P5 3 1 255\n") + std::string("\xff\x80\x00", 3);
   folder_.write("m.pgm", image);
   folder_.write("m.yaml", replaced(kYaml, "negate: 0", "negate: 1"));
-  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{100, kUnknown, 0}));
+  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{100, kUnseen, 0}));
   folder_.write("m.yaml", kYaml + "mode: scale\n");  // 1 + 98 (0.498 - 0.196) / (0.65 - 0.196)
   EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{0, 66, 100}));
   folder_.write("m.yaml", kYaml + "mode: raw\n");
-  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{kUnknown, kUnknown, 0}));
+  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{kUnseen, kUnseen, 0}));
 }
 
 TEST_F(GridFileTest, RefusesAnImageThatIsMissingCutOffOrNoPgm) {
@@ -145,7 +145,7 @@ TEST_F(GridFileTest, RefusesNumbersThatMakeNoMap) {
 TEST_F(GridFileTest, SavesNoGridWithoutCellsAndTellsWhereItCannotWrite) {
   EXPECT_THROW(saveGrid(path("map.yaml"), OccupancyGrid()), std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(path("map.yaml")));
-  EXPECT_THROW(saveGrid(path("nowhere/map.yaml"), smallGrid()), std::runtime_error);
+  EXPECT_THROW(saveGrid(path("nowhere/map.yaml"), savedGrid()), std::runtime_error);
 }
 
 }  // namespace

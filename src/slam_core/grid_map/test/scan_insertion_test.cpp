@@ -207,7 +207,7 @@ TEST_F(ScanInsertion, TellsOfBeamsThatEndBeyondTheLargestMap) {
 
 TEST_F(ScanInsertion, MapsARoomWithinACellOfItsWalls) {
   test::RoomDrive drive(1);
-  for (int i = 0; i < 145; ++i) {
+  for (int i = 0; i < test::RoomDrive::kLap; ++i) {
     const auto step = drive.next();
     insert(step.scan, drive.start() * step.truth);
   }

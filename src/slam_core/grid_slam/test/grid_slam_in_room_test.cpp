@@ -44,13 +44,14 @@ class GridSlamInARoom : public testing::Test {
 
 TEST_F(GridSlamInARoom, NeedsNoMotion) {
   double worst = 0.0;
-  for (int i = 0; i < 145; ++i) worst = std::max(worst, distance(*backend, step(false).truth));
+  for (int i = 0; i < RoomDrive::kLap; ++i)
+    worst = std::max(worst, distance(*backend, step(false).truth));
   EXPECT_TRUE(status.isOk()) << status.message;
   EXPECT_LT(worst, 0.03);
 }
 
 TEST_F(GridSlamInARoom, WheelsThatStandStillWhileTheRobotDrivesDoNotHoldIt) {
-  for (int i = 0; i < 145; ++i) {
+  for (int i = 0; i < RoomDrive::kLap; ++i) {
     auto next = drive.next();
     if (i > 20) next.motion.increment = Pose2();
     give(next, true);
@@ -89,7 +90,7 @@ TEST_F(GridSlamInARoom, GoesOnByMotionWhileTheLaserIsBlind) {
 }
 
 TEST_F(GridSlamInARoom, BeginsItsMapWithTheFirstScanThatTellsSomething) {
-  for (int i = 0; i < 145; ++i) {
+  for (int i = 0; i < RoomDrive::kLap; ++i) {
     auto next = drive.next();
     if (i < 10) next.scan.beams.clear();
     give(next, true);
@@ -121,7 +122,7 @@ TEST_F(GridSlamInARoom, SaysThatALaserIsBlindFromTheStart) {
 }
 
 TEST_F(GridSlamInARoom, TellsThatItIsLostWhereScansContradictTheMap) {
-  for (int i = 0; i < 145; ++i) step();
+  for (int i = 0; i < RoomDrive::kLap; ++i) step();
   ASSERT_TRUE(status.isOk());
   const auto revision = backend.as<GridMapper>().gridRevision();
   constexpr unsigned kScans = 150;
@@ -139,7 +140,7 @@ TEST_F(GridSlamInARoom, TellsThatItIsLostWhereScansContradictTheMap) {
 }
 
 TEST_F(GridSlamInARoom, KeepsALoadedMapWhereItOnlyLocalises) {
-  for (int i = 0; i < 145; ++i) step();
+  for (int i = 0; i < RoomDrive::kLap; ++i) step();
   DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});
   localising.as<MapKeeper>().set(backend.as<MapKeeper>().state());
   localising.execute();
@@ -158,7 +159,7 @@ TEST_F(GridSlamInARoom, KeepsALoadedMapWhereItOnlyLocalises) {
 }
 
 TEST_F(GridSlamInARoom, TellsThatItIsLostInALoadedMapUntilItGetsItsPlace) {
-  for (int i = 0; i < 145; ++i) step();
+  for (int i = 0; i < RoomDrive::kLap; ++i) step();
   DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});
   localising.as<MapKeeper>().set(backend.as<MapKeeper>().state());
   localising->execute();
@@ -182,7 +183,7 @@ TEST_F(GridSlamInARoom, TellsThatItIsLostInALoadedMapUntilItGetsItsPlace) {
 
 /// A robot beside a loaded map sees nothing that contradicts it.
 TEST_F(GridSlamInARoom, TellsThatItIsLostBesideALoadedMap) {
-  for (int i = 0; i < 145; ++i) step();
+  for (int i = 0; i < RoomDrive::kLap; ++i) step();
   DrivenBackend localising({"grid", "grid", {"grid.mode=localization"}});
   localising.as<MapKeeper>().set(backend.as<MapKeeper>().state());
   localising->set(PoseEstimate{Pose2(200.0, 0.0, 0.0), 1e-4 * Eigen::Matrix3d::Identity()});
@@ -209,7 +210,7 @@ TEST_F(GridSlamInARoom, SaysWhenThereIsNotEnoughMemoryAndKeepsTheMap) {
   DrivenBackend small({"grid", "grid", {"grid_map.largest_memory=0.5"}});
   Status told;
   Pose2 truth;
-  for (int i = 0; i < 145; ++i) {
+  for (int i = 0; i < RoomDrive::kLap; ++i) {
     const auto next = drive.next();
     truth = next.truth;
     small.inputs().offer(next.motion);

@@ -8,12 +8,12 @@
 namespace slam {
 namespace {
 
-Stamp at(double t) { return Stamp(std::chrono::seconds(10)) + durationFromSeconds(t); }
+Stamp after(double t) { return Stamp(std::chrono::seconds(10)) + durationFromSeconds(t); }
 
 Motion motionOf(double start, double end, const Pose2& increment) {
   Motion motion;
-  motion.start = at(start);
-  motion.end = at(end);
+  motion.start = after(start);
+  motion.end = after(end);
   motion.increment = increment;
   motion.covariance = 0.01 * Eigen::Matrix3d::Identity();
   return motion;
@@ -22,7 +22,7 @@ Motion motionOf(double start, double end, const Pose2& increment) {
 TEST(MotionTrack, ComposesWhatLiesBetweenAndSplitsTheEnds) {
   MotionTrack track;
   for (int i = 0; i < 10; ++i) track.add(motionOf(0.1 * i, 0.1 * (i + 1), Pose2(0.02, 0.0, 0.0)));
-  const auto gap = track.between(at(0.15), at(0.55));
+  const auto gap = track.between(after(0.15), after(0.55));
   ASSERT_TRUE(gap);
   EXPECT_NEAR(gap->increment.x(), 0.08, 1e-9);
   EXPECT_NEAR(gap->covariance(0, 0), 0.04, 1e-9);
@@ -30,13 +30,13 @@ TEST(MotionTrack, ComposesWhatLiesBetweenAndSplitsTheEnds) {
 
 TEST(MotionTrack, HasNothingToSayOfWhatItDoesNotCover) {
   MotionTrack track;
-  EXPECT_FALSE(track.between(at(0.0), at(0.1)));
+  EXPECT_FALSE(track.between(after(0.0), after(0.1)));
   track.add(motionOf(0.0, 0.1, Pose2()));
   track.add(motionOf(0.2, 0.3, Pose2()));
-  EXPECT_FALSE(track.between(at(-0.1), at(0.05)));
-  EXPECT_FALSE(track.between(at(0.05), at(0.25))) << "a hole";
-  EXPECT_FALSE(track.between(at(0.25), at(0.35)));
-  EXPECT_TRUE(track.between(at(0.2), at(0.3)));
+  EXPECT_FALSE(track.between(after(-0.1), after(0.05)));
+  EXPECT_FALSE(track.between(after(0.05), after(0.25))) << "a hole";
+  EXPECT_FALSE(track.between(after(0.25), after(0.35)));
+  EXPECT_TRUE(track.between(after(0.2), after(0.3)));
 }
 
 }  // namespace

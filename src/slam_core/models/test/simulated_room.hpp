@@ -84,6 +84,8 @@ inline LaserScan scanOf(const Room& room, const Pose2& base, const Pose2& sensor
 /// A robot that drives round the box in the room; its motion has exactly the noise it claims.
 class RoomDrive {
  public:
+  static constexpr int kLap = 145;  ///< steps of once round the box
+
   struct Step {
     Motion motion;
     LaserScan scan;

@@ -24,6 +24,8 @@ struct SimulatedStep {
 /// they claim. It starts at the origin; ids grow in no order of sight.
 class SimulatedWorld {
  public:
+  static constexpr int kLap = 126;  ///< steps of once around the circle
+
   explicit SimulatedWorld(std::uint64_t seed) : random_(seed, 0) {
     for (int i = 0; i < 8; ++i) {
       const double angle = 2 * M_PI * i / 8;

@@ -29,7 +29,7 @@ Pose2 run(Filter& filter, SimulatedWorld& world, int steps) {
 }
 
 template <class Component, class Config>
-std::unique_ptr<Component> made(const Config& config) {
+std::unique_ptr<Component> configured(const Config& config) {
   auto component = std::make_unique<Component>();
   component->configure(config);
   return component;
@@ -54,8 +54,8 @@ MapState savedBy(Filter& filter) {
 const PoseEstimate kStart{Pose2(), 1e-4 * Eigen::Matrix3d::Identity()};
 
 TEST(FastSlamMap, OfTheEkfIsOneToLocaliseIn) {
-  const auto map = savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig()));
-  const auto filter = made<FastSlam>(localization());
+  const auto map = savedBy(*configured<ekf::EkfSlam>(ekf::EkfConfig()));
+  const auto filter = configured<FastSlam>(localization());
   as<MapKeeper>(*filter).set(map);
   filter->set(kStart);
   SimulatedWorld world(9);
@@ -72,10 +72,10 @@ TEST(FastSlamMap, OfTheEkfIsOneToLocaliseIn) {
 }
 
 TEST(FastSlamMap, IsOneForTheEkfToLocaliseIn) {
-  const auto map = savedBy(*made<FastSlam>(PfConfig()));
+  const auto map = savedBy(*configured<FastSlam>(PfConfig()));
   ekf::EkfConfig config;
   config.mode = BackendMode::kLocalization;
-  const auto filter = made<ekf::EkfSlam>(config);
+  const auto filter = configured<ekf::EkfSlam>(config);
   as<MapKeeper>(*filter).set(map);
   filter->set(kStart);
   SimulatedWorld world(9);
@@ -85,10 +85,10 @@ TEST(FastSlamMap, IsOneForTheEkfToLocaliseIn) {
 }
 
 TEST(FastSlamMap, IsInflatedWhereItHasNoJointCovariance) {
-  const auto map = savedBy(*made<FastSlam>(PfConfig()));
+  const auto map = savedBy(*configured<FastSlam>(PfConfig()));
   PfConfig config;
   config.load_inflation = 3.0;
-  const auto filter = made<FastSlam>(config);
+  const auto filter = configured<FastSlam>(config);
   as<MapKeeper>(*filter).set(map);
   filter->execute();
   const auto loaded = as<LandmarkMapper>(*filter).landmarks();
@@ -98,7 +98,7 @@ TEST(FastSlamMap, IsInflatedWhereItHasNoJointCovariance) {
 }
 
 TEST(FastSlamMap, IsSavedAsUnsureAsItsLandmarksAreToOneAnother) {
-  const auto filter = made<FastSlam>(PfConfig());
+  const auto filter = configured<FastSlam>(PfConfig());
   SimulatedWorld world(8);
   run(*filter, world, 100);
   const auto told = as<LandmarkMapper>(*filter).landmarks(),
@@ -117,15 +117,15 @@ TEST(FastSlamMap, IsSavedAsUnsureAsItsLandmarksAreToOneAnother) {
 }
 
 TEST(FastSlamMap, OfOneCopyIsSharedByAllParticlesThatOnlyLocalise) {
-  const auto filter = made<FastSlam>(localization());
-  as<MapKeeper>(*filter).set(savedBy(*made<ekf::EkfSlam>(ekf::EkfConfig())));
+  const auto filter = configured<FastSlam>(localization());
+  as<MapKeeper>(*filter).set(savedBy(*configured<ekf::EkfSlam>(ekf::EkfConfig())));
   SimulatedWorld world(9);
   run(*filter, world, 60);
   EXPECT_EQ(filter->particleSet().memory().maps.leavesInUse(), 4u) << "16 landmarks, 4 a leaf";
 }
 
 TEST(FastSlamMap, LeavesOutAndCountsStrangersInLocalization) {
-  const auto filter = made<FastSlam>(localization());
+  const auto filter = configured<FastSlam>(localization());
   give(LandmarkObservationArray{}, *filter);
   EXPECT_TRUE(test::oneSays({filter->execute().message}, {"no map", "load one"}));
   SimulatedWorld world(9);
@@ -137,7 +137,7 @@ TEST(FastSlamMap, LeavesOutAndCountsStrangersInLocalization) {
 }
 
 TEST(FastSlamMap, IsKeptWhenTheRobotIsRedrawnExactlyThere) {
-  const auto filter = made<FastSlam>(PfConfig());
+  const auto filter = configured<FastSlam>(PfConfig());
   SimulatedWorld world(8);
   run(*filter, world, 50);
   const PoseEstimate there{Pose2(1, 2, 3), Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()};

@@ -24,14 +24,14 @@ Pose2 run(FastSlam& filter, SimulatedWorld& world, int steps) {
   return truth;
 }
 
-std::unique_ptr<FastSlam> made(const PfConfig& config = {}) {
+std::unique_ptr<FastSlam> landmarkFilter(const PfConfig& config = {}) {
   auto filter = std::make_unique<FastSlam>();
   filter->configure(config);
   return filter;
 }
 
 TEST(FastSlamTrouble, ARobotPutElsewhereIsReportedLostAndFoundWithANewPose) {
-  const auto filter = made();
+  const auto filter = landmarkFilter();
   SimulatedWorld world(11);
   run(*filter, world, 125);  // a lap
   const auto before = filter->counters()["gated"];
@@ -61,7 +61,7 @@ TEST(FastSlamTrouble, ARobotPutElsewhereIsReportedLostAndFoundWithANewPose) {
 }
 
 TEST(FastSlamTrouble, AnIdSeenByChanceOnceFarAwayDoesNoHarm) {
-  const auto with = made();
+  const auto with = landmarkFilter();
   SimulatedWorld world(12);
   Pose2 truth;
   int gated_by_chance = 0;  // the gate is wrong about one observation in ten thousand
@@ -96,7 +96,7 @@ TEST(FastSlamTrouble, AnIdSeenByChanceOnceFarAwayDoesNoHarm) {
 }
 
 TEST(FastSlamTrouble, WeightsThatAllVanishAreMadeEqualAndReported) {
-  const auto filter = made();
+  const auto filter = landmarkFilter();
   SimulatedWorld world(13);
   run(*filter, world, 20);
   auto step = world.next();

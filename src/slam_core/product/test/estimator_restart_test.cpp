@@ -10,7 +10,7 @@
 namespace slam {
 namespace {
 
-Stamp at(int tenths) {
+Stamp stampOf(int tenths) {
   return stampFromNanoseconds(1000000000) + std::chrono::milliseconds(100) * tenths;
 }
 
@@ -26,8 +26,8 @@ class EstimatorRestartTest : public testing::Test {
   int step(int tenths) {
     Motion motion;
     motion.sequence = static_cast<std::uint64_t>(tenths);
-    motion.start = at(tenths);
-    motion.end = at(tenths + 1);
+    motion.start = stampOf(tenths);
+    motion.end = stampOf(tenths + 1);
     motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
     estimator.set(motion);
     LandmarkObservationArray array;

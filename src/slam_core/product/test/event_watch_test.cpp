@@ -17,7 +17,7 @@
 namespace slam {
 namespace {
 
-using Kind = Event::Kind;
+using EventKind = Event::Kind;
 
 /// A back-end's own account of its steps.
 class Account final : public EventReporter {
@@ -70,7 +70,7 @@ TEST_F(EventWatchTest, ReportsAJumpThatNoUncertaintyExplains) {
   step(0.0);
   const auto jumped = step(0.5);
   ASSERT_EQ(jumped.events.size(), 1u);
-  EXPECT_EQ(jumped.events[0].kind, Kind::kJump);
+  EXPECT_EQ(jumped.events[0].kind, EventKind::kJump);
   EXPECT_EQ(jumped.events[0].stamp, jumped.stamp);
   EXPECT_NEAR(jumped.events[0].distance, 0.5, 1e-12);
 }
@@ -91,25 +91,25 @@ TEST_F(EventWatchTest, SaysNothingOfTheFirstStep) {
 }
 
 TEST_F(EventWatchTest, ReportsLoopsThatMovedThePoseAndThoseTakenBack) {
-  account.told = {{Kind::kLoopClosed, 0.01, 0.001, "small", {}}};
+  account.told = {{EventKind::kLoopClosed, 0.01, 0.001, "small", {}}};
   EXPECT_TRUE(step(0.0).events.empty());
-  account.told = {{Kind::kLoopClosed, 0.5, 0.001, "large", {}},
-                  {Kind::kLoopTakenBack, 0.01, 0.001, "small", {}}};
+  account.told = {{EventKind::kLoopClosed, 0.5, 0.001, "large", {}},
+                  {EventKind::kLoopTakenBack, 0.01, 0.001, "small", {}}};
   const auto events = step(0.5).events;
   ASSERT_EQ(events.size(), 2u) << "and what the loop explains is no jump beside it";
   EXPECT_EQ(events[0].reason, "large");
-  EXPECT_EQ(events[1].kind, Kind::kLoopTakenBack);
+  EXPECT_EQ(events[1].kind, EventKind::kLoopTakenBack);
 }
 
 TEST_F(EventWatchTest, ReportsThatTheRobotIsLostAndFoundOnceEach) {
-  std::vector<Kind> kinds;
+  std::vector<EventKind> kinds;
   std::string reason;
   for (const bool is_lost : {false, true, true, true, false, false})
     for (const auto& event : step(0.0, is_lost).events) {
       kinds.push_back(event.kind);
       reason = event.reason;
     }
-  EXPECT_EQ(kinds, (std::vector<Kind>{Kind::kLost, Kind::kFound}));
+  EXPECT_EQ(kinds, (std::vector<EventKind>{EventKind::kLost, EventKind::kFound}));
   EXPECT_NE(reason.find("after 3.0 s"), std::string::npos) << reason;
 }
 
@@ -137,7 +137,7 @@ TEST(EventsOfAnEstimator, AreTheRelocationsOfARobotThatDrivesWell) {
       for (const auto& event : estimator.report()->events) events.push_back(event);
   }
   ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events[0].kind, Kind::kJump);
+  EXPECT_EQ(events[0].kind, EventKind::kJump);
   EXPECT_EQ(events[0].reason, "the robot was put there");
 }
 

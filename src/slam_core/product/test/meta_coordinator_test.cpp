@@ -16,8 +16,8 @@ namespace {
 
 using test::oneSays;
 
-std::vector<std::string> faultsOf(const std::string& product, const std::string& robot = "",
-                                  const std::vector<std::string>& overrides = {}) {
+std::vector<std::string> faultsOfProduct(const std::string& product, const std::string& robot = "",
+                                         const std::vector<std::string>& overrides = {}) {
   return test::faultsOf([&] {
     Settings settings({"product.yaml", YAML::Load(product)}, {"robot.yaml", YAML::Load(robot)},
                       overrides);
@@ -25,10 +25,12 @@ std::vector<std::string> faultsOf(const std::string& product, const std::string&
   });
 }
 
-TEST(MetaCoordinatorConfig, TakesTheDefaultsOfAnEmptyProduct) { EXPECT_TRUE(faultsOf("").empty()); }
+TEST(MetaCoordinatorConfig, TakesTheDefaultsOfAnEmptyProduct) {
+  EXPECT_TRUE(faultsOfProduct("").empty());
+}
 
 TEST(MetaCoordinatorConfig, ListsTheFaultsOfAllSectionsAtOnce) {
-  const auto faults = faultsOf(
+  const auto faults = faultsOfProduct(
       "{version: 1, source_timeout: 0, colour: red, ekf: {gate_probability: 1}, sonar: {}}",
       "{version: 1, wheel_odometry: {alpha1: -1}, landmark_sensor: {sigma_range: 0}, frames: {mpa: "
       "world}}",
@@ -45,45 +47,47 @@ TEST(MetaCoordinatorConfig, ListsTheFaultsOfAllSectionsAtOnce) {
 }
 
 TEST(MetaCoordinatorConfig, NamesTheNearestComponent) {
-  const auto faults = faultsOf("{version: 1, backend: efk, odometry: weel, ekf: {}}");
+  const auto faults = faultsOfProduct("{version: 1, backend: efk, odometry: weel, ekf: {}}");
   EXPECT_EQ(faults.size(), 2u) << join(faults, "\n");
   EXPECT_TRUE(oneSays(faults, {"back-end 'efk'", "there are", "did you mean 'ekf'"}));
   EXPECT_TRUE(oneSays(faults, {"odometry source 'weel'", "did you mean 'wheel'"}));
 }
 
 TEST(MetaCoordinatorConfig, FindsASectionWithATypo) {
-  EXPECT_TRUE(
-      oneSays(faultsOf("{version: 1, efk: {mode: slam}}"), {"section efk", "did you mean 'ekf'"}));
+  EXPECT_TRUE(oneSays(faultsOfProduct("{version: 1, efk: {mode: slam}}"),
+                      {"section efk", "did you mean 'ekf'"}));
 }
 
 TEST(MetaCoordinatorConfig, RefusesAGridThatTheBackEndDoesNotMake) {
-  const auto faults = faultsOf("{version: 1, backend: ekf, map: grid}");
+  const auto faults = faultsOfProduct("{version: 1, backend: ekf, map: grid}");
   EXPECT_EQ(faults.size(), 1u) << join(faults, "\n");
   EXPECT_TRUE(oneSays(faults, {"'ekf' makes no grid", "non-parametric",
                                "choose backend: graph or grid or pf", "map: landmarks"}));
   EXPECT_TRUE(
-      faultsOf("{version: 1, backend: pf, map: grid, grid_map: {resolution: 0.1}}").empty());
+      faultsOfProduct("{version: 1, backend: pf, map: grid, grid_map: {resolution: 0.1}}").empty());
 }
 
 TEST(MetaCoordinatorConfig, KnowsTheLasersSectionOfEveryRobot) {
-  EXPECT_TRUE(faultsOf("", "{version: 1, laser: {sensor_pose: [0, 0, 0, 0, 0, 0]}}").empty());
-  const auto faults = faultsOf("", "{version: 1, laser: {sensor_pose: [1], range_max: -1}}");
+  EXPECT_TRUE(
+      faultsOfProduct("", "{version: 1, laser: {sensor_pose: [0, 0, 0, 0, 0, 0]}}").empty());
+  const auto faults = faultsOfProduct("", "{version: 1, laser: {sensor_pose: [1], range_max: -1}}");
   EXPECT_TRUE(oneSays(faults, {"laser.range_max", ">= 0"})) << join(faults, "\n");
 }
 
 TEST(MetaCoordinatorConfig, RefusesFramesThatAreNone) {
-  const auto faults = faultsOf("", "{version: 1, frames: {map: /map, odom: '', base: base_link}}");
+  const auto faults =
+      faultsOfProduct("", "{version: 1, frames: {map: /map, odom: '', base: base_link}}");
   EXPECT_EQ(faults.size(), 2u) << join(faults, "\n");
   EXPECT_TRUE(oneSays(faults, {"frames.map", "'/map'", "slash"}));
   EXPECT_TRUE(oneSays(faults, {"frames.odom", "empty"}));
 }
 
 TEST(MetaCoordinatorConfig, RefusesOneNameForTwoFrames) {
-  EXPECT_TRUE(oneSays(faultsOf("", "{version: 1, frames: {map: odom}}"), {"must differ"}));
+  EXPECT_TRUE(oneSays(faultsOfProduct("", "{version: 1, frames: {map: odom}}"), {"must differ"}));
 }
 
 TEST(MetaCoordinatorConfig, SaysWhyALibraryDoesNotLoad) {
-  EXPECT_TRUE(oneSays(faultsOf("{version: 1, libraries: [libslam_nowhere.so]}"),
+  EXPECT_TRUE(oneSays(faultsOfProduct("{version: 1, libraries: [libslam_nowhere.so]}"),
                       {"libslam_nowhere.so", "cannot open shared object file"}));
 }
 

@@ -18,7 +18,7 @@ namespace {
 struct MappedRoom {
   explicit MappedRoom(const grid_map::GridMapConfig& config = {}) : model(config) {
     test::RoomDrive drive(1);
-    for (int i = 0; i < 145; ++i) {
+    for (int i = 0; i < test::RoomDrive::kLap; ++i) {
       const auto step = drive.next();
       scan = pointsOf(step.scan, model, 0.05);
       truth = step.truth;

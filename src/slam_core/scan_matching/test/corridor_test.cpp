@@ -7,11 +7,10 @@
 
 #include "slam_core/common/random.hpp"
 #include "slam_core/scan_matching/scan_tracker.hpp"
+#include "slam_core/scan_matching/test/matching.hpp"
 
 namespace slam::scan_matching {
 namespace {
-
-constexpr double kSpacing = 0.05;
 
 /// Two walls without ends, a metre to either side, and a laser that sees 5.6 m of them.
 class Corridor : public testing::Test {
@@ -42,10 +41,6 @@ class Corridor : public testing::Test {
   LevelModels models = levelModels({});
   ScanMap map{grid_map::GridMapConfig()};
 };
-
-PosePrior priorAt(const Pose2& pose, double sigma) {
-  return {pose, Eigen::Matrix3d(Eigen::Matrix3d::Identity() / (sigma * sigma))};
-}
 
 /// Of the line through the ends on one side.
 double directionOfWall(const grid_map::ScanPoints& scan, double side) {

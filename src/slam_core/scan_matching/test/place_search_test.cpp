@@ -23,7 +23,7 @@ using grid_map::Tile;
 class PlaceSearchInARoom : public testing::Test {
  protected:
   PlaceSearchInARoom() {
-    for (int i = 0; i < 145; ++i) {
+    for (int i = 0; i < test::RoomDrive::kLap; ++i) {
       const auto step = drive.next();
       insertScan(model, pointsOf(step.scan, model, 0.1), step.truth, map);
     }

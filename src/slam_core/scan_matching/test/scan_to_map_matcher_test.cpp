@@ -10,24 +10,20 @@
 
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/scan_matching/test/matching.hpp"
 
 namespace slam::scan_matching {
 namespace {
 
 using test::RoomDrive;
 
-constexpr double kSpacing = 0.05;
 const auto kModels = levelModels({});
-
-PosePrior priorAt(const Pose2& pose, double sigma) {
-  return {pose, Eigen::Matrix3d(Eigen::Matrix3d::Identity() / (sigma * sigma))};
-}
 
 /// A map of the room from known poses, and a scan that is not in it.
 class MatchingInARoom : public testing::Test {
  protected:
   MatchingInARoom() {
-    for (int i = 0; i < 145; ++i) {
+    for (int i = 0; i < RoomDrive::kLap; ++i) {
       const auto step = drive.next();
       map.insert(pointsOf(step.scan, kModels, kSpacing), step.truth);
     }
@@ -89,7 +85,7 @@ TEST_F(MatchingInARoom, WithoutOdometrySearchesAsFarAsTheGuessMayBeOff) {
 
 TEST_F(MatchingInARoom, ARobotCarriedAwayHardlyEverFitsAPlaceThatLooksAlike) {
   std::vector<RoomDrive::Step> steps;
-  for (int i = 0; i < 145; ++i) steps.push_back(drive.next());
+  for (int i = 0; i < RoomDrive::kLap; ++i) steps.push_back(drive.next());
   int sure = 0, wrong = 0;
   for (std::size_t from = 0; from < steps.size(); from += 5)
     for (std::size_t to = 0; to < steps.size(); to += 5) {

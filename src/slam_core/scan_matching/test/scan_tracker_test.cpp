@@ -12,16 +12,16 @@
 namespace slam::scan_matching {
 namespace {
 
-constexpr double kSpacing = 0.02;
+constexpr double kTrackedSpacing = 0.02;
 constexpr Duration kInterval = std::chrono::milliseconds(100);
 
 /// A robot in a room that has been mapped.
 class TrackedRobot : public testing::Test {
  protected:
   TrackedRobot() {
-    for (int i = 0; i < 145; ++i) {
+    for (int i = 0; i < test::RoomDrive::kLap; ++i) {
       last = drive.next();
-      map.insert(pointsOf(last.scan, models, kSpacing), last.truth);
+      map.insert(pointsOf(last.scan, models, kTrackedSpacing), last.truth);
     }
     tracker.restart({last.truth, 1e-6 * Eigen::Matrix3d::Identity()});
     stamp = last.scan.stamp;
@@ -31,7 +31,7 @@ class TrackedRobot : public testing::Test {
   void scan(LaserScan seen, bool is_blind = false) {
     if (is_blind) seen.beams.clear();
     stamp += kInterval;
-    tracker.track(map.view(), pointsOf(seen, models, kSpacing), stamp, std::nullopt);
+    tracker.track(map.view(), pointsOf(seen, models, kTrackedSpacing), stamp, std::nullopt);
   }
   double error() const { return (tracker.robot().pose.position() - last.truth.position()).norm(); }
 
@@ -44,7 +44,7 @@ class TrackedRobot : public testing::Test {
 };
 
 TEST_F(TrackedRobot, WhatAScanCorrectsAfterBlindOnesIsNotTakenForSpeed) {
-  for (int i = 0; i < 3; ++i) scan(last.scan);  // it stands
+  for (int i = 0; i < 3; ++i) scan(last.scan);      // it stands
   for (int i = 0; i < 3; ++i) last = drive.next();  // too little for a wide search
   for (int i = 0; i < 10; ++i) scan(last.scan, true);
   scan(last.scan);
