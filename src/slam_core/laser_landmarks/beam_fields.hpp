@@ -9,8 +9,8 @@
 
 namespace slam::laser_landmarks {
 
-/// Adds the fields of a beam's noise, which all detectors in a laser's scans have.
-/// @param where " on bark", or empty
+/// Adds the fields of a beam's noise, which all laser detectors share.
+/// @param where what the beam hits, for the description: " on bark", or empty
 template <class Config>
 void addBeamNoise(Config& config, const std::string& where, Fields& fields) {
   fields
@@ -27,8 +27,8 @@ void addBeamNoise(Config& config, const std::string& where, Fields& fields) {
       .ofRobot();
 }
 
-/// Adds how far a detector looks, and where it cuts a scan (segmentsOf).
-/// @param beyond what becomes of what is farther
+/// Adds the fields that limit a detector's range and that say where a scan is cut (segmentsOf()).
+/// @param beyond what the detector does with landmarks beyond max_range, for the description
 template <class Config>
 void addSegments(Config& config, const std::string& beyond, Fields& fields) {
   fields.add("max_range", &config.max_range, beyond).unit("m").in(Range::above(0)).ofRobot();

@@ -10,7 +10,7 @@
 
 namespace slam::laser_landmarks {
 
-/// How wrong a beam is.
+/// The standard deviations of a beam's range and direction.
 struct BeamNoise {
   double sigma_range = 0.0;     ///< [m]
   double relative_sigma = 0.0;  ///< of a range, relative to it [1]
@@ -21,17 +21,17 @@ struct BeamNoise {
     const double relative = relative_sigma * range;
     return sigma_range * sigma_range + relative * relative;
   }
-  /// The variance of where an edge is: between its last beam and the next, a uniform error of the
-  /// spacing [rad^2].
+  /// The variance of an edge's bearing [rad^2]. The edge lies anywhere between the last beam on the
+  /// object and the next beam, so that its error is uniform over the spacing.
   double edgeVariance(double spacing) const {
     return spacing * spacing / 12.0 + sigma_bearing * sigma_bearing;
   }
 };
 
-/// @return by how many standard deviations residuals are larger than expected (Wilson, Hilferty
+/// @return by how many standard deviations the residuals are larger than expected (Wilson, Hilferty
 /// 1931)
-/// @param sum of the squared residuals, each over its standard deviation
-/// @param dof degrees of freedom that they leave
+/// @param sum of the squared normalised residuals; chi-square distributed where the model fits
+/// @param dof degrees of freedom of that sum
 inline double misfitOf(double sum, double dof) {
   const double of = std::max(dof, 1.0), spread = 2.0 / (9.0 * of);
   return (std::cbrt(sum / of) - (1.0 - spread)) / std::sqrt(spread);

@@ -10,20 +10,22 @@
 
 namespace slam::laser_landmarks {
 
-/// How bright things are in a scan.
+/// Judges which beams of a scan are bright, that is, reflected by more than ordinary surfaces.
 class Brightness {
  public:
-  /// The median over the beams of intensity times range to the power of `range_exponent` stands for
-  /// what is not bright, so that far things are compared with what they would send back from here.
+  /// The reference is the median over the beams of intensity times range^range_exponent: the
+  /// product does not depend on the range of a surface, so that near and far ones can be compared.
+  /// @param contrast ratio to the median above which a beam is bright [1]
   Brightness(const std::vector<LaserBeam>& beams, double range_exponent, double contrast);
 
   /// Whether any beam has an intensity.
   bool isKnown() const { return is_known_; }
-  /// Whether a beam is brighter than the median by the contrast. A median of 0 is that of lasers
-  /// that tell the intensity of reflectors only.
+  /// Whether a beam exceeds the median by the contrast. The median is 0 for lasers that report the
+  /// intensity of reflectors only; any intensity above 0 is bright then.
   bool isBright(const LaserBeam& beam) const;
 
-  /// The bright parts of a segment; beside such a part the segment goes on, dark, or ends.
+  /// The bright parts of a segment. Beside such a part the segment either continues with dark
+  /// beams, which hide nothing, or ends.
   std::vector<ScanSegment> brightPartsOf(const ScanSegment& segment) const;
 
  private:

@@ -18,12 +18,12 @@ using Beams = std::vector<LaserBeam>;
 constexpr int kMostSteps = 20;
 constexpr double kConverged = 1e-6;    // [m, rad]
 constexpr double kLeastRadius = 1e-3;  // [m]
-constexpr double kInner = 0.85;  // of the half width of a circle, which grazing beams are beyond
+constexpr double kInner = 0.85;  // of a circle's half width; beams farther out graze the circle
 constexpr double kMostOblique = 0.95;  // sine of the angle at which a beam meets the circle
 /// Range, bearing and radius (D, beta, rho).
 using State = Eigen::Vector3d;
 
-/// One residual over its standard deviation, with its derivative in the state.
+/// A residual divided by its standard deviation, with its derivative with respect to the state.
 struct Residual {
   double value = 0.0;
   Eigen::RowVector3d J = Eigen::RowVector3d::Zero();
@@ -45,8 +45,8 @@ Residual beamResidual(const State& x, const LaserBeam& beam, const BeamNoise& no
   return residual;
 }
 
-/// The beams that do not graze the circle, by their place in its width: nearer to the edge the
-/// range has no derivative, and the edges themselves tell more.
+/// The beams that do not graze the circle, judged by their position within its width. At an edge
+/// the derivative of the range is unbounded, and the bearing of the edge carries more information.
 Beams inner(const Beams& beams, double spacing) {
   const double middle = (beams.front().bearing + beams.back().bearing) / 2.0;
   const double half_width = (beams.back().bearing - beams.front().bearing + spacing) / 2.0;

@@ -16,22 +16,21 @@ struct Cylinder {
   double range = 0.0;    ///< of its axis from the sensor [m]
   double bearing = 0.0;  ///< of its axis [rad]
   double radius = 0.0;   ///< [m]
-  /// of (range, bearing) [m^2, m rad, rad^2], whatever the radius is
+  /// of (range, bearing) [m^2, m rad, rad^2], marginal over the radius
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   double misfit = 0.0;  ///< see misfitOf()
 };
 
-/// The circle that the angular width of the beams tells: r s / (1 - s) is its radius, with r the
-/// shortest range and s the sine of half the width (Guivant, Nebot 2001).
+/// The circle that follows from the angular width of the beams: its radius is r s / (1 - s), with r
+/// the shortest range and s the sine of half the width (Guivant, Nebot 2001).
 Cylinder cylinderOfWidth(const std::vector<LaserBeam>& beams, double spacing);
 
 /// The circle that fits best, by least squares over the ranges of the beams that do not graze it
-/// and over the two edges, each of which lies between its last beam and the next: a uniform error
-/// of the spacing. Where the circle curves away from the beams, an error of their direction is one
-/// of range.
-/// @param beams of one thing, by rising bearing, two at least; nothing hides a part of it
+/// and over the bearings of the two edges (BeamNoise::edgeVariance()). Where a beam meets the
+/// circle obliquely, an error of its direction is also one of its range.
+/// @param beams of one object, by rising bearing, at least one; no part of the object is hidden
 /// @param spacing between beams of the sweep [rad]
-/// @return nothing where no circle fits
+/// @return nothing where the fit does not converge
 std::optional<Cylinder> fitCylinder(const std::vector<LaserBeam>& beams, double spacing,
                                     const BeamNoise& noise);
 

@@ -15,8 +15,8 @@ const Registrar<LandmarkDetector, LaserLines> kLinesRegistrar("laser_lines");
 const Registrar<LandmarkDetector, LaserCorners> kCornersRegistrar("laser_corners");
 const SectionRegistrar<LaserLinesConfig> kLinesSectionRegistrar;
 
-/// A point landmark without an id, by its place in the sensor's frame and the covariance of that
-/// [m, m^2].
+/// The observation of a point landmark without an id.
+/// @param place in the sensor's frame [m] @param covariance of the place [m^2]
 LandmarkObservation observationOf(const Eigen::Vector2d& place, const Eigen::Matrix2d& covariance) {
   const double range = place.norm();
   Eigen::Matrix2d J;

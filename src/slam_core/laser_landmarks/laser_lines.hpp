@@ -12,8 +12,8 @@
 
 namespace slam::laser_landmarks {
 
-/// Finds the straight walls in the scans of a horizontal laser. The derived class says whether
-/// lines or corners are the landmarks. Counted as in wallLinesOf().
+/// Finds the straight walls in the scans of a horizontal laser. The derived class decides whether
+/// lines or corners are the landmarks. Rejected pieces are counted as in wallLinesOf().
 class WallDetector : public ScanDetector {
  public:
   void configure(const LaserLinesConfig& config);
@@ -34,7 +34,7 @@ class LaserLines final : public WallDetector {
   Observations landmarksOf(const std::vector<WallLine>& lines) const override;
 };
 
-/// The corners and edges of walls of which both sides are seen, as point landmarks.
+/// The corners of walls, convex and concave, of which both sides are seen, as point landmarks.
 class LaserCorners final : public WallDetector {
   Observations landmarksOf(const std::vector<WallLine>& lines) const override;
 };

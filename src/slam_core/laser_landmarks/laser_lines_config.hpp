@@ -7,7 +7,7 @@
 
 namespace slam::laser_landmarks {
 
-/// The section is that of laser_corners, too.
+/// The detectors laser_lines and laser_corners share this section.
 struct LaserLinesConfig {
   static constexpr const char* kSection = "laser_lines";
 

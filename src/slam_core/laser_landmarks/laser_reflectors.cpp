@@ -17,7 +17,7 @@ namespace {
 const Registrar<LandmarkDetector, LaserReflectors> kReflectorsRegistrar("laser_reflectors");
 const SectionRegistrar<LaserReflectorsConfig> kReflectorsSectionRegistrar;
 
-constexpr int kPatience = 50;  // scans without intensities
+constexpr int kPatience = 50;  // scans without intensities before a warning
 
 double meanRange(const ScanSegment& reflector) {
   double sum = 0.0;
@@ -29,8 +29,9 @@ double angularWidth(const ScanSegment& reflector, double spacing) {
   return reflector.beams.back().bearing - reflector.beams.front().bearing + spacing;
 }
 
-/// From the sensor to the axis of a cylinder, as one beam tells it that meets the cylinder at an
-/// angle from the direction of the axis; beyond the edge, as if at the edge.
+/// The distance of a cylinder's axis from the sensor [m] by the range of one beam.
+/// @param angle between the beam and the direction of the axis [rad]; a beam that would miss the
+/// cylinder counts as one that touches its edge
 double rangeToAxis(double range, double angle, double radius) {
   const double sideways = range * std::sin(angle);
   return range * std::cos(angle) + std::sqrt(std::max(0.0, radius * radius - sideways * sideways));

@@ -13,12 +13,12 @@
 
 namespace slam::laser_landmarks {
 
-/// Finds reflectors in the scans of a horizontal laser that tells intensities: successive beams
-/// that are brighter than all else, as wide as a reflector is. The landmark is the middle of a flat
-/// one, the axis of a cylinder.
+/// Finds reflectors in the scans of a horizontal laser that reports intensities: successive bright
+/// beams (Brightness) that together are as wide as a reflector. The landmark is the middle of a
+/// flat reflector or the axis of a cylindrical one.
 ///
-/// Counted, of bright things within max_range that are no landmark: "hidden" (something nearer is
-/// beside it), "cut_off" (at an end of the sweep, or beside a beam that told nothing),
+/// Bright objects within max_range that are no landmark are counted: "hidden" (a nearer object is
+/// beside it), "cut_off" (at an end of the sweep, or beside a beam without a reading),
 /// "too_narrow", "too_wide".
 class LaserReflectors final : public ScanDetector {
  public:
@@ -31,11 +31,11 @@ class LaserReflectors final : public ScanDetector {
   std::string rejectionOf(const ScanSegment& reflector, double spacing) const;
   LandmarkObservation landmarkOf(const ScanSegment& reflector, double spacing,
                                  const BeamNoise& noise) const;
-  /// Says when a laser has told no intensity at all for long.
+  /// @return a warning where the laser has not reported any intensity for many scans
   Status watchIntensities(bool is_known);
 
   LaserReflectorsConfig config_;
-  int dark_scans_ = 0;  ///< since the start; below 0 once one had intensities
+  int dark_scans_ = 0;  ///< scans without intensities so far; below 0 once a scan had some
 };
 
 }  // namespace slam::laser_landmarks

@@ -15,13 +15,14 @@ namespace {
 const Registrar<LandmarkDetector, LaserTrunks> kRegistrar("laser_trunks");
 const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
 
-/// The width in beams tells the diameter roughly: what is so much thicker or thinner is not fitted.
+/// The number of beams gives a rough diameter. No circle is fitted where that is beyond the limits
+/// by more than this factor.
 constexpr double kRoughly = 1.5;
-/// A filter takes the errors of scans for independent. Two errors of trunks of few beams, which are
-/// the far ones, are not: one that is narrower than a beam looks as wide as one whenever it is
-/// seen, and its axis half of that too far; and edges that lie between two beams ahead of a robot
-/// stay there for many scans. These are their shares of the spacing for one beam, as standard
-/// deviations.
+/// A filter assumes that the errors of successive scans are independent. Two errors of trunks with
+/// few beams, that is of far ones, are not. A trunk that is narrower than the spacing looks as wide
+/// as the spacing in every scan, which puts its axis too far by half of that. And an edge ahead of
+/// the robot lies between the same two beams for many scans. These are the standard deviations of
+/// both errors for a trunk of one beam, relative to the spacing.
 constexpr double kAlikeRange = 0.5, kAlikeBearing = 0.3;
 
 Eigen::Matrix2d alikeBetweenScans(double range, double spacing, std::size_t beams) {

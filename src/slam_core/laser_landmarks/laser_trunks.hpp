@@ -14,11 +14,11 @@
 namespace slam::laser_landmarks {
 
 /// Finds upright cylinders in the scans of a horizontal laser: trunks of trees, poles, pillars. A
-/// scan is cut where ranges jump; what is wide enough, thin enough and not hidden at either side is
-/// a landmark where a circle fits it (Guivant, Nebot 2001).
+/// scan is cut where ranges jump. A segment that is hidden at neither side and whose width suits a
+/// trunk is a landmark if a circle fits it (Guivant, Nebot 2001).
 ///
-/// Counted, of segments within max_range that are no landmark: "few_points", "hidden" (something
-/// nearer is beside it), "cut_off" (at an end of the sweep, or beside a beam that told nothing),
+/// Segments within max_range that are no landmark are counted: "few_points", "hidden" (a nearer
+/// object is beside it), "cut_off" (at an end of the sweep, or beside a beam without a reading),
 /// "too_thin", "too_thick", "no_circle".
 class LaserTrunks final : public ScanDetector {
  public:
@@ -27,10 +27,11 @@ class LaserTrunks final : public ScanDetector {
 
  private:
   Status find(const LaserScan& scan, Observations& found, Counters& counters) override;
-  /// The trunk that a segment is of; if none, the reason is counted.
+  /// The trunk that a segment belongs to. If there is none, the reason is counted.
   std::optional<Cylinder> trunkOf(const ScanSegment& segment, double spacing,
                                   const BeamNoise& noise, Counters& counters) const;
-  /// Why the segment is no trunk, before a circle is fitted; empty where it may be one.
+  /// The reason why a segment is no trunk, judged before a circle is fitted; empty if it may be
+  /// one.
   std::string rejectionOf(const ScanSegment& segment, double spacing) const;
   std::string rejectionOf(const std::optional<Cylinder>& trunk) const;
 

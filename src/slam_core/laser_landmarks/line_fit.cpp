@@ -9,16 +9,17 @@
 
 #include "slam_core/geometry/angle.hpp"
 
-// Symbols: p the end of a beam, n the perpendicular of the line, t the direction along it.
+// Symbols: n the unit normal of the line, t the unit vector along it, p a point on it, w the sum of
+// the weights of the beams' ends, P the covariance of range and bearing.
 
 namespace slam::laser_landmarks {
 namespace {
 
 using Beams = std::vector<LaserBeam>;
 
-constexpr int kIterations = 4;         // of the weights, which depend on the direction
-constexpr double kLeastSine = 1e-3;    // of the angle between lines that cross
-constexpr double kLeastSpread = 1e-3;  // [m], of ends along a line
+constexpr int kIterations = 4;         // of the weights, which depend on the line's direction
+constexpr double kLeastSine = 1e-3;    // of the angle between two lines; below, they are parallel
+constexpr double kLeastSpread = 1e-3;  // of the ends along a line [m]
 
 /// Weighted moments of the ends of beams about their centre.
 struct Moments {
@@ -44,7 +45,7 @@ Moments momentsOf(const Beams& beams, const Weight& weight) {
   return m;
 }
 
-/// The perpendicular of the line through the centre, away from the sensor.
+/// The bearing of the normal that points from the sensor to the line through the centre [rad].
 double perpendicularOf(const Moments& m) {
   const double along = 0.5 * std::atan2(2.0 * m.xy, m.xx - m.yy);
   const double bearing = along + M_PI / 2.0;
@@ -59,7 +60,8 @@ double varianceAcross(const LaserBeam& beam, double bearing, const BeamNoise& no
   return noise.rangeVariance(beam.range) * cosine * cosine + sideways * sideways * sine * sine;
 }
 
-/// (1/w, and the error of the direction turns the line about the centre.)
+/// The covariance of range and bearing. An error of the direction turns the line about the centre
+/// of its ends, and so moves the foot of the perpendicular as well.
 Eigen::Matrix2d covarianceOf(const Line& line, const Moments& m) {
   const Eigen::Vector2d t = line.along();
   const double spread = t.x() * t.x() * m.xx + 2.0 * t.x() * t.y() * m.xy + t.y() * t.y() * m.yy;
@@ -70,7 +72,8 @@ Eigen::Matrix2d covarianceOf(const Line& line, const Moments& m) {
   return P;
 }
 
-/// Where the line through sensor and end of a beam crosses the line, along the line.
+/// The coordinate along the line of the point where a beam crosses it, from the foot of the
+/// perpendicular [m].
 double placeOf(const LaserBeam& beam, const Line& line) {
   return line.range * std::tan(wrapAngle(beam.bearing - line.bearing));
 }
@@ -111,7 +114,7 @@ std::optional<Crossing> crossingOf(const Line& a, const Line& b) {
   const Eigen::Matrix2d inverse = N.inverse();
   Crossing crossing;
   crossing.position = inverse * Eigen::Vector2d(a.range, b.range);
-  // n p = range: n dp = d range - (t p) d bearing
+  // the differential of n p = range: n dp = d range - (t p) d bearing
   const auto variance = [&](const Line& line) {
     const Eigen::RowVector2d J(1.0, -line.along().dot(crossing.position));
     return (J * line.covariance * J.transpose()).value();

@@ -18,7 +18,7 @@ struct Line {
   double bearing = 0.0;  ///< direction of the perpendicular [rad]
   /// of (range, bearing) [m^2, m rad, rad^2]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  LineExtent extent;    ///< where its outermost beams meet it
+  LineExtent extent;    ///< where its outermost beams meet it [m]
   double misfit = 0.0;  ///< see misfitOf()
 
   double length() const { return extent.end - extent.begin; }
@@ -31,14 +31,15 @@ struct Line {
 /// across the line, to which its range and its direction contribute by the angle at which the beam
 /// meets the line (Pfister, Roumeliotis, Burdick 2003; Siegwart, Nourbakhsh 2004, ch. 4.3.1).
 /// @param beams that end on one line, by rising bearing
-/// @return nothing where they are fewer than three, or tell no line
+/// @return nothing where they are fewer than three, or do not determine a line
 std::optional<Line> fitLine(const std::vector<LaserBeam>& beams, const BeamNoise& noise);
 
-/// Where two lines cross, and how sure that is; nothing where they are parallel.
+/// The point where two lines cross.
 struct Crossing {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the sensor's frame [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
 };
+/// @return nothing where the lines are parallel
 std::optional<Crossing> crossingOf(const Line& a, const Line& b);
 
 }  // namespace slam::laser_landmarks

@@ -12,9 +12,9 @@
 
 namespace slam::laser_landmarks {
 
-/// A detector of landmarks in the scans of a horizontal laser. The derived class says what they
-/// are. Landmarks have no ids: the back-end's association tells of which one an observation is.
-/// Observations that are not valid are left out, counted as "invalid_observation".
+/// A detector of landmarks in the scans of a horizontal laser. The derived class decides what a
+/// landmark is. Landmarks have no ids: the back-end's association finds the landmark that an
+/// observation belongs to. Invalid observations are left out and counted as "invalid_observation".
 class ScanDetector : public LandmarkDetector {
  public:
   void describe(Ports& ports) override;
@@ -30,8 +30,8 @@ class ScanDetector : public LandmarkDetector {
   using Observations = std::vector<LandmarkObservation>;
 
  private:
-  /// Adds what is found in a scan.
-  /// @param counters reasons why something is no landmark
+  /// Adds the landmarks in a scan to `found`.
+  /// @param counters count the reasons why objects are no landmarks
   virtual Status find(const LaserScan& scan, Observations& found, Counters& counters) = 0;
 
   std::optional<LaserScan> next_scan_;

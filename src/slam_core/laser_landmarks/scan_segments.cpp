@@ -10,8 +10,8 @@
 namespace slam::laser_landmarks {
 namespace {
 
-constexpr double kGap = 1.5;     // of the spacing: a beam is missing
-constexpr double kSigmas = 5.0;  // by which two ranges of one thing differ at most
+constexpr double kGap = 1.5;     // times the spacing; beams farther apart have one missing between
+constexpr double kSigmas = 5.0;  // by which two ranges on one object differ at most
 
 using Beams = std::vector<LaserBeam>;
 
@@ -26,7 +26,7 @@ bool areSideBySide(const LaserBeam& a, const LaserBeam& b, double spacing) {
   return std::abs(b.bearing - a.bearing) < kGap * spacing;
 }
 
-/// @param beam beside `end`, the segment's own beam there
+/// @param end the segment's outermost beam @param beam its neighbour outside the segment
 Beside besideOf(const LaserBeam& end, const LaserBeam& beam, double spacing) {
   if (!areSideBySide(end, beam, spacing)) return Beside::kUnknown;
   return beam.hit && beam.range < end.range ? Beside::kNearer : Beside::kFree;

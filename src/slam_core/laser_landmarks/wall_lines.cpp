@@ -18,8 +18,8 @@ namespace {
 
 using Beams = std::vector<LaserBeam>;
 
-constexpr double kSplitSigmas = 4.0;  // between two beams that err as well
-constexpr std::size_t kTrimmed = 1;   // beams at either end
+constexpr double kSplitSigmas = 4.0;  // large, as the chord's two end beams err as well
+constexpr std::size_t kTrimmed = 1;   // beams left out at either end of a line
 
 /// Beams [begin, end) of a segment.
 struct Piece {
@@ -52,11 +52,11 @@ class Splitter {
     const auto corner = farthest(piece);
     if (!corner) return pieces_.push_back(piece);
     split({piece.begin, *corner + 1});
-    split({*corner, piece.end});  // a corner is of both
+    split({*corner, piece.end});  // the beam at a corner belongs to both
   }
 
   /// The beam that ends farthest from the straight line between the first and the last one, if it
-  /// is too far to be on it.
+  /// is too far away to belong to that line.
   std::optional<std::size_t> farthest(const Piece& piece) const {
     const Eigen::Vector2d from = beams_[piece.begin].end();
     const Eigen::Vector2d way = beams_[piece.end - 1].end() - from;
@@ -76,7 +76,7 @@ class Splitter {
 
   double sigma(const LaserBeam& beam) const { return std::sqrt(noise_.rangeVariance(beam.range)); }
 
-  /// A split may go too far: then one line fits both neighbours, and they become one.
+  /// Merges neighbours that one line fits: a split may have gone too far.
   void merge() {
     for (std::size_t i = 0; i + 1 < pieces_.size();) {
       const Piece both{pieces_[i].begin, pieces_[i + 1].end};
@@ -110,7 +110,8 @@ Beams withinRange(const LaserScan& scan, double max_range) {
   return beams;
 }
 
-/// Whether the lines follow each other and end where they cross.
+/// Whether two lines follow each other in the sweep and end where they cross.
+/// @param most distance of an end from the crossing [m]
 bool meet(const WallLine& a, const WallLine& b, const Crossing& crossing, double most) {
   const auto gap = [&](const Line& line, double end) {
     return std::abs(line.along().dot(crossing.position) - end);

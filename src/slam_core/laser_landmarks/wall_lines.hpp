@@ -12,32 +12,33 @@
 
 namespace slam::laser_landmarks {
 
-/// A line of a scan, and where it stands in the sweep.
+/// A line in a scan, with the beams that it was fitted to.
 struct WallLine {
   Line line;
-  std::size_t segment = 0;         ///< successive beams that belong together, see segmentsOf()
-  std::size_t begin = 0, end = 0;  ///< its beams among the segment's
+  std::size_t segment = 0;         ///< index of its segment in segmentsOf()
+  std::size_t begin = 0, end = 0;  ///< its beams within that segment: [begin, end)
 };
 
 /// The straight lines in a scan, by rising bearing: split and merge (Pavlidis, Horowitz 1974;
 /// Nguyen et al. 2005). A segment is split where a beam ends far from the straight line between its
 /// first and its last one (Douglas, Peucker 1973); neighbours that one line fits are merged again.
-/// The outermost beams of a line, which may have met two things, are not used.
+/// The outermost beams of a line are not used, since they may have hit two objects at once.
 ///
-/// Counted, of pieces within max_range that are no line: "few_points", "short", "not_straight".
+/// Pieces within max_range that are no line are counted: "few_points", "short", "not_straight".
 std::vector<WallLine> wallLinesOf(const LaserScan& scan, const LaserLinesConfig& config,
                                   Counters& counters);
 
-/// What the beams on a wall have in common, since it is not quite flat [m], shifts and turns the
-/// line, however many they are.
+/// The line with the covariance of a wall that is not quite flat. Its unevenness is an error that
+/// all beams on the wall share: it shifts and turns the line, however many beams there are.
+/// @param sigma of that error [m]
 Line withWallNoise(const Line& line, double sigma);
 
-/// The walls: where something stands before one, or a door is in it, its parts are one line. Such
-/// parts have the same direction and distance and are no farther apart than kLargestLineGap.
+/// The walls in a scan, with withWallNoise(). Lines on either side of an object that hides the
+/// wall, or of a door, are parts of one wall if they have the same direction and distance and are
+/// no farther apart than kLargestLineGap.
 std::vector<Line> wallsOf(const std::vector<WallLine>& lines, double sigma_wall);
 
-/// The corners and edges at which two lines meet: lines that follow each other in the sweep and end
-/// there.
+/// The corners, convex and concave, where two lines meet that follow each other in the sweep.
 std::vector<Crossing> cornersOf(const std::vector<WallLine>& lines, const LaserLinesConfig& config);
 
 }  // namespace slam::laser_landmarks
