@@ -14,16 +14,16 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kBaseline = 0.25;  // two landmarks that tell a heading are so far apart [m]
-constexpr double kWidest = 40.0;   // and no further, as one sensor sees them [m]
-/// Landmarks around the robot of which all pairs suggest poses: the surest ones.
+constexpr double kBaseline = 0.25;  // least distance of two landmarks that determine a heading [m]
+constexpr double kWidest = 40.0;    // greatest distance of two that one sensor sees [m]
+/// Only pairs of this many landmarks around the robot, the most certain ones, suggest poses.
 constexpr std::size_t kMostPaired = 12;
-/// Cells of poses that are counted as one.
+/// Poses within one cell are counted as the same suggestion.
 constexpr double kCell = 0.5, kCellAngle = 0.3;  // [m], [rad]
 constexpr std::size_t kMostWeighed = 100, kMostPlaces = 8;
 
-/// The pose by which the middle of two points and the direction between them are those of two
-/// others.
+/// The transform that takes the midpoint of a and b to that of a_map and b_map, and the direction
+/// from a to b to that from a_map to b_map.
 Pose2 aligned(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& a_map,
               const Eigen::Vector2d& b_map) {
   const Eigen::Vector2d d = b - a, d_map = b_map - a_map;
@@ -40,7 +40,7 @@ std::vector<LocalLandmark> surest(std::vector<LocalLandmark> around, std::size_t
   return around;
 }
 
-/// The mean of the poses in a cell, those first that most of the poses suggest.
+/// The mean of the poses in each cell, the cells with most poses first.
 std::vector<Pose2> mostSuggested(const std::vector<Pose2>& poses) {
   struct Votes {
     int count = 0;

@@ -10,16 +10,16 @@
 
 namespace slam::relocalisation {
 
-/// Finds the robot in a map by the landmarks around it, of which nothing is known but how they lie
-/// to one another (consensus: Fischler and Bolles 1981). Each pair of them that lies so in the map
-/// suggests a pose; the poses that most pairs suggest are weighed by all landmarks.
+/// Finds the robot in a map by the relative positions of the landmarks around it (consensus:
+/// Fischler and Bolles 1981). Each pair of them that is as far apart as a pair of the map suggests
+/// a pose; the poses that most pairs suggest are weighed by all landmarks.
 class ConstellationSearch {
  public:
-  /// @param map outlives this @param outlier_share as PlaceEvidence
+  /// @param map outlives this object @param outlier_share see PlaceEvidence
   ConstellationSearch(const LandmarkMap& map, double outlier_share);
 
-  /// Places that are apart from one another, the most likely first.
-  /// @param reach as PlaceEvidence::near(); one that has seen nothing expects nothing
+  /// Places that are distinct (areOnePlace()), the most likely first.
+  /// @param reach see PlaceEvidence::near(); without sightings it expects no landmark
   std::vector<Place> placesOf(const std::vector<LocalLandmark>& around,
                               const association::SensorReach& reach = {}) const;
   const PlaceEvidence& evidence() const { return evidence_; }
@@ -27,7 +27,7 @@ class ConstellationSearch {
  private:
   /// Two landmarks of the map.
   struct MapPair {
-    double distance;
+    double distance;  ///< [m]
     std::size_t first, second;
   };
 
@@ -36,7 +36,7 @@ class ConstellationSearch {
 
   const LandmarkMap& map_;
   PlaceEvidence evidence_;
-  std::vector<MapPair> pairs_;  ///< by their distance
+  std::vector<MapPair> pairs_;  ///< sorted by their distance
 };
 
 }  // namespace slam::relocalisation

@@ -14,7 +14,7 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kConfirmingWay = 1.0;  // between two searches that confirm each other [m]
+constexpr double kConfirmingWay = 1.0;  // driven between two searches that confirm each other [m]
 
 PoseEstimate estimateOf(const scan_matching::Match& match) {
   constexpr double kLeastSigma = 0.05, kLeastSigmaHeading = 0.02;  // [m], [rad]
@@ -47,7 +47,7 @@ void GridRecogniser::forget() {
 }
 
 bool GridRecogniser::canSearch(const OccupancyGrid& grid) {
-  constexpr double kLargestEdge = 500.0;  // [m]; beyond, PlaceSearch has no memory for its rasters
+  constexpr double kLargestEdge = 500.0;  // [m]; PlaceSearch has no memory for larger rasters
   return !grid.cells.empty() && grid.resolution * std::max(grid.width, grid.height) <= kLargestEdge;
 }
 

@@ -15,8 +15,8 @@
 namespace slam::relocalisation {
 
 /// Recognises the place of a robot in a grid by what its laser has seen on the last metres. Parts
-/// of a building are alike, so that a place is confirmed only when two searches that are a metre of
-/// the way apart have led to it, and none has led elsewhere in between.
+/// of a building look alike, so that a place is confirmed only when two searches, between which the
+/// robot has driven a metre, have led to it and none in between has led elsewhere.
 class GridRecogniser {
  public:
   GridRecogniser(const RelocalisationConfig& config, const grid_map::GridMapConfig& grid,
@@ -26,12 +26,12 @@ class GridRecogniser {
   void see(const LaserScan& scan);
   void forget();
 
-  /// Whether the grid has cells, and no more than can be searched as a whole.
+  /// Whether the grid has cells, and is small enough to be searched as a whole.
   static bool canSearch(const OccupancyGrid& grid);
-  /// From now on the robot is looked for in this grid, which can be searched.
+  /// Starts to look for the robot in this grid, for which canSearch() holds.
   void begin(const OccupancyGrid& grid);
   void end() { map_.reset(); }
-  /// The next find() searches, whether the robot has moved or not.
+  /// Makes the next find() search even if the robot has not moved.
   void searchAnyway() { is_due_ = true; }
   /// To be called between begin() and end(). A search takes some hundredths of a second.
   /// @return nothing where the robot has not moved far enough since the last search
@@ -40,10 +40,10 @@ class GridRecogniser {
   double radius() const { return map_ ? 0.5 * box_.diagonal().norm() : 0.0; }
 
  private:
-  /// A search has found that the map and the frame of the local scans lie so.
+  /// The transform between map and local scans that a search has found.
   struct Found {
     Pose2 map_local;  ///< T_map_local
-    double way;       ///< the robot had come so far [m]
+    double way;       ///< distance that the robot had driven by then [m]
   };
 
   bool isDue() const;
@@ -53,10 +53,10 @@ class GridRecogniser {
   grid_map::GridMapConfig grid_config_;
   scan_matching::ScanToMapMatcher matcher_;
   LocalScans local_;
-  std::unique_ptr<scan_matching::ScanMap> map_;  ///< while it is searched
+  std::unique_ptr<scan_matching::ScanMap> map_;  ///< the grid, while it is searched
   Eigen::AlignedBox2d box_;                      ///< of the map [m]
-  std::optional<Found> first_;                   ///< nothing has contradicted it
-  double searched_ = 0.0;                        ///< the way at the last search [m]
+  std::optional<Found> first_;                   ///< not contradicted by later searches
+  double searched_ = 0.0;                        ///< distance driven at the last search [m]
   bool is_due_ = false, has_news_ = false;
 };
 

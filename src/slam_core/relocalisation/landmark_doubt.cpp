@@ -12,21 +12,25 @@ namespace slam::relocalisation {
 namespace {
 
 constexpr double kViewEdge = 2.0, kViewAngle = M_PI / 4;  // [m], [rad]
-/// A step is independent of another one after this way, turn, or time, in which people walk on.
+/// Two steps are independent if they are apart by this distance, this turn, or this time, in which
+/// people walk on.
 constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
-/// A lost robot sees a landmark where one is expected by chance.
+/// Probability that a lost robot sees, by chance, a landmark where one is expected.
 constexpr double kByChance = 0.25;
-/// What hides one landmark hides others: so many tell something of their own at most.
+/// Landmarks are not independent, since an object that hides one often hides others: they count as
+/// so many at most.
 constexpr double kMostIndependent = 6.0;
+/// Bound of the evidence of one step.
 constexpr double kMostOfAStep = 3.0;
-/// A landmark that is missing may have been moved: it alone tells no more.
+/// Bound of the evidence of one missing landmark, which may have been moved.
 constexpr double kMostOfOne = 3.0;
-/// A robot in the right place sees more often what fits mostly, by this logarithm of the ratio.
+/// Log-likelihood ratio by which a step in which most observations fit is evidence for "right".
 constexpr double kOfWhatFits = 1.0;
-/// Relative to the threshold: up to this the robot counts as right, and is learnt from.
+/// Relative to the threshold: below this sum the robot counts as right, and its steps are learnt
+/// from.
 constexpr double kRight = 0.2;
-constexpr double kMostDoubt = 2.0;     ///< relative to the threshold; more is not summed up
-constexpr double kRemembered = 200.0;  ///< landmarks expected, of which it is learnt
+constexpr double kMostDoubt = 2.0;     ///< bound of the sum, relative to the threshold
+constexpr double kRemembered = 200.0;  ///< expected landmarks that the learnt probability goes by
 
 int countOfBoth(const std::set<LandmarkId>& a, const std::set<LandmarkId>& b) {
   return static_cast<int>(
@@ -50,7 +54,7 @@ void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot
   const auto fitting = static_cast<std::size_t>(countOfBoth(seen, trusted_));
   const bool fits = 2 * fitting >= statistics.associations.size();
   const double evidence = evidenceOf(expected, seen);
-  // what fits mostly, while others are hidden, is seen from the right place
+  // where most observations fit, the missing landmarks are taken for hidden, not the robot for lost
   sum_ += weight * (fits ? std::min(0.0, evidence) - kOfWhatFits : evidence);
   sum_ = std::clamp(sum_, 0.0, kMostDoubt * kThreshold);
   if (!fits) noteMissing(expected, seen, weight * evidence);
@@ -63,7 +67,8 @@ void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot
   stamp_ = stamp;
 }
 
-/// One that has been missing for long in this doubt says nothing new.
+/// The trusted landmarks that were seen from this cell before, without those that have been missing
+/// for so long that they are no new evidence.
 LandmarkDoubt::Ids LandmarkDoubt::expectedAt(const Pose2& robot, const Ids& seen) {
   Ids expected;
   for (const auto id : views_[cellOf(robot)])
@@ -71,7 +76,7 @@ LandmarkDoubt::Ids LandmarkDoubt::expectedAt(const Pose2& robot, const Ids& seen
   return expected;
 }
 
-/// @param evidence for "lost", to which each landmark that is missing has given its part
+/// @param evidence for "lost", which is divided among the missing landmarks
 void LandmarkDoubt::noteMissing(const Ids& expected, const Ids& seen, double evidence) {
   const int missing = static_cast<int>(expected.size()) - countOfBoth(expected, seen);
   for (const auto id : expected)
@@ -85,7 +90,8 @@ double LandmarkDoubt::weightOf(const Pose2& robot, Stamp stamp) const {
                            std::max(0.0, seconds(stamp - stamp_)) / kTime);
 }
 
-/// Those that are seen are binomial, by how often a landmark is seen again or by chance.
+/// The log-likelihood ratio of "lost" to "right". The number of expected landmarks that are seen is
+/// binomial, with the probability of a sighting by chance or with the learnt one.
 double LandmarkDoubt::evidenceOf(const Ids& expected, const Ids& seen) const {
   if (expected.empty()) return 0.0;
   const double right = hits_ / (hits_ + misses_);
@@ -106,7 +112,7 @@ void LandmarkDoubt::learn(const Ids& expected, const Ids& seen, double weight) {
   misses_ /= excess;
 }
 
-/// Landmarks that a robot has begun in doubt are trusted when the doubt has gone.
+/// Landmarks that were mapped in doubt are trusted as soon as the doubt is gone.
 void LandmarkDoubt::note(const Ids& seen) {
   since_doubt_.insert(seen.begin(), seen.end());
   if (sum_ > 0.0) return;

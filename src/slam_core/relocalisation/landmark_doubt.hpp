@@ -14,33 +14,33 @@
 
 namespace slam::relocalisation {
 
-/// Whether the robot is where it takes itself to be, by which landmarks it sees, where observations
-/// are associated by place. There nothing is gated of a robot that is lost: what does not fit is
-/// taken for new landmarks. But the landmarks that have been seen from there before are missing
-/// (negative evidence, Montemerlo 2003, ch. 3).
+/// Judges by the landmarks that it sees whether the robot is at its estimated pose, where
+/// observations are associated by place. The gate does not show that such a robot is lost, since
+/// observations that do not fit the map become new landmarks. But the landmarks that have been seen
+/// from that pose before are missing (negative evidence, Montemerlo 2003, ch. 3).
 ///
-/// The logarithm of the likelihood of "lost" over that of "right" is summed and never falls below
-/// zero (CUSUM, Page 1954), as in scan_matching::ScanDoubt. How often a landmark is seen again is
-/// learnt. Where the robot has never been nothing is expected, and nothing speaks for "lost".
+/// The log-likelihood ratio of "lost" to "right" is summed and never falls below zero (CUSUM, Page
+/// 1954), as in scan_matching::ScanDoubt. The probability that a landmark is seen again is learnt.
+/// Where the robot has never been no landmark is expected, and the sum does not grow.
 class LandmarkDoubt {
  public:
-  /// To be called once for each step. Steps whose observations were associated by id, and those
-  /// without any, say nothing.
-  /// @param robot T_map_base, as the back-end has it after the step
+  /// To be called once for each step. Steps without observations, and steps whose observations were
+  /// associated by id, are ignored.
+  /// @param robot T_map_base of the back-end after the step
   void judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp);
   bool isLost() const { return sum_ >= kThreshold; }
-  /// The landmarks of a map that was loaded are trusted.
+  /// Trusts the landmarks of a map that was loaded.
   void know(const LandmarkMap& map);
-  /// Whether a landmark was in the map before the doubt began; others may stand where the lost
-  /// robot took them to be.
+  /// Whether a landmark was in the map before the doubt began. Others may be misplaced, since a
+  /// lost robot has mapped them relative to its wrong pose.
   bool isTrusted(LandmarkId id) const { return trusted_.count(id) > 0; }
-  /// The robot was put somewhere in the same map.
+  /// To be called when the robot was put somewhere else in the same map.
   void relocate();
-  /// Another map.
+  /// To be called when the map was replaced.
   void forget();
 
  private:
-  /// Poses that see about the same.
+  /// A cell of positions and headings from which about the same landmarks are seen.
   using Cell = std::array<long, 3>;
   using Ids = std::set<LandmarkId>;
 
@@ -52,14 +52,14 @@ class LandmarkDoubt {
   void learn(const Ids& expected, const Ids& seen, double weight);
   void note(const Ids& seen);
 
-  static constexpr double kThreshold = 15.0;  ///< a false alarm in e^15 independent steps at most
+  static constexpr double kThreshold = 15.0;  ///< at most one false alarm in e^15 independent steps
 
-  std::map<Cell, Ids> views_;             ///< what has been seen from there
+  std::map<Cell, Ids> views_;             ///< landmarks that were seen from each cell
   Ids trusted_, since_doubt_;             ///< seen before the doubt began, and since then
-  std::map<LandmarkId, double> missing_;  ///< what each has given since the doubt began
-  double hits_ = 7.0, misses_ = 3.0;      ///< of landmarks that were expected
+  std::map<LandmarkId, double> missing_;  ///< evidence by each since the doubt began
+  double hits_ = 7.0, misses_ = 3.0;      ///< expected landmarks that were seen, or not
   double sum_ = 0.0;
-  std::optional<Pose2> robot_;  ///< at the last step that counted
+  std::optional<Pose2> robot_;  ///< pose at the last step that was judged
   Stamp stamp_;
 };
 

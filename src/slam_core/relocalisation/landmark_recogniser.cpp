@@ -10,7 +10,7 @@
 namespace slam::relocalisation {
 namespace {
 
-/// All sensors reach from the base, so that several count as one.
+/// The observations as from a sensor at the base: all sensors share one SensorReach.
 LandmarkObservationArray aroundBase(LandmarkObservationArray array) {
   for (auto& z : array.observations) {
     const Eigen::Vector2d place =
@@ -66,7 +66,7 @@ std::optional<Recognition> LandmarkRecogniser::find(Stamp stamp) {
   return Recognition{is_confirmed ? Verdict::kConfirmed : Verdict::kLikely, best.robot};
 }
 
-/// The next sightings confirm a place or lead elsewhere.
+/// Whether the place has been the best one for long enough to be confirmed.
 bool LandmarkRecogniser::stays(const Pose2& place, Stamp stamp) {
   constexpr int kLeastTimes = 3;
   if (!candidate_ || !areOnePlace(candidate_->pose, place)) {

@@ -12,9 +12,9 @@
 
 namespace slam::relocalisation {
 
-/// Recognises the place of a robot by the landmarks around it. Two markers may have one id and one
-/// may have been moved, so that a place must be much more likely than all others, and remain so
-/// for a while.
+/// Recognises the place of a robot by the landmarks around it. Two markers may have the same id,
+/// and a marker may have been moved. So a place must be much more likely than all others, and
+/// remain so for a while.
 class LandmarkRecogniser {
  public:
   explicit LandmarkRecogniser(const RelocalisationConfig& config = {},
@@ -25,7 +25,7 @@ class LandmarkRecogniser {
   void see(const LandmarkObservationArray& array);
   void forget();
 
-  /// From now on the robot is looked for in this map.
+  /// Starts to look for the robot in this map.
   void begin(LandmarkMap map);
   void end() { search_.reset(); }
   /// To be called between begin() and end().

@@ -12,11 +12,11 @@ namespace slam::relocalisation {
 namespace {
 
 constexpr double kSameGate = 13.8;   // 0.999 of chi-square with two degrees of freedom
-constexpr double kVagueSigma = 0.5;  // a landmark that is less certain tells no place [m]
+constexpr double kVagueSigma = 0.5;  // a landmark that is less certain is forgotten [m]
 constexpr std::size_t kMost = 40;    // landmarks; the oldest are forgotten first
-/// The errors of successive sightings have something in common: any number of them counts as four.
-/// With this share of a sighting's covariance added before each update, the variance of a Kalman
-/// filter settles at a quarter of it.
+/// The errors of successive sightings are correlated: any number of sightings counts as four at
+/// most. The variance of a Kalman filter converges to a quarter of a sighting's if this share of
+/// the latter is added before each update.
 constexpr double kInCommon = 1.0 / 12.0;
 
 double distanceBetween(const LocalLandmark& a, const LocalLandmark& b) {
@@ -57,7 +57,7 @@ bool LocalLandmarks::see(const LandmarkObservationArray& array) {
   const RangeBearingModel model;
   bool has_new = false;
   for (const auto& z : array.observations) {
-    if (z.isLine()) continue;  // it tells no place
+    if (z.isLine()) continue;  // a line has no position
     LocalLandmark seen;
     Eigen::Matrix2d J_z;
     if (ids_ == Ids::kKnown) seen.id = z.id;
@@ -69,7 +69,8 @@ bool LocalLandmarks::see(const LandmarkObservationArray& array) {
   return has_new;
 }
 
-/// One of the same id that is elsewhere is another landmark: two markers may have one id.
+/// A sighting with a known id but at another position is another landmark: two markers may have the
+/// same id.
 bool LocalLandmarks::see(const LocalLandmark& seen) {
   LocalLandmark* nearest = nullptr;
   double least = kSameGate;

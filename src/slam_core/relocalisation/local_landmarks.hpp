@@ -11,22 +11,22 @@
 
 namespace slam::relocalisation {
 
-/// A landmark as the robot has seen it lately, whatever map it belongs to.
+/// A landmark that the robot has seen recently, independent of any map.
 struct LocalLandmark {
   LandmarkId id = kUnknownId;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the robot's frame [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
 };
 
-/// The landmarks around the robot, from what it has seen on the last metres of its way: a picture
-/// that needs no map and no pose, and that can be looked for in a map.
+/// A local map of the landmarks that the robot has seen on the last metres. It needs neither a map
+/// nor a pose, and can be searched for in a map.
 class LocalLandmarks {
  public:
   enum class Ids { kKnown, kIgnored };
 
   explicit LocalLandmarks(Ids ids = Ids::kKnown) : ids_(ids) {}
 
-  /// The robot moves; what it has seen stays behind and becomes less certain.
+  /// Moves the landmarks into the robot's new frame, in which they are less certain.
   void move(const Motion& motion);
   /// @return whether one of the landmarks is new
   bool see(const LandmarkObservationArray& array);

@@ -15,7 +15,8 @@ using scan_matching::ScanLevels;
 
 constexpr double kInsertDistance = 0.3, kInsertAngle = 0.3;  // [m], [rad]
 
-/// Of the ends in a cell the first one.
+/// Adds the first end in each cell.
+/// @param taken the cells that have one already
 void addEnds(const grid_map::ScanPoints& points, const Pose2& pose,
              std::set<std::pair<int, int>>& taken, std::vector<Eigen::Vector2d>& ends) {
   const Pose2 in_cells = points.inCells(pose);
@@ -72,7 +73,7 @@ void LocalScans::keep(const ScanLevels& points) {
   ++drawn_;
 }
 
-/// All but the last one, which is yet to come.
+/// Draws the map anew of all scans that are kept but the last one, which keep() inserts.
 void LocalScans::redraw() {
   map_ = std::make_unique<scan_matching::ScanMap>(config_);
   for (const auto& kept : kept_)

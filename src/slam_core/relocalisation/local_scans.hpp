@@ -13,24 +13,24 @@
 
 namespace slam::relocalisation {
 
-/// What a laser has seen on the last metres of the robot's way: a picture of the surroundings that
-/// needs no map and no pose. A single scan often fits several places; all of them together seldom
-/// do.
+/// The scans of the last metres, matched with one another. They need neither a map nor a pose. A
+/// single scan often fits several places of a map; all of them together seldom do.
 class LocalScans {
  public:
-  /// @param way of which scans are kept [m]
+  /// @param way distance driven over which scans are kept [m]
   LocalScans(const grid_map::GridMapConfig& grid, const scan_matching::MatcherConfig& matcher,
              double way);
 
-  /// Motion since the last scan.
+  /// Adds motion since the last scan.
   void move(const Motion& motion);
   void take(const LaserScan& scan);
   void forget();
 
   bool isEmpty() const { return kept_.empty(); }
-  /// T_local_base at the last scan, in a frame that begins where the robot was after forget().
+  /// T_local_base at the last scan. The local frame is the robot's at the first scan after
+  /// forget().
   const Pose2& robot() const { return tracker_.robot().pose; }
-  /// So far has the robot come since forget() [m].
+  /// Distance driven since forget() [m].
   double way() const { return gone_; }
   /// The ends of all scans that are kept, in the robot's frame.
   scan_matching::ScanLevels together() const;
@@ -38,8 +38,8 @@ class LocalScans {
  private:
   struct Kept {
     scan_matching::ScanLevels points;
-    Pose2 pose;  ///< T_local_base
-    double gone;
+    Pose2 pose;   ///< T_local_base
+    double gone;  ///< way() at the scan [m]
   };
 
   void keep(const scan_matching::ScanLevels& points);
@@ -50,7 +50,7 @@ class LocalScans {
   scan_matching::LevelModels models_;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_;
-  std::unique_ptr<scan_matching::ScanMap> map_;  ///< of the scans that are kept, and some before
+  std::unique_ptr<scan_matching::ScanMap> map_;  ///< of the scans kept and of some older ones
   std::size_t drawn_ = 0;                        ///< scans in the map
   std::deque<Kept> kept_;
   std::optional<Motion> carried_;

@@ -18,7 +18,7 @@ namespace slam::relocalisation {
 namespace {
 
 constexpr double kMatchGate = 13.8;   // 0.999 of chi-square with two degrees of freedom
-constexpr double kLeastSigma = 0.02;  // by which map and landmarks differ in any case [m]
+constexpr double kLeastSigma = 0.02;  // of what map and observations differ by in any case [m]
 
 Eigen::Matrix2d covarianceOf(const Pose2& robot, const LocalLandmark& l, const Landmark& m) {
   const Eigen::Matrix2d R = robot.rotation();
@@ -30,7 +30,7 @@ Eigen::Matrix2d covarianceOf(const Pose2& robot, const LocalLandmark& l, const L
 
 PlaceEvidence::PlaceEvidence(const LandmarkMap& map, double outlier_share)
     : map_(map), outlier_share_(outlier_share) {
-  constexpr double kMargin = 3.0;  // the robot sees the outermost ones from beyond [m]
+  constexpr double kMargin = 3.0;  // the robot may see the outermost ones from outside [m]
   Eigen::AlignedBox2d box;
   for (const auto& landmark : map) box.extend(landmark.position);
   const Eigen::Vector2d inner =
@@ -45,7 +45,7 @@ bool PlaceEvidence::isInMap(const LocalLandmark& local) const {
                      [&](const Landmark& landmark) { return mayBe(local, landmark); });
 }
 
-/// Each landmark of the map is one around the robot at most: the nearest.
+/// Pairs each landmark of the map with one around the robot at most, the nearest pairs first.
 std::vector<PlaceEvidence::Pairing> PlaceEvidence::pairingsAt(
     const Pose2& robot, const std::vector<LocalLandmark>& around) const {
   std::vector<std::pair<double, Pairing>> near;
@@ -84,10 +84,10 @@ PlaceEvidence::Normal PlaceEvidence::equationsAt(const Pose2& robot,
   return normal;
 }
 
-/// What is seen of a landmark, relative to a landmark that may be anywhere in the map's area. Of
-/// one without an id nothing is known but that it is some landmark of the map. One with an id of
-/// the map that is elsewhere is an outlier; that it has this id is one for who is not in the map,
-/// too.
+/// The log-likelihood of one landmark's position, relative to that of a landmark which may be
+/// anywhere in the map's area. One without an id may be any landmark of the map, or an outlier. One
+/// with an id of the map that lies elsewhere must be an outlier; so it is if the robot is not in
+/// the map, too, so that the factor for outliers cancels.
 double PlaceEvidence::logOddsOf(const Pose2& robot, const LocalLandmark& local,
                                 const Landmark* landmark) const {
   const bool has_id = local.id != kUnknownId;
@@ -120,7 +120,8 @@ double PlaceEvidence::logOddsAt(const Pose2& robot, const std::vector<LocalLandm
   return sum;
 }
 
-/// A landmark within reach may be hidden, and what hides it hides others.
+/// Each landmark within reach that is missing counts by the probability that it is hidden. The
+/// number is limited, since an object that hides one landmark often hides others.
 double PlaceEvidence::logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
                                        const association::SensorReach& reach) const {
   constexpr double kHidden = 0.5;

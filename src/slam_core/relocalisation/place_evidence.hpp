@@ -17,35 +17,36 @@ namespace slam::relocalisation {
 /// A place of the robot in a map, with the evidence for it.
 struct Place {
   PoseEstimate robot;
-  /// Logarithm of how much more likely the landmarks around the robot are there than if they had
-  /// nothing to do with the map.
+  /// Logarithm of the likelihood ratio of the landmarks around the robot: at this place, over none
+  /// of them belonging to the map.
   double log_odds = 0.0;
-  std::size_t matches = 0;  ///< landmarks that lie where the map has them
+  std::size_t matches = 0;  ///< landmarks that are paired with one of the map
 };
 
-/// Weighs a place by the landmarks around the robot. Each of them may be none of the map; the
-/// likelihood is integrated over all poses nearby (Laplace's approximation), so that places by few
-/// precise and by many vague landmarks can be compared.
+/// Weighs a place by the landmarks around the robot. Each of them may be an outlier, that is, not
+/// be in the map. The likelihood is integrated over all poses nearby (Laplace's approximation), so
+/// that a place with few precise landmarks can be compared with one with many vague ones.
 class PlaceEvidence {
  public:
-  /// @param map outlives this @param outlier_share probability that a landmark is none of the map,
-  /// whatever its id says; in (0, 1)
+  /// @param map outlives this object @param outlier_share probability that a landmark is not the
+  /// one of the map that its id names, or not in the map at all; in (0, 1)
   PlaceEvidence(const LandmarkMap& map, double outlier_share);
 
-  /// The best place near a pose. Landmarks of the map that are not around the robot although they
-  /// lie within reach speak against it (negative evidence, Montemerlo 2003, ch. 3).
-  /// @param reach of the robot's sensors, around its base
-  /// @return nothing where fewer than two landmarks lie where the map has them
+  /// The best place near a pose. Landmarks of the map that lie within reach and are not seen count
+  /// against it (negative evidence, Montemerlo 2003, ch. 3).
+  /// @param around landmarks in the robot's frame @param reach of the robot's sensors, around its
+  /// base
+  /// @return nothing where fewer than two landmarks can be paired with the map
   std::optional<Place> near(Pose2 robot, const std::vector<LocalLandmark>& around,
                             const association::SensorReach& reach) const;
-  /// The same logarithm of the best explanation that gives no place: that one of the landmarks is
-  /// what its id says, while all others are not.
+  /// The log-odds of the best explanation that determines no place: one of the landmarks is the one
+  /// that its id names, all others are outliers.
   double logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const;
-  /// Whether a landmark around the robot may be this one of the map.
+  /// Whether, by its id, a landmark around the robot may be this one of the map.
   static bool mayBe(const LocalLandmark& local, const Landmark& landmark) {
     return local.id == kUnknownId || local.id == landmark.id;
   }
-  /// Radius of a circle that holds the robot wherever it sees the map [m].
+  /// Radius of the circle in which the robot must be to see landmarks of the map [m].
   double radius() const { return radius_; }
 
  private:

@@ -12,17 +12,17 @@ namespace slam::relocalisation {
 struct Recognition {
   enum class Verdict {
     kNothing,    ///< no place explains what is seen
-    kAmbiguous,  ///< several do
-    kLikely,     ///< one does, which has yet to be confirmed
-    kConfirmed
+    kAmbiguous,  ///< several places do
+    kLikely,     ///< one place does and has yet to be confirmed
+    kConfirmed   ///< one place does, repeatedly
   };
   Verdict verdict = Verdict::kNothing;
-  PoseEstimate robot;  ///< where it is likely or confirmed
+  PoseEstimate robot;  ///< set where the verdict is kLikely or kConfirmed
 
   bool hasPlace() const { return verdict == Verdict::kLikely || verdict == Verdict::kConfirmed; }
 };
 
-/// Whether two poses are one place of a robot, as far as different searches would tell it.
+/// Whether two poses are the same place, within the accuracy of a search.
 inline bool areOnePlace(const Pose2& a, const Pose2& b) {
   constexpr double kShift = 0.5, kTurn = 0.3;  // [m], [rad]
   return (a.position() - b.position()).norm() < kShift &&

@@ -22,9 +22,9 @@ constexpr const char* kTooLarge =
     "the grid is too large to be searched for the robot (more than 500 m), so that its pose is "
     "believed as it is: set an initial pose where the robot is elsewhere";
 
-/// Whether a place that was found is the one that the back-end has.
+/// Whether the pose that was found is compatible with the back-end's (chi-square gate).
 bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
-  constexpr double kPoseGate = 16.27;  // three degrees of freedom, 0.999
+  constexpr double kPoseGate = 16.27;  // 0.999 of chi-square with three degrees of freedom
   Eigen::Vector3d e = found.pose.vector() - believed.pose.vector();
   e.z() = wrapAngle(e.z());
   const Eigen::Matrix3d S = found.covariance + believed.covariance;
@@ -73,7 +73,8 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   return is_grid_too_large_ ? Status::warning(kTooLarge) : Status::ok();
 }
 
-/// What was seen before may have been seen from elsewhere: somebody may have carried the robot.
+/// Forgets what was seen before: the robot may have been carried, so that it was seen from
+/// elsewhere.
 void Relocaliser::forgetSurroundings() {
   landmarks_.forget();
   if (grid_) grid_->forget();
@@ -83,8 +84,8 @@ void Relocaliser::searchAnyway() {
   if (grid_) grid_->searchAnyway();
 }
 
-/// What a lost robot has put into the map stands where it took it to be: the robot would be found
-/// where it is not.
+/// The points of the map, without those that a lost robot has added: it has mapped them relative to
+/// its wrong pose, at which a search would find it again.
 LandmarkMap Relocaliser::landmarksToSearch(const MapState* loaded) const {
   auto map = pointsOf(loaded != nullptr ? loaded->landmarks
                                         : capabilities_.find<LandmarkMapper>()->landmarks());
@@ -93,7 +94,7 @@ LandmarkMap Relocaliser::landmarksToSearch(const MapState* loaded) const {
   return map;
 }
 
-/// @return whether there is a map in which a place can be recognised
+/// Starts the searches that the map allows. @return whether there is any
 bool Relocaliser::begin(const MapState* loaded) {
   constexpr std::size_t kLeastLandmarks = 2;
   if (capabilities_.find<LandmarkMapper>() != nullptr) {
@@ -166,8 +167,8 @@ std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Sta
   return found->hasPlace() ? settle(*found, believed) : std::nullopt;
 }
 
-/// A place that the back-end has already needs no further confirmation, and the back-end goes on
-/// with all it knows.
+/// A place that agrees with the back-end's pose needs no further confirmation, and the back-end
+/// keeps its state.
 std::optional<PoseEstimate> Relocaliser::settle(const Recognition& found,
                                                 const PoseEstimate& believed) {
   if (belief_ != Belief::kAnywhere && agree(found.robot, believed)) {

@@ -16,48 +16,50 @@
 
 namespace slam::relocalisation {
 
-/// How much the pose of a back-end is believed.
+/// How much the pose of a back-end is trusted.
 enum class Belief {
-  kSure,         ///< nothing speaks against it
-  kUnconfirmed,  ///< it came with a map that was loaded, of which nothing has been recognised yet
+  kSure,         ///< there is no evidence against it
+  kUnconfirmed,  ///< it came with a loaded map, in which no place has been recognised yet
   kLost,         ///< what is seen contradicts the map around it
-  kAnywhere      ///< somebody has asked to look for the robot in the whole map
+  kAnywhere      ///< global localisation was requested: the robot may be anywhere in the map
 };
 
-/// Judges whether a robot is where its back-end has it, and finds it in the back-end's map where it
-/// is not: by the landmarks around it, or by what its laser has seen on the last metres. It needs
-/// nothing of a back-end but its map and its innovations, so that it serves all of them.
+/// Judges whether the robot is at the back-end's pose. If it is not, finds it in the back-end's map
+/// by the landmarks around it, or by what its laser has seen on the last metres. It needs only the
+/// map and the innovations of a back-end, so that it serves all of them.
 ///
-/// Who calls: the Estimator. After configure(), for each step the motions and what was seen; after
-/// the back-end's own step judge(). Counted: "withheld" (observations that the back-end did not
-/// get), "relocalised".
+/// The Estimator calls configure() once; then, for each step, predict() with the motions, see()
+/// with what was seen and, after the back-end's own step, judge(). Counted: "withheld"
+/// (observations that the back-end did not get), "relocalised".
 class Relocaliser {
  public:
-  /// @param capabilities of the back-end, which outlives this @param ids whether those of
-  /// observations are those of the map @throw ConfigError
+  /// @param capabilities of the back-end, which outlives this object @param ids whether
+  /// observations and map share their ids @throw ConfigError
   void configure(Settings& settings, const Capabilities& capabilities, LocalLandmarks::Ids ids);
   void reset();
 
-  /// The robot was put somewhere, or a map was loaded, or somebody is in doubt. A map that holds
-  /// nothing to recognise a place by leaves the pose believed.
-  /// @param loaded the map that the back-end was just given, to save asking it for a copy
-  /// @return a warning where the pose is believed since the grid is too large to be searched
+  /// To be called when the robot was put somewhere, when a map was loaded, or when the pose is in
+  /// doubt. The belief becomes kSure, whatever was asked for, where the map can be searched for no
+  /// place: it has fewer than two point landmarks, and no grid or one that is too large.
+  /// @param loaded the map that the back-end was just given; saves asking the back-end for a copy
+  /// @return a warning where the grid is too large to be searched; nothing says so of a map of
+  /// lines
   Status assume(Belief belief, const MapState* loaded = nullptr);
-  /// The grid is searched with the next scan, also where the robot stands still.
+  /// Searches the grid with the next scan, even if the robot stands still.
   void searchAnyway();
 
   void predict(const Motion& motion);
-  /// @return whether the back-end may have it too: from a wrong pose it would put new landmarks,
+  /// @return whether the back-end may use it as well: from a wrong pose it would map new landmarks,
   /// or walls, at wrong places
   bool see(const LandmarkObservationArray& array);
   bool see(const LaserScan& scan);
 
-  /// @return where the robot is, where that is not where the back-end has it
+  /// @return the pose of the robot, if it was found at another one than the back-end's
   std::optional<PoseEstimate> judge(const PoseEstimate& believed, Stamp stamp);
   Belief belief() const { return belief_; }
-  /// The pose with all the doubt there is: while it is not believed, somewhere in the map.
+  /// The pose to be reported: while it is not trusted, its covariance covers the whole map.
   PoseEstimate told(PoseEstimate believed) const;
-  /// A warning that says what it waits for, while the pose is not believed.
+  /// While the pose is not trusted, a warning that says what the search is waiting for.
   Status status() const;
   const Counters& counters() const { return counters_; }
 
@@ -76,11 +78,11 @@ class Relocaliser {
   LandmarkRecogniser landmarks_;
   std::optional<GridRecogniser> grid_;  ///< where the back-end has a grid
   bool searches_landmarks_ = false, searches_grid_ = false;
-  bool is_lost_by_scans_ = false;  ///< and not by landmarks
+  bool is_lost_by_scans_ = false;  ///< lost according to the scans, not to the landmarks
   bool is_grid_too_large_ = false;
   bool is_ambiguous_ = false;   ///< the last search found several places
-  GatingRate gating_{kWindow};  ///< of observations that are known by their ids
-  LandmarkDoubt doubt_;         ///< of those that are associated by place
+  GatingRate gating_{kWindow};  ///< of observations that are associated by id
+  LandmarkDoubt doubt_;         ///< of observations that are associated by place
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks
