@@ -12,21 +12,22 @@
 namespace slam {
 namespace {
 
-/// A single observation this far off is a wrong one, and says nothing of the noise.
+/// A single observation with a larger NIS is an outlier and is not used to judge the noise.
 constexpr double kOutlierNis = 100.0;
-/// So many updates before anything is said.
+/// Updates before any sigma is named.
 constexpr int kFewest = 10;
-/// A window of right sigmas goes beyond this about once in a hundred thousand.
+/// With right sigmas, a window exceeds this about once in a hundred thousand [standard deviations].
 constexpr double kSignificant = 4.5;
-/// What has just gone wrong looks like noise at first, and a sensor that has spoils the prediction
-/// at once. So nothing is named before so many updates agree, and the odometry only where no sensor
-/// is half way to being wrong with so much evidence. It shows less, so that less must do.
+/// Any fault looks like noise at first, and the fault of a sensor makes the predictions wrong at
+/// once. So nothing is named before this number of updates agree, and the odometry is named only
+/// where no sensor is off by half as much (in the logarithm) with kSuspicious evidence. An update
+/// carries less information about the odometry, so that less evidence against it suffices.
 constexpr int kAgreeing = 8;
 constexpr double kSuspicious = 3.0, kSignificantMotion = 3.0;
-/// [standard deviations of a step]: a bias that is smaller is hidden in the noise of any sensor.
+/// A smaller bias is hidden in the noise of any sensor [standard deviations of a step].
 constexpr double kSmallestBias = 0.3;
-/// A landmark's innovations may be correlated with its next ones by so much for a sigma to be
-/// named.
+/// No sigma is named where the successive innovations of a landmark are correlated by more than
+/// this coefficient.
 constexpr double kAlike = 0.4;
 
 /// The cube root of chi-square over its degrees of freedom is nearly normal, with the mean 1 - a
@@ -37,7 +38,7 @@ double chiSquareOverDof(double dof, double z) {
 }
 
 double normalQuantile(double chi_square_over_dof, double dof) {
-  // An estimate that is too small is no chi-square: it may be negative.
+  // An estimate below 1 may be negative, which no chi-square is, so that it is taken for normal.
   if (chi_square_over_dof < 1.0) return (chi_square_over_dof - 1.0) * std::sqrt(0.5 * dof);
   const double a = 2.0 / (9.0 * dof);
   return (std::cbrt(chi_square_over_dof) - 1.0 + a) / std::sqrt(a);
@@ -47,8 +48,8 @@ JointInnovation alone(const ObservationInnovation& observation) {
   return {observation.nu, observation.S, observation.R, {}};
 }
 
-/// What a source has to do with S: C = dS/dtheta, theta the share that its variance is larger than
-/// believed; u = S^-1 nu.
+/// The part of S that is due to a source: C = dS/dtheta, where theta is the relative excess of the
+/// source's true variance; u = S^-1 nu.
 struct Share {
   Eigen::MatrixXd of_S;  ///< S^-1 C
   double square = 0.0;   ///< u^T C u
@@ -68,7 +69,7 @@ Share odometryShare(const JointInnovation& group, const Eigen::MatrixXd& S_inver
   return {S_inverse * C, u.dot(C * u)};
 }
 
-/// All of S that is not a sensor's.
+/// The part of S that is due to neither sensor noise.
 Share remainder(double nis, const Share& range, const Share& bearing) {
   const auto size = range.of_S.rows();
   return {Eigen::MatrixXd::Identity(size, size) - range.of_S - bearing.of_S,
@@ -123,9 +124,9 @@ ConsistencyMonitor::Score ConsistencyMonitor::scoreOf(const UpdateStatistics& st
   return score;
 }
 
-/// The slope by the variance of a source is (u^T C u - tr S^-1 C) / 2, and the information of two
-/// sources tr(S^-1 C_1 S^-1 C_2) / 2. The odometry moves the prediction as well, by H e: its slope
-/// gains u^T H e, its information e^T H^T S^-1 H e.
+/// The slope with respect to the variance of a source is (u^T C u - tr S^-1 C) / 2, and the
+/// information of two sources tr(S^-1 C_1 S^-1 C_2) / 2. The odometry moves the prediction as well,
+/// by H e: its slope gains u^T H e, its information e^T H^T S^-1 H e.
 void ConsistencyMonitor::addGroup(const JointInnovation& group, Score& score) const {
   const Eigen::Index size = group.nu.size();
   const Eigen::MatrixXd S_inverse = group.S.llt().solve(Eigen::MatrixXd::Identity(size, size));
@@ -213,8 +214,8 @@ void ConsistencyMonitor::blame() {
     blamed_ = kMotion;
 }
 
-/// The one with more evidence against it. While one looks too small, the other one's looking too
-/// large is what is left over of the same innovations.
+/// The sensor with more evidence against it. While one sigma looks too small, the other one may
+/// look too large only because both explain the same innovations; so the small one goes first.
 ConsistencyMonitor::Source ConsistencyMonitor::sensorInQuestion() const {
   const double range = factors_[kRange].evidence, bearing = factors_[kBearing].evidence;
   if (std::max(range, bearing) > kSuspicious) return range > bearing ? kRange : kBearing;
@@ -226,8 +227,9 @@ bool ConsistencyMonitor::isOff(Source source, double by, double significant) con
   return std::abs(factor.evidence) > significant && std::max(factor.sigma, 1.0 / factor.sigma) > by;
 }
 
-/// Whether there may be something else in the innovations than noise. The odometry's noise makes
-/// them alike from step to step as well: of that only the sensor that may be named is asked.
+/// Whether the innovations may contain more than noise: a bias or serial correlation. The
+/// odometry's noise correlates them, too, so that only the component of the sensor in question is
+/// tested.
 bool ConsistencyMonitor::isSystematic(Source sensor) const {
   if (std::abs(bias_.mean().evidence) > kSuspicious) return true;
   const auto component = sensor == kRange ? SerialCorrelation::kRange : SerialCorrelation::kBearing;

@@ -27,25 +27,25 @@ struct ConsistencyConfig {
   void describe(Fields& fields);
 };
 
-/// Watches whether the innovations are as large as the back-end believes, and where they are not,
-/// which of three sources is to blame: the noise of ranges, that of bearings, or the odometry's.
-/// The factors on the three that explain a window of innovations best are one step of Fisher
-/// scoring on their likelihood (Rao 1971; Mehra 1970 for the Kalman filter). A sensor's noise
-/// differs from one landmark to the next, a wrong prediction is common to all of a stamp: so they
-/// can be told apart where several landmarks are seen. What the odometry has to do with an
-/// innovation says OdometrySensitivity; where the back-end does not tell enough for that, all of a
-/// prediction counts as the odometry's.
+/// Watches whether the innovations are as large as their predicted covariance and, if they are not,
+/// which of three sources is to blame: the noise of ranges, of bearings, or of the odometry. The
+/// factors on the three that explain a window of innovations best are found by one step of Fisher
+/// scoring on their likelihood (Rao 1971; Mehra 1970 for the Kalman filter). The noise of a sensor
+/// is independent between landmarks, whereas the error of a prediction is common to all
+/// observations of a stamp, so that the two can be separated where several landmarks are seen.
+/// OdometrySensitivity gives the odometry's share of an innovation. Where the back-end reports too
+/// little for that, the whole covariance of the prediction counts as the odometry's.
 ///
-/// All that is true of noise only. So before a sigma is named, two other explanations are tried:
-/// the pose is lost (GatingRate), and the innovations are off zero in the mean (InnovationBias).
-/// While one of them is in question, no sigma is named.
+/// This holds for zero-mean noise only. So before a sigma is named, two other explanations are
+/// tried: the pose is lost (GatingRate), or the innovations are biased (InnovationBias). While one
+/// of them is likely, no sigma is named.
 class ConsistencyMonitor {
  public:
   enum Source : std::size_t { kRange, kBearing, kMotion, kSources };
-  /// What is wrong, the gravest first.
+  /// What is wrong, the most severe fault first.
   enum class Fault { kNone, kLost, kBias, kRangeSigma, kBearingSigma, kMotionSigma };
 
-  /// What a window says of one source.
+  /// The estimate for one source over the window.
   struct Factor {
     double sigma = 1.0;        ///< true over believed standard deviation
     double uncertainty = 0.0;  ///< of that, standard deviation; 0: it cannot be seen
@@ -58,27 +58,30 @@ class ConsistencyMonitor {
   void add(const UpdateStatistics& statistics);
 
   int updates() const { return static_cast<int>(window_.size()); }
-  /// Normalised innovation squared of the last update, and of the window for each degree of
-  /// freedom (1 expected), with the bounds of the latter in 95 % of all windows.
+  /// Normalised innovation squared (NIS) of the last update.
   double nis() const { return last_nis_; }
+  /// NIS of the window per degree of freedom (1 expected), and the bounds between which it lies for
+  /// 95 % of all windows.
   double nisMean() const;
   std::array<double, 2> nisBounds() const;
   const std::array<Factor, kSources>& factors() const { return factors_; }
   /// "40 of the last 50 observations failed the gate: the pose may be lost", "innovations are
   /// biased
-  /// (...)", "range sigma looks 3.0 times too small (...)", or nothing. A sensor that is wrong
-  /// makes the prediction wrong as well: motion is named only where no sensor is suspicious.
+  /// by 1.2 standard deviations (...)", "range sigma looks 3.0 times too small (...)", or nothing.
+  /// A wrong sensor sigma makes the prediction wrong as well, so that the odometry is named only
+  /// where no sensor is suspicious.
   std::string finding() const;
-  /// Why the back-end is surer than it may be. A sigma that is too large is no fault: it covers
-  /// errors that are alike from step to step, which innovations do not show.
+  /// Why the back-end is over-confident. A sigma that is too large is no fault: it may cover errors
+  /// that are correlated from step to step, which the innovations do not show.
   Fault fault() const;
-  /// The source of the finding, where its sigma is too small.
+  /// The source whose sigma is named as too small.
   std::optional<Source> overconfident() const;
 
   static const char* name(Source source);
 
  private:
-  /// The derivative of the log-likelihood by the three variances, and its Fisher information.
+  /// The derivative of the log-likelihood with respect to the three variances, and its Fisher
+  /// information.
   struct Score {
     Eigen::Vector3d slope = Eigen::Vector3d::Zero();
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -102,8 +105,8 @@ class ConsistencyMonitor {
   double last_nis_ = 0.0;
   std::array<Factor, kSources> factors_;
   bool is_lost_ = false, is_biased_ = false;
-  std::optional<Source> blamed_;  ///< its sigma is wrong
-  /// Updates in a row that would have named it.
+  std::optional<Source> blamed_;  ///< the source whose sigma is wrong
+  /// For each finding, the number of successive updates that agree with it.
   struct {
     int bias = 0, sensor = 0, motion = 0;
   } agreeing_;

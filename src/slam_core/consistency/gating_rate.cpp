@@ -9,7 +9,7 @@
 namespace slam {
 namespace {
 
-/// That of so many trials at least so many succeed.
+/// The probability that at least so many of the trials succeed.
 double binomialTail(int trials, int successes, double probability) {
   if (probability >= 1.0) return 1.0;
   double sum = 0.0;

@@ -11,15 +11,15 @@
 
 namespace slam {
 
-/// How many of the last observations of known landmarks failed the chi-square gate. Of a filter
-/// that has lost its pose this is all there is to see: what is gated corrects nothing, and what
-/// little still passes fits.
+/// How many of the last observations of known landmarks failed the chi-square gate. A filter that
+/// has lost its pose shows nothing else: gated observations do not correct it, and the innovations
+/// of the few that pass the gate are small.
 ///
-/// The gate leaves out right observations with a known probability, and a healthy sensor may give a
-/// share of wrong ones on top (kOutliers). The readings of one landmark are alike, it may have been
+/// The gate rejects right observations with a known probability, and a healthy sensor may add a
+/// share of wrong ones (kOutliers). The errors of one landmark are correlated, as it may have been
 /// moved: each landmark counts for kMostOfOne trials at most. The rate is excessive where most
-/// observations, in most steps, were gated and the binomial distribution gives so many a
-/// probability below kFalseAlarm.
+/// observations, in most steps, were gated and the probability of so many is below kFalseAlarm
+/// according to the binomial distribution.
 class GatingRate {
  public:
   static constexpr double kOutliers = 0.2, kFalseAlarm = 1e-6;
@@ -34,7 +34,8 @@ class GatingRate {
   int observations() const { return all_.seen; }
   int gated() const { return all_.gated; }
   bool isExcessive() const;
-  /// Whether most of the latest step was gated: no time to judge noise by.
+  /// Whether most observations of the latest step were gated, so that the noise should not be
+  /// judged by it.
   bool isLatestMostlyGated() const {
     return !steps_.empty() && countOf(steps_.back()).isMostlyGated();
   }
@@ -58,7 +59,7 @@ class GatingRate {
   std::deque<Step> steps_;
   std::map<LandmarkId, Count> landmarks_;
   Count all_;
-  int doubtful_steps_ = 0;  ///< of which most was gated
+  int doubtful_steps_ = 0;  ///< steps of which most observations were gated
 };
 
 }  // namespace slam

@@ -14,8 +14,8 @@
 namespace slam {
 namespace {
 
-/// So many steps are judged by themselves, then twice as many and so on up to the window: an error
-/// that has just begun shows in the latest ones.
+/// The latest steps are judged in windows of this size, of twice this size and so on up to the
+/// whole window: an error that has just begun shows in the latest steps only.
 constexpr std::size_t kFewestSteps = 10;
 constexpr double kMostCorrelated = 0.95;
 
@@ -25,7 +25,7 @@ Eigen::Index columnOf(InnovationBias::Direction direction) {
   return static_cast<Eigen::Index>(direction);
 }
 
-/// What each error does to the innovations, a column each; zero where that is not known.
+/// The shift of the innovations by each kind of error, one column each; zero where it is not known.
 DirectionMatrix directionsOf(const JointInnovation& group, const PosePrediction& prediction) {
   DirectionMatrix D = DirectionMatrix::Zero(group.nu.size(), InnovationBias::kDirections);
   for (Eigen::Index row = 0; row + 1 < D.rows(); row += 2) {
@@ -33,7 +33,8 @@ DirectionMatrix directionsOf(const JointInnovation& group, const PosePrediction&
     D(row + 1, columnOf(InnovationBias::kBearing)) = 1.0;
   }
   if (group.H.rows() == 0) return D;
-  // how the robot moved, from the Jacobian of the composition by the pose before
+  // F, the Jacobian of the composition with respect to the previous pose, contains the robot's
+  // motion
   const Eigen::Vector3d along(prediction.F(1, 2), -prediction.F(0, 2), 0.0);
   const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
   D.col(columnOf(InnovationBias::kAlong)) = group.H * along;
@@ -57,18 +58,18 @@ Moments momentsOf(const double* y, std::size_t size) {
   }
   if (m.variance > 0.0) m.correlation = products / m.variance;
   m.variance /= n - 1.0;
-  // of few steps it comes out too small (Kendall 1954)
+  // estimated from few steps, it is biased towards too small values (Kendall 1954)
   m.correlation = std::clamp(m.correlation + (1.0 + 3.0 * m.correlation) / n, 0.0, kMostCorrelated);
   return m;
 }
 
-/// The quantile of the normal distribution for that of Student's t (Wallace 1959).
+/// The quantile of the normal distribution that corresponds to one of Student's t (Wallace 1959).
 double normalQuantileOf(double t, double dof) {
   const double z = std::sqrt(dof * std::log1p(t * t / dof)) * (8.0 * dof + 1.0) / (8.0 * dof + 3.0);
   return std::copysign(z, t);
 }
 
-/// Steps that are correlated, as those of a first-order autoregressive process, count for fewer.
+/// Correlated steps count for fewer independent ones, as in a first-order autoregressive process.
 InnovationBias::Mean judged(const double* y, std::size_t size) {
   const auto m = momentsOf(y, size);
   const double independent =

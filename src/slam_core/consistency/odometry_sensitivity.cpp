@@ -14,14 +14,14 @@ void OdometrySensitivity::predict(const PosePrediction& prediction) {
 }
 
 /// Relative to the landmarks the pose has the covariance P with H P H^T + R = S. So
-/// (H^T S^-1 H)^-1 = P + (H^T R^-1 H)^-1, and what an update leaves of an error is
-/// I - K H = (H^T R^-1 H)^-1 H^T S^-1 H.
+/// (H^T S^-1 H)^-1 = P + (H^T R^-1 H)^-1, and an update leaves the share
+/// I - K H = (H^T R^-1 H)^-1 H^T S^-1 H of an error.
 void OdometrySensitivity::update(const JointInnovation& group) {
   const auto S = group.S.llt();
   const Eigen::Matrix3d believed = group.H.transpose() * S.solve(group.H);
   const Eigen::Matrix3d exact = group.H.transpose() * group.R.llt().solve(group.H);
   const Eigen::Vector3d slope = group.H.transpose() * S.solve(group.nu);
-  // What the landmarks in view do not show stays as it is.
+  // Directions that the landmarks in view do not observe are left unchanged.
   constexpr double kSmallestShare = 1e-9;
   const Eigen::Matrix3d unseen = kSmallestShare * exact.trace() * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d left = (exact + unseen).llt().solve(believed + unseen);

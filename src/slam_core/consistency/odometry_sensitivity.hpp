@@ -9,19 +9,20 @@
 
 namespace slam {
 
-/// How prediction and its covariance would change with the noise of the odometry, theta being the
-/// share that its variance is larger than believed: d = dP/dtheta, e = dx/dtheta, for the pose
-/// (x, y, theta) relative to the landmarks. A filter that believes its odometry too much lags
-/// behind: what it errs at one step shows at the next ones, so e tells far more of odometry that
-/// is a little worse than it says than a single step does (Gupta and Mehra 1974, the sensitivity
-/// equations of the Kalman filter, here of the pose alone).
+/// The derivatives of the predicted pose and of its covariance with respect to the odometry's
+/// noise: e = dx/dtheta and D = dP/dtheta, where theta is the relative excess of the true variance,
+/// for the pose (x, y, heading) relative to the landmarks. A filter that trusts its odometry too
+/// much lags behind: an error of one step shows in the following ones, so that e is far more
+/// sensitive to a slightly wrong odometry sigma than a single step is (Gupta and Mehra 1974, the
+/// sensitivity equations of the Kalman filter, here for the pose alone).
 class OdometrySensitivity {
  public:
+  /// e [m, m, rad] and D [m^2, m rad, rad^2].
   const Eigen::Vector3d& mean() const { return e_; }
   const Eigen::Matrix3d& covariance() const { return D_; }
 
   void predict(const PosePrediction& prediction);
-  /// @param group with H
+  /// @param group of which H is known
   void update(const JointInnovation& group);
 
  private:

@@ -8,7 +8,7 @@
 namespace slam {
 namespace {
 
-/// [standard deviations]: more does not count, so that a few that are far off do not decide.
+/// Larger innovations are cut to this, so that a few outliers do not decide [standard deviations].
 constexpr double kFurthest = 5.0;
 
 Eigen::Vector2d normalized(const ObservationInnovation& innovation) {

@@ -12,9 +12,9 @@
 
 namespace slam {
 
-/// Whether the innovations of a landmark are alike from one update to the next. Where a sensor's
-/// noise is larger than believed they are not, the filter follows the noise and they even
-/// alternate; where something is wrong for good, or the pose is lost, they are.
+/// The correlation of a landmark's innovations from one update to the next. Where the noise of a
+/// sensor is larger than assumed they are not correlated, or they even alternate as the filter
+/// follows the noise. Where there is a systematic error, or the pose is lost, they are correlated.
 class SerialCorrelation {
  public:
   enum Component : std::size_t { kRange, kBearing, kComponents };
@@ -24,11 +24,11 @@ class SerialCorrelation {
 
   void add(const std::vector<ObservationInnovation>& innovations);
 
-  /// The coefficient is in [-1, 1], and below 0 where the innovations alternate.
+  /// The coefficient of correlation, in [-1, 1]; below 0 where the innovations alternate.
   double coefficient(Component component) const;
 
  private:
-  /// Sums of the products of one innovation with the next, and of squares.
+  /// The sums of the products of successive innovations, and of their squares.
   struct Sums {
     double products = 0.0, squares = 0.0;
   };
