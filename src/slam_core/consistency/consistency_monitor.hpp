@@ -65,11 +65,10 @@ class ConsistencyMonitor {
   double nisMean() const;
   std::array<double, 2> nisBounds() const;
   const std::array<Factor, kSources>& factors() const { return factors_; }
-  /// "40 of the last 50 observations failed the gate: the pose may be lost", "innovations are
-  /// biased
-  /// by 1.2 standard deviations (...)", "range sigma looks 3.0 times too small (...)", or nothing.
-  /// A wrong sensor sigma makes the prediction wrong as well, so that the odometry is named only
-  /// where no sensor is suspicious.
+  /// The most severe fault as a sentence, such as "40 of the last 50 observations failed the gate:
+  /// the pose may be lost" or "range sigma looks 3.0 times too small (...)"; empty where there is
+  /// none. A wrong sensor sigma makes the prediction wrong as well, so that the odometry is named
+  /// only where no sensor is suspicious.
   std::string finding() const;
   /// Why the back-end is over-confident. A sigma that is too large is no fault: it may cover errors
   /// that are correlated from step to step, which the innovations do not show.
