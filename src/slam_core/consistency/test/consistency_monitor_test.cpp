@@ -16,7 +16,7 @@ namespace {
 
 using test::SimulatedWorld;
 
-/// The share of its true variance that each source claims.
+/// For each source, the claimed variance as a share of the true one.
 struct Claims {
   double range = 1.0, bearing = 1.0, motion = 1.0;
 };
@@ -77,7 +77,8 @@ TEST_F(ConsistencyMonitorTest, NamesASigmaThreeTimesTooSmallWithinFiftyUpdates) 
     }
 }
 
-/// Of the odometry an update tells less: here NIS is hardly more than 1 when it is named.
+/// An update carries less information about the odometry: its NIS is hardly above 1 here when the
+/// odometry is named.
 TEST_F(ConsistencyMonitorTest, NamesTheOdometryWhenItIsWorseThanItSays) {
   int named = 0, within_fifty = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -24,7 +24,7 @@ class GatingRateTest : public testing::Test {
     }
     rate.add(statistics);
   }
-  /// Of so many steps those after which the rate was excessive.
+  /// The number of steps after which the rate was excessive.
   int alarms(const std::vector<double>& gated, int steps) {
     int alarms = 0;
     for (int i = 0; i < steps; ++i) {

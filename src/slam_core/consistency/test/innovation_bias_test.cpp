@@ -33,7 +33,7 @@ class InnovationBiasTest : public testing::Test {
     group.nu = mean + factor * noise;
     bias.add(group, prediction);
   }
-  /// The largest evidence of so many steps.
+  /// The largest evidence within the steps.
   double worst(int steps, const Eigen::VectorXd& mean, double factor = 1.0) {
     double worst = 0.0;
     for (int i = 0; i < steps; ++i) {

@@ -41,7 +41,7 @@ Error odometryScale(double way, double turn) {
   };
 }
 
-/// What is found in a drive in which something is wrong from an update on.
+/// The findings of a drive in which an error begins at some update.
 class SystematicErrorTest : public testing::Test {
  protected:
   struct Found {
@@ -93,8 +93,8 @@ class SystematicErrorTest : public testing::Test {
   }
 };
 
-/// Until it is sure that the errors go to one side, odometry may be told to be worse than it says:
-/// it is. But that must be rare, and no sensor may be blamed for its noise.
+/// Until the bias is significant, the odometry may be reported as worse than its sigma, which is
+/// true. But that must be rare, and no sensor may be blamed for its noise.
 TEST_F(SystematicErrorTest, ABearingOffsetIsNamedABias) {
   std::vector<Found> all;
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
@@ -132,7 +132,7 @@ TEST_F(SystematicErrorTest, APoseThatIsLostIsNamedWithinAWindowAndNoSigma) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     bool is_first = true;
     const auto kidnap = [&](SimulatedStep& step) {
-      // the odometry jumps once, so sure of itself that nothing fits any more
+      // the odometry jumps once, with a covariance so small that no observation fits any more
       if (std::exchange(is_first, false))
         step.motion.increment = step.motion.increment * Pose2(2.0, 1.0, 0.7);
     };

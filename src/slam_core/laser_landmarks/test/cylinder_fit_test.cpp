@@ -50,7 +50,7 @@ TEST(CylinderFit, TheWidthTellsTheRadiusOfManyBeams) {
   EXPECT_NEAR(trunk.range, 3.0, 0.02);
 }
 
-/// Trunks near and far, thin and thick, on and between beams; the far ones are met by one beam.
+/// Trunks near and far, thin and thick, on beams and between them; only one beam hits the far ones.
 class CylinderFitErrors : public testing::TestWithParam<std::tuple<TreeLaser, double>> {};
 
 TEST_P(CylinderFitErrors, AreAsLargeAsItsCovarianceSays) {
@@ -68,17 +68,16 @@ TEST_P(CylinderFitErrors, AreAsLargeAsItsCovarianceSays) {
     ++count;
   }
   ASSERT_GT(count, 2000);
-  // NEES is 2 at best; the errors of the edges are no normal ones.
+  // 2 is expected; the errors of the edges are uniform, not normal.
   EXPECT_LT(sum / count, 2.5) << "the covariance claims too much";
   EXPECT_GT(sum / count, 1.7) << "the covariance claims too little";
 }
 
-INSTANTIATE_TEST_SUITE_P(Lasers, CylinderFitErrors,
-                         testing::Combine(testing::Values(TreeLaser{0.01, 0.001},
-                                                          TreeLaser{0.05, 0.003},
-                                                          TreeLaser{0.1, 0.001},
-                                                          TreeLaser{0.02, 0.004}),
-                                          testing::Values(3.0, 25.0, 45.0)));
+INSTANTIATE_TEST_SUITE_P(
+    Lasers, CylinderFitErrors,
+    testing::Combine(testing::Values(TreeLaser{0.01, 0.001}, TreeLaser{0.05, 0.003},
+                                     TreeLaser{0.1, 0.001}, TreeLaser{0.02, 0.004}),
+                     testing::Values(3.0, 25.0, 45.0)));
 
 TEST(CylinderFit, AFlatBoardIsNoCircle) {
   std::vector<LaserBeam> board;

@@ -17,7 +17,7 @@ namespace {
 using test::simulatedRoom;
 using test::SimulatedWall;
 
-constexpr double kRetro = 3000.0;  // brightness; walls have 100
+constexpr double kRetro = 3000.0;  // brightness of a reflector; that of walls is 100
 
 class LaserReflectorsTest : public testing::Test {
  protected:
@@ -33,7 +33,7 @@ class LaserReflectorsTest : public testing::Test {
     for (const auto& wall : simulatedRoom()) walls.push_back(wall);
     return scanOfWalls(walls, sensor, {0.02, 0.003}, random_);
   }
-  /// A flat one on the wall ahead, 1 mm before it.
+  /// A flat reflector, 1 mm in front of the wall ahead.
   static SimulatedWall onTheWall(double y, double width, double brightness = kRetro) {
     return {{3.999, y - width / 2}, {3.999, y + width / 2}, brightness};
   }

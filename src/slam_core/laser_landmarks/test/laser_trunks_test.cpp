@@ -172,8 +172,8 @@ TEST_F(LaserTrunksTest, InAForestItSeesTreesOnlyAndIsAsWrongAsItSays) {
   EXPECT_GT(sum / seen, 1.5);
 }
 
-/// A car passes a far tree and sees it in each of ten scans: the mean of their errors is as large
-/// as if the errors that the covariance holds were independent.
+/// A car passes a far tree and sees it in most of thirty scans: the mean of their errors is no
+/// larger than if the errors were independent, with the reported covariance.
 TEST_F(LaserTrunksTest, FarTrunksErrNoMoreThanItSaysInTheMeanOfManyScans) {
   constexpr int kScans = 30;
   double sum = 0.0;

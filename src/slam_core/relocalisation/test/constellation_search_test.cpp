@@ -98,7 +98,7 @@ TEST(ConstellationSearch, FindsTwoEquallyLikelyPlacesInAMapOfTwoIdenticalHalves)
   EXPECT_NEAR(std::abs(places[0].robot.pose.x() - places[1].robot.pose.x()), 20.0, 1e-6);
 }
 
-/// One half has a landmark more, which the sensor would see.
+/// One half of the map has an additional landmark, which the sensor would see there.
 TEST(ConstellationSearch, PrefersThePlaceWhereNothingIsMissing) {
   RandomStream random(4, 1);
   const auto half = hall(4, 10, 8.0);

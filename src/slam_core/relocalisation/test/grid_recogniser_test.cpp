@@ -16,7 +16,7 @@ namespace {
 using slam::test::RoomDrive;
 using Verdict = Recognition::Verdict;
 
-/// A lap in the room, drawn where the robot was.
+/// The grid of a lap in the room, drawn from the true poses.
 OccupancyGrid gridOf(RoomDrive drive, const grid_map::GridMapConfig& config) {
   scan_matching::ScanMap map(config);
   const auto models = scan_matching::levelModels(config);
@@ -63,10 +63,10 @@ TEST_F(GridRecogniserTest, FindsTheRobotAfterAMetreOrTwo) {
   EXPECT_LT(std::abs(wrapAngle(last.robot.pose.theta() - truth.theta())), 0.05);
 }
 
-/// More has moved since than the matcher takes for usual.
+/// More of the room has been moved than the matcher expects.
 TEST_F(GridRecogniserTest, FindsTheRobotWhereSomeWallsHaveGone) {
   auto grid = gridOf(RoomDrive(1), config);
-  constexpr std::size_t kStretch = 20, kEvery = 6;  // cells; of so many stretches one has gone
+  constexpr std::size_t kStretch = 20, kEvery = 6;  // [cells]; every sixth stretch is removed
   for (std::size_t i = 0; i < grid.cells.size(); ++i)
     if ((i % grid.width + i / grid.width) / kStretch % kEvery == 0)
       grid.cells[i] = std::min(grid.cells[i], std::int8_t{0});
@@ -76,7 +76,7 @@ TEST_F(GridRecogniserTest, FindsTheRobotWhereSomeWallsHaveGone) {
   EXPECT_LT((last.robot.pose.position() - truth.position()).norm(), 0.1);
 }
 
-/// Two lurches of the wheels on the way.
+/// The wheels slip twice on the way.
 TEST_F(GridRecogniserTest, FindsTheRobotThoughItsWheelsSlip) {
   recogniser.begin(gridOf(RoomDrive(1), config));
   for (int lurch = 0; lurch < 2; ++lurch) {

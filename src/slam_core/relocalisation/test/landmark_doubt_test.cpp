@@ -10,8 +10,8 @@
 namespace slam::relocalisation {
 namespace {
 
-/// A robot that goes straight on between landmarks, of which it sees those that stand less than 4 m
-/// ahead or behind, two of a metre. What it takes for landmarks of its map has the map's ids.
+/// A robot that drives straight on between landmarks, two per metre, and sees those that are less
+/// than 4 m ahead or behind. Observations that it associates with its map have the map's ids.
 class LandmarkDoubtTest : public testing::Test {
  protected:
   /// One step of 0.2 m. @param from the place that the robot really sees [m]
@@ -73,11 +73,11 @@ TEST_F(LandmarkDoubtTest, KnowsThatLandmarksMayBeHidden) {
   drive(60.0);
   believed = 0.0;
   doubt.relocate();
-  detected = 0.1;  // somebody stands before the sensor; what it still sees fits
+  detected = 0.1;  // somebody stands in front of the sensor; the few landmarks still seen fit
   EXPECT_FALSE(drive(60.0));
 }
 
-/// The only one that is expected has been moved.
+/// The only expected landmark has been moved.
 TEST_F(LandmarkDoubtTest, DoesNotTakeARobotForLostSinceOneLandmarkIsMissing) {
   UpdateStatistics before, after;
   before.associations = {{kUnknownId, 1, TakenFor::kLandmark}};
