@@ -6,17 +6,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "slam_core/association/local_landmark.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::relocalisation {
 
-/// A landmark as the robot has seen it lately, whatever map it belongs to.
-struct LocalLandmark {
-  LandmarkId id = kUnknownId;
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the robot's frame [m]
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
-};
+using association::LocalLandmark;
 
 /// The landmarks around the robot, from what it has seen on the last metres of its way: a picture
 /// that needs no map and no pose, and that can be looked for in a map.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/relocalisation/constellation_search.hpp"
+#include "slam_core/association/constellation_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/relocalisation/test/some_landmarks.hpp"
 
-namespace slam::relocalisation {
+namespace slam::association {
 namespace {
 
-using test::hall;
-using test::nameless;
-using test::seenFrom;
+using relocalisation::test::hall;
+using relocalisation::test::nameless;
+using relocalisation::test::seenFrom;
 
 constexpr double kOutliers = 0.05;
 
@@ -151,4 +151,4 @@ TEST(ConstellationSearch, IsUnlikelyWhereTheSightingsHaveNothingToDoWithTheMap) 
 }
 
 }  // namespace
-}  // namespace slam::relocalisation
+}  // namespace slam::association

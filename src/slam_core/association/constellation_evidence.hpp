@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/association/local_landmark.hpp"
 #include "slam_core/association/sensor_reach.hpp"
 #include "slam_core/models/landmark_map.hpp"
-#include "slam_core/relocalisation/local_landmarks.hpp"
 
-namespace slam::relocalisation {
+namespace slam::association {
 
 /// A place of the robot in a map, with the evidence for it.
 struct Place {
@@ -26,18 +26,18 @@ struct Place {
 /// Weighs a place by the landmarks around the robot. Each of them may be none of the map; the
 /// likelihood is integrated over all poses nearby (Laplace's approximation), so that places by few
 /// precise and by many vague landmarks can be compared.
-class PlaceEvidence {
+class ConstellationEvidence {
  public:
   /// @param map outlives this @param outlier_share probability that a landmark is none of the map,
   /// whatever its id says; in (0, 1)
-  PlaceEvidence(const LandmarkMap& map, double outlier_share);
+  ConstellationEvidence(const LandmarkMap& map, double outlier_share);
 
   /// The best place near a pose. Landmarks of the map that are not around the robot although they
   /// lie within reach speak against it (negative evidence, Montemerlo 2003, ch. 3).
   /// @param reach of the robot's sensors, around its base
   /// @return nothing where fewer than two landmarks lie where the map has them
   std::optional<Place> near(Pose2 robot, const std::vector<LocalLandmark>& around,
-                            const association::SensorReach& reach) const;
+                            const SensorReach& reach) const;
   /// The same logarithm of the best explanation that gives no place: that one of the landmarks is
   /// what its id says, while all others are not.
   double logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const;
@@ -65,7 +65,7 @@ class PlaceEvidence {
                    const std::vector<Pairing>& pairings) const;
   double logOddsOf(const Pose2& robot, const LocalLandmark& local, const Landmark* landmark) const;
   double logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
-                          const association::SensorReach& reach) const;
+                          const SensorReach& reach) const;
   bool isInMap(const LocalLandmark& local) const;
 
   const LandmarkMap& map_;
@@ -73,4 +73,4 @@ class PlaceEvidence {
   double area_, radius_;
 };
 
-}  // namespace slam::relocalisation
+}  // namespace slam::association
