@@ -49,6 +49,7 @@ void EkfSlam::describe(Ports& ports) {
 
 void EkfSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<LandmarkRemover>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<AssociationChooser>(*this);
 }
@@ -227,6 +228,16 @@ void EkfSlam::removeGhosts(const Association& association, const Pose2& sensor) 
     state_.retire(id);
     counters_.add("ghost");
   }
+}
+
+Status EkfSlam::remove(LandmarkId id) {
+  const auto removal = removalOf(id, state_.find(id).has_value(), config_.mapIsFixed());
+  if (!removal.isOk()) return removal;
+  state_.retire(id);
+  sightings_.restart(id);
+  associator_.forget(id);
+  counters_.add("removed");
+  return removal;
 }
 
 NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {

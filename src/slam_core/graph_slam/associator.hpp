@@ -44,6 +44,8 @@ class Associator {
   bool distrusts(const association::Sightings::Verdict& verdict) {
     return evidence_.distrusts(verdict.z.id, verdict.was_confirmed);
   }
+  /// A landmark was removed on request.
+  void forget(LandmarkId id) { evidence_.forget(id); }
   /// After the update: landmarks that are not there, to be removed.
   std::vector<LandmarkId> ghosts(const Association& association, const LandmarkGraph& graph,
                                  const Pose2& sensor);

@@ -70,6 +70,7 @@ void GraphSlam::describe(Ports& ports) {
 
 void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<LandmarkRemover>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<EventReporter>(*this);
@@ -292,6 +293,17 @@ void GraphSlam::removeGhosts(const Association& association, const Pose2& sensor
     idsOf(graph_->landmarks).retire(id);
     counters_.add("ghost");
   }
+}
+
+Status GraphSlam::remove(LandmarkId id) {
+  auto& ids = idsOf(graph_->landmarks);
+  const auto removal = removalOf(id, ids.find(id).has_value(), config_.mapIsFixed());
+  if (!removal.isOk()) return removal;
+  ids.retire(id);
+  sightings_.restart(id);
+  associator_.forget(id);
+  counters_.add("removed");
+  return removal;
 }
 
 Status GraphSlam::augment(Association& association, const Pose2& sensor) {

@@ -19,6 +19,7 @@ void FastSlam::describe(Ports& ports) {
 
 void FastSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<LandmarkRemover>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<PoseSampler>(*this);

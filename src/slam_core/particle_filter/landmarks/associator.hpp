@@ -51,6 +51,8 @@ class Associator {
   bool distrusts(LandmarkId id, bool was_confirmed) {
     return evidence_.distrusts(id, was_confirmed);
   }
+  /// A landmark was removed on request.
+  void forget(LandmarkId id) { evidence_.forget(id); }
   /// After the update: landmarks that are not there, to be removed.
   /// @param sensor T_map_sensor of the most likely particle
   /// @param seen its landmarks that were seen

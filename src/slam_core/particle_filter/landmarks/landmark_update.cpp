@@ -8,6 +8,7 @@
 #include "slam_core/association/decision_record.hpp"
 #include "slam_core/association/gate.hpp"
 #include "slam_core/association/sightings.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
@@ -164,6 +165,17 @@ void LandmarkUpdate::removeGhosts(const Particle& best, const Sight& sight, Acco
     index_.retire(*index_.find(id));
     account.counters.add("ghost");
   }
+}
+
+Status LandmarkUpdate::remove(LandmarkId id, Account& account) {
+  const auto number = index_.find(id);
+  const auto removal = removalOf(id, number.has_value(), map_is_fixed_);
+  if (!removal.isOk()) return removal;
+  index_.retire(*number);
+  established_.erase(id);
+  associator_.forget(id);
+  account.counters.add("removed");
+  return removal;
 }
 
 /// Gives numbers to the landmarks that are new to any of the particles that are left.

@@ -38,6 +38,8 @@ class LandmarkUpdate final : public SensorUpdate {
 
   /// These are the landmarks of the particles' maps, in this order.
   void load(const LandmarkMap& map);
+  /// As LandmarkRemover::remove().
+  Status remove(LandmarkId id, Account& account);
   /// All motion, that of steps without observations as well; before take().
   void move(const Motion& motion) { associator_.move(motion); }
   /// The robot is elsewhere: how observations fitted before says nothing any more.
