@@ -42,7 +42,7 @@ ConstellationEvidence::ConstellationEvidence(const LandmarkMap& map, double outl
 
 bool ConstellationEvidence::isInMap(const LocalLandmark& local) const {
   return std::any_of(map_.begin(), map_.end(),
-                     [&](const Landmark& landmark) { return mayBe(local, landmark); });
+                     [&](const Landmark& landmark) { return mayHaveIdOf(local, landmark); });
 }
 
 /// Each landmark of the map is one around the robot at most: the nearest.
@@ -51,12 +51,12 @@ std::vector<ConstellationEvidence::Pairing> ConstellationEvidence::pairingsAt(
   std::vector<std::pair<double, Pairing>> near;
   for (std::size_t i = 0; i < around.size(); ++i)
     for (std::size_t j = 0; j < map_.size(); ++j) {
-      if (!mayBe(around[i], map_[j])) continue;
+      if (!mayHaveIdOf(around[i], map_[j])) continue;
       const Eigen::Vector2d d = map_[j].position - robot.transform(around[i].position);
       const auto S = covarianceOf(robot, around[i], map_[j]);
       if (d.squaredNorm() > kMatchGate * S.trace()) continue;
       const double squared = d.dot(S.inverse() * d);
-      if (squared < kMatchGate) near.push_back({squared, {i, j}});
+      if (squared < kMatchGate && mayBe(around[i], map_[j])) near.push_back({squared, {i, j}});
     }
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/association/local_landmark.hpp"
 #include "slam_core/association/sensor_reach.hpp"
 #include "slam_core/models/landmark_map.hpp"
@@ -41,9 +42,11 @@ class ConstellationEvidence {
   /// The same logarithm of the best explanation that gives no place: that one of the landmarks is
   /// what its id says, while all others are not.
   double logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const;
-  /// Whether a landmark around the robot may be this one of the map.
+  /// Whether a landmark around the robot may be this one of the map, by ids and descriptors.
   static bool mayBe(const LocalLandmark& local, const Landmark& landmark) {
-    return local.id == kUnknownId || local.id == landmark.id;
+    constexpr double kRightPasses = 0.999;
+    return mayHaveIdOf(local, landmark) &&
+           fitOf(local.descriptor, landmark.descriptor, kRightPasses).passes;
   }
   /// Radius of a circle that holds the robot wherever it sees the map [m].
   double radius() const { return radius_; }
@@ -66,6 +69,9 @@ class ConstellationEvidence {
   double logOddsOf(const Pose2& robot, const LocalLandmark& local, const Landmark* landmark) const;
   double logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
                           const SensorReach& reach) const;
+  static bool mayHaveIdOf(const LocalLandmark& local, const Landmark& landmark) {
+    return local.id == kUnknownId || local.id == landmark.id;
+  }
   bool isInMap(const LocalLandmark& local) const;
 
   const LandmarkMap& map_;

@@ -14,6 +14,7 @@ struct LocalLandmark {
   LandmarkId id = kUnknownId;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the robot's frame [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
+  Descriptor descriptor = {};                            ///< empty where nothing is known
 };
 
 }  // namespace slam::association

@@ -79,9 +79,17 @@ void EkfSlam::set(const Motion& motion) {
                         J_u * motion.covariance * J_u.transpose();
 }
 
+LandmarkMap EkfSlam::landmarks() const {
+  auto map = state_.map();
+  associator_.descriptors().describe(map);
+  return map;
+}
+
 MapState EkfSlam::state() const {
-  if (state_.inMap() <= static_cast<std::size_t>(config_.joint_limit)) return state_.state();
-  return {state_.pose(), state_.map(), {}};
+  const bool has_joint = state_.inMap() <= static_cast<std::size_t>(config_.joint_limit);
+  auto state = has_joint ? state_.state() : MapState{state_.pose(), state_.map(), {}};
+  associator_.descriptors().describe(state.landmarks);
+  return state;
 }
 
 Status EkfSlam::execute() {
@@ -217,6 +225,7 @@ Status EkfSlam::augment(Association& association, const Pose2& sensor) {
     const bool is_named = z.id != kUnknownId && !state_.find(z.id);
     const auto id = is_named ? z.id : state_.freeId();
     state_.append(id, m);
+    associator_.begin(id, z);
     begun.setId(id);
     ++statistics_.added;
   }

@@ -49,7 +49,7 @@ class EkfSlam final : public Backend,
 
  private:
   // what it offers as capabilities
-  LandmarkMap landmarks() const override { return state_.map(); }
+  LandmarkMap landmarks() const override;
   UpdateStatistics statistics() const override { return statistics_; }
   bool takesLines() const override { return true; }
   Status remove(LandmarkId id) override;

@@ -134,7 +134,9 @@ void GraphSlam::reset() {
 }
 
 LandmarkMap GraphSlam::landmarks() const {
-  return config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
+  auto map = config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
+  associator_.descriptors().describe(map);
+  return map;
 }
 
 std::optional<OccupancyGrid> GraphSlam::grid() const {
@@ -157,7 +159,9 @@ MapState GraphSlam::state() const {
   const auto size = graph_->landmarks.ids().inMap();
   if (config_.mapIsFixed() || uses_grid_ || size > static_cast<std::size_t>(config_.joint_limit))
     return {pose(), landmarks(), {}, grid()};
-  return graph_->landmarks.state();
+  auto state = graph_->landmarks.state();
+  associator_.descriptors().describe(state.landmarks);
+  return state;
 }
 
 Status GraphSlam::execute() {
@@ -319,7 +323,9 @@ Status GraphSlam::augment(Association& association, const Pose2& sensor) {
       continue;
     }
     graph_->landmarks.append(z.id, place, z, sensor);
-    begun.setId(graph_->landmarks.ids()[graph_->landmarks.ids().size() - 1]);
+    const auto id = graph_->landmarks.ids()[graph_->landmarks.ids().size() - 1];
+    begun.setId(id);
+    associator_.begin(id, z);
     ++statistics_.added;
   }
   return status;

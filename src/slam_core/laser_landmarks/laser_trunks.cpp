@@ -4,6 +4,7 @@
 #include "slam_core/laser_landmarks/laser_trunks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
@@ -21,7 +22,7 @@ constexpr double kRoughly = 1.5;
 /// the far ones, are not: one that is narrower than a beam looks as wide as one whenever it is
 /// seen, and its axis half of that too far; and edges that lie between two beams ahead of a robot
 /// stay there for many scans. These are their shares of the spacing for one beam, as standard
-/// deviations.
+/// deviations. The radius errs with the range.
 constexpr double kAlikeRange = 0.5, kAlikeBearing = 0.3;
 
 Eigen::Matrix2d alikeBetweenScans(double range, double spacing, std::size_t beams) {
@@ -56,6 +57,8 @@ Status LaserTrunks::find(const LaserScan& scan, Observations& found, Counters& c
     if (!trunk) continue;
     const auto alike = alikeBetweenScans(trunk->range, spacing, segment.beams.size());
     found.push_back({kUnknownId, trunk->range, trunk->bearing, trunk->covariance + alike});
+    found.back().descriptor =
+        descriptorOf(trunk->radius, std::hypot(trunk->sigma_radius, std::sqrt(alike(0, 0))));
   }
   return Status::ok();
 }

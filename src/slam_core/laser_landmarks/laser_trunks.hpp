@@ -15,7 +15,7 @@ namespace slam::laser_landmarks {
 
 /// Finds upright cylinders in the scans of a horizontal laser: trunks of trees, poles, pillars. A
 /// scan is cut where ranges jump; what is wide enough, thin enough and not hidden at either side is
-/// a landmark where a circle fits it (Guivant, Nebot 2001).
+/// a landmark where a circle fits it (Guivant, Nebot 2001). Its descriptor is the radius [m].
 ///
 /// Counted, of segments within max_range that are no landmark: "few_points", "hidden" (something
 /// nearer is beside it), "cut_off" (at an end of the sweep, or beside a beam that told nothing),

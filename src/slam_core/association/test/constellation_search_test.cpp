@@ -127,6 +127,31 @@ TEST(ConstellationSearch, PrefersThePlaceWhereNothingIsMissing) {
   EXPECT_GT(places[0].log_odds, places[1].log_odds + 2.0);
 }
 
+/// The halves of this hall lie alike, and the landmarks of one are thicker.
+TEST(ConstellationSearch, TellsTwoHalvesApartByDescriptors) {
+  RandomStream random(5, 1);
+  auto map = hall(4, 8, 6.0);
+  for (auto& landmark : map) landmark.descriptor = descriptorOf(0.1, 0.01);
+  for (std::size_t i = 0; i < 8; ++i) {
+    auto twin = map[i];
+    twin.id += 100;
+    twin.position.x() += 20.0;
+    twin.descriptor = descriptorOf(0.3, 0.01);
+    map.push_back(twin);
+  }
+  const Pose2 truth(23.0, 3.0, 0.4);
+  auto seen = nameless(seenFrom(truth, map, 4.0, random));
+  ASSERT_GE(seen.size(), 3u);
+  const auto alike = ConstellationSearch(map, kOutliers).placesOf(seen);
+  ASSERT_GE(alike.size(), 2u);
+  EXPECT_LT(alike[0].log_odds - alike[1].log_odds, 3.0);
+  for (auto& landmark : seen) landmark.descriptor = descriptorOf(0.3, 0.02);
+  const auto places = ConstellationSearch(map, kOutliers).placesOf(seen);
+  ASSERT_FALSE(places.empty());
+  EXPECT_LT((places[0].robot.pose.position() - truth.position()).norm(), 0.3);
+  if (places.size() > 1) EXPECT_GT(places[0].log_odds - places[1].log_odds, 3.0);
+}
+
 TEST(ConstellationSearch, FindsNothingWhereThereIsTooLittle) {
   RandomStream random(5, 1);
   const auto map = hall(5, 12, 10.0);

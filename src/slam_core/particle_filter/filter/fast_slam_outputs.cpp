@@ -73,6 +73,7 @@ LandmarkMap FastSlam::landmarks() const {
     map.push_back(landmark(number));
     map.back().covariance = belief_.bound.told(map.back().covariance, number);
   }
+  landmarks_.descriptors().describe(map);
   return map;
 }
 
@@ -81,6 +82,7 @@ LandmarkMap FastSlam::landmarks() const {
 MapState FastSlam::state() const {
   MapState state{pose(), {}, {}, grid()};
   for (const auto number : toldLandmarks()) state.landmarks.push_back(landmark(number));
+  landmarks_.descriptors().describe(state.landmarks);
   return state;
 }
 

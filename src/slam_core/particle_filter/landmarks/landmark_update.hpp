@@ -62,6 +62,7 @@ class LandmarkUpdate final : public SensorUpdate {
                const Execution& execution, Account& account) override;
 
   const LandmarkIndex& index() const { return index_; }
+  const association::DescriptorMap& descriptors() const { return associator_.descriptors(); }
   bool isLost() const { return fit_.isLost(); }
 
  private:
@@ -73,6 +74,7 @@ class LandmarkUpdate final : public SensorUpdate {
   void expectNothing(const Sight& sight, Prediction* predictions) const;
   void begin(const Ancestors& ancestors, PoseBelief& belief);
   void updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const;
+  void describe(const Particle& best, const Sight& sight);
   void record(const Particle& best, const Sight& sight, Account& account) const;
   void removeGhosts(const Particle& best, const Sight& sight, Account& account);
   Status beginAnew(const Particle& best, const Sight& sight, const Prediction* predictions,
