@@ -111,6 +111,7 @@ class GraphSlam final : public Backend,
   struct Resumed {
     std::unique_ptr<Graph> graph;
     association::Sightings sightings;
+    LandmarkMap known;  ///< its landmarks with their descriptors, without covariances
     std::optional<Motion> last_motion;
   };
   std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;
