@@ -171,12 +171,24 @@ class ShippedModel(unittest.TestCase):
                     "so that it goes with map=grid, detector=none and association=known_ids.")
         alone = {"backend": "grid", "odometry": "wheel", "map": "grid", "detector": "none"}
         for change in ({"map": "landmarks"}, {"detector": "apriltag"}, {"detector": "aruco"},
-                       {"association": "nearest"}, {"association": "jcbb"}):
+                       {"association": "nearest"}, {"association": "jcbb"},
+                       {"association": "descriptor"}):
             with self.subTest(text(change)), self.assertRaises(ProductError) as caught:
                 self.model.require_valid({**alone, **change})
             self.assertIn(sentence, str(caught.exception))
         self.assertIn("backend=grid odometry=wheel detector=none association=known_ids "
                       "map=grid", str(caught.exception))
+
+    def test_association_by_descriptors_needs_a_detector_that_tells_them(self):
+        chosen = {"backend": "ekf", "odometry": "wheel", "association": "descriptor"}
+        for backend in ("ekf", "pf", "graph"):
+            for detector in ("laser_trunks", "none"):
+                self.model.require_valid({**chosen, "backend": backend, "detector": detector})
+        for detector in ("apriltag", "aruco", "laser_reflectors", "laser_corners", "laser_lines"):
+            with self.subTest(detector), self.assertRaises(ProductError) as caught:
+                self.model.require_valid({**chosen, "detector": detector})
+            self.assertIn("needs a detector that tells them, so that association=descriptor goes "
+                          "with detector=laser_trunks", str(caught.exception))
 
     def test_the_grid_back_end_goes_with_any_odometry_and_with_none(self):
         for odometry in self.model.groups["odometry"].symbols:

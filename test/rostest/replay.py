@@ -14,7 +14,7 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 import numpy
 import rospy
 import rostest
-from slam_msgs.srv import LoadMap, SaveMap
+from slam_msgs.srv import LoadMap, RemoveLandmark, SaveMap
 from std_srvs.srv import SetBool, Trigger
 from player import Player, wait_for
 
@@ -147,6 +147,18 @@ class ReplayTest(unittest.TestCase):
         self.assertGreater(len(self.saved_ids()), 0)
         self.assertTrue(self.call("reset", Trigger).success)
         self.assertEqual(self.saved_ids(), [])
+
+    def test_a_landmark_that_is_not_there_is_removed(self):
+        self.player.begin()
+        known = self.saved_ids()
+        answer = self.call("remove_landmark", RemoveLandmark, known[0])
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn(f"landmark {known[0]} is removed", answer.message)
+        self.assertEqual(self.saved_ids(), known[1:])
+        again = self.call("remove_landmark", RemoveLandmark, known[0])
+        self.assertFalse(again.success)
+        self.assertIn(f"there is no landmark {known[0]} in the map", again.message)
+        self.assertEqual(self.saved_ids(), known[1:])
 
     def test_paused_observations_are_ignored(self):
         self.player.begin(5)

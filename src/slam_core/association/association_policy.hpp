@@ -22,6 +22,8 @@ struct Candidate {
       Eigen::Vector2d::Zero();  ///< observed less predicted: range [m], bearing [rad]
   Eigen::Matrix2d S =
       Eigen::Matrix2d::Zero();  ///< its covariance, the observation's noise included
+  /// What the descriptor adds to the pairing's cost, see Option; for policies to fill in.
+  double descriptor_cost = 0.0;
 };
 
 /// The observation with this number and the landmark it is taken for.
@@ -42,6 +44,8 @@ class CandidateSource {
   /// Appends what the observation with this number may be of by its place: all landmarks within the
   /// asker's gate, maybe others. Only where the policy usesPlaces().
   virtual void candidates(std::size_t observation, std::vector<Candidate>& candidates) const = 0;
+  /// The descriptor of a landmark; empty where nothing is known of it.
+  virtual Descriptor descriptor(std::size_t /*landmark*/) const { return {}; }
   /// The covariance of the innovations of two pairings of different landmarks. Landmarks are
   /// independent given the pose, as a particle's are, unless the asker says otherwise.
   virtual Eigen::Matrix2d crossCovariance(const Pairing& /*first*/,

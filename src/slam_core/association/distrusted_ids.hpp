@@ -27,6 +27,8 @@ class DistrustedIds {
   /// @return whether its id is distrusted from now on; then it is to be removed
   bool count(LandmarkId id, bool was_confirmed);
   bool has(LandmarkId id) const;
+  /// The id is trusted as if it had never been seen.
+  void forget(LandmarkId id) { doubts_.erase(id); }
 
   static Status warningOf(LandmarkId id);
 

@@ -148,7 +148,7 @@ bool JointSearch::push(std::size_t pairing) {
   branch_.push_back(pairing);
   taken_.push_back(option.landmark);
   nis_.push_back(nis_.back() + nis);
-  costs_.push_back(costs_.back() + nis + spread);
+  costs_.push_back(costs_.back() + nis + spread + option.descriptor_cost);
   return true;
 }
 

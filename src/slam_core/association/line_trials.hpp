@@ -26,6 +26,8 @@ class LineTrials {
   void see(const std::vector<LandmarkObservation>& lines, const Pose2& sensor);
   /// Whether the track of a line of the last array has been seen often enough.
   bool isConfirmed(std::size_t line) const;
+  /// Every line begins its trial anew.
+  void forget() { tracks_.clear(); }
   std::size_t size() const { return tracks_.size(); }
 
  private:

@@ -27,7 +27,7 @@ void Options::add(std::size_t observation, const LandmarkObservation& z, double 
   auto& options = of_[observation];
   options.clear();
   const double log_noise = std::log(z.covariance.determinant());
-  for (const auto& [landmark, nu, S] : candidates_) {
+  for (const auto& [landmark, nu, S, descriptor_cost] : candidates_) {
     const double determinant = S.determinant();
     const double nis = nu.dot(S.inverse() * nu);
     const bool is_usable = determinant > 0.0 && nis >= 0.0 && std::isfinite(nis);
@@ -35,7 +35,8 @@ void Options::add(std::size_t observation, const LandmarkObservation& z, double 
     if (!is_usable || nis <= ring_gate) is_near_[observation] = 1;
     if (!is_usable || nis > gate) continue;
     const double spread = std::max(0.0, std::log(determinant) - log_noise);
-    options.push_back({landmark, nu, S, log_noise, nis + spread});
+    options.push_back(
+        {landmark, nu, S, log_noise, nis + spread + descriptor_cost, descriptor_cost});
   }
   std::sort(options.begin(), options.end(), [](const Option& a, const Option& b) {
     return std::tie(a.cost, a.landmark) < std::tie(b.cost, b.landmark);

@@ -16,9 +16,10 @@ struct Option {
   Eigen::Vector2d nu;
   Eigen::Matrix2d S;
   double log_noise = 0.0;  ///< ln |R|, R the observation's noise
-  /// nu^T S^-1 nu + ln(|S| / |R|): twice the negative log-likelihood but for a constant of the
-  /// observation. Never negative, as S holds R.
+  /// nu^T S^-1 nu + ln(|S| / |R|) + descriptor_cost: twice the negative log-likelihood but for a
+  /// constant of the observation. Never negative, as S holds R.
   double cost = 0.0;
+  double descriptor_cost = 0.0;
 };
 
 /// What the observations of a stamp may be of by their places.

@@ -41,6 +41,13 @@ class PlaceEvidence {
   /// A landmark is to be re-initialised.
   /// @return whether it is to be removed instead, see DistrustedIds
   bool distrusts(LandmarkId id, bool was_confirmed) { return ids_.count(id, was_confirmed); }
+  /// A landmark was removed on request: what is on trial begins anew.
+  void forget(LandmarkId id) {
+    trials_.forget();
+    line_trials_.forget();
+    existence_.forget(id);
+    ids_.forget(id);
+  }
   /// @param sensor T_map_sensor
   /// @return landmarks to be removed
   std::vector<LandmarkId> ghosts(const Pose2& sensor, const std::vector<LandmarkPlace>& landmarks,

@@ -127,6 +127,11 @@ void Trials::beginAndDrop(const std::vector<Place>& places, double density) {
   tracks_.swap(kept);
 }
 
+void Trials::forget() {
+  tracks_.clear();
+  track_of_.clear();
+}
+
 bool Trials::isConfirmed(std::size_t observation) const {
   const auto& track = tracks_[track_of_[observation]];
   return track.sightings >= sightings_ && (sightings_ == 1 || track.score >= kAccepted);

@@ -27,6 +27,8 @@ class Trials {
   void see(const LandmarkObservationArray& array, const SensorReach& reach);
   /// Whether the track of an observation of the last array is a landmark's.
   bool isConfirmed(std::size_t observation) const;
+  /// Everything begins its trial anew.
+  void forget();
   std::size_t size() const { return tracks_.size(); }
 
  private:

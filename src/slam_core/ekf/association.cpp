@@ -26,6 +26,7 @@ Associator::Associator(const EkfConfig& config)
 void Associator::restart(const LandmarkMap& map) {
   evidence_ = association::PlaceEvidence();
   if (policy_->usesPlaces()) evidence_ = association::PlaceEvidence(places_, map);
+  descriptors_ = association::DescriptorMap(map);
 }
 
 Association Associator::associate(const LandmarkObservationArray& array, EkfState& state,
@@ -36,6 +37,8 @@ Association Associator::associate(const LandmarkObservationArray& array, EkfStat
   evidence_.hold(array, decisions_);
   Association association;
   sort(array, state, model, association, counters);
+  if (!map_is_fixed_)
+    for (const auto& match : association.matches) descriptors_.see(match.z.id, match.z.descriptor);
   return association;
 }
 
@@ -48,7 +51,8 @@ void Associator::decide(const LandmarkObservationArray& array, EkfState& state,
   }
   const auto near = landmarksByPlace(array, state, model, places_.ring * places_.ring * gate_);
   state.take(near.all());
-  policy_->decide(array, PlaceCandidates(array, state, model, near), map_is_fixed_, decisions_);
+  policy_->decide(array, PlaceCandidates(array, state, model, near, descriptors_), map_is_fixed_,
+                  decisions_);
 }
 
 std::vector<Decision::Kind> Associator::checked(const EkfState& state) const {

@@ -118,8 +118,9 @@ Eigen::Matrix2d crossOf(const DenseCovariance& P, const Innovation& first,
 }  // namespace
 
 PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const EkfState& state,
-                                 const ObservationModel& model, const LandmarksByPlace& near)
-    : IdCandidates(state), near_(array.observations.size()) {
+                                 const ObservationModel& model, const LandmarksByPlace& near,
+                                 const association::DescriptorMap& descriptors)
+    : IdCandidates(state), descriptors_(descriptors), near_(array.observations.size()) {
   const auto& robot = state.robot();
   for (std::size_t i = 0; i < near_.size(); ++i)
     for (const auto landmark : near.of[i]) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/ekf/observation_update.hpp"
 
 namespace slam::ekf {
@@ -42,10 +43,14 @@ class IdCandidates : public association::CandidateSource {
 class PlaceCandidates final : public IdCandidates {
  public:
   PlaceCandidates(const LandmarkObservationArray& array, const EkfState& state,
-                  const ObservationModel& model, const LandmarksByPlace& near);
+                  const ObservationModel& model, const LandmarksByPlace& near,
+                  const association::DescriptorMap& descriptors);
 
   void candidates(std::size_t observation,
                   std::vector<association::Candidate>& candidates) const override;
+  Descriptor descriptor(std::size_t landmark) const override {
+    return descriptors_.of(state_.id(landmark));
+  }
   Eigen::Matrix2d crossCovariance(const association::Pairing& first,
                                   const association::Pairing& second) const override;
 
@@ -57,6 +62,7 @@ class PlaceCandidates final : public IdCandidates {
   };
   const Innovation* find(const association::Pairing& pairing) const;
 
+  const association::DescriptorMap& descriptors_;
   std::vector<std::vector<Linear>> near_;  ///< by observation
 };
 

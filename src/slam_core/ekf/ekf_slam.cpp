@@ -49,6 +49,7 @@ void EkfSlam::describe(Ports& ports) {
 
 void EkfSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<LandmarkRemover>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<AssociationChooser>(*this);
 }
@@ -78,9 +79,17 @@ void EkfSlam::set(const Motion& motion) {
                         J_u * motion.covariance * J_u.transpose();
 }
 
+LandmarkMap EkfSlam::landmarks() const {
+  auto map = state_.map();
+  associator_.descriptors().describe(map);
+  return map;
+}
+
 MapState EkfSlam::state() const {
-  if (state_.inMap() <= static_cast<std::size_t>(config_.joint_limit)) return state_.state();
-  return {state_.pose(), state_.map(), {}};
+  const bool has_joint = state_.inMap() <= static_cast<std::size_t>(config_.joint_limit);
+  auto state = has_joint ? state_.state() : MapState{state_.pose(), state_.map(), {}};
+  associator_.descriptors().describe(state.landmarks);
+  return state;
 }
 
 Status EkfSlam::execute() {
@@ -216,6 +225,7 @@ Status EkfSlam::augment(Association& association, const Pose2& sensor) {
     const bool is_named = z.id != kUnknownId && !state_.find(z.id);
     const auto id = is_named ? z.id : state_.freeId();
     state_.append(id, m);
+    associator_.begin(id, z);
     begun.setId(id);
     ++statistics_.added;
   }
@@ -227,6 +237,16 @@ void EkfSlam::removeGhosts(const Association& association, const Pose2& sensor) 
     state_.retire(id);
     counters_.add("ghost");
   }
+}
+
+Status EkfSlam::remove(LandmarkId id) {
+  const auto removal = removalOf(id, state_.find(id).has_value(), config_.mapIsFixed());
+  if (!removal.isOk()) return removal;
+  state_.retire(id);
+  sightings_.restart(id);
+  associator_.forget(id);
+  counters_.add("removed");
+  return removal;
 }
 
 NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {

@@ -11,6 +11,7 @@
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/ekf/association.hpp"
 #include "slam_core/ekf/ekf_config.hpp"
@@ -23,7 +24,11 @@ namespace slam::ekf {
 /// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
 /// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
 /// robot instead of the map's is the state's doing (neighbourhood.hpp).
-class EkfSlam final : public Backend, LandmarkMapper, MapKeeper, AssociationChooser {
+class EkfSlam final : public Backend,
+                      LandmarkMapper,
+                      LandmarkRemover,
+                      MapKeeper,
+                      AssociationChooser {
  public:
   /// @throw ConfigError
   void configure(const EkfConfig& config);
@@ -44,9 +49,10 @@ class EkfSlam final : public Backend, LandmarkMapper, MapKeeper, AssociationChoo
 
  private:
   // what it offers as capabilities
-  LandmarkMap landmarks() const override { return state_.map(); }
+  LandmarkMap landmarks() const override;
   UpdateStatistics statistics() const override { return statistics_; }
   bool takesLines() const override { return true; }
+  Status remove(LandmarkId id) override;
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
   void useAssociation(const std::string& policy) override { association_ = policy; }

@@ -207,7 +207,7 @@ std::vector<association::LandmarkPlace> EkfState::places() const {
 std::vector<Eigen::Index> EkfState::orderById() const {
   std::vector<Eigen::Index> order(ids_.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  const auto is_retired = [this](Eigen::Index i) { return index_.count(ids_[at(i)]) == 0; };
+  const auto is_retired = [this](Eigen::Index i) { return find(ids_[at(i)]) != at(i); };
   if (index_.size() < ids_.size())
     order.erase(std::remove_if(order.begin(), order.end(), is_retired), order.end());
   std::sort(order.begin(), order.end(),

@@ -99,7 +99,7 @@ class EkfState {
   /// A known landmark is forgotten and appended again, in its place in the order.
   void beginAnew(LandmarkId id, const NewLandmark& m);
   /// A landmark is not found any more, nor in map() and state(); the Gaussian keeps it, which is to
-  /// forget it as exactly as if it were taken out. Its number is never given again.
+  /// forget it as exactly as if it were taken out. Its number is never given again; its id may be.
   void retire(LandmarkId id);
   /// The robot is drawn anew: its correlations are removed.
   void relocate(const PoseEstimate& robot);

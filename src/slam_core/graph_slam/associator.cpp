@@ -24,6 +24,7 @@ Associator::Associator(const GraphConfig& config)
 void Associator::restart(const LandmarkMap& map) {
   evidence_ = association::PlaceEvidence();
   if (policy_->usesPlaces()) evidence_ = association::PlaceEvidence(places_, map);
+  descriptors_ = association::DescriptorMap(map);
 }
 
 Association Associator::associate(const LandmarkObservationArray& array, const LandmarkGraph& graph,
@@ -34,6 +35,8 @@ Association Associator::associate(const LandmarkObservationArray& array, const L
   Association association;
   const auto known = sort(array, graph, association, statistics, counters);
   gate(known, array.sensor_pose, graph, association, statistics);
+  if (!map_is_fixed_)
+    for (const auto& match : association.matches) descriptors_.see(match.z.id, match.z.descriptor);
   statistics.gated = static_cast<int>(association.gated.size());
   counters.add("gated", association.gated.size());
   if (policy_->usesPlaces()) recordMatches(graph, association);
@@ -68,8 +71,9 @@ std::vector<LandmarkId> Associator::ghosts(const Association& association,
 
 void Associator::decide(const LandmarkObservationArray& array, const LandmarkGraph& graph) {
   if (policy_->usesPlaces())
-    policy_->decide(array, PlaceCandidates(array, graph, places_.ring * places_.ring * gate_),
-                    map_is_fixed_, decisions_);
+    policy_->decide(
+        array, PlaceCandidates(array, graph, descriptors_, places_.ring * places_.ring * gate_),
+        map_is_fixed_, decisions_);
   else
     policy_->decide(array, IdCandidates(graph), map_is_fixed_, decisions_);
   decisions_.resize(array.observations.size());

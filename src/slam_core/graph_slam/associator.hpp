@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/association/place_evidence.hpp"
 #include "slam_core/association/sightings.hpp"
 #include "slam_core/common/counters.hpp"
@@ -42,8 +43,21 @@ class Associator {
                         UpdateStatistics& statistics, Counters& counters);
   /// A landmark is to be re-initialised. @return whether it is to be removed instead
   bool distrusts(const association::Sightings::Verdict& verdict) {
+    descriptors_.forget(verdict.z.id);
     return evidence_.distrusts(verdict.z.id, verdict.was_confirmed);
   }
+  /// A landmark was removed on request.
+  void forget(LandmarkId id) {
+    evidence_.forget(id);
+    descriptors_.forget(id);
+  }
+  /// A landmark was put into the graph by an observation.
+  void begin(LandmarkId id, const LandmarkObservation& z) { descriptors_.set(id, z.descriptor); }
+  const association::DescriptorMap& descriptors() const { return descriptors_; }
+  /// The descriptors are those of another map.
+  void describeBy(const LandmarkMap& map) { descriptors_ = association::DescriptorMap(map); }
+  /// Whether ids are not looked at.
+  bool goesByPlace() const { return policy_->usesPlaces(); }
   /// After the update: landmarks that are not there, to be removed.
   std::vector<LandmarkId> ghosts(const Association& association, const LandmarkGraph& graph,
                                  const Pose2& sensor);
@@ -60,6 +74,7 @@ class Associator {
   std::unique_ptr<association::AssociationPolicy> policy_;
   association::PlaceConfig places_;
   association::PlaceEvidence evidence_;
+  association::DescriptorMap descriptors_;
   double gate_ = 0.0;  ///< largest squared Mahalanobis distance
   bool map_is_fixed_ = false;
   std::vector<association::Decision> decisions_;

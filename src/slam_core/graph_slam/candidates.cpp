@@ -8,8 +8,8 @@
 namespace slam::graph_slam {
 
 PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph,
-                                 double gate)
-    : IdCandidates(graph) {
+                                 const association::DescriptorMap& descriptors, double gate)
+    : IdCandidates(graph), descriptors_(descriptors) {
   findNear(array, gate);
   prediction_.emplace(graph, array.sensor_pose, matches_);
 }

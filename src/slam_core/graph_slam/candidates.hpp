@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
 #include "slam_core/graph_slam/prediction.hpp"
 
@@ -30,12 +31,16 @@ class IdCandidates : public association::CandidateSource {
 class PlaceCandidates final : public IdCandidates {
  public:
   /// @param gate largest squared Mahalanobis distance; all within it are found, and some beyond
-  PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph, double gate);
+  PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph,
+                  const association::DescriptorMap& descriptors, double gate);
   PlaceCandidates(const PlaceCandidates&) = delete;  // the prediction refers to the matches
   PlaceCandidates& operator=(const PlaceCandidates&) = delete;
 
   void candidates(std::size_t observation,
                   std::vector<association::Candidate>& candidates) const override;
+  Descriptor descriptor(std::size_t landmark) const override {
+    return descriptors_.of(graph_.ids()[landmark]);
+  }
   Eigen::Matrix2d crossCovariance(const association::Pairing& first,
                                   const association::Pairing& second) const override;
 
@@ -43,6 +48,7 @@ class PlaceCandidates final : public IdCandidates {
   void findNear(const LandmarkObservationArray& array, double gate);
   std::size_t matchOf(const association::Pairing& pairing) const;
 
+  const association::DescriptorMap& descriptors_;
   /// Each observation with each landmark near it, by observation; those of observation i begin at
   /// first_[i].
   std::vector<Match> matches_;

@@ -70,6 +70,7 @@ void GraphSlam::describe(Ports& ports) {
 
 void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<LandmarkRemover>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<EventReporter>(*this);
@@ -133,7 +134,9 @@ void GraphSlam::reset() {
 }
 
 LandmarkMap GraphSlam::landmarks() const {
-  return config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
+  auto map = config_.mapIsFixed() ? fixed_map_ : graph_->landmarks.map();
+  associator_.descriptors().describe(map);
+  return map;
 }
 
 std::optional<OccupancyGrid> GraphSlam::grid() const {
@@ -156,7 +159,9 @@ MapState GraphSlam::state() const {
   const auto size = graph_->landmarks.ids().inMap();
   if (config_.mapIsFixed() || uses_grid_ || size > static_cast<std::size_t>(config_.joint_limit))
     return {pose(), landmarks(), {}, grid()};
-  return graph_->landmarks.state();
+  auto state = graph_->landmarks.state();
+  associator_.descriptors().describe(state.landmarks);
+  return state;
 }
 
 Status GraphSlam::execute() {
@@ -294,6 +299,17 @@ void GraphSlam::removeGhosts(const Association& association, const Pose2& sensor
   }
 }
 
+Status GraphSlam::remove(LandmarkId id) {
+  auto& ids = idsOf(graph_->landmarks);
+  const auto removal = removalOf(id, ids.find(id).has_value(), config_.mapIsFixed());
+  if (!removal.isOk()) return removal;
+  ids.retire(id);
+  sightings_.restart(id);
+  associator_.forget(id);
+  counters_.add("removed");
+  return removal;
+}
+
 Status GraphSlam::augment(Association& association, const Pose2& sensor) {
   auto status = Status::ok();
   association::NewLandmarks begun(association.taken);
@@ -307,7 +323,9 @@ Status GraphSlam::augment(Association& association, const Pose2& sensor) {
       continue;
     }
     graph_->landmarks.append(z.id, place, z, sensor);
-    begun.setId(graph_->landmarks.ids()[graph_->landmarks.ids().size() - 1]);
+    const auto id = graph_->landmarks.ids()[graph_->landmarks.ids().size() - 1];
+    begun.setId(id);
+    associator_.begin(id, z);
     ++statistics_.added;
   }
   return status;

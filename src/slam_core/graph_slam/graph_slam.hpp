@@ -15,6 +15,7 @@
 #include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
@@ -39,6 +40,7 @@ namespace slam::graph_slam {
 /// them.
 class GraphSlam final : public Backend,
                         LandmarkMapper,
+                        LandmarkRemover,
                         GridMapper,
                         LostReporter,
                         EventReporter,
@@ -74,6 +76,7 @@ class GraphSlam final : public Backend,
   // what it offers as capabilities
   LandmarkMap landmarks() const override;
   UpdateStatistics statistics() const override { return statistics_; }
+  Status remove(LandmarkId id) override;
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
   SavedSession session() const override;
@@ -108,6 +111,7 @@ class GraphSlam final : public Backend,
   struct Resumed {
     std::unique_ptr<Graph> graph;
     association::Sightings sightings;
+    LandmarkMap known;  ///< its landmarks with their descriptors, without covariances
     std::optional<Motion> last_motion;
   };
   std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;

@@ -31,6 +31,15 @@ Motion withPause(const Motion& last, const Motion& motion) {
   return gap.bridge(after) == MotionGap::Bridge::kByPoses ? after : motion;
 }
 
+/// Ids of a session's own making are none that an observation may bring.
+void requireUsableIds(const Session::Kind& kind, bool goes_by_place) {
+  if (kind.has_own_ids && !goes_by_place)
+    throw std::runtime_error(
+        "its landmarks have ids of its own making and this product goes by the ids of "
+        "observations: "
+        "run a product with association: nearest, jcbb or descriptor");
+}
+
 void requireSameKind(const Session::Kind& kind, bool has_grid, double resolution) {
   if (kind.has_grid && !has_grid)
     throw std::runtime_error(
@@ -67,7 +76,8 @@ Session GraphSlam::snapshot() const {
   const auto loops = scans ? scans->loops().states() : std::vector<graph::RobustLoops::State>();
   const auto numbers = SessionParts::numbersOf(path, landmarks, loops);
   Session session;
-  session.kind = {uses_grid_, uses_grid_ ? grid_config_.resolution : 0.0};
+  session.kind = {uses_grid_, uses_grid_ ? grid_config_.resolution : 0.0,
+                  associator_.goesByPlace()};
   SessionParts::write(path, numbers, session);
   SessionParts::write(landmarks, numbers, session);
   if (scans) SessionParts::write(*scans, numbers, session);
@@ -77,13 +87,15 @@ Session GraphSlam::snapshot() const {
     const auto seen = sightings_.record(landmark.id);
     landmark.fits = seen.fits;
     landmark.misses = seen.misses;
+    if (!landmark.is_retired) landmark.descriptor = associator_.descriptors().of(landmark.id);
   }
   session.last_motion = last_motion_;
   return session;
 }
 
 GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
-  Resumed resumed{emptyGraph(session.robot.start), association::Sightings(), session.last_motion};
+  Resumed resumed{emptyGraph(session.robot.start), association::Sightings(), LandmarkMap(),
+                  session.last_motion};
   auto& [path, landmarks, scans, record, reduction] = *resumed.graph;
   SessionParts::read(session, path);
   SessionParts::read(session, landmarks);
@@ -93,8 +105,12 @@ GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
       throw std::runtime_error(status.message);
   SessionParts::read(session, record);
   reduction.keepAll();
-  for (const auto& landmark : session.landmarks)
+  for (const auto& landmark : session.landmarks) {
+    if (landmark.is_retired) continue;
     resumed.sightings.set(landmark.id, {landmark.fits, landmark.misses});
+    resumed.known.push_back({landmark.id, landmark.position, Eigen::Matrix2d::Zero(),
+                             LandmarkKind::kPoint, 0.0, LineExtent(), landmark.descriptor});
+  }
   try {
     const auto& last = path.tail().node;
     eliminate(path.graph(), last ? std::vector{*last} : std::vector<graph::Key>());
@@ -107,6 +123,7 @@ GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
 void GraphSlam::set(const SavedSession& saved) {
   const auto session = sessionOf(saved.bytes);
   requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
+  requireUsableIds(session.kind, associator_.goesByPlace());
   auto taken = resumed(session);
   if (!config_.mapIsFixed()) {
     resumed_ = std::move(taken);
@@ -116,6 +133,7 @@ void GraphSlam::set(const SavedSession& saved) {
   const bool has_joint =
       !scans && landmarks.ids().size() <= static_cast<std::size_t>(config_.joint_limit);
   map_ = has_joint ? landmarks.state() : MapState{path.robot(), landmarks.map(), {}};
+  association::DescriptorMap(taken.known).describe(map_->landmarks);
   if (scans) map_->grid = scans->grid();
 }
 
@@ -125,6 +143,11 @@ void GraphSlam::merge(const SavedSession& saved) {
         "with graph.mode: localization nothing is added to the map: merge while mapping");
   auto session = sessionOf(saved.bytes);
   requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
+  requireUsableIds(session.kind, associator_.goesByPlace());
+  if (!session.kind.has_own_ids && associator_.goesByPlace())
+    throw std::runtime_error(
+        "its landmarks have the ids that were observed and this product gives them ids of its own: "
+        "merge it in a product with association: known_ids");
   if (hasLoadedMap(session))
     throw std::runtime_error(
         "it began with a map that was loaded: load it and merge the other one");
@@ -146,6 +169,7 @@ Status GraphSlam::mergeWaiting() {
     auto both = resumed(merged->session);
     graph_ = std::move(both.graph);
     sightings_ = std::move(both.sightings);
+    associator_.describeBy(both.known);
     const Pose2 moved = before.between(pose().pose);
     counters_.add("merged_sessions");
     events_.push_back({Event::Kind::kMerged,
@@ -167,6 +191,7 @@ void GraphSlam::resume() {
   if (graph_->scans) revision_ = gridRevision();
   graph_ = std::move(resumed_->graph);
   sightings_ = std::move(resumed_->sightings);
+  associator_.restart(resumed_->known);
   last_motion_ = resumed_->last_motion;
   has_moved_ = false;
   motion_.reset();

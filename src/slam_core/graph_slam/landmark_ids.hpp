@@ -31,16 +31,17 @@ class LandmarkIds {
     ids_.push_back(id);
     largest_ = std::max(largest_, id);
   }
-  /// A landmark is not found any more, nor in order(); neither its number nor its id is given
-  /// again.
+  /// A landmark is not found any more, nor in order(). Its number is not given again; its id only
+  /// to who brings it.
   void retire(LandmarkId id) { number_.erase(id); }
+  bool isRetired(std::size_t number) const { return find(ids_[number]) != number; }
   /// @return the number of landmarks that are not retired
   std::size_t inMap() const { return number_.size(); }
   /// The numbers sorted by id.
   std::vector<std::size_t> order() const {
     std::vector<std::size_t> order(ids_.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto is_retired = [this](std::size_t number) { return !find(ids_[number]); };
+    const auto is_retired = [this](std::size_t number) { return isRetired(number); };
     order.erase(std::remove_if(order.begin(), order.end(), is_retired), order.end());
     std::sort(order.begin(), order.end(),
               [this](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });

@@ -12,7 +12,7 @@
 
 namespace slam::graph_slam {
 
-/// A landmark that two maps have, by its id.
+/// A landmark that two maps have.
 struct SharedLandmark {
   std::size_t first = 0, second = 0;  ///< its numbers there
   /// The maps have it there, each in its own frame [m].

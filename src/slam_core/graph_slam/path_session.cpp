@@ -71,7 +71,8 @@ void SessionParts::read(const Session& session, NodeChain& chain) {
 void SessionParts::write(const LandmarkGraph& from, const SessionNumbers& numbers,
                          Session& session) {
   for (std::size_t i = 0; i < from.ids_.size(); ++i)
-    session.landmarks.push_back({from.ids_[i], from.point(i), 0, 0});
+    session.landmarks.push_back(
+        {from.ids_[i], from.point(i), 0, 0, from.ids_.isRetired(i), Descriptor()});
   if (from.sightings_.empty()) return;
   session.sightings_node = numbers.variable(from.sightings_node_);
   for (std::size_t i = 0; i < from.ids_.size(); ++i) {
@@ -86,6 +87,7 @@ void SessionParts::write(const LandmarkGraph& from, const SessionNumbers& number
 void SessionParts::read(const Session& session, LandmarkGraph& to) {
   for (std::size_t i = 0; i < session.landmarks.size(); ++i) {
     to.ids_.add(session.landmarks[i].id);
+    if (session.landmarks[i].is_retired) to.ids_.retire(to.ids_[i]);
     to.keys_.push_back(keyOfLandmark(session, static_cast<Session::Index>(i)));
     to.index_.addLandmark();
   }

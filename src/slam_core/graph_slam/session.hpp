@@ -29,11 +29,16 @@ struct Session {
   struct Kind {
     bool has_grid = false;
     double resolution = 0.0;  ///< of the grid [m]
+    /// The landmarks' ids are of the session's own making, as observations are associated by place:
+    /// they mean nothing in another session.
+    bool has_own_ids = false;
   };
   struct Landmark {
     LandmarkId id = kUnknownId;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
     int fits = 0, misses = 0;                            ///< see association::Sightings
+    bool is_retired = false;  ///< it was removed: its factors count, it is in no map
+    Descriptor descriptor = {};
   };
 
   struct PosePrior {

@@ -51,6 +51,10 @@ class SessionWriter {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
       for (Eigen::Index j = 0; j < matrix.cols(); ++j) put(matrix(i, j));
   }
+  void put(Descriptor::Vector& values) {
+    put(static_cast<std::uint8_t>(values.size()));
+    for (const float value : values) put(value);
+  }
   void put(std::string& text) {
     put(static_cast<std::uint64_t>(text.size()));
     bytes_ += text;
@@ -139,6 +143,13 @@ class SessionReader {
         get(value);
         matrix(i, j) = value;
       }
+  }
+  void get(Descriptor::Vector& values) {
+    std::uint8_t size = 0;
+    get(size);
+    if (size > Descriptor::kMostElements) refuse("a descriptor that is too long");
+    values.resize(size);
+    for (auto& value : values) get(value);
   }
   /// Takes the number of rows of a square matrix, whose values follow.
   Eigen::Index edge() {

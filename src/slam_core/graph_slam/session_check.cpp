@@ -102,10 +102,12 @@ class SessionCheck {
     std::set<LandmarkId> ids;
     for (const auto& landmark : it_.landmarks) {
       require(landmark.id >= 0, "it holds a landmark without an id");
-      require(ids.insert(landmark.id).second,
+      require(landmark.is_retired || ids.insert(landmark.id).second,
               "it holds landmark " + std::to_string(landmark.id) + " twice");
       require(landmark.fits >= 0 && landmark.misses >= 0,
               "it holds a landmark that was seen less than never");
+      const auto fault = faultOf(landmark.descriptor);
+      require(fault.empty(), "landmark " + std::to_string(landmark.id) + " of it" + fault);
     }
   }
   void check(const Session::PosePrior& prior) {

@@ -12,11 +12,15 @@ namespace slam::graph_slam {
 
 template <class Archive>
 void fields(Archive& in, Session::Kind& it) {
-  in(it.has_grid, it.resolution);
+  in(it.has_grid, it.resolution, it.has_own_ids);
+}
+template <class Archive>
+void fields(Archive& in, Descriptor& it) {
+  in(it.values, it.sigmas);
 }
 template <class Archive>
 void fields(Archive& in, Session::Landmark& it) {
-  in(it.id, it.position, it.fits, it.misses);
+  in(it.id, it.position, it.fits, it.misses, it.is_retired, it.descriptor);
 }
 template <class Archive>
 void fields(Archive& in, Session::PosePrior& it) {

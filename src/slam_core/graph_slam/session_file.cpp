@@ -15,7 +15,7 @@ namespace slam::graph_slam {
 namespace {
 
 constexpr const char* kMagic = "SLAMGRPH";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kMagicSize = 8, kHeaderSize = kMagicSize + 4 + 8, kSumSize = 8;
 
 /// CRC-64/XZ: ECMA-182's polynomial, reflected.

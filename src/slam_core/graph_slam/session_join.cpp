@@ -29,18 +29,26 @@ class Renumbering {
         scans_(static_cast<Index>(first.scans.size())),
         landmarks_(second.landmarks.size()) {
     for (const auto& [in_first, in_second] : links.landmarks) landmarks_[in_second] = in_first;
-    std::set<LandmarkId> taken;
-    for (const auto& landmark : first.landmarks) taken.insert(landmark.id);
+    std::set<LandmarkId> taken = {kUnknownId};
+    for (const auto& landmark : first.landmarks)
+      if (first.kind.has_own_ids || !landmark.is_retired) taken.insert(landmark.id);
     auto next = static_cast<Index>(first.landmarks.size());
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      if (landmarks_[i] || !taken.insert(second.landmarks[i].id).second) continue;
+      const auto& landmark = second.landmarks[i];
+      if (landmarks_[i] || landmark.is_retired) continue;
+      const auto id = first.kind.has_own_ids ? *taken.rbegin() + 1 : landmark.id;
+      if (!taken.insert(id).second) continue;
       landmarks_[i] = next++;
-      added_.push_back(i);
+      added_.push_back({i, id});
     }
   }
 
+  struct Added {
+    std::size_t number;  ///< in the second session
+    LandmarkId id;       ///< in the joined one
+  };
   /// Those of the second session that the first one does not have.
-  const std::vector<std::size_t>& addedLandmarks() const { return added_; }
+  const std::vector<Added>& addedLandmarks() const { return added_; }
   /// @return the number of a landmark of the second session; none where it is left out
   const std::optional<Index>& landmark(Index number) const { return landmarks_[number]; }
   Index node(Index number) const { return nodes_ + number; }
@@ -62,7 +70,7 @@ class Renumbering {
  private:
   Index nodes_, scans_;
   std::vector<std::optional<Index>> landmarks_;
-  std::vector<std::size_t> added_;
+  std::vector<Added> added_;
 };
 
 /// Takes a factor of the second session into the joined one, where it has a place there.
@@ -123,8 +131,9 @@ std::vector<std::optional<Index>> appendFactors(const Session& second,
 void append(const Session& second, const Renumbering& renumbered, const Pose2& first_second,
             Session& joined) {
   for (const auto& node : second.nodes) joined.nodes.push_back(first_second * node);
-  for (const auto number : renumbered.addedLandmarks()) {
+  for (const auto& [number, id] : renumbered.addedLandmarks()) {
     joined.landmarks.push_back(second.landmarks[number]);
+    joined.landmarks.back().id = id;
     joined.landmarks.back().position = first_second.transform(second.landmarks[number].position);
   }
   for (auto loop : second.loops) {
@@ -211,6 +220,10 @@ void requireJoinable(const Session& first, const Session& second) {
     throw std::invalid_argument("one session has a grid and the other one has none");
   if (first.kind.has_grid && first.kind.resolution != second.kind.resolution)
     throw std::invalid_argument("the sessions' grids have different resolutions");
+  if (first.kind.has_own_ids != second.kind.has_own_ids)
+    throw std::invalid_argument(
+        "the landmarks of one session have ids of its own making and those of the other one the "
+        "ids that were observed: run both drives with the same association");
   if (hasLoadedMap(second))
     throw std::invalid_argument(
         "the second session began with a map that was loaded: give it as the first one");

@@ -14,7 +14,8 @@ namespace slam::graph_slam {
 struct SessionLinks {
   Pose2 first_second;  ///< T_first_second, of the map frames
   /// These landmarks are the same, by their numbers in the first and second session. Other
-  /// landmarks of the second one whose id the first one has are left out.
+  /// landmarks of the second one whose id the first one has are left out, but where ids are of the
+  /// sessions' own making: then they get others. Retired ones of the second are left out.
   std::vector<std::pair<Session::Index, Session::Index>> landmarks;
   /// Places that were recognised, between nodes of the joined session. The first one is taken for
   /// granted, so that the sessions hang together; the others are loops that can be taken back.

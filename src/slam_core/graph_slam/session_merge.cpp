@@ -35,45 +35,7 @@ std::optional<CommonScans> commonScans(const Session& first, const Session& seco
   return common;
 }
 
-/// The covariance of each landmark that is asked for.
-class Marginals {
- public:
-  explicit Marginals(const Session& session) : session_(session), graph_(optimizerOf(session)) {
-    graph_.update({});
-  }
-  Eigen::Matrix2d of(std::size_t landmark) const {
-    return graph_.covariance({keyOfLandmark(session_, static_cast<Session::Index>(landmark))});
-  }
-
- private:
-  const Session& session_;
-  graph::Optimizer graph_;
-};
-
 }  // namespace
-
-std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second) {
-  std::unordered_map<LandmarkId, std::size_t> numbers;  // looked up only, never iterated
-  for (std::size_t i = 0; i < first.landmarks.size(); ++i) numbers[first.landmarks[i].id] = i;
-  std::vector<SharedLandmark> shared;
-  for (std::size_t i = 0; i < second.landmarks.size(); ++i) {
-    const auto known = numbers.find(second.landmarks[i].id);
-    if (known == numbers.end()) continue;
-    SharedLandmark landmark;
-    landmark.first = known->second;
-    landmark.second = i;
-    landmark.in_first = first.landmarks[known->second].position;
-    landmark.in_second = second.landmarks[i].position;
-    shared.push_back(landmark);
-  }
-  if (shared.empty()) return shared;
-  const Marginals in_first(first), in_second(second);
-  for (auto& landmark : shared) {
-    landmark.first_covariance = in_first.of(landmark.first);
-    landmark.second_covariance = in_second.of(landmark.second);
-  }
-  return shared;
-}
 
 void settle(Session& session) {
   constexpr int kMostSteps = 30;
@@ -92,6 +54,15 @@ void settle(Session& session) {
             "is none");
   }
   for (auto& scan : session.scans) scan.drawn = session.nodes[scan.node];
+}
+
+std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second,
+                                            const std::optional<CommonScans>& scans) {
+  if (!first.kind.has_own_ids) return sharedById(first, second);
+  const auto first_second =
+      scans ? std::optional<Pose2>(scans->first_second) : constellationMeeting(first, second);
+  if (!first_second) return {};
+  return sharedByPlace(first, second, *first_second);
 }
 
 std::optional<SessionLinks> linksOf(const std::vector<SharedLandmark>& shared,
@@ -121,8 +92,8 @@ MergedSession mergedBy(const SessionLinks& links, const Session& first, const Se
 MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,
                      GoesOn goes_on) {
   requireJoinable(first, second);
-  const auto shared = sharedLandmarks(first, second);
-  const auto links = linksOf(shared, commonScans(first, second, settings));
+  const auto scans = commonScans(first, second, settings);
+  const auto links = linksOf(sharedLandmarks(first, second, scans), scans);
   if (links) return mergedBy(*links, first, second, goes_on);
   throw std::invalid_argument(
       "the two sessions have nothing in common: no three landmarks that lie alike, and no scans of "

@@ -10,6 +10,7 @@
 #include "slam_core/graph_slam/landmark_meeting.hpp"
 #include "slam_core/graph_slam/scan_meeting.hpp"
 #include "slam_core/graph_slam/session_join.hpp"
+#include "slam_core/graph_slam/shared_landmarks.hpp"
 
 namespace slam::graph_slam {
 
@@ -22,7 +23,9 @@ struct MergedSession {
 
 /// Puts the map of a second session onto that of a first one, in whose map frame the result is:
 /// landmarks of the same id that lie alike, and scans of the second drive that are recognised in
-/// the map of the first, become factors of one graph, which is optimised.
+/// the map of the first, become factors of one graph, which is optimised. Of landmarks whose ids
+/// are of the sessions' own making, those are the same that lie at one place when a constellation
+/// of them or the scans have told how the maps lie.
 /// @throw std::invalid_argument with a sentence where nothing in common is found, where landmarks
 /// and scans contradict each other, where the joined graph does not come to rest, or as joined()
 MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,
@@ -43,8 +46,10 @@ std::optional<SessionLinks> linksOf(const std::vector<SharedLandmark>& shared,
 /// @throw std::invalid_argument where the joined graph does not come to rest
 MergedSession mergedBy(const SessionLinks& links, const Session& first, const Session& second,
                        GoesOn goes_on);
-/// The landmarks that both sessions have, with their marginal covariances.
-std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second);
+/// The landmarks that both sessions have, by their ids; where these are of the sessions' own making
+/// by how the landmarks lie.
+std::vector<SharedLandmark> sharedLandmarks(const Session& first, const Session& second,
+                                            const std::optional<CommonScans>& scans);
 
 /// Optimises the graph of a session, and takes over where it has nodes, landmarks and scans.
 /// @throw std::invalid_argument where it does not come to rest

@@ -3,16 +3,27 @@
 
 #include "slam_core/graph_slam/waiting_session.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
 #include "slam_core/graph/factors.hpp"
 
 namespace slam::graph_slam {
+namespace {
+
+std::size_t inMap(const Session& session) {
+  std::size_t landmarks = 0;
+  for (const auto& landmark : session.landmarks) landmarks += landmark.is_retired ? 0 : 1;
+  return landmarks;
+}
+
+}  // namespace
 
 WaitingSession::WaitingSession(Session session, const ScanSettings& settings)
     : session_(std::move(session)) {
-  for (const auto& landmark : session_.landmarks) ids_.insert(landmark.id);
+  for (const auto& landmark : session_.landmarks)
+    if (!landmark.is_retired) ids_.insert(landmark.id);
   if (!session_.scans.empty()) meeting_.emplace(session_, settings);
 }
 
@@ -24,7 +35,8 @@ void WaitingSession::see(const SharedScan& scan) {
 
 std::size_t WaitingSession::sharedWith(const LandmarkIds& running) const {
   std::size_t shared = 0;
-  for (std::size_t i = 0; i < running.size(); ++i) shared += ids_.count(running[i]);
+  for (std::size_t i = 0; i < running.size(); ++i)
+    if (!running.isRetired(i)) shared += ids_.count(running[i]);
   return shared;
 }
 
@@ -32,8 +44,15 @@ bool WaitingSession::isDue(const LandmarkIds& running) const {
   constexpr std::size_t kEnough = 3;
   const bool has_scans = seen_.size() >= kEnough && seen_.size() > tried_scans_;
   if (has_scans) return true;
+  if (session_.kind.has_own_ids) return hasGrown(running.inMap());
   const auto shared = sharedWith(running);
   return shared >= kEnough && shared > tried_landmarks_;
+}
+
+/// A constellation is looked for each time that the running map has grown by a fifth.
+bool WaitingSession::hasGrown(std::size_t landmarks) const {
+  constexpr std::size_t kLeast = 5;
+  return landmarks >= tried_landmarks_ + std::max(kLeast, tried_landmarks_ / 5);
 }
 
 /// @return what the recognised scans of the running drive say of the waiting map
@@ -57,10 +76,11 @@ std::optional<CommonScans> WaitingSession::commonScans(const Session& running) c
 }
 
 std::optional<MergedSession> WaitingSession::merged(const Session& running) {
-  const auto shared = sharedLandmarks(running, session_);
-  tried_landmarks_ = shared.size();
+  const auto scans = commonScans(running);
+  const auto shared = sharedLandmarks(running, session_, scans);
+  tried_landmarks_ = session_.kind.has_own_ids ? inMap(running) : shared.size();
   tried_scans_ = seen_.size();
-  const auto links = linksOf(shared, commonScans(running));
+  const auto links = linksOf(shared, scans);
   if (!links) return std::nullopt;
   return mergedBy(*links, running, session_, GoesOn::kFirst);
 }

@@ -35,13 +35,16 @@ class WaitingSession {
  private:
   std::optional<CommonScans> commonScans(const Session& running) const;
   std::size_t sharedWith(const LandmarkIds& running) const;
+  bool hasGrown(std::size_t landmarks) const;
 
   const Session session_;
-  std::unordered_set<LandmarkId> ids_;                 // looked up only, never iterated
-  std::optional<ScanMeeting> meeting_;                 ///< where it has scans
-  std::vector<SharedScan> seen_;                       ///< those that were recognised
-  std::size_t scans_ = 0;                              ///< that became nodes
-  std::size_t tried_landmarks_ = 0, tried_scans_ = 0;  ///< recognised when merged() was called
+  std::unordered_set<LandmarkId> ids_;  // looked up only, never iterated
+  std::optional<ScanMeeting> meeting_;  ///< where it has scans
+  std::vector<SharedScan> seen_;        ///< those that were recognised
+  std::size_t scans_ = 0;               ///< that became nodes
+  /// Recognised when merged() was called; where ids are of its own making, in the running map.
+  std::size_t tried_landmarks_ = 0;
+  std::size_t tried_scans_ = 0;  ///< recognised when merged() was called
 };
 
 }  // namespace slam::graph_slam

@@ -130,7 +130,9 @@ std::optional<Cylinder> fitCylinder(const Beams& beams, double spacing, const Be
   if (!(step < std::sqrt(kConverged)) || factor.info() != Eigen::Success) return std::nullopt;
   const double dof = static_cast<double>(normal.beams) + 2.0 - 3.0;  // two edges, three values
   Cylinder cylinder{x(0), wrapAngle(x(1)), x(2), {}, misfitOf(normal.sum, dof)};
-  cylinder.covariance = factor.solve(Eigen::Matrix3d::Identity()).topLeftCorner<2, 2>();
+  const Eigen::Matrix3d P = factor.solve(Eigen::Matrix3d::Identity());
+  cylinder.covariance = P.topLeftCorner<2, 2>();
+  cylinder.sigma_radius = std::sqrt(P(2, 2));
   return cylinder;
 }
 

@@ -18,7 +18,8 @@ struct Cylinder {
   double radius = 0.0;   ///< [m]
   /// of (range, bearing) [m^2, m rad, rad^2], marginal over the radius
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  double misfit = 0.0;  ///< see misfitOf()
+  double misfit = 0.0;        ///< see misfitOf()
+  double sigma_radius = 0.0;  ///< [m]
 };
 
 /// The circle that follows from the angular width of the beams: its radius is r s / (1 - s), with r

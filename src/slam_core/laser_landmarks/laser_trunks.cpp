@@ -4,6 +4,7 @@
 #include "slam_core/laser_landmarks/laser_trunks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
@@ -18,11 +19,11 @@ const SectionRegistrar<LaserTrunksConfig> kSectionRegistrar;
 /// The number of beams gives a rough diameter. No circle is fitted where that is beyond the limits
 /// by more than this factor.
 constexpr double kRoughly = 1.5;
-/// A filter assumes that the errors of successive scans are independent. Two errors of trunks with
-/// few beams, that is of far ones, are not. A trunk that is narrower than the spacing looks as wide
-/// as the spacing in every scan, which puts its axis too far by half of that. And an edge ahead of
-/// the robot lies between the same two beams for many scans. These are the standard deviations of
-/// both errors for a trunk of one beam, relative to the spacing.
+/// A filter takes the errors of scans for independent. Two errors of trunks of few beams, which are
+/// the far ones, are not: one that is narrower than a beam looks as wide as one whenever it is
+/// seen, and its axis half of that too far; and edges that lie between two beams ahead of a robot
+/// stay there for many scans. These are their shares of the spacing for one beam, as standard
+/// deviations. The radius errs with the range.
 constexpr double kAlikeRange = 0.5, kAlikeBearing = 0.3;
 
 Eigen::Matrix2d alikeBetweenScans(double range, double spacing, std::size_t beams) {
@@ -57,6 +58,8 @@ Status LaserTrunks::find(const LaserScan& scan, Observations& found, Counters& c
     if (!trunk) continue;
     const auto alike = alikeBetweenScans(trunk->range, spacing, segment.beams.size());
     found.push_back({kUnknownId, trunk->range, trunk->bearing, trunk->covariance + alike});
+    found.back().descriptor =
+        descriptorOf(trunk->radius, std::hypot(trunk->sigma_radius, std::sqrt(alike(0, 0))));
   }
   return Status::ok();
 }

@@ -14,8 +14,8 @@
 namespace slam::laser_landmarks {
 
 /// Finds upright cylinders in the scans of a horizontal laser: trunks of trees, poles, pillars. A
-/// scan is cut where ranges jump. A segment that is hidden at neither side and whose width suits a
-/// trunk is a landmark if a circle fits it (Guivant, Nebot 2001).
+/// scan is cut where ranges jump; what is wide enough, thin enough and not hidden at either side is
+/// a landmark where a circle fits it (Guivant, Nebot 2001). Its descriptor is the radius [m].
 ///
 /// Segments within max_range that are no landmark are counted: "few_points", "hidden" (a nearer
 /// object is beside it), "cut_off" (at an end of the sweep, or beside a beam without a reading),

@@ -44,6 +44,8 @@ struct Landmark {
   LandmarkKind kind = LandmarkKind::kPoint;
   double direction = 0.0;  ///< of the perpendicular to a line, away from who saw it [rad]
   LineExtent extent = {};  ///< of a line, from `position`
+  /// By all observations of the landmark; empty where they have none.
+  Descriptor descriptor = {};
 
   bool isLine() const { return kind == LandmarkKind::kLine; }
 };

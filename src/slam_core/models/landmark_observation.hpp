@@ -10,6 +10,7 @@
 
 #include "slam_core/common/time.hpp"
 #include "slam_core/geometry/pose2.hpp"
+#include "slam_core/models/descriptor.hpp"
 
 namespace slam {
 
@@ -34,7 +35,8 @@ struct LandmarkObservation {
   /// of (range, bearing) [m^2, m rad, rad^2]; element (0, 0) = -1 stands for "unknown"
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   LandmarkKind kind = LandmarkKind::kPoint;
-  LineExtent extent = {};  ///< of a line, from the foot of the perpendicular
+  LineExtent extent = {};      ///< of a line, from the foot of the perpendicular
+  Descriptor descriptor = {};  ///< empty where the detector gives none
 
   Eigen::Vector2d vector() const { return {range, bearing}; }
   bool hasCovariance() const { return covariance(0, 0) != -1.0; }
@@ -51,7 +53,8 @@ struct LandmarkObservationArray {
 };
 
 /// Empty, or what makes the observation unusable (NaN, a range that is not positive or absurd, a
-/// covariance that is not positive definite or absurdly large, a line without a length).
+/// covariance that is not positive definite or absurdly large, a line without a length). Of the
+/// descriptor faultOf(Descriptor) says the same.
 std::string faultOf(const LandmarkObservation& observation);
 
 }  // namespace slam

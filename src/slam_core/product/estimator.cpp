@@ -10,6 +10,7 @@
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/association_chooser.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/session_merger.hpp"
 
@@ -167,6 +168,13 @@ Status merge(const SavedSession& session, const Estimator& estimator) {
     return Status::error(error.what());
   }
   return Status::ok();
+}
+
+Status removeLandmark(LandmarkId id, const Estimator& estimator) {
+  auto* remover = estimator.capabilities().find<LandmarkRemover>();
+  if (remover == nullptr)
+    return Status::error("this back-end maps no landmarks: use ekf, pf or graph");
+  return remover->remove(id);
 }
 
 Status Estimator::startWith(SavedSession session) {

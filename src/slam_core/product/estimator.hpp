@@ -117,6 +117,8 @@ class Estimator final : public Component {
   Counters counters_;
 };
 
+/// Has the estimator's back-end forget a landmark (LandmarkRemover).
+Status removeLandmark(LandmarkId id, const Estimator& estimator);
 /// Has a session wait until the estimator's back-end recognises it (SessionMerger).
 Status merge(const SavedSession& session, const Estimator& estimator);
 

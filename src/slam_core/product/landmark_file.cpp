@@ -78,9 +78,27 @@ Eigen::Matrix<double, N, N> covariance(const YAML::Node& node, const std::string
 std::string textOf(const Landmark& landmark) {
   const auto line = fmt::format(", kind: line, direction: {}, begin: {}, end: {}",
                                 landmark.direction, landmark.extent.begin, landmark.extent.end);
-  return fmt::format("  - {{id: {}, x: {}, y: {}, covariance: [{}]{}}}\n", landmark.id,
+  const auto& [values, sigmas] = landmark.descriptor;
+  const auto descriptor =
+      fmt::format(", descriptor: [{}], descriptor_sigma: [{}]", numbers(values), numbers(sigmas));
+  return fmt::format("  - {{id: {}, x: {}, y: {}, covariance: [{}]{}{}}}\n", landmark.id,
                      landmark.position.x(), landmark.position.y(), numbers(landmark.covariance),
-                     landmark.isLine() ? line : "");
+                     landmark.isLine() ? line : "",
+                     landmark.descriptor.isEmpty() ? "" : descriptor);
+}
+
+Descriptor::Vector descriptorNumbers(const YAML::Node& node) {
+  const auto numbers = node ? node.as<std::vector<float>>() : std::vector<float>();
+  constexpr std::size_t kRoom = Descriptor::kMostElements + 1;
+  const auto size = static_cast<Eigen::Index>(std::min(numbers.size(), kRoom));
+  return Eigen::Map<const Eigen::VectorXf>(numbers.data(), size);
+}
+
+void readDescriptor(const YAML::Node& entry, Landmark& landmark) {
+  landmark.descriptor = {descriptorNumbers(entry["descriptor"]),
+                         descriptorNumbers(entry["descriptor_sigma"])};
+  if (const auto fault = faultOf(landmark.descriptor); !fault.empty())
+    throw std::runtime_error(fmt::format("landmark {}{}", landmark.id, fault));
 }
 
 /// A landmark without a kind is a point.
@@ -107,6 +125,7 @@ LandmarkMap readLandmarks(const YAML::Node& list) {
     landmark.covariance =
         covariance<2>(entry["covariance"], "landmark " + std::to_string(landmark.id));
     readKind(entry, landmark);
+    readDescriptor(entry, landmark);
     landmarks.push_back(landmark);
   }
   const auto by_id = [](const Landmark& a, const Landmark& b) { return a.id < b.id; };

@@ -26,6 +26,26 @@ std::string leaveOutInvalid(Observations& all, Counters& counters) {
   return told;
 }
 
+/// @param size of all descriptors; 0 before the first one
+std::string leaveOutDescriptors(Observations& all, Eigen::Index& size, Counters& counters) {
+  std::string told;
+  for (auto& z : all) {
+    if (z.descriptor.isEmpty()) continue;
+    auto fault = faultOf(z.descriptor);
+    if (fault.empty() && size > 0 && z.descriptor.size() != size)
+      fault = fmt::format(" has a descriptor of {} elements and those before had {}",
+                          z.descriptor.size(), size);
+    if (fault.empty()) {
+      size = z.descriptor.size();
+      continue;
+    }
+    z.descriptor = {};
+    counters.add("invalid_descriptor");
+    told = fmt::format("observation of landmark {}{}; the descriptor is left out", z.id, fault);
+  }
+  return told;
+}
+
 std::string leaveOutLines(Observations& all, Counters& counters) {
   const auto is_line = [](const LandmarkObservation& z) { return z.isLine(); };
   const auto lines = std::count_if(all.begin(), all.end(), is_line);
@@ -55,7 +75,7 @@ std::string leaveOutBeyond(std::size_t most, Observations& sorted, Counters& cou
 
 }  // namespace
 
-std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters& counters) const {
+std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters& counters) {
   completeCovariances(sensor_, array);
   auto& all = array.observations;
   if (!array.sensor_pose.isFinite()) {
@@ -64,12 +84,14 @@ std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters&
     return "observations with a sensor pose that holds a value that is not a number are left out";
   }
   const auto invalid = leaveOutInvalid(all, counters);
+  const auto descriptors = leaveOutDescriptors(all, descriptor_size_, counters);
   const auto lines = takes_lines_ ? std::string() : leaveOutLines(all, counters);
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.id < b.id; });
   const auto beyond = leaveOutBeyond(kMostObservations, all, counters);
   if (!beyond.empty()) return beyond;
-  return invalid.empty() ? lines : invalid;
+  if (!invalid.empty()) return invalid;
+  return descriptors.empty() ? lines : descriptors;
 }
 
 std::string ObservationIntake::admit(LandmarkObservationArray& array, Counters& counters) {
@@ -93,6 +115,7 @@ std::string ObservationIntake::admit(LandmarkObservationArray& array, Counters& 
 
 void ObservationIntake::knowOnly(const LandmarkMap& map) {
   known_.clear();
+  descriptor_size_ = 0;
   for (const auto& landmark : map) known_.insert(landmark.id);
 }
 

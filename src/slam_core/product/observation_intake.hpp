@@ -14,7 +14,8 @@ namespace slam {
 
 /// What the Estimator lets through to its back-end of an observation array. The work of a step
 /// grows with the cube of the observations and its memory with the square of the map, so that one
-/// wild array could stop a robot. Counted: "invalid_observation", "line_observation",
+/// wild array could stop a robot. A descriptor that cannot be used is left out and the observation
+/// stays. Counted: "invalid_observation", "invalid_descriptor", "line_observation",
 /// "observations_beyond_limit", "new_landmarks_beyond_limit".
 class ObservationIntake {
  public:
@@ -28,19 +29,21 @@ class ObservationIntake {
   /// When an array arrives: fills in the sensor's covariances, leaves out what is invalid or beyond
   /// kMostObservations, and sorts by id.
   /// @return what was left out and why; empty where nothing was
-  std::string screen(LandmarkObservationArray& array, Counters& counters) const;
+  std::string screen(LandmarkObservationArray& array, Counters& counters);
 
   /// When a step takes the array: leaves out new landmarks beyond kMostNewLandmarks. They come with
   /// a later array. @return as screen()
   std::string admit(LandmarkObservationArray& array, Counters& counters);
 
-  /// The landmarks of a map are not new; those that were admitted before are.
+  /// The landmarks of a map are not new; those that were admitted before are. Descriptors may have
+  /// another length from then on.
   void knowOnly(const LandmarkMap& map);
 
  private:
   LandmarkSensorConfig sensor_;
   bool takes_lines_;
   std::unordered_set<LandmarkId> known_;  // looked up only, never iterated
+  Eigen::Index descriptor_size_ = 0;      ///< of all, as the first one has it; 0 before that
 };
 
 }  // namespace slam

@@ -57,7 +57,7 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("association", &association,
              "how it is decided of which landmark an observation is: known_ids (it says so), "
              "nearest (by its place, each on its own), jcbb (by their places, all of a stamp "
-             "together)");
+             "together), descriptor (as jcbb, among landmarks whose descriptor fits)");
   fields.add("map", &map, mapKindNames(),
              "representation of the map: landmarks, or a grid that a laser's scans are drawn into");
   for (const auto& name : Registry<MapModule>::instance().names())

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "slam_core/geometry/covariance.hpp"
+#include "slam_core/geometry/one_place.hpp"
 #include "slam_core/scan_matching/drawn_grid.hpp"
 
 namespace slam::relocalisation {

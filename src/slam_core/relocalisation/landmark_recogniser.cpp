@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "slam_core/geometry/one_place.hpp"
+
 namespace slam::relocalisation {
 namespace {
 
@@ -42,7 +44,7 @@ void LandmarkRecogniser::forget() {
 
 void LandmarkRecogniser::begin(LandmarkMap map) {
   map_ = std::move(map);
-  search_ = std::make_unique<ConstellationSearch>(map_, config_.outlier_share);
+  search_ = std::make_unique<association::ConstellationSearch>(map_, config_.outlier_share);
   candidate_.reset();
   has_news_ = true;
 }

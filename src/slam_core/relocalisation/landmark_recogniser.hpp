@@ -6,7 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "slam_core/relocalisation/constellation_search.hpp"
+#include "slam_core/association/constellation_search.hpp"
+#include "slam_core/relocalisation/local_landmarks.hpp"
 #include "slam_core/relocalisation/recognition.hpp"
 #include "slam_core/relocalisation/relocalisation_config.hpp"
 
@@ -48,7 +49,7 @@ class LandmarkRecogniser {
   LocalLandmarks local_;
   association::SensorReach reach_;  ///< around the base
   LandmarkMap map_;
-  std::unique_ptr<ConstellationSearch> search_;  ///< in the map
+  std::unique_ptr<association::ConstellationSearch> search_;  ///< in the map
   std::optional<Candidate> candidate_;
   bool has_news_ = false;
 };

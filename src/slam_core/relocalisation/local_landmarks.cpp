@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 namespace slam::relocalisation {
@@ -30,6 +31,7 @@ void fuse(LocalLandmark& known, const LocalLandmark& seen) {
   known.position += K * (seen.position - known.position);
   const Eigen::Matrix2d fused = P - K * P;
   known.covariance = 0.5 * (fused + fused.transpose());
+  association::fuse(seen.descriptor, known.descriptor);
 }
 
 }  // namespace
@@ -63,6 +65,7 @@ bool LocalLandmarks::see(const LandmarkObservationArray& array) {
     if (ids_ == Ids::kKnown) seen.id = z.id;
     seen.position = model.invert({}, array.sensor_pose, z.vector(), nullptr, &J_z);
     seen.covariance = J_z * z.covariance * J_z.transpose();
+    seen.descriptor = z.descriptor;
     if (seen.position.allFinite() && seen.covariance.trace() < kVagueSigma * kVagueSigma)
       has_new |= see(seen);
   }

@@ -6,17 +6,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "slam_core/association/local_landmark.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::relocalisation {
 
-/// A landmark that the robot has seen recently, independent of any map.
-struct LocalLandmark {
-  LandmarkId id = kUnknownId;
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the robot's frame [m]
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
-};
+using association::LocalLandmark;
 
 /// A local map of the landmarks that the robot has seen on the last metres. It needs neither a map
 /// nor a pose, and can be searched for in a map.

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "slam_core/geometry/angle.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam::relocalisation {
@@ -21,12 +20,5 @@ struct Recognition {
 
   bool hasPlace() const { return verdict == Verdict::kLikely || verdict == Verdict::kConfirmed; }
 };
-
-/// Whether two poses are the same place, within the accuracy of a search.
-inline bool areOnePlace(const Pose2& a, const Pose2& b) {
-  constexpr double kShift = 0.5, kTurn = 0.3;  // [m], [rad]
-  return (a.position() - b.position()).norm() < kShift &&
-         std::abs(wrapAngle(a.theta() - b.theta())) < kTurn;
-}
 
 }  // namespace slam::relocalisation

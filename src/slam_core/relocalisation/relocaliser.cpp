@@ -12,6 +12,7 @@
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
+#include "slam_core/geometry/angle.hpp"
 
 namespace slam::relocalisation {
 namespace {

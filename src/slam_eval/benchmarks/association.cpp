@@ -73,6 +73,7 @@ void measure(const std::string& name) {
   std::vector<slam::association::Decision> decisions;
   slam::RandomStream random(1, 0);
   auto state = mapAround({});
+  const slam::association::DescriptorMap descriptors;
   for (int i = 0; i < kPlaces; ++i) {
     const slam::Pose2 robot(kSpacing * kRow * random.uniform(), 20.0 * random.uniform(),
                             6.0 * random.uniform());
@@ -81,7 +82,7 @@ void measure(const std::string& name) {
     const double start = slam::eval::cpuMilliseconds();
     const auto near = slam::ekf::landmarksByPlace(array, state, kModel, gate);
     state.take(near.all());
-    const slam::ekf::PlaceCandidates source(array, state, kModel, near);
+    const slam::ekf::PlaceCandidates source(array, state, kModel, near, descriptors);
     const double searched = slam::eval::cpuMilliseconds();
     policy->decide(array, source, false, decisions);
     const double end = slam::eval::cpuMilliseconds();

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "slam_core/common/atomic_file.hpp"
@@ -52,7 +53,8 @@ BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame, 
       reset_(handle.advertiseService("reset", &BackendServices::reset, this)),
       pause_(handle.advertiseService("pause", &BackendServices::pause, this)),
       save_(handle.advertiseService("save_map", &BackendServices::save, this)),
-      load_(handle.advertiseService("load_map", &BackendServices::load, this)) {
+      load_(handle.advertiseService("load_map", &BackendServices::load, this)),
+      remove_(handle.advertiseService("remove_landmark", &BackendServices::remove, this)) {
   if (!actions_.session) return;
   save_session_ = handle.advertiseService("save_session", &BackendServices::saveSession, this);
   load_session_ = handle.advertiseService("load_session", &BackendServices::loadSession, this);
@@ -91,6 +93,16 @@ bool BackendServices::load(slam_msgs::LoadMap::Request& request,
     const auto said =
         contents(file, has_grid_) + " and the pose loaded from " + path + inflated(file);
     return status.isOk() ? said : said + "; " + status.message;
+  });
+}
+
+bool BackendServices::remove(slam_msgs::RemoveLandmark::Request& request,
+                             slam_msgs::RemoveLandmark::Response& response) {
+  return answer(response, [&] {
+    const auto status = actions_.remove(request.id);
+    if (!status.isOk()) throw std::runtime_error(status.message);
+    return "landmark " + std::to_string(request.id) +
+           " is removed; should it be seen again, it is a new one";
   });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace slam_ros {
 namespace {
@@ -30,6 +31,20 @@ Eigen::Matrix<double, N, N> squareMatrix(const Array& values) {
 template <int N, class Array>
 void copyTo(const Eigen::Matrix<double, N, N>& matrix, Array& values) {
   Eigen::Map<Eigen::Matrix<double, N, N, Eigen::RowMajor>>(values.data()) = matrix;
+}
+
+/// What is longer than a descriptor may be stays too long, so that it is refused.
+slam::Descriptor::Vector descriptorVector(const std::vector<float>& values) {
+  constexpr std::size_t kRoom = slam::Descriptor::kMostElements + 1;
+  const auto size = static_cast<Eigen::Index>(std::min(values.size(), kRoom));
+  return Eigen::Map<const Eigen::VectorXf>(values.data(), size);
+}
+
+template <class Message>
+void copyDescriptor(const slam::Descriptor& descriptor, Message& message) {
+  const auto& [values, sigmas] = descriptor;
+  message.descriptor.assign(values.data(), values.data() + values.size());
+  message.descriptor_sigma.assign(sigmas.data(), sigmas.data() + sigmas.size());
 }
 
 double norm(const geometry_msgs::Quaternion& q) {
@@ -163,6 +178,7 @@ slam_msgs::LandmarkObservationArray toMsg(const slam::LandmarkObservationArray& 
     entry.kind = static_cast<std::uint8_t>(observation.kind);
     entry.begin = observation.extent.begin;
     entry.end = observation.extent.end;
+    copyDescriptor(observation.descriptor, entry);
     message.observations.push_back(entry);
   }
   return message;
@@ -182,6 +198,8 @@ slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray
     observation.covariance = squareMatrix<2>(entry.covariance);
     observation.kind = static_cast<slam::LandmarkKind>(entry.kind);
     observation.extent = {entry.begin, entry.end};
+    observation.descriptor = {descriptorVector(entry.descriptor),
+                              descriptorVector(entry.descriptor_sigma)};
     array.observations.push_back(observation);
   }
   return array;
@@ -216,6 +234,7 @@ slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp sta
     entry.direction = landmark.direction;
     entry.begin = landmark.extent.begin;
     entry.end = landmark.extent.end;
+    copyDescriptor(landmark.descriptor, entry);
     message.landmarks.push_back(entry);
   }
   return message;

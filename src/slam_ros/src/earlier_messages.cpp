@@ -12,7 +12,8 @@
 namespace slam_ros {
 namespace {
 
-/// A message that ends with an array whose items have got longer: what is new is zero.
+/// A message that ends with an array whose items have got longer: what is new is zero, or an array
+/// that is empty.
 struct EarlierMessage {
   const char* type;
   const char* md5sum;
@@ -34,14 +35,21 @@ EarlierMessage earlier(const char* md5sum, std::size_t after_header, std::size_t
 }
 
 constexpr std::size_t kPoint = 8 + 2 * 8 + 4 * 8;  // id, two coordinates, covariance
+constexpr std::size_t kSeen = 1 + 2 * 8;           // kind, begin, end
+constexpr std::size_t kMapped = 1 + 3 * 8;         // kind, direction, begin, end
+constexpr std::size_t kDescriptor = 2 * 4;         // the lengths of descriptor and sigmas
 
-const std::array<EarlierMessage, 2>& earlierMessages() {
-  static const std::array<EarlierMessage, 2> messages = {
-      // sequence and sensor pose; kind, begin, end
-      earlier<slam_msgs::LandmarkObservationArray>("4d86d73cdfcf3dec4ab59a5ebc938d7b", 8 + 3 * 8,
-                                                   kPoint, 1 + 2 * 8),
-      // kind, direction, begin, end
-      earlier<slam_msgs::LandmarkMap>("e0a367408d6ec1d3545dd6bf126df413", 0, kPoint, 1 + 3 * 8)};
+const std::array<EarlierMessage, 4>& earlierMessages() {
+  constexpr std::size_t kBefore = 8 + 3 * 8;  // sequence and sensor pose
+  using Observations = slam_msgs::LandmarkObservationArray;
+  using Map = slam_msgs::LandmarkMap;
+  static const std::array<EarlierMessage, 4> messages = {
+      earlier<Observations>("4d86d73cdfcf3dec4ab59a5ebc938d7b", kBefore, kPoint,
+                            kSeen + kDescriptor),
+      earlier<Observations>("db61b129d3736d6ddb520d68f8481a23", kBefore, kPoint + kSeen,
+                            kDescriptor),
+      earlier<Map>("e0a367408d6ec1d3545dd6bf126df413", 0, kPoint, kMapped + kDescriptor),
+      earlier<Map>("5656c7fc0763bd4a9c4a63d2e6ce62a4", 0, kPoint + kMapped, kDescriptor)};
   return messages;
 }
 

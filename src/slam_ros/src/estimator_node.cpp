@@ -127,6 +127,7 @@ BackendActions EstimatorNode::actions() {
   actions.load = [this](const slam::LandmarkFile& file) {
     return tellingOfMap(coordinator_.set(file.map));
   };
+  actions.remove = [this](slam::LandmarkId id) { return removeLandmark(id, estimator()); };
   const auto* keeper = estimator().capabilities().find<slam::SessionKeeper>();
   if (keeper == nullptr) return actions;
   actions.session = [keeper] { return keeper->session(); };

@@ -50,7 +50,7 @@ class PlacePolicyTest : public testing::TestWithParam<const char*> {
   std::vector<Decision> decisions;
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, PlacePolicyTest, testing::Values("nearest", "jcbb"),
+INSTANTIATE_TEST_SUITE_P(Of, PlacePolicyTest, testing::Values("nearest", "jcbb", "descriptor"),
                          [](const auto& policy) { return std::string(policy.param); });
 
 TEST_P(PlacePolicyTest, TakesAnObservationForTheLandmarkWhereItLies) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
@@ -16,8 +17,8 @@ namespace slam::association::test {
 class PlacedLandmarks final : public CandidateSource {
  public:
   PlacedLandmarks(const std::vector<Eigen::Vector2d>& places, const LandmarkObservationArray& array,
-                  const Eigen::Matrix3d& P)
-      : places_(places), array_(array), P_(P) {}
+                  const Eigen::Matrix3d& P, std::vector<Descriptor> descriptors = {})
+      : places_(places), array_(array), P_(P), descriptors_(std::move(descriptors)) {}
 
   std::size_t size() const override { return places_.size(); }
   std::optional<std::size_t> find(LandmarkId) const override { return std::nullopt; }
@@ -30,6 +31,9 @@ class PlacedLandmarks final : public CandidateSource {
           {i, model_.innovation(z.vector(), predicted), H * P_ * H.transpose() + z.covariance});
     }
   }
+  Descriptor descriptor(std::size_t landmark) const override {
+    return landmark < descriptors_.size() ? descriptors_[landmark] : Descriptor();
+  }
   Eigen::Matrix2d crossCovariance(const Pairing& first, const Pairing& second) const override {
     ObservationModel::Jacobian23 a, b;
     model_.predict(Pose2(), array_.sensor_pose, places_[first.landmark], &a);
@@ -41,6 +45,7 @@ class PlacedLandmarks final : public CandidateSource {
   const std::vector<Eigen::Vector2d>& places_;
   const LandmarkObservationArray& array_;
   Eigen::Matrix3d P_;
+  std::vector<Descriptor> descriptors_;
   RangeBearingModel model_;
 };
 

@@ -243,10 +243,11 @@ class PlaceCandidatesTest : public testing::Test {
   std::vector<Eigen::Vector2d> landmarks = twoLandmarks();
   LandmarkObservationArray array = observationsOf(landmarks);
   LandmarksByPlace near;
+  association::DescriptorMap descriptors;
 };
 
 TEST_F(PlaceCandidatesTest, AreTheLandmarksAroundWithTheirInnovation) {
-  const PlaceCandidates source(array, state, model, near);
+  const PlaceCandidates source(array, state, model, near, descriptors);
   EXPECT_EQ(source.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     std::vector<Candidate> candidates;
@@ -264,7 +265,7 @@ TEST_F(PlaceCandidatesTest, AreTheLandmarksAroundWithTheirInnovation) {
 TEST_F(PlaceCandidatesTest, TellHowTwoInnovationsBelongTogether) {
   Eigen::Matrix3d Q = Eigen::Vector3d(0.04, 0.02, 0.001).asDiagonal();
   state.predict(Pose2(0.5, 0.1, 0.1), Q);
-  const PlaceCandidates source(array, state, model, near);
+  const PlaceCandidates source(array, state, model, near, descriptors);
   const Eigen::Matrix2d cross = source.crossCovariance({0, 0}, {1, 1});
   const std::vector<Match> both = {{state.slotOf(0), array.observations[0]},
                                    {state.slotOf(1), array.observations[1]}};

@@ -5,9 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
+#include "slam_core/common/random.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
 #include "slam_core/graph_slam/session_file.hpp"
@@ -161,6 +165,104 @@ TEST_F(DrivesPastLandmarks, AreMergedWhileTheFirstDrivesOn) {
   first.take(world, SimulatedWorld::kLap);
   EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
   expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
+}
+
+/// Two drives past trees that are told apart by their places alone.
+class DrivesThroughAWood : public testing::Test {
+ protected:
+  static GraphConfig byPlace() {
+    GraphConfig config;
+    config.association = "jcbb";
+    return config;
+  }
+  static std::map<LandmarkId, Eigen::Vector2d> trees() {
+    RandomStream random(7, 0);
+    std::map<LandmarkId, Eigen::Vector2d> places;
+    while (places.size() < 24) {
+      const Eigen::Vector2d place(16.0 * random.uniform() - 8.0, 16.0 * random.uniform() - 4.0);
+      const auto is_near = [&](const auto& other) { return (other.second - place).norm() < 1.5; };
+      const double from_way = std::abs((place - Eigen::Vector2d(0.0, 4.0)).norm() - 4.0);
+      if (from_way > 0.7 && std::none_of(places.begin(), places.end(), is_near))
+        places[static_cast<LandmarkId>(places.size())] = place;
+    }
+    return places;
+  }
+  DrivesThroughAWood() {
+    first.backend->configure(byPlace());
+    second.backend->configure(byPlace());
+    first.take(world, kLap + 20);
+    start = skip(again, 40);
+    second.take(again, kLap);
+  }
+  /// Each tree is in the map once.
+  void expectTrees(const Session& session) const {
+    std::set<LandmarkId> ids, found;
+    for (const auto& landmark : session.landmarks) {
+      if (landmark.is_retired) continue;
+      EXPECT_TRUE(ids.insert(landmark.id).second);
+      for (const auto& [id, place] : world.landmarks())
+        if ((landmark.position - place).norm() < 0.4) EXPECT_TRUE(found.insert(id).second) << id;
+    }
+    EXPECT_EQ(found.size(), ids.size());
+    EXPECT_GE(found.size(), 15u);
+  }
+  SimulatedWorld world{1, trees()}, again{2, trees()};
+  Drive first{false}, second{false};
+  Pose2 start;  ///< of the second one
+};
+
+TEST_F(DrivesThroughAWood, AreMergedByAConstellationAndNotByIds) {
+  const auto a = first.session(), b = second.session();
+  ASSERT_TRUE(a.kind.has_own_ids);
+  const auto merged = graph_slam::merged(a, b, {}, GoesOn::kFirst);
+  expectNear(merged.first_second, start, 0.2, 0.05);
+  EXPECT_GE(merged.landmarks, 10u);
+  expectTrees(merged.session);
+}
+
+TEST_F(DrivesThroughAWood, AreMergedWhileTheFirstDrivesOn) {
+  as<SessionMerger>(*first.backend).merge({bytesOf(second.session())});
+  first.take(world, 3);
+  EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
+  first.take(world, kLap);
+  expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
+  expectTrees(first.session());
+}
+
+TEST_F(DrivesThroughAWood, AreNotMergedWithOneThatHasTheIdsOfMarkers) {
+  SimulatedWorld markers(3);
+  Drive by_id{false};
+  by_id.take(markers, 60);
+  const auto a = first.session(), b = by_id.session();
+  EXPECT_NE(sentenceOf([&] {
+              graph_slam::merged(a, b, {}, GoesOn::kFirst);
+            }).find("run both drives with the same association"),
+            std::string::npos);
+  EXPECT_NE(sentenceOf([&] {
+              as<SessionMerger>(*first.backend).merge({bytesOf(b)});
+            }).find("merge it in a product with association: known_ids"),
+            std::string::npos);
+  EXPECT_NE(sentenceOf([&] {
+              as<SessionMerger>(*by_id.backend).merge({bytesOf(a)});
+            }).find("ids of its own making"),
+            std::string::npos);
+}
+
+/// The landmarks of this world lie on two circles, evenly: they look alike from each of eight
+/// sides.
+TEST(DrivesPastLandmarksThatLookAlike, AreNotMergedByConstellations) {
+  SimulatedWorld world(1), again(2);
+  Drive first{false}, second{false};
+  GraphConfig config;
+  config.association = "jcbb";
+  first.backend->configure(config);
+  second.backend->configure(config);
+  first.take(world, kLap);
+  second.take(again, kLap);
+  const auto a = first.session(), b = second.session();
+  EXPECT_NE(
+      sentenceOf([&] { graph_slam::merged(a, b, {}, GoesOn::kFirst); }).find("nothing in common"),
+      std::string::npos);
 }
 
 /// The second part of the path has a prior of its own, in the second map.

@@ -163,6 +163,63 @@ TEST(Session, GoesOnWithScansAsIfItHadNeverStopped) {
   EXPECT_GT(second->counters()["loops"], 10u);
 }
 
+TEST(Session, KeepsALandmarkRemovedThatWasRemovedAndFoundAnew) {
+  SimulatedWorld world(1);
+  auto first = made();
+  drive(*first, world, 80);
+  ASSERT_TRUE(as<LandmarkRemover>(*first).remove(10).isOk());
+  ASSERT_TRUE(as<LandmarkRemover>(*first).remove(13).isOk());
+  const auto size = as<LandmarkMapper>(*first).landmarks().size();
+  EXPECT_EQ(as<LandmarkMapper>(*resumed(saved(*first))).landmarks().size(), size);
+  drive(*first, world, kLap);
+  const auto session = saved(*first);
+  auto second = resumed(session);
+  EXPECT_EQ(saved(*second), session);
+  const auto map = as<LandmarkMapper>(*second).landmarks();
+  EXPECT_EQ(map.size(), world.landmarks().size());
+  for (const auto& landmark : map)
+    EXPECT_LT((landmark.position - world.landmarks().at(landmark.id)).norm(), 0.2);
+}
+
+TEST(Session, OfIdsOfItsOwnMakingIsRefusedWhereIdsDecide) {
+  auto by_place = std::make_unique<GraphSlam>();
+  GraphConfig config;
+  config.association = "jcbb";
+  by_place->configure(config);
+  SimulatedWorld world(1);
+  drive(*by_place, world, 80);
+  const auto session = saved(*by_place);
+  EXPECT_TRUE(sessionOf(session).kind.has_own_ids);
+  EXPECT_FALSE(sessionOf(saved(*made())).kind.has_own_ids);
+  auto by_id = made();
+  EXPECT_EQ(sentenceOf([&] { as<SessionKeeper>(*by_id).set(SavedSession{session}); }),
+            "its landmarks have ids of its own making and this product goes by the ids of "
+            "observations: run a product with association: nearest, jcbb or descriptor");
+  drive(*by_place, world, 20);
+  load(*by_place, session);
+  EXPECT_EQ(saved(*by_place), session) << "it goes on where ids are not looked at";
+}
+
+TEST(Session, KeepsTheDescriptorsOfItsLandmarks) {
+  SimulatedWorld world(1);
+  auto backend = made();
+  for (int i = 0; i < 60; ++i) {
+    auto step = world.next();
+    for (auto& z : step.observations.observations)
+      z.descriptor = descriptorOf(0.01 * double(z.id), 0.05);
+    backend->set(step.motion);
+    backend->set(step.observations);
+    backend->execute();
+  }
+  const auto again = resumed(saved(*backend));
+  const auto map = as<LandmarkMapper>(*again).landmarks();
+  ASSERT_FALSE(map.empty());
+  for (const auto& landmark : map) {
+    EXPECT_NEAR(landmark.descriptor.values(0), 0.01 * double(landmark.id), 1e-6);
+    EXPECT_LE(landmark.descriptor.sigmas(0), 0.05F);
+  }
+}
+
 TEST(Session, GoesOnInTheSameWayEachTime) {
   const auto first = madeFor({true});
   RoomDrive room(5);

@@ -172,8 +172,43 @@ TEST_F(LaserTrunksTest, InAForestItSeesTreesOnlyAndIsAsWrongAsItSays) {
   EXPECT_GT(sum / seen, 1.5);
 }
 
-/// A car passes a far tree and sees it in most of thirty scans: the mean of their errors is no
-/// larger than if the errors were independent, with the reported covariance.
+/// The radius's error over its sigma, of single scans and, for a tree that is passed, in the mean.
+TEST_F(LaserTrunksTest, TheRadiusErrsAsMuchAsItSays) {
+  for (const double nearest : {3.0, 10.0, 25.0}) {
+    double single = 0.0, beyond = 0.0, of_mean = 0.0;
+    int seen = 0, drives = 0;
+    for (int drive = 0; drive < 300; ++drive) {
+      const Tree tree{{nearest + 10.0 + nearest * random_.uniform(), 6 * random_.uniform() - 3},
+                      0.1 + 0.35 * random_.uniform()};
+      double error = 0.0, variance = 0.0;
+      for (int scan = 0; scan < 15; ++scan) {
+        const Pose2 base(0.6 * scan, 0, 0);
+        for (const auto& z : see(scanOfTrees({tree}, base, TreeLaser{0.05, 0.003}, random_))) {
+          const double e = z.descriptor.values(0) - tree.radius, sigma = z.descriptor.sigmas(0);
+          single += e * e / (sigma * sigma);
+          beyond += std::abs(e) > 3.0 * sigma;
+          error += e;
+          variance += sigma * sigma;
+          ++seen;
+        }
+      }
+      if (variance == 0.0) continue;
+      of_mean += error * error / variance;
+      ++drives;
+    }
+    RecordProperty("nees_" + std::to_string(int(nearest)), std::to_string(single / seen));
+    RecordProperty("beyond_" + std::to_string(int(nearest)), std::to_string(beyond / seen));
+    RecordProperty("mean_" + std::to_string(int(nearest)), std::to_string(of_mean / drives));
+    ASSERT_GT(seen, 1000);
+    EXPECT_GT(single / seen, 0.3) << "from " << nearest << " m on";
+    EXPECT_LT(single / seen, 1.5) << "from " << nearest << " m on";
+    EXPECT_LT(beyond / seen, 0.01) << "from " << nearest << " m on";
+    EXPECT_LT(of_mean / drives, 1.5) << "from " << nearest << " m on";
+  }
+}
+
+/// A car passes a far tree and sees it in each of ten scans: the mean of their errors is as large
+/// as if the errors that the covariance holds were independent.
 TEST_F(LaserTrunksTest, FarTrunksErrNoMoreThanItSaysInTheMeanOfManyScans) {
   constexpr int kScans = 30;
   double sum = 0.0;

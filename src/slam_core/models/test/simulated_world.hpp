@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "slam_core/common/random.hpp"
 #include "slam_core/models/landmark_observation.hpp"
@@ -35,6 +36,12 @@ class SimulatedWorld {
     }
     Q_ << 4e-5, 0, 0, 0, 1e-5, 5e-6, 0, 5e-6, 2e-5;
     R_ << 25e-4, 0, 0, 1e-4;
+  }
+
+  /// The same among landmarks of these places.
+  SimulatedWorld(std::uint64_t seed, std::map<LandmarkId, Eigen::Vector2d> landmarks)
+      : SimulatedWorld(seed) {
+    landmarks_ = std::move(landmarks);
   }
 
   const std::map<LandmarkId, Eigen::Vector2d>& landmarks() const { return landmarks_; }

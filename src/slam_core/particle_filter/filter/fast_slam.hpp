@@ -11,6 +11,7 @@
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
@@ -30,6 +31,7 @@ namespace slam::particle_filter {
 /// nothing do not touch the particles: the motion is carried until something is seen.
 class FastSlam final : public Backend,
                        LandmarkMapper,
+                       LandmarkRemover,
                        GridMapper,
                        LostReporter,
                        PoseSampler,
@@ -85,6 +87,7 @@ class FastSlam final : public Backend,
   // what it offers as capabilities
   LandmarkMap landmarks() const override;
   UpdateStatistics statistics() const override { return account_.statistics; }
+  Status remove(LandmarkId id) override { return landmarks_.remove(id, account_); }
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override { return shown_grid_.revision; }
   std::optional<Stamp> lostSince() const override;

@@ -19,6 +19,7 @@ void FastSlam::describe(Ports& ports) {
 
 void FastSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
+  capabilities.offer<LandmarkRemover>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<PoseSampler>(*this);
@@ -72,6 +73,7 @@ LandmarkMap FastSlam::landmarks() const {
     map.push_back(landmark(number));
     map.back().covariance = belief_.bound.told(map.back().covariance, number);
   }
+  landmarks_.descriptors().describe(map);
   return map;
 }
 
@@ -80,6 +82,7 @@ LandmarkMap FastSlam::landmarks() const {
 MapState FastSlam::state() const {
   MapState state{pose(), {}, {}, grid()};
   for (const auto number : toldLandmarks()) state.landmarks.push_back(landmark(number));
+  landmarks_.descriptors().describe(state.landmarks);
   return state;
 }
 

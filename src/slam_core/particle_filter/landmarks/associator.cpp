@@ -19,6 +19,7 @@ Associator::Associator(const Config& config) : config_(config) {
 void Associator::restart(const LandmarkMap& map) {
   evidence_ = association::PlaceEvidence();
   if (asksEach()) evidence_ = association::PlaceEvidence(config_.of_policy.places, map);
+  descriptors_ = association::DescriptorMap(map);
 }
 
 Association Associator::forAll(const LandmarkObservationArray& array, const LandmarkIndex& index) {
@@ -38,7 +39,7 @@ Association Associator::forEach(const LandmarkObservationArray& array, const Lan
   const double ring = config_.of_policy.places.ring;
   Association association{std::vector<Sight>(particles.size()), array.observations};
   workers.forEach(particles.size(), [&](std::size_t i, unsigned lane) {
-    const PlaceCandidates source(array, index, particles[i].map, priors[i], model,
+    const PlaceCandidates source(array, index, descriptors_, particles[i].map, priors[i], model,
                                  ring * ring * config_.gate);
     association.sights[i] = ask(array, source, lane);
   });

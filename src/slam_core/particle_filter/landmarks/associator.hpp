@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/association/place_evidence.hpp"
 #include "slam_core/models/observation_model.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_index.hpp"
@@ -49,8 +50,17 @@ class Associator {
   /// The most likely particle has re-initialised a landmark.
   /// @return whether it is to be removed instead
   bool distrusts(LandmarkId id, bool was_confirmed) {
+    descriptors_.forget(id);
     return evidence_.distrusts(id, was_confirmed);
   }
+  /// A landmark was removed on request.
+  void forget(LandmarkId id) {
+    evidence_.forget(id);
+    descriptors_.forget(id);
+  }
+  /// What the most likely particle takes an observation for; the descriptors are the same for all.
+  void describe(LandmarkId id, const LandmarkObservation& z) { descriptors_.see(id, z.descriptor); }
+  const association::DescriptorMap& descriptors() const { return descriptors_; }
   /// After the update: landmarks that are not there, to be removed.
   /// @param sensor T_map_sensor of the most likely particle
   /// @param seen its landmarks that were seen
@@ -80,6 +90,7 @@ class Associator {
   Config config_;
   std::vector<Lane> lanes_;
   association::PlaceEvidence evidence_;
+  association::DescriptorMap descriptors_;
 };
 
 }  // namespace slam::particle_filter

@@ -24,7 +24,7 @@ class LandmarkIndex {
   void append(LandmarkId id);
   /// A landmark is not found any more, nor in numbersById(); the particles keep it.
   void retire(std::size_t number) { numbers_.erase(ids_[number]); }
-  bool isRetired(std::size_t number) const { return numbers_.count(ids_[number]) == 0; }
+  bool isRetired(std::size_t number) const { return find(ids_[number]) != number; }
   bool hasRetired() const { return numbers_.size() < ids_.size(); }
   void clear();
 

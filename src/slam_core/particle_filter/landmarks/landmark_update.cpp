@@ -8,6 +8,7 @@
 #include "slam_core/association/decision_record.hpp"
 #include "slam_core/association/gate.hpp"
 #include "slam_core/association/sightings.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 
 namespace slam::particle_filter {
@@ -129,6 +130,7 @@ Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors,
   if (associator_.asksEach()) count(sight, account);
   if (associator_.asksEach()) record(particles[best], sight, account);
   if (map_is_fixed_ || !has_seen_ || isDoubtful()) return {};
+  describe(particles[best], sight);
   begin(ancestors, belief);
   execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned lane) {
     updateMap(particles[i], ancestors[i], lane);
@@ -138,6 +140,13 @@ Lesson LandmarkUpdate::learn(ParticleSet& particles, const Ancestors& ancestors,
   account.statistics.added = static_cast<int>(sight.unseen.size());
   if (associator_.asksEach()) removeGhosts(particles[best], sight, account);
   return {told, false};
+}
+
+/// Descriptors depend on no pose: what the most likely particle takes the observations for holds
+/// for all of them.
+void LandmarkUpdate::describe(const Particle& best, const Sight& sight) {
+  for (const auto& [slot, column, z] : sight.matches)
+    if (is_used_[column]) associator_.describe(index_.id(best.map[slot].number), z);
 }
 
 /// What the most likely particle takes the observations for.
@@ -166,6 +175,17 @@ void LandmarkUpdate::removeGhosts(const Particle& best, const Sight& sight, Acco
   }
 }
 
+Status LandmarkUpdate::remove(LandmarkId id, Account& account) {
+  const auto number = index_.find(id);
+  const auto removal = removalOf(id, number.has_value(), map_is_fixed_);
+  if (!removal.isOk()) return removal;
+  index_.retire(*number);
+  established_.erase(id);
+  associator_.forget(id);
+  account.counters.add("removed");
+  return removal;
+}
+
 /// Gives numbers to the landmarks that are new to any of the particles that are left.
 void LandmarkUpdate::begin(const Ancestors& ancestors, PoseBelief& belief) {
   const auto& observations = array_.observations;
@@ -179,6 +199,7 @@ void LandmarkUpdate::begin(const Ancestors& ancestors, PoseBelief& belief) {
     begun_[i] = static_cast<std::uint32_t>(number);
     belief.bound.begin(model_, belief.estimate.pose, array_.sensor_pose, number, observations[i]);
     index_.append(associator_.asksEach() ? kUnknownId : observations[i].id);
+    associator_.describe(index_.id(number), observations[i]);
   }
 }
 

@@ -38,6 +38,8 @@ class LandmarkUpdate final : public SensorUpdate {
 
   /// These are the landmarks of the particles' maps, in this order.
   void load(const LandmarkMap& map);
+  /// As LandmarkRemover::remove().
+  Status remove(LandmarkId id, Account& account);
   /// All motion, that of steps without observations as well; before take().
   void move(const Motion& motion) { associator_.move(motion); }
   /// The robot is elsewhere: how observations fitted before says nothing any more.
@@ -60,6 +62,7 @@ class LandmarkUpdate final : public SensorUpdate {
                const Execution& execution, Account& account) override;
 
   const LandmarkIndex& index() const { return index_; }
+  const association::DescriptorMap& descriptors() const { return associator_.descriptors(); }
   bool isLost() const { return fit_.isLost(); }
 
  private:
@@ -71,6 +74,7 @@ class LandmarkUpdate final : public SensorUpdate {
   void expectNothing(const Sight& sight, Prediction* predictions) const;
   void begin(const Ancestors& ancestors, PoseBelief& belief);
   void updateMap(Particle& particle, std::size_t ancestor, unsigned lane) const;
+  void describe(const Particle& best, const Sight& sight);
   void record(const Particle& best, const Sight& sight, Account& account) const;
   void removeGhosts(const Particle& best, const Sight& sight, Account& account);
   Status beginAnew(const Particle& best, const Sight& sight, const Prediction* predictions,

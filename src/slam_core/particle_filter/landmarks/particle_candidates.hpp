@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
+#include "slam_core/association/descriptor_map.hpp"
 #include "slam_core/models/observation_model.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_filter.hpp"
 #include "slam_core/particle_filter/landmarks/landmark_index.hpp"
@@ -36,14 +37,23 @@ class PlaceCandidates final : public association::CandidateSource {
   /// @param prior where motion alone puts the particle
   /// @param gate largest squared Mahalanobis distance; all within it are found, and some beyond
   PlaceCandidates(const LandmarkObservationArray& array, const LandmarkIndex& index,
-                  const ParticleMap& map, const PoseGaussian& prior, const ObservationModel& model,
-                  double gate)
-      : array_(array), index_(index), map_(map), prior_(prior), model_(model), gate_(gate) {}
+                  const association::DescriptorMap& descriptors, const ParticleMap& map,
+                  const PoseGaussian& prior, const ObservationModel& model, double gate)
+      : array_(array),
+        index_(index),
+        descriptors_(descriptors),
+        map_(map),
+        prior_(prior),
+        model_(model),
+        gate_(gate) {}
 
   std::size_t size() const override { return map_.size(); }
   std::optional<std::size_t> find(LandmarkId id) const override;
   void candidates(std::size_t observation,
                   std::vector<association::Candidate>& candidates) const override;
+  Descriptor descriptor(std::size_t slot) const override {
+    return descriptors_.of(index_.id(map_[slot].number));
+  }
   /// What the doubt of the prior makes them have in common.
   Eigen::Matrix2d crossCovariance(const association::Pairing& first,
                                   const association::Pairing& second) const override;
@@ -53,6 +63,7 @@ class PlaceCandidates final : public association::CandidateSource {
 
   const LandmarkObservationArray& array_;
   const LandmarkIndex& index_;
+  const association::DescriptorMap& descriptors_;
   const ParticleMap& map_;
   const PoseGaussian& prior_;
   const ObservationModel& model_;

@@ -234,7 +234,8 @@ class PfCandidatesTest : public testing::Test {
   LandmarkIndex index;
   PoseGaussian prior;
   LandmarkObservationArray array = observationsOf(twoLandmarks());
-  PlaceCandidates source{array, index, map, prior, model, 18.0};
+  association::DescriptorMap descriptors;
+  PlaceCandidates source{array, index, descriptors, map, prior, model, 18.0};
 };
 
 TEST_F(PfCandidatesTest, AreTheLandmarksAroundWithTheirInnovation) {

@@ -8,6 +8,7 @@
 #include "slam_core/product/test/graph_contract.hpp"
 #include "slam_core/product/test/grid_contract.hpp"
 #include "slam_core/product/test/landmark_contract.hpp"
+#include "slam_core/product/test/landmark_remover_contract.hpp"
 #include "slam_core/product/test/map_keeper_contract.hpp"
 
 // What every back-end promises, and the contracts of what it offers beyond that. A program that
@@ -20,6 +21,8 @@
   INSTANTIATE_TEST_SUITE_P(name, BackendContract, testing::ValuesIn(variants), variantName);      \
   INSTANTIATE_TEST_SUITE_P(name, LandmarkContract,                                                \
                            testing::ValuesIn(mappingLandmarksAlone(variants)), variantName);      \
+  INSTANTIATE_TEST_SUITE_P(name, LandmarkRemoverContract,                                         \
+                           testing::ValuesIn(removingLandmarks(variants)), variantName);          \
   INSTANTIATE_TEST_SUITE_P(name, MapKeeperContract,                                               \
                            testing::ValuesIn(offering<MapKeeper>(variants)), variantName);        \
   INSTANTIATE_TEST_SUITE_P(name, GraphContract,                                                   \

@@ -98,6 +98,21 @@ TEST_F(LandmarkFileTest, ReadsBackEveryBit) {
   EXPECT_EQ(toYaml(loaded), contentOf(path));
 }
 
+TEST_F(LandmarkFileTest, KeepsADescriptorAndRefusesOneThatIsNone) {
+  auto saved = exampleFile();
+  saved.map.landmarks[1].descriptor = descriptorOf(0.1F / 3.0F, 0.01);
+  saveLandmarks(path, saved);
+  const auto read = loadLandmarks(path, "map").map.landmarks;
+  EXPECT_TRUE(read[0].descriptor.isEmpty());
+  EXPECT_EQ(read[1].descriptor.values, saved.map.landmarks[1].descriptor.values);
+  EXPECT_EQ(read[1].descriptor.sigmas, saved.map.landmarks[1].descriptor.sigmas);
+  EXPECT_TRUE(test::oneSays({refusalWith("id: 7,", "id: 7, descriptor: [1, 2],")},
+                            {"landmark 7 has a descriptor of 2 elements and sigmas of 0"}));
+  EXPECT_TRUE(
+      test::oneSays({refusalWith("id: 7,", "id: 7, descriptor: [1], descriptor_sigma: [-1],")},
+                    {"landmark 7 has a descriptor with a sigma that is not positive"}));
+}
+
 TEST_F(LandmarkFileTest, ReadsAnEmptyMap) {
   auto file = exampleFile(0);
   saveLandmarks(path, file);

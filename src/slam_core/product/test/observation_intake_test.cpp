@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "slam_core/common/test/faults.hpp"
 
@@ -49,6 +50,42 @@ TEST_F(ObservationIntakeTest, CutsAnArrayThatIsTooLargeAndSaysSo) {
   EXPECT_TRUE(test::oneSays({intake.screen(array, counters)}, {"100000", "500", "left out"}));
   EXPECT_EQ(array.observations.size(), kMost);
   EXPECT_EQ(counters["observations_beyond_limit"], 100000 - kMost);
+}
+
+TEST_F(ObservationIntakeTest, LeavesOutADescriptorThatCannotBeUsedAndNothingElse) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  auto array = arrayOf(1, 4);
+  auto& all = array.observations;
+  all[0].descriptor = descriptorOf(0.2, 0.01);
+  all[1].descriptor = descriptorOf(kNan, 0.01);
+  EXPECT_EQ(intake.screen(array, counters),
+            "observation of landmark 2 has a descriptor that holds a value that is not a number; "
+            "the descriptor is left out");
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].descriptor.size(), 1);
+  EXPECT_TRUE(all[1].descriptor.isEmpty());
+  all[2].descriptor = descriptorOf(0.2, -0.01);
+  EXPECT_EQ(intake.screen(array, counters),
+            "observation of landmark 3 has a descriptor with a sigma that is not positive; the "
+            "descriptor is left out");
+  EXPECT_EQ(counters["invalid_descriptor"], 2u);
+  EXPECT_EQ(counters["invalid_observation"], 0u);
+}
+
+TEST_F(ObservationIntakeTest, LeavesOutADescriptorOfAnotherLengthThanThoseBefore) {
+  auto array = arrayOf(1, 1);
+  array.observations[0].descriptor = descriptorOf(0.2, 0.01);
+  EXPECT_EQ(intake.screen(array, counters), "");
+  auto next = arrayOf(2, 1);
+  const Descriptor::Vector two = Descriptor::Vector::Constant(2, 0.1F);
+  next.observations[0].descriptor = {two, two};
+  EXPECT_EQ(intake.screen(next, counters),
+            "observation of landmark 2 has a descriptor of 2 elements and those before had 1; the "
+            "descriptor is left out");
+  EXPECT_EQ(next.observations.size(), 1u);
+  intake.knowOnly({});
+  next.observations[0].descriptor = {two, two};
+  EXPECT_EQ(intake.screen(next, counters), "") << "after a reset another detector may come";
 }
 
 TEST_F(ObservationIntakeTest, LeavesOutThoseWithoutAnIdBeforeOthers) {

@@ -9,8 +9,9 @@
 
 namespace slam_ros {
 
-/// Bags that hold messages of slam_msgs as they were before a landmark could be a line are read as
-/// those of today: all their landmarks are points.
+/// Bags that hold messages of slam_msgs as they were before a landmark could be a line, or before
+/// it could have a descriptor, are read as those of today: all their landmarks are points, or have
+/// no descriptor.
 
 /// @return the md5sum that a type has today, if `md5sum` is that of its earlier definition; else
 ///   `md5sum`

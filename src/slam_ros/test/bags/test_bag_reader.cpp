@@ -12,34 +12,34 @@
 
 namespace {
 
-/// The bytes of an array of observations as they were written when all landmarks were points.
+/// The bytes of an array of observations as they were written when all landmarks were points, and
+/// when none had a descriptor.
 struct EarlierObservations {
   std::vector<std::uint8_t> bytes;
 };
-
-}  // namespace
-
-namespace ros {
-namespace message_traits {
-template <>
-struct MD5Sum<EarlierObservations> {
-  static const char* value() { return "4d86d73cdfcf3dec4ab59a5ebc938d7b"; }
-  static const char* value(const EarlierObservations&) { return value(); }
+struct PointObservations : EarlierObservations {
+  static constexpr const char* kMd5Sum = "4d86d73cdfcf3dec4ab59a5ebc938d7b";
+  static constexpr std::size_t kAdded = 25;  // [B] of an observation since then
 };
-template <>
-struct DataType<EarlierObservations> {
+struct PlainObservations : EarlierObservations {
+  static constexpr const char* kMd5Sum = "db61b129d3736d6ddb520d68f8481a23";
+  static constexpr std::size_t kAdded = 8;
+};
+
+template <class Message>
+struct EarlierMd5Sum {
+  static const char* value() { return Message::kMd5Sum; }
+  static const char* value(const Message&) { return value(); }
+};
+struct EarlierDataType {
   static const char* value() { return "slam_msgs/LandmarkObservationArray"; }
   static const char* value(const EarlierObservations&) { return value(); }
 };
-template <>
-struct Definition<EarlierObservations> {
+struct EarlierDefinition {
   static const char* value() { return "Header header"; }
   static const char* value(const EarlierObservations&) { return value(); }
 };
-}  // namespace message_traits
-namespace serialization {
-template <>
-struct Serializer<EarlierObservations> {
+struct EarlierSerializer {
   template <class Stream>
   static void write(Stream& stream, const EarlierObservations& message) {
     std::memcpy(stream.advance(serializedLength(message)), message.bytes.data(),
@@ -49,6 +49,29 @@ struct Serializer<EarlierObservations> {
     return static_cast<std::uint32_t>(message.bytes.size());
   }
 };
+
+}  // namespace
+
+namespace ros {
+namespace message_traits {
+template <>
+struct MD5Sum<PointObservations> : EarlierMd5Sum<PointObservations> {};
+template <>
+struct MD5Sum<PlainObservations> : EarlierMd5Sum<PlainObservations> {};
+template <>
+struct DataType<PointObservations> : EarlierDataType {};
+template <>
+struct DataType<PlainObservations> : EarlierDataType {};
+template <>
+struct Definition<PointObservations> : EarlierDefinition {};
+template <>
+struct Definition<PlainObservations> : EarlierDefinition {};
+}  // namespace message_traits
+namespace serialization {
+template <>
+struct Serializer<PointObservations> : EarlierSerializer {};
+template <>
+struct Serializer<PlainObservations> : EarlierSerializer {};
 }  // namespace serialization
 }  // namespace ros
 
@@ -100,8 +123,9 @@ TEST_F(BagFile, ListsTopicsWithTypesAndCounts) {
   EXPECT_EQ(bag.end() - bag.begin(), std::chrono::seconds(4));
 }
 
-EarlierObservations twoEarlierObservations() {
-  constexpr std::size_t kItem = 56, kAdded = 17, kCount = 2;
+template <class Earlier>
+Earlier twoEarlierObservations() {
+  constexpr std::size_t kToday = 81, kCount = 2;  // [B] of an observation without a descriptor
   slam_msgs::LandmarkObservationArray message;
   message.header.stamp = test::at(0.5);
   message.header.frame_id = "camera";
@@ -114,16 +138,19 @@ EarlierObservations twoEarlierObservations() {
   ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::serialize(out, message);
   for (std::size_t i = 0; i < kCount; ++i) {
-    const auto end = bytes.end() - static_cast<std::ptrdiff_t>(i * kItem);
-    bytes.erase(end - kAdded, end);
+    const auto end = bytes.end() - static_cast<std::ptrdiff_t>(i * (kToday - Earlier::kAdded));
+    bytes.erase(end - Earlier::kAdded, end);
   }
-  return {bytes};
+  Earlier earlier;
+  earlier.bytes = bytes;
+  return earlier;
 }
 
-TEST_F(BagFile, OfTheTimeWhenAllLandmarksWerePointsIsReadAsOneOfToday) {
+template <class Earlier>
+void expectReadAsToday(const test::Folder& folder) {
   using Message = slam_msgs::LandmarkObservationArray;
   rosbag::Bag(folder / "x.bag", rosbag::bagmode::Write)
-      .write("/observations", test::at(0.5), twoEarlierObservations());
+      .write("/observations", test::at(0.5), twoEarlierObservations<Earlier>());
   const BagReader bag(folder / "x.bag");
   EXPECT_EQ(bag.topics().at(0).md5sum, ros::message_traits::MD5Sum<Message>::value());
   std::vector<Message> read;
@@ -138,6 +165,15 @@ TEST_F(BagFile, OfTheTimeWhenAllLandmarksWerePointsIsReadAsOneOfToday) {
   EXPECT_EQ(read[0].observations[1].range, 2.5);
   EXPECT_EQ(read[0].observations[1].covariance[3], 0.25);
   EXPECT_EQ(read[0].observations[1].kind, slam_msgs::LandmarkObservation::POINT);
+  EXPECT_TRUE(read[0].observations[1].descriptor.empty());
+}
+
+TEST_F(BagFile, OfTheTimeWhenAllLandmarksWerePointsIsReadAsOneOfToday) {
+  expectReadAsToday<PointObservations>(folder);
+}
+
+TEST_F(BagFile, OfTheTimeWhenNoLandmarkHadADescriptorIsReadAsOneOfToday) {
+  expectReadAsToday<PlainObservations>(folder);
 }
 
 TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {

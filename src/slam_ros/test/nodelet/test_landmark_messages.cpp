@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/markers.hpp"
@@ -36,6 +37,31 @@ TEST(LandmarkMessages, ObservationsKeepTheirKind) {
   EXPECT_TRUE(same[1].isLine());
   EXPECT_EQ(same[1].extent.begin, -1.5);
   EXPECT_EQ(same[1].extent.end, 2.5);
+}
+
+TEST(LandmarkMessages, KeepDescriptors) {
+  slam::LandmarkObservationArray array;
+  array.observations.resize(2);
+  array.observations[1].descriptor = slam::descriptorOf(0.25, 0.125);
+  const auto same = fromMsg(toMsg(array)).observations;
+  EXPECT_TRUE(same[0].descriptor.isEmpty());
+  EXPECT_EQ(same[1].descriptor.values, array.observations[1].descriptor.values);
+  EXPECT_EQ(same[1].descriptor.sigmas, array.observations[1].descriptor.sigmas);
+  auto map = pointAndWall();
+  map[0].descriptor = array.observations[1].descriptor;
+  const auto message = toMsg(map, slam::Stamp(), "map");
+  EXPECT_EQ(message.landmarks[0].descriptor, std::vector<float>{0.25F});
+  EXPECT_EQ(message.landmarks[0].descriptor_sigma, std::vector<float>{0.125F});
+  EXPECT_TRUE(message.landmarks[1].descriptor.empty());
+}
+
+TEST(LandmarkMessages, ADescriptorThatIsTooLongIsStillTooLong) {
+  slam_msgs::LandmarkObservationArray message;
+  message.observations.resize(1);
+  message.observations[0].descriptor.resize(5000);
+  message.observations[0].descriptor_sigma.resize(5000);
+  EXPECT_EQ(faultOf(fromMsg(message).observations[0].descriptor),
+            " has a descriptor of more than 8 elements");
 }
 
 TEST(LandmarkMessages, AMapTellsPointsFromLines) {

@@ -13,6 +13,7 @@ from slam_eval.io.world_plan import read_world
 from slam_eval.metrics.evaluation import evaluate
 from slam_eval.plot.map import plot_map
 
+POLICIES = ("jcbb", "descriptor")
 DENSITIES = (10, 20, 40)  # trees per hectare
 REACH = 0.5               # of a landmark from the tree that it is [m]
 HEADER = ["trees per ha, seed", "product", "association", "ATE [m]", "largest error [m]",
@@ -57,13 +58,14 @@ def measure(context):
             drawn.write(world)
             bag = simulate(context, world.stem, world, seed, "odom,scan", name, robot="car")
             for product in context.options.products or PRODUCTS:
-                line, run, result = run_park(context, name, bag, np.array(drawn.trees), product,
-                                             "jcbb")
-                lines.append(line)
-                if seed == 1:
-                    path = context.out / f"association_{world.stem}_{product}.png"
-                    plot_map(run, result, path, world=read_world(world))
-                    section.pictures[f"{name}: {product}"] = path
+                for policy in POLICIES:
+                    line, run, result = run_park(context, name, bag, np.array(drawn.trees),
+                                                 product, policy)
+                    lines.append(line)
+                    if seed == 1 and policy == POLICIES[0]:
+                        path = context.out / f"association_{world.stem}_{product}.png"
+                        plot_map(run, result, path, world=read_world(world))
+                        section.pictures[f"{name}: {product}"] = path
             bag.unlink()
     section.paragraphs += [
         table(HEADER, lines_of(lines, FORMS)),

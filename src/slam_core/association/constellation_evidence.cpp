@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/relocalisation/place_evidence.hpp"
+#include "slam_core/association/constellation_evidence.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@
 // Symbols: T the pose of the robot in the map, l a landmark in the robot's frame, m one in the map,
 // d = m - T l, S the covariance of d; H x = g the normal equations of a correction x of T.
 
-namespace slam::relocalisation {
+namespace slam::association {
 namespace {
 
 constexpr double kMatchGate = 13.8;   // 0.999 of chi-square with two degrees of freedom
@@ -28,7 +28,7 @@ Eigen::Matrix2d covarianceOf(const Pose2& robot, const LocalLandmark& l, const L
 
 }  // namespace
 
-PlaceEvidence::PlaceEvidence(const LandmarkMap& map, double outlier_share)
+ConstellationEvidence::ConstellationEvidence(const LandmarkMap& map, double outlier_share)
     : map_(map), outlier_share_(outlier_share) {
   constexpr double kMargin = 3.0;  // the robot may see the outermost ones from outside [m]
   Eigen::AlignedBox2d box;
@@ -40,23 +40,23 @@ PlaceEvidence::PlaceEvidence(const LandmarkMap& map, double outlier_share)
   radius_ = 0.5 * edges.norm();
 }
 
-bool PlaceEvidence::isInMap(const LocalLandmark& local) const {
+bool ConstellationEvidence::isInMap(const LocalLandmark& local) const {
   return std::any_of(map_.begin(), map_.end(),
-                     [&](const Landmark& landmark) { return mayBe(local, landmark); });
+                     [&](const Landmark& landmark) { return mayHaveIdOf(local, landmark); });
 }
 
-/// Pairs each landmark of the map with one around the robot at most, the nearest pairs first.
-std::vector<PlaceEvidence::Pairing> PlaceEvidence::pairingsAt(
+/// Each landmark of the map is one around the robot at most: the nearest.
+std::vector<ConstellationEvidence::Pairing> ConstellationEvidence::pairingsAt(
     const Pose2& robot, const std::vector<LocalLandmark>& around) const {
   std::vector<std::pair<double, Pairing>> near;
   for (std::size_t i = 0; i < around.size(); ++i)
     for (std::size_t j = 0; j < map_.size(); ++j) {
-      if (!mayBe(around[i], map_[j])) continue;
+      if (!mayHaveIdOf(around[i], map_[j])) continue;
       const Eigen::Vector2d d = map_[j].position - robot.transform(around[i].position);
       const auto S = covarianceOf(robot, around[i], map_[j]);
       if (d.squaredNorm() > kMatchGate * S.trace()) continue;
       const double squared = d.dot(S.inverse() * d);
-      if (squared < kMatchGate) near.push_back({squared, {i, j}});
+      if (squared < kMatchGate && mayBe(around[i], map_[j])) near.push_back({squared, {i, j}});
     }
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -70,9 +70,9 @@ std::vector<PlaceEvidence::Pairing> PlaceEvidence::pairingsAt(
   return pairings;
 }
 
-PlaceEvidence::Normal PlaceEvidence::equationsAt(const Pose2& robot,
-                                                 const std::vector<LocalLandmark>& around,
-                                                 const std::vector<Pairing>& pairings) const {
+ConstellationEvidence::Normal ConstellationEvidence::equationsAt(
+    const Pose2& robot, const std::vector<LocalLandmark>& around,
+    const std::vector<Pairing>& pairings) const {
   Normal normal;
   for (const auto& [local, landmark] : pairings) {
     Eigen::Matrix<double, 2, 3> J;
@@ -84,12 +84,12 @@ PlaceEvidence::Normal PlaceEvidence::equationsAt(const Pose2& robot,
   return normal;
 }
 
-/// The log-likelihood of one landmark's position, relative to that of a landmark which may be
-/// anywhere in the map's area. One without an id may be any landmark of the map, or an outlier. One
-/// with an id of the map that lies elsewhere must be an outlier; so it is if the robot is not in
-/// the map, too, so that the factor for outliers cancels.
-double PlaceEvidence::logOddsOf(const Pose2& robot, const LocalLandmark& local,
-                                const Landmark* landmark) const {
+/// What is seen of a landmark, relative to a landmark that may be anywhere in the map's area. Of
+/// one without an id nothing is known but that it is some landmark of the map. One with an id of
+/// the map that is elsewhere is an outlier; that it has this id is one for who is not in the map,
+/// too.
+double ConstellationEvidence::logOddsOf(const Pose2& robot, const LocalLandmark& local,
+                                        const Landmark* landmark) const {
   const bool has_id = local.id != kUnknownId;
   const double of_outlier = has_id ? 1.0 : outlier_share_;
   if (landmark == nullptr) return std::log(of_outlier);
@@ -102,7 +102,7 @@ double PlaceEvidence::logOddsOf(const Pose2& robot, const LocalLandmark& local,
   return std::log(of_outlier + share * area_ * density);
 }
 
-double PlaceEvidence::logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const {
+double ConstellationEvidence::logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const {
   const auto named = std::count_if(around.begin(), around.end(), [this](const auto& local) {
     return local.id != kUnknownId && isInMap(local);
   });
@@ -110,8 +110,9 @@ double PlaceEvidence::logOddsOfOneAlone(const std::vector<LocalLandmark>& around
   return std::log(static_cast<double>(named) * (1.0 - outlier_share_) / outlier_share_);
 }
 
-double PlaceEvidence::logOddsAt(const Pose2& robot, const std::vector<LocalLandmark>& around,
-                                const std::vector<Pairing>& pairings) const {
+double ConstellationEvidence::logOddsAt(const Pose2& robot,
+                                        const std::vector<LocalLandmark>& around,
+                                        const std::vector<Pairing>& pairings) const {
   std::vector<const Landmark*> matched(around.size(), nullptr);
   for (const auto& [local, landmark] : pairings) matched[local] = &map_[landmark];
   double sum = 0.0;
@@ -120,10 +121,10 @@ double PlaceEvidence::logOddsAt(const Pose2& robot, const std::vector<LocalLandm
   return sum;
 }
 
-/// Each landmark within reach that is missing counts by the probability that it is hidden. The
-/// number is limited, since an object that hides one landmark often hides others.
-double PlaceEvidence::logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
-                                       const association::SensorReach& reach) const {
+/// A landmark within reach may be hidden, and what hides it hides others.
+double ConstellationEvidence::logOddsOfMissing(const Pose2& robot,
+                                               const std::vector<Pairing>& pairings,
+                                               const SensorReach& reach) const {
   constexpr double kHidden = 0.5;
   constexpr std::ptrdiff_t kMostMissing = 6;
   std::vector<char> is_seen(map_.size(), 0);
@@ -135,8 +136,9 @@ double PlaceEvidence::logOddsOfMissing(const Pose2& robot, const std::vector<Pai
   return static_cast<double>(std::min(missing, kMostMissing)) * std::log(kHidden);
 }
 
-std::optional<Place> PlaceEvidence::near(Pose2 robot, const std::vector<LocalLandmark>& around,
-                                         const association::SensorReach& reach) const {
+std::optional<Place> ConstellationEvidence::near(Pose2 robot,
+                                                 const std::vector<LocalLandmark>& around,
+                                                 const SensorReach& reach) const {
   constexpr int kSteps = 3;
   for (int step = 0; step < kSteps; ++step) {
     const auto pairings = pairingsAt(robot, around);
@@ -156,4 +158,4 @@ std::optional<Place> PlaceEvidence::near(Pose2 robot, const std::vector<LocalLan
   return place;
 }
 
-}  // namespace slam::relocalisation
+}  // namespace slam::association

@@ -6,23 +6,23 @@
 #include <cstddef>
 #include <vector>
 
-#include "slam_core/relocalisation/place_evidence.hpp"
+#include "slam_core/association/constellation_evidence.hpp"
 
-namespace slam::relocalisation {
+namespace slam::association {
 
 /// Finds the robot in a map by the relative positions of the landmarks around it (consensus:
 /// Fischler and Bolles 1981). Each pair of them that is as far apart as a pair of the map suggests
 /// a pose; the poses that most pairs suggest are weighed by all landmarks.
 class ConstellationSearch {
  public:
-  /// @param map outlives this object @param outlier_share see PlaceEvidence
+  /// @param map outlives this @param outlier_share as ConstellationEvidence
   ConstellationSearch(const LandmarkMap& map, double outlier_share);
 
-  /// Places that are distinct (areOnePlace()), the most likely first.
-  /// @param reach see PlaceEvidence::near(); without sightings it expects no landmark
+  /// Places that are apart from one another, the most likely first.
+  /// @param reach as ConstellationEvidence::near(); one that has seen nothing expects nothing
   std::vector<Place> placesOf(const std::vector<LocalLandmark>& around,
-                              const association::SensorReach& reach = {}) const;
-  const PlaceEvidence& evidence() const { return evidence_; }
+                              const SensorReach& reach = {}) const;
+  const ConstellationEvidence& evidence() const { return evidence_; }
 
  private:
   /// Two landmarks of the map.
@@ -35,8 +35,8 @@ class ConstellationSearch {
   std::vector<Pose2> suggestions(const std::vector<LocalLandmark>& around) const;
 
   const LandmarkMap& map_;
-  PlaceEvidence evidence_;
-  std::vector<MapPair> pairs_;  ///< sorted by their distance
+  ConstellationEvidence evidence_;
+  std::vector<MapPair> pairs_;  ///< by their distance
 };
 
-}  // namespace slam::relocalisation
+}  // namespace slam::association

@@ -8,11 +8,12 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/association/descriptor_map.hpp"
+#include "slam_core/association/local_landmark.hpp"
 #include "slam_core/association/sensor_reach.hpp"
 #include "slam_core/models/landmark_map.hpp"
-#include "slam_core/relocalisation/local_landmarks.hpp"
 
-namespace slam::relocalisation {
+namespace slam::association {
 
 /// A place of the robot in a map, with the evidence for it.
 struct Place {
@@ -23,14 +24,14 @@ struct Place {
   std::size_t matches = 0;  ///< landmarks that are paired with one of the map
 };
 
-/// Weighs a place by the landmarks around the robot. Each of them may be an outlier, that is, not
-/// be in the map. The likelihood is integrated over all poses nearby (Laplace's approximation), so
-/// that a place with few precise landmarks can be compared with one with many vague ones.
-class PlaceEvidence {
+/// Weighs a place by the landmarks around the robot. Each of them may be none of the map; the
+/// likelihood is integrated over all poses nearby (Laplace's approximation), so that places by few
+/// precise and by many vague landmarks can be compared.
+class ConstellationEvidence {
  public:
-  /// @param map outlives this object @param outlier_share probability that a landmark is not the
-  /// one of the map that its id names, or not in the map at all; in (0, 1)
-  PlaceEvidence(const LandmarkMap& map, double outlier_share);
+  /// @param map outlives this @param outlier_share probability that a landmark is none of the map,
+  /// whatever its id says; in (0, 1)
+  ConstellationEvidence(const LandmarkMap& map, double outlier_share);
 
   /// The best place near a pose. Landmarks of the map that lie within reach and are not seen count
   /// against it (negative evidence, Montemerlo 2003, ch. 3).
@@ -38,13 +39,15 @@ class PlaceEvidence {
   /// base
   /// @return nothing where fewer than two landmarks can be paired with the map
   std::optional<Place> near(Pose2 robot, const std::vector<LocalLandmark>& around,
-                            const association::SensorReach& reach) const;
-  /// The log-odds of the best explanation that determines no place: one of the landmarks is the one
-  /// that its id names, all others are outliers.
+                            const SensorReach& reach) const;
+  /// The same logarithm of the best explanation that gives no place: that one of the landmarks is
+  /// what its id says, while all others are not.
   double logOddsOfOneAlone(const std::vector<LocalLandmark>& around) const;
-  /// Whether, by its id, a landmark around the robot may be this one of the map.
+  /// Whether a landmark around the robot may be this one of the map, by ids and descriptors.
   static bool mayBe(const LocalLandmark& local, const Landmark& landmark) {
-    return local.id == kUnknownId || local.id == landmark.id;
+    constexpr double kRightPasses = 0.999;
+    return mayHaveIdOf(local, landmark) &&
+           fitOf(local.descriptor, landmark.descriptor, kRightPasses).passes;
   }
   /// Radius of the circle in which the robot must be to see landmarks of the map [m].
   double radius() const { return radius_; }
@@ -66,7 +69,10 @@ class PlaceEvidence {
                    const std::vector<Pairing>& pairings) const;
   double logOddsOf(const Pose2& robot, const LocalLandmark& local, const Landmark* landmark) const;
   double logOddsOfMissing(const Pose2& robot, const std::vector<Pairing>& pairings,
-                          const association::SensorReach& reach) const;
+                          const SensorReach& reach) const;
+  static bool mayHaveIdOf(const LocalLandmark& local, const Landmark& landmark) {
+    return local.id == kUnknownId || local.id == landmark.id;
+  }
   bool isInMap(const LocalLandmark& local) const;
 
   const LandmarkMap& map_;
@@ -74,4 +80,4 @@ class PlaceEvidence {
   double area_, radius_;
 };
 
-}  // namespace slam::relocalisation
+}  // namespace slam::association

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/relocalisation/constellation_search.hpp"
+#include "slam_core/association/constellation_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,14 +9,14 @@
 #include <map>
 #include <utility>
 
-#include "slam_core/relocalisation/recognition.hpp"
+#include "slam_core/geometry/one_place.hpp"
 
-namespace slam::relocalisation {
+namespace slam::association {
 namespace {
 
-constexpr double kBaseline = 0.25;  // least distance of two landmarks that determine a heading [m]
-constexpr double kWidest = 40.0;    // greatest distance of two that one sensor sees [m]
-/// Only pairs of this many landmarks around the robot, the most certain ones, suggest poses.
+constexpr double kBaseline = 0.25;  // two landmarks that tell a heading are so far apart [m]
+constexpr double kWidest = 40.0;    // and no further, as one sensor sees them [m]
+/// Landmarks around the robot of which all pairs suggest poses: the surest ones.
 constexpr std::size_t kMostPaired = 12;
 /// Poses within one cell are counted as the same suggestion.
 constexpr double kCell = 0.5, kCellAngle = 0.3;  // [m], [rad]
@@ -87,7 +87,7 @@ void ConstellationSearch::suggest(const LocalLandmark& a, const LocalLandmark& b
   for (; pair != pairs_.end() && pair->distance < distance + margin; ++pair)
     for (const auto& [i, j] :
          {std::pair(pair->first, pair->second), std::pair(pair->second, pair->first)})
-      if (PlaceEvidence::mayBe(a, map_[i]) && PlaceEvidence::mayBe(b, map_[j]))
+      if (ConstellationEvidence::mayBe(a, map_[i]) && ConstellationEvidence::mayBe(b, map_[j]))
         poses.push_back(aligned(a.position, b.position, map_[i].position, map_[j].position));
 }
 
@@ -101,7 +101,7 @@ std::vector<Pose2> ConstellationSearch::suggestions(
 }
 
 std::vector<Place> ConstellationSearch::placesOf(const std::vector<LocalLandmark>& around,
-                                                 const association::SensorReach& reach) const {
+                                                 const SensorReach& reach) const {
   std::vector<Place> places;
   for (const auto& robot : suggestions(around))
     if (const auto place = evidence_.near(robot, around, reach)) places.push_back(*place);
@@ -118,4 +118,4 @@ std::vector<Place> ConstellationSearch::placesOf(const std::vector<LocalLandmark
   return apart;
 }
 
-}  // namespace slam::relocalisation
+}  // namespace slam::association

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/relocalisation/constellation_search.hpp"
+#include "slam_core/association/constellation_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/relocalisation/test/some_landmarks.hpp"
 
-namespace slam::relocalisation {
+namespace slam::association {
 namespace {
 
-using test::hall;
-using test::nameless;
-using test::seenFrom;
+using relocalisation::test::hall;
+using relocalisation::test::nameless;
+using relocalisation::test::seenFrom;
 
 constexpr double kOutliers = 0.05;
 
@@ -127,6 +127,31 @@ TEST(ConstellationSearch, PrefersThePlaceWhereNothingIsMissing) {
   EXPECT_GT(places[0].log_odds, places[1].log_odds + 2.0);
 }
 
+/// The halves of this hall lie alike, and the landmarks of one are thicker.
+TEST(ConstellationSearch, TellsTwoHalvesApartByDescriptors) {
+  RandomStream random(5, 1);
+  auto map = hall(4, 8, 6.0);
+  for (auto& landmark : map) landmark.descriptor = descriptorOf(0.1, 0.01);
+  for (std::size_t i = 0; i < 8; ++i) {
+    auto twin = map[i];
+    twin.id += 100;
+    twin.position.x() += 20.0;
+    twin.descriptor = descriptorOf(0.3, 0.01);
+    map.push_back(twin);
+  }
+  const Pose2 truth(23.0, 3.0, 0.4);
+  auto seen = nameless(seenFrom(truth, map, 4.0, random));
+  ASSERT_GE(seen.size(), 3u);
+  const auto alike = ConstellationSearch(map, kOutliers).placesOf(seen);
+  ASSERT_GE(alike.size(), 2u);
+  EXPECT_LT(alike[0].log_odds - alike[1].log_odds, 3.0);
+  for (auto& landmark : seen) landmark.descriptor = descriptorOf(0.3, 0.02);
+  const auto places = ConstellationSearch(map, kOutliers).placesOf(seen);
+  ASSERT_FALSE(places.empty());
+  EXPECT_LT((places[0].robot.pose.position() - truth.position()).norm(), 0.3);
+  if (places.size() > 1) EXPECT_GT(places[0].log_odds - places[1].log_odds, 3.0);
+}
+
 TEST(ConstellationSearch, FindsNothingWhereThereIsTooLittle) {
   RandomStream random(5, 1);
   const auto map = hall(5, 12, 10.0);
@@ -151,4 +176,4 @@ TEST(ConstellationSearch, IsUnlikelyWhereTheSightingsHaveNothingToDoWithTheMap) 
 }
 
 }  // namespace
-}  // namespace slam::relocalisation
+}  // namespace slam::association
