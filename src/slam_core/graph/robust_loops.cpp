@@ -46,6 +46,7 @@ void RobustLoops::believe(Loop& loop) {
 void RobustLoops::learnNoise(double nis) {
   constexpr double kStep = 0.05, kLeast = 0.05;
   if (!learns_) return;
+  ++taught_;
   noise_ *= std::exp(nis > kMedian * noise_ ? kStep : -kStep);
   noise_ = std::clamp(noise_, kLeast, 1.0);
 }
@@ -87,6 +88,34 @@ void RobustLoops::judge(const Settle& settle) {
   if (weigh()) settle();
   if (reconsider()) settle();
   has_new_ = false;
+  if (hasLearnt()) judgeAnew(settle);
+}
+
+bool RobustLoops::hasLearnt() const {
+  constexpr int kEnough = 100;
+  constexpr double kMuchLess = 0.5;  // than was assumed
+  return taught_ == kEnough && noise_ < kMuchLess;
+}
+
+/// Judges the loops one by one in their order, as if they came now. They do not teach again.
+void RobustLoops::judgeAnew(const Settle& settle) {
+  ++taught_;
+  const bool learns = std::exchange(learns_, false);
+  const auto before = std::exchange(loops_, {});
+  auto changes = changes_;
+  for (const auto& loop : before)
+    if (loop.id) graph_.remove(*loop.id);
+  settle();
+  for (const auto& loop : before) {
+    add(loop.factor);
+    judge(settle);
+  }
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    if (before[i].id && !loops_[i].id) ++changes.taken_back;
+    if (!before[i].id && loops_[i].id) ++changes.believed;
+  }
+  changes_ = changes;
+  learns_ = learns;
 }
 
 bool RobustLoops::weigh() {

@@ -19,7 +19,8 @@ namespace slam::graph {
 /// is believed can be taken back, and one that waits is let in when the graph comes to agree.
 ///
 /// How noisy loops are can be learnt from those that are believed, since information matrices are
-/// often a guess.
+/// often a guess. The first loops pass gates that are too wide then, and false ones among them
+/// would keep true ones out for good: once the noise is learnt, all loops so far are judged anew.
 class RobustLoops {
  public:
   /// Takes steps of the graph until it has come to rest.
@@ -76,11 +77,14 @@ class RobustLoops {
   bool isConfirmed(const Loop& loop, const Loop& by) const;
   bool weigh();
   bool reconsider();
+  bool hasLearnt() const;
+  void judgeAnew(const Settle& settle);
 
   Optimizer& graph_;
   std::vector<Loop> loops_;
   bool learns_;
   double noise_ = 1.0;  ///< variance of the loops, relative to what they say of themselves
+  int taught_ = 0;      ///< loops that the noise was learnt from
   bool has_new_ = false;
   Changes changes_;
 };

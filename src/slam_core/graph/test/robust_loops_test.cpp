@@ -156,5 +156,30 @@ TEST_F(RobustLoopsTest, LearnsHowNoisyLoopsAreIfAsked) {
   EXPECT_TRUE(loops.add(off));
 }
 
+/// Two false loops pass the gates as long as errors are thought to be five times as large.
+TEST_F(RobustLoopsTest, JudgesTheFirstLoopsAnewOnceTheNoiseIsLearnt) {
+  noise = 0.2;
+  RobustLoops learning(graph, RobustLoops::Noise::kLearnt);
+  const auto add_to_learning = [&](int a, int b, const Pose2& z) {
+    learning.add(std::make_shared<Between>(a, b, z, weight()));
+    learning.judge([this] { settle(); });
+  };
+  drive(11);
+  const Pose2 z = truth[0].between(truth[10]) * Pose2(0.9, 0.0, 0.0);
+  add_to_learning(0, 10, z);
+  add_to_learning(0, 11, z * truth[10].between(truth[11]));
+  ASSERT_EQ(learning.rejected(), 0u);
+  drive(160);
+  for (int i = 12; i < 130; ++i) {
+    const Pose2 exact = truth[std::size_t(i)].between(truth[std::size_t(i) + 40]);
+    add_to_learning(i, i + 40, noisy(exact));
+  }
+  EXPECT_FALSE(learning.isBelieved(0));
+  EXPECT_FALSE(learning.isBelieved(1));
+  EXPECT_EQ(learning.rejected(), 2u);
+  EXPECT_EQ(learning.changes().taken_back, 2u);
+  EXPECT_EQ(learning.changes().believed, 120u);
+}
+
 }  // namespace
 }  // namespace slam::graph
