@@ -128,17 +128,17 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
 Status Estimator::set(const MapState& map) {
   auto* keeper = capabilities_.find<MapKeeper>();
   if (keeper == nullptr) return Status::error("this back-end keeps no map that could be loaded");
-  const auto points = withoutLines(map);
-  keeper->set(takesLines() ? map : points);
+  const auto used = takesLines() ? map : withoutLines(map);
+  keeper->set(used);
   auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
-  if (!takesLines() && points.landmarks.size() < map.landmarks.size())
+  if (used.landmarks.size() < map.landmarks.size())
     status = together(status, Status::warning("the map's lines are left out, since this back-end "
                                               "maps points only: use backend=ekf"));
   events_.relocate("a map was loaded");
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
-  return together(status, relocaliser_.assume(Belief::kUnconfirmed, &points));
+  return together(status, relocaliser_.assume(Belief::kUnconfirmed, &used));
 }
 
 Status Estimator::set(const SavedSession& session) {

@@ -63,6 +63,26 @@ double number(const YAML::Node& parent, const std::string& key) {
   return value;
 }
 
+/// Coordinates in the maps of countries have seven digits; squares of larger ones lose the metre.
+constexpr double kFarthest = 1e8;  // [m]
+
+Eigen::Vector2d position(const YAML::Node& parent, const std::string& owner) {
+  const Eigen::Vector2d found(number(parent, "x"), number(parent, "y"));
+  if (found.lpNorm<Eigen::Infinity>() > kFarthest)
+    throw std::runtime_error(
+        fmt::format("{} is more than {:.0f} km from the map's origin", owner, kFarthest / 1000));
+  return found;
+}
+
+void requireUnits(const YAML::Node& units) {
+  if (!units) return;
+  const auto lengths = units["position"].as<std::string>(),
+             angles = units["angle"].as<std::string>();
+  if (lengths != "m" || angles != "rad")
+    throw std::runtime_error(fmt::format(
+        "its units are {} and {}: write positions in m, angles in rad", lengths, angles));
+}
+
 template <int N>
 Eigen::Matrix<double, N, N> covariance(const YAML::Node& node, const std::string& owner) {
   const auto values = node.as<std::vector<double>>();
@@ -121,9 +141,9 @@ LandmarkMap readLandmarks(const YAML::Node& list) {
   for (const auto& entry : list) {
     Landmark landmark;
     landmark.id = entry["id"].as<LandmarkId>();
-    landmark.position = {number(entry, "x"), number(entry, "y")};
-    landmark.covariance =
-        covariance<2>(entry["covariance"], "landmark " + std::to_string(landmark.id));
+    const auto owner = "landmark " + std::to_string(landmark.id);
+    landmark.position = position(entry, owner);
+    landmark.covariance = covariance<2>(entry["covariance"], owner);
     readKind(entry, landmark);
     readDescriptor(entry, landmark);
     landmarks.push_back(landmark);
@@ -193,8 +213,10 @@ LandmarkFile parse(const YAML::Node& root, const std::string& frame) {
   if (file.frame != frame)
     throw std::runtime_error("it is in frame '" + file.frame + "', the map frame here is '" +
                              frame + "'");
+  requireUnits(root["units"]);
   const auto pose = root["pose"];
-  file.map.robot.pose = Pose2(number(pose, "x"), number(pose, "y"), number(pose, "theta"));
+  const auto robot = position(pose, "the pose");
+  file.map.robot.pose = Pose2(robot.x(), robot.y(), number(pose, "theta"));
   file.map.robot.covariance = covariance<3>(pose["covariance"], "the pose");
   file.stamp = readStamp(root["stamp"]);
   if (!root["landmarks"]) throw std::runtime_error("it has no landmarks; it may be cut off");

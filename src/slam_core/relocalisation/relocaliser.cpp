@@ -22,6 +22,12 @@ const SectionRegistrar<RelocalisationConfig> kSectionRegistrar;
 constexpr const char* kTooLarge =
     "the grid is too large to be searched for the robot (more than 500 m), so that its pose is "
     "believed as it is: set an initial pose where the robot is elsewhere";
+constexpr const char* kTooFewPoints =
+    "the map has fewer than two landmarks that are points, by which the robot is searched for, so "
+    "that its pose is believed as it is: set an initial pose where the robot is elsewhere";
+constexpr const char* kOnlyLines =
+    "the robot sees only lines, and the loaded map is searched by points, so that its pose is "
+    "believed as it is: set an initial pose where the robot is elsewhere";
 
 /// Whether the pose that was found is compatible with the back-end's (chi-square gate).
 bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
@@ -30,6 +36,13 @@ bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
   e.z() = wrapAngle(e.z());
   const Eigen::Matrix3d S = found.covariance + believed.covariance;
   return e.dot(S.llt().solve(e)) <= kPoseGate;
+}
+
+/// A detector of lines sees no points: then nothing can confirm the pose of the loaded map.
+bool seesOnlyLines(const LandmarkObservationArray& array) {
+  const auto is_line = [](const LandmarkObservation& z) { return z.isLine(); };
+  const auto& seen = array.observations;
+  return !seen.empty() && std::all_of(seen.begin(), seen.end(), is_line);
 }
 
 }  // namespace
@@ -61,17 +74,23 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   end();
   belief_ = belief;
   gating_ = GatingRate(kWindow);
-  is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = false;
+  is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = sees_only_lines_ = false;
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
   doubt_.relocate();
   if (loaded != nullptr) {
     doubt_.forget();
-    doubt_.know(loaded->landmarks);
+    doubt_.know(pointsOf(loaded->landmarks));
   }
   if (can_search) return Status::ok();
   belief_ = Belief::kSure;
-  return is_grid_too_large_ ? Status::warning(kTooLarge) : Status::ok();
+  if (is_grid_too_large_) return Status::warning(kTooLarge);
+  return loaded != nullptr && config_.enabled ? unsearched(*loaded) : Status::ok();
+}
+
+/// @return a warning where a map that is not searched has landmarks
+Status Relocaliser::unsearched(const MapState& loaded) const {
+  return loaded.landmarks.empty() ? Status::ok() : Status::warning(kTooFewPoints);
 }
 
 /// Forgets what was seen before: the robot may have been carried, so that it was seen from
@@ -124,6 +143,10 @@ void Relocaliser::predict(const Motion& motion) {
 }
 
 bool Relocaliser::see(const LandmarkObservationArray& array) {
+  if (belief_ == Belief::kUnconfirmed && !searches_grid_ && seesOnlyLines(array)) {
+    assume(Belief::kSure);
+    sees_only_lines_ = true;
+  }
   if (searches_landmarks_) landmarks_.see(array);
   if (!searches_landmarks_ || is_lost_by_scans_) return true;
   counters_.add("withheld", array.observations.size());
@@ -191,7 +214,8 @@ PoseEstimate Relocaliser::told(PoseEstimate believed) const {
 }
 
 Status Relocaliser::status() const {
-  if (belief_ == Belief::kSure) return Status::ok();
+  if (belief_ == Belief::kSure)
+    return sees_only_lines_ ? Status::warning(kOnlyLines) : Status::ok();
   const std::string how = searches_grid_ ? "drive on until the laser has seen more"
                                          : "drive on until several of its landmarks are seen";
   const std::string ways = is_ambiguous_ ? "several places of the map look alike; " : "";

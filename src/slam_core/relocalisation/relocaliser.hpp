@@ -42,8 +42,7 @@ class Relocaliser {
   /// doubt. The belief becomes kSure, whatever was asked for, where the map can be searched for no
   /// place: it has fewer than two point landmarks, and no grid or one that is too large.
   /// @param loaded the map that the back-end was just given; saves asking the back-end for a copy
-  /// @return a warning where the grid is too large to be searched; nothing says so of a map of
-  /// lines
+  /// @return a warning where a loaded map cannot be searched, so that its pose is believed as it is
   Status assume(Belief belief, const MapState* loaded = nullptr);
   /// Searches the grid with the next scan, even if the robot stands still.
   void searchAnyway();
@@ -59,11 +58,13 @@ class Relocaliser {
   Belief belief() const { return belief_; }
   /// The pose to be reported: while it is not trusted, its covariance covers the whole map.
   PoseEstimate told(PoseEstimate believed) const;
-  /// While the pose is not trusted, a warning that says what the search is waiting for.
+  /// While the pose is not trusted, a warning that says what the search is waiting for; one that it
+  /// is trusted although nothing that the robot sees can confirm it.
   Status status() const;
   const Counters& counters() const { return counters_; }
 
  private:
+  Status unsearched(const MapState& loaded) const;
   void watch(const Pose2& believed, Stamp stamp);
   bool isLostByScans() const;
   bool begin(const MapState* loaded);
@@ -80,7 +81,8 @@ class Relocaliser {
   bool searches_landmarks_ = false, searches_grid_ = false;
   bool is_lost_by_scans_ = false;  ///< lost according to the scans, not to the landmarks
   bool is_grid_too_large_ = false;
-  bool is_ambiguous_ = false;   ///< the last search found several places
+  bool sees_only_lines_ = false;  ///< nothing can confirm a loaded pose
+  bool is_ambiguous_ = false;     ///< the last search found several places
   GatingRate gating_{kWindow};  ///< of observations that are associated by id
   LandmarkDoubt doubt_;         ///< of observations that are associated by place
   Counters counters_;

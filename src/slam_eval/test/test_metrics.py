@@ -162,6 +162,11 @@ class LandmarkError(unittest.TestCase):
         one = landmark_map([1], [[0.0, 0.0]])
         self.assertIsNone(evaluation.landmark_error(one, one))
 
+    def test_ids_of_the_runs_own_are_not_compared_with_those_of_ground_truth(self):
+        estimate = landmark_map(range(20), self.true)
+        estimate.has_own_ids = True
+        self.assertIsNone(evaluation.landmark_error(estimate, landmark_map(range(20), self.true)))
+
 
 class Consistency(unittest.TestCase):
 

@@ -162,6 +162,12 @@ TEST_F(LandmarkFileTest, RefusesAnotherFrame) {
   EXPECT_TRUE(oneSays({refusalWith("frame: map", "frame: office")}, {"'office'", "'map'"}));
 }
 
+TEST_F(LandmarkFileTest, RefusesOtherUnitsAndPlacesOutOfThisWorld) {
+  EXPECT_TRUE(oneSays({refusalWith("position: m,", "position: cm,")}, {"cm", "in m", "rad"}));
+  EXPECT_TRUE(oneSays({refusalWith("{id: 7, x: ", "{id: 7, x: 1e160, z: ")}, {"landmark 7", "km"}));
+  EXPECT_TRUE(oneSays({refusalWith("pose: {x: ", "pose: {x: -1e9, z: ")}, {"the pose", "km"}));
+}
+
 TEST_F(LandmarkFileTest, RefusesEveryTruncation) {
   const auto whole = toYaml(exampleFile());
   for (std::size_t length = 0; length + 2 < whole.size(); ++length)

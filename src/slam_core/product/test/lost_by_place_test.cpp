@@ -135,20 +135,5 @@ INSTANTIATE_TEST_SUITE_P(Policies, LostByPlace,
                          testing::Combine(testing::Values("ekf", "graph"),
                                           testing::Values("nearest", "jcbb")));
 
-TEST(GridTooLarge, IsToldWhenItIsLoaded) {
-  Settings settings({}, {}, {"map=grid"});
-  Estimator estimator;
-  estimator.use(Registry<Backend>::instance().create("grid"));
-  estimator.configure(settings);
-  MapState map;
-  map.grid.emplace();
-  map.grid->resolution = 2.0;
-  map.grid->width = map.grid->height = 300;
-  map.grid->cells.assign(300 * 300, 0);
-  const auto status = estimator.set(map);
-  EXPECT_EQ(status.level, Status::Level::kWarning);
-  EXPECT_NE(status.message.find("more than 500 m"), std::string::npos) << status.message;
-}
-
 }  // namespace
 }  // namespace slam

@@ -16,21 +16,24 @@ _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 @dataclasses.dataclass
 class LandmarkMap:
     """Ids of points, positions (N x 2) [m], covariances (N x 2 x 2) [m^2] and the last pose; and of
-    lines the two ends of what was seen of them (N x 2 x 2) [m]."""
+    lines the two ends of what was seen of them (N x 2 x 2) [m]. A run that associates by position
+    has ids of its own, which are not those of the ground truth."""
 
     ids: list
     positions: np.ndarray
     covariances: np.ndarray
     pose: Optional[np.ndarray] = None
     lines: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros((0, 2, 2)))
+    has_own_ids: bool = False
 
     def __len__(self):
         return len(self.ids) + len(self.lines)
 
 
 def match_by_id(estimate, truth):
-    """Ids both maps hold, with their positions: (ids, estimate N x 2, truth N x 2)."""
-    position = dict(zip(truth.ids, truth.positions))
+    """Ids both maps hold, with their positions: (ids, estimate N x 2, truth N x 2). No
+    ids where those of the estimate are its own."""
+    position = {} if estimate.has_own_ids else dict(zip(truth.ids, truth.positions))
     rows = [i for i, landmark in enumerate(estimate.ids) if landmark in position]
     ids = [estimate.ids[i] for i in rows]
     true = np.array([position[landmark] for landmark in ids]).reshape(-1, 2)

@@ -38,6 +38,9 @@ def missing_parts(run, result):
     if run.landmarks is not None and run.true_landmarks is None:
         notes.append("The run has no ground truth of the landmarks (ground_truth_landmarks.yaml): "
                      "no landmark error.")
+    elif run.landmarks is not None and run.landmarks.has_own_ids:
+        notes.append("The run has associated landmarks by position, so that their ids are not those "
+                     "of ground truth: no landmark error.")
     elif run.landmarks is not None and result.landmark_error is None:
         notes.append("Fewer than two landmarks have an id that ground truth has too: no landmark "
                      "error.")
