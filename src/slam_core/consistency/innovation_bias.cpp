@@ -80,7 +80,7 @@ InnovationBias::Mean judged(const double* y, std::size_t size) {
 
 const char* meaningOf(InnovationBias::Direction direction) {
   static constexpr const char* kMeanings[] = {
-      "in range",
+      "in range: the ranges may have an offset, as where the radius of landmarks is not set",
       "in bearing: the bearings may have an offset, or the odometry's turns a wrong scale",
       "along the way: ranges or the odometry's way may have a wrong scale",
       "across the way: the bearings may have an offset, or the robot slips sideways"};

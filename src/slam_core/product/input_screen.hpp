@@ -12,6 +12,7 @@
 #include "slam_core/contract/ports.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/product/observation_intake.hpp"
+#include "slam_core/product/product_config.hpp"
 
 namespace slam {
 
@@ -23,7 +24,9 @@ class InputScreen {
  public:
   /// @param takes_lines see ObservationIntake @throw ConfigError
   void configure(Settings& settings, bool takes_lines) {
-    observations_ = ObservationIntake(settings.read<LandmarkSensorConfig>(), takes_lines);
+    const bool needs_ids = settings.read<ProductConfig>().association == "known_ids";
+    observations_ =
+        ObservationIntake(settings.read<LandmarkSensorConfig>(), takes_lines, needs_ids);
   }
 
   /// When a value arrives. @return nothing where it is left out

@@ -91,7 +91,18 @@ std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters&
   const auto beyond = leaveOutBeyond(kMostObservations, all, counters);
   if (!beyond.empty()) return beyond;
   if (!invalid.empty()) return invalid;
-  return descriptors.empty() ? lines : descriptors;
+  if (!descriptors.empty()) return descriptors;
+  return lines.empty() ? watchIds(all) : lines;
+}
+
+/// @return a warning, once, if the first kMostWithoutId arrays hold no id
+std::string ObservationIntake::watchIds(const Observations& all) {
+  constexpr std::size_t kMostWithoutId = 20;
+  if (!misses_ids_ || all.empty()) return "";
+  misses_ids_ = all.back().id == kUnknownId;  // they are sorted
+  if (!misses_ids_ || ++arrays_without_id_ != kMostWithoutId) return "";
+  return "no observation so far has an id, and ids are what this product associates by: use "
+         "association=jcbb, or check the detector";
 }
 
 std::string ObservationIntake::admit(LandmarkObservationArray& array, Counters& counters) {

@@ -23,12 +23,15 @@ class ObservationIntake {
   static constexpr std::size_t kMostNewLandmarks = 200;  ///< of one step
 
   /// @param takes_lines the back-end maps lines; else they are left out
-  explicit ObservationIntake(const LandmarkSensorConfig& sensor = {}, bool takes_lines = false)
-      : sensor_(sensor), takes_lines_(takes_lines) {}
+  /// @param needs_ids observations are associated by their ids; where none has one, a warning says
+  /// so
+  explicit ObservationIntake(const LandmarkSensorConfig& sensor = {}, bool takes_lines = false,
+                             bool needs_ids = false)
+      : sensor_(sensor), takes_lines_(takes_lines), misses_ids_(needs_ids) {}
 
   /// When an array arrives: fills in the sensor's covariances, leaves out what is invalid or beyond
   /// kMostObservations, and sorts by id.
-  /// @return what was left out and why; empty where nothing was
+  /// @return what was left out and why, or that no observation has an id; empty where all is well
   std::string screen(LandmarkObservationArray& array, Counters& counters);
 
   /// When a step takes the array: leaves out new landmarks beyond kMostNewLandmarks. They come with
@@ -40,8 +43,12 @@ class ObservationIntake {
   void knowOnly(const LandmarkMap& map);
 
  private:
+  std::string watchIds(const std::vector<LandmarkObservation>& all);
+
   LandmarkSensorConfig sensor_;
   bool takes_lines_;
+  bool misses_ids_;                       ///< they are needed, and no observation had one so far
+  std::size_t arrays_without_id_ = 0;     ///< of those that hold observations
   std::unordered_set<LandmarkId> known_;  // looked up only, never iterated
   Eigen::Index descriptor_size_ = 0;      ///< of all, as the first one has it; 0 before that
 };

@@ -45,6 +45,23 @@ TEST_F(ObservationIntakeTest, LetsAllOfAnOrdinaryArrayThrough) {
   EXPECT_TRUE(counters.all().empty());
 }
 
+TEST_F(ObservationIntakeTest, SaysOnceThatNoObservationHasAnId) {
+  const auto warningsOf = [this](ObservationIntake screened, LandmarkId id) {
+    int warnings = 0;
+    for (int i = 0; i < 100; ++i) {
+      LandmarkObservationArray array;
+      array.observations = {observationOf(kUnknownId)};
+      if (i == 5) array.observations.push_back(observationOf(id));
+      const auto told = screened.screen(array, counters);
+      warnings += test::oneSays({told}, {"no observation so far has an id", "association=jcbb"});
+    }
+    return warnings;
+  };
+  EXPECT_EQ(warningsOf(ObservationIntake({}, false, true), kUnknownId), 1);
+  EXPECT_EQ(warningsOf(ObservationIntake({}, false, true), 3), 0);
+  EXPECT_EQ(warningsOf(ObservationIntake({}, false, false), kUnknownId), 0);
+}
+
 TEST_F(ObservationIntakeTest, CutsAnArrayThatIsTooLargeAndSaysSo) {
   auto array = arrayOf(0, 100000);
   EXPECT_TRUE(test::oneSays({intake.screen(array, counters)}, {"100000", "500", "left out"}));
