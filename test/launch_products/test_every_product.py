@@ -4,7 +4,6 @@
 features promise: as many as have every three features that go together."""
 
 from concurrent.futures import ThreadPoolExecutor
-from itertools import combinations
 import pathlib
 import subprocess
 import tempfile
@@ -13,6 +12,7 @@ import unittest
 from launching import program, record_launch
 import rosbag
 from slam_launch import products
+from slam_launch.covering import covering
 from slam_launch.feature_model import FeatureModel, text
 import yaml
 
@@ -33,22 +33,6 @@ PROMISED = {"backend=ekf": LANDMARKS,
             "odometry=laser_wheel": {"/laser_odometry/odom"}}
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
-
-
-def combined(features):
-    """Returns all that a product has of TOGETHER features."""
-    return {frozenset(some) for some in combinations(features.items(), TOGETHER)}
-
-
-def covering(products):
-    """Returns products that have all combinations there are: always the one that has most of those
-    that are still missing."""
-    missing = set().union(*map(combined, products))
-    chosen = []
-    while missing:
-        chosen.append(max(products, key=lambda features: len(combined(features) & missing)))
-        missing -= combined(chosen[-1])
-    return chosen
 
 
 def promised(features, composition):
@@ -124,7 +108,7 @@ class EveryProductTest(unittest.TestCase):
     def test_publishes_what_its_features_promise(self):
         valid = [features for features in self.model.valid()
                  if features["association"] == "known_ids"]  # others change nothing of the nodes
-        tried = covering(valid)
+        tried = covering(valid, TOGETHER)
         self.assertGreaterEqual(len(tried), 12)
         # bags are read here only: the classes of messages are not made by several threads at once
         bags = [self.bag_for(number, features) for number, features in enumerate(tried)]
