@@ -149,7 +149,9 @@ TEST(ConstellationSearch, TellsTwoHalvesApartByDescriptors) {
   const auto places = ConstellationSearch(map, kOutliers).placesOf(seen);
   ASSERT_FALSE(places.empty());
   EXPECT_LT((places[0].robot.pose.position() - truth.position()).norm(), 0.3);
-  if (places.size() > 1) EXPECT_GT(places[0].log_odds - places[1].log_odds, 3.0);
+  if (places.size() > 1) {
+    EXPECT_GT(places[0].log_odds - places[1].log_odds, 3.0);
+  }
 }
 
 TEST(ConstellationSearch, FindsNothingWhereThereIsTooLittle) {

@@ -53,12 +53,13 @@ class KnownIdsTest : public testing::Test {
 
 TEST_F(KnownIdsTest, IsRegisteredAndAnUnknownNameIsAnsweredWithTheNamesThereAre) {
   EXPECT_FALSE(policy->usesPlaces());
-  EXPECT_EQ(policyNames(), (std::vector<std::string>{"jcbb", "known_ids", "nearest"}));
+  EXPECT_EQ(policyNames(),
+            (std::vector<std::string>{"descriptor", "jcbb", "known_ids", "nearest"}));
   try {
     makePolicy("known_idz");
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_TRUE(test::oneSays({error.what()}, {"association 'known_idz'", "known_ids"}));
+    EXPECT_TRUE(slam::test::oneSays({error.what()}, {"association 'known_idz'", "known_ids"}));
   }
 }
 

@@ -190,9 +190,9 @@ class DrivesThroughAWood : public testing::Test {
   DrivesThroughAWood() {
     first.backend->configure(byPlace());
     second.backend->configure(byPlace());
-    first.take(world, kLap + 20);
+    first.take(world, SimulatedWorld::kLap + 20);
     start = skip(again, 40);
-    second.take(again, kLap);
+    second.take(again, SimulatedWorld::kLap);
   }
   /// Each tree is in the map once.
   void expectTrees(const Session& session) const {
@@ -201,13 +201,15 @@ class DrivesThroughAWood : public testing::Test {
       if (landmark.is_retired) continue;
       EXPECT_TRUE(ids.insert(landmark.id).second);
       for (const auto& [id, place] : world.landmarks())
-        if ((landmark.position - place).norm() < 0.4) EXPECT_TRUE(found.insert(id).second) << id;
+        if ((landmark.position - place).norm() < 0.4) {
+          EXPECT_TRUE(found.insert(id).second) << id;
+        }
     }
     EXPECT_EQ(found.size(), ids.size());
     EXPECT_GE(found.size(), 15u);
   }
   SimulatedWorld world{1, trees()}, again{2, trees()};
-  Drive first{false}, second{false};
+  MergedDrive first{false}, second{false};
   Pose2 start;  ///< of the second one
 };
 
@@ -224,14 +226,14 @@ TEST_F(DrivesThroughAWood, AreMergedWhileTheFirstDrivesOn) {
   as<SessionMerger>(*first.backend).merge({bytesOf(second.session())});
   first.take(world, 3);
   EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
-  first.take(world, kLap);
+  first.take(world, SimulatedWorld::kLap);
   expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
   expectTrees(first.session());
 }
 
 TEST_F(DrivesThroughAWood, AreNotMergedWithOneThatHasTheIdsOfMarkers) {
   SimulatedWorld markers(3);
-  Drive by_id{false};
+  MergedDrive by_id{false};
   by_id.take(markers, 60);
   const auto a = first.session(), b = by_id.session();
   EXPECT_NE(sentenceOf([&] {
@@ -252,13 +254,13 @@ TEST_F(DrivesThroughAWood, AreNotMergedWithOneThatHasTheIdsOfMarkers) {
 /// sides.
 TEST(DrivesPastLandmarksThatLookAlike, AreNotMergedByConstellations) {
   SimulatedWorld world(1), again(2);
-  Drive first{false}, second{false};
+  MergedDrive first{false}, second{false};
   GraphConfig config;
   config.association = "jcbb";
   first.backend->configure(config);
   second.backend->configure(config);
-  first.take(world, kLap);
-  second.take(again, kLap);
+  first.take(world, SimulatedWorld::kLap);
+  second.take(again, SimulatedWorld::kLap);
   const auto a = first.session(), b = second.session();
   EXPECT_NE(
       sentenceOf([&] { graph_slam::merged(a, b, {}, GoesOn::kFirst); }).find("nothing in common"),

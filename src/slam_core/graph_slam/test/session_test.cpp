@@ -165,13 +165,13 @@ TEST(Session, GoesOnWithScansAsIfItHadNeverStopped) {
 
 TEST(Session, KeepsALandmarkRemovedThatWasRemovedAndFoundAnew) {
   SimulatedWorld world(1);
-  auto first = made();
+  auto first = madeFor();
   drive(*first, world, 80);
   ASSERT_TRUE(as<LandmarkRemover>(*first).remove(10).isOk());
   ASSERT_TRUE(as<LandmarkRemover>(*first).remove(13).isOk());
   const auto size = as<LandmarkMapper>(*first).landmarks().size();
   EXPECT_EQ(as<LandmarkMapper>(*resumed(saved(*first))).landmarks().size(), size);
-  drive(*first, world, kLap);
+  drive(*first, world, SimulatedWorld::kLap);
   const auto session = saved(*first);
   auto second = resumed(session);
   EXPECT_EQ(saved(*second), session);
@@ -190,8 +190,8 @@ TEST(Session, OfIdsOfItsOwnMakingIsRefusedWhereIdsDecide) {
   drive(*by_place, world, 80);
   const auto session = saved(*by_place);
   EXPECT_TRUE(sessionOf(session).kind.has_own_ids);
-  EXPECT_FALSE(sessionOf(saved(*made())).kind.has_own_ids);
-  auto by_id = made();
+  EXPECT_FALSE(sessionOf(saved(*madeFor())).kind.has_own_ids);
+  auto by_id = madeFor();
   EXPECT_EQ(sentenceOf([&] { as<SessionKeeper>(*by_id).set(SavedSession{session}); }),
             "its landmarks have ids of its own making and this product goes by the ids of "
             "observations: run a product with association: nearest, jcbb or descriptor");
@@ -202,7 +202,7 @@ TEST(Session, OfIdsOfItsOwnMakingIsRefusedWhereIdsDecide) {
 
 TEST(Session, KeepsTheDescriptorsOfItsLandmarks) {
   SimulatedWorld world(1);
-  auto backend = made();
+  auto backend = madeFor();
   for (int i = 0; i < 60; ++i) {
     auto step = world.next();
     for (auto& z : step.observations.observations)

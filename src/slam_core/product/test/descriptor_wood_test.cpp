@@ -102,7 +102,7 @@ TEST_P(WoodOfPairs, DescriptorsTellTreesApartThatStandTogether) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, WoodOfPairs, testing::Values("ekf", "pf", "graph"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& backend) { return backend.param; });
 
 }  // namespace
 }  // namespace slam

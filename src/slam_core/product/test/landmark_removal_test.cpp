@@ -79,7 +79,7 @@ TEST_P(LandmarkRemoval, IsRefusedWhereTheMapIsFixed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, LandmarkRemoval, testing::Values("ekf", "pf", "graph"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& backend) { return backend.param; });
 
 TEST(LandmarkRemovalOfAGrid, IsRefusedByABackEndWithoutLandmarks) {
   Estimator estimator;
