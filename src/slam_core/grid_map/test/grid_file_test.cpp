@@ -14,7 +14,7 @@
 namespace slam::grid_map {
 namespace {
 
-constexpr auto kUnseen = OccupancyGrid::kUnknown;
+constexpr auto kUnknownCell = OccupancyGrid::kUnknown;
 
 const std::string kYaml =
     "image: m.pgm\nresolution: 0.05\norigin: [-1, 2.5, 0.0]\nnegate: 0\n"
@@ -51,7 +51,7 @@ OccupancyGrid savedGrid() {
   grid.origin = {-12.35, 0.1 + 0.2};
   grid.width = 3;
   grid.height = 2;
-  grid.cells = {0, 100, kUnseen, 25, 65, 40};
+  grid.cells = {0, 100, kUnknownCell, 25, 65, 40};
   return grid;
 }
 
@@ -74,7 +74,7 @@ TEST_F(GridFileTest, ReadsBackWhatItWroteAsFreeOccupiedOrUnknown) {
   EXPECT_EQ(grid.origin, savedGrid().origin) << "to the last digit";
   EXPECT_EQ(grid.width, 3u);
   EXPECT_EQ(grid.height, 2u);
-  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 100, kUnseen, 0, 100, kUnseen}));
+  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 100, kUnknownCell, 0, 100, kUnknownCell}));
 }
 
 TEST_F(GridFileTest, ReadsAMapOfMapSaver) {
@@ -82,7 +82,7 @@ TEST_F(GridFileTest, ReadsAMapOfMapSaver) {
   folder_.write("m.pgm", std::string("P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n2 2\n255\n") +
                              std::string("\xcd\x00\xfe\xfe", 4));
   const auto grid = loadGrid(path("m.yaml"));
-  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 0, kUnseen, 100}));
+  EXPECT_EQ(grid.cells, (std::vector<std::int8_t>{0, 0, kUnknownCell, 100}));
   EXPECT_EQ(grid.origin, Eigen::Vector2d(-1, 2.5));
 }
 
@@ -90,11 +90,12 @@ TEST_F(GridFileTest, ReadsANegatedImageAndTheModesOfMapServer) {
   const std::string image = std::string("P5 3 1 255\n") + std::string("\xff\x80\x00", 3);
   folder_.write("m.pgm", image);
   folder_.write("m.yaml", replaced(kYaml, "negate: 0", "negate: 1"));
-  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{100, kUnseen, 0}));
+  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{100, kUnknownCell, 0}));
   folder_.write("m.yaml", kYaml + "mode: scale\n");  // 1 + 98 (0.498 - 0.196) / (0.65 - 0.196)
   EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{0, 66, 100}));
   folder_.write("m.yaml", kYaml + "mode: raw\n");
-  EXPECT_EQ(loadGrid(path("m.yaml")).cells, (std::vector<std::int8_t>{kUnseen, kUnseen, 0}));
+  EXPECT_EQ(loadGrid(path("m.yaml")).cells,
+            (std::vector<std::int8_t>{kUnknownCell, kUnknownCell, 0}));
 }
 
 TEST_F(GridFileTest, RefusesAnImageThatIsMissingCutOffOrNoPgm) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "slam_core/geometry/angle.hpp"
 #include "slam_core/grid_map/grid_conversion.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 
