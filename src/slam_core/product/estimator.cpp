@@ -173,7 +173,7 @@ Status merge(const SavedSession& session, const Estimator& estimator) {
 Status removeLandmark(LandmarkId id, const Estimator& estimator) {
   auto* remover = estimator.capabilities().find<LandmarkRemover>();
   if (remover == nullptr)
-    return Status::error("this back-end maps no landmarks: use ekf, pf or graph");
+    return Status::error("this back-end removes no landmarks: use ekf, pf or graph");
   return remover->remove(id);
 }
 

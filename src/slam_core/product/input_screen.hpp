@@ -24,9 +24,9 @@ class InputScreen {
  public:
   /// @param takes_lines see ObservationIntake @throw ConfigError
   void configure(Settings& settings, bool takes_lines) {
+    const auto sensor = settings.read<LandmarkSensorConfig>();
     const bool needs_ids = settings.read<ProductConfig>().association == "known_ids";
-    observations_ =
-        ObservationIntake(settings.read<LandmarkSensorConfig>(), takes_lines, needs_ids);
+    observations_ = ObservationIntake(sensor, takes_lines, needs_ids);
   }
 
   /// When a value arrives. @return nothing where it is left out

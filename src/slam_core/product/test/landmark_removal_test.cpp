@@ -87,7 +87,7 @@ TEST(LandmarkRemovalOfAGrid, IsRefusedByABackEndWithoutLandmarks) {
   estimator.use(Registry<Backend>::instance().create("grid"));
   estimator.configure(settings);
   EXPECT_EQ(removeLandmark(7, estimator).message,
-            "this back-end maps no landmarks: use ekf, pf or graph");
+            "this back-end removes no landmarks: use ekf, pf or graph");
 }
 
 }  // namespace

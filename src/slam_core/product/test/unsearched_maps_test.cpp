@@ -73,7 +73,7 @@ TEST(UnsearchedMap, OfAGridThatIsTooLargeIsTold) {
 
 TEST(UnsearchedMap, OfLinesIsTold) {
   Estimator estimator;
-  configure(estimator, "ekf", {"ekf.association=jcbb"});
+  configure(estimator, "ekf", {"association=jcbb"});
   EXPECT_TRUE(warns(estimator.set(mapOf(LandmarkKind::kLine)), kBelieved));
   EXPECT_TRUE(estimator.set(mapOf(LandmarkKind::kPoint)).isOk());
   EXPECT_TRUE(estimator.set(MapState()).isOk()) << "an empty map is where a robot begins";
@@ -81,7 +81,7 @@ TEST(UnsearchedMap, OfLinesIsTold) {
 
 TEST(UnsearchedMap, OfPointsIsNotWaitedForByARobotThatSeesLinesOnly) {
   Estimator estimator;
-  configure(estimator, "ekf", {"ekf.association=jcbb"});
+  configure(estimator, "ekf", {"association=jcbb"});
   ASSERT_TRUE(estimator.set(mapOf(LandmarkKind::kPoint)).isOk());
   const auto begin = stampFromNanoseconds(1000000000);
   bool is_told = false;
