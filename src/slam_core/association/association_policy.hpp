@@ -22,7 +22,7 @@ struct Candidate {
       Eigen::Vector2d::Zero();  ///< observed less predicted: range [m], bearing [rad]
   Eigen::Matrix2d S =
       Eigen::Matrix2d::Zero();  ///< its covariance, the observation's noise included
-  /// What the descriptor adds to the pairing's cost, see Option; for policies to fill in.
+  /// The descriptor adds this to the cost of the pairing (see Option). Policies fill it in.
   double descriptor_cost = 0.0;
 };
 

@@ -9,8 +9,8 @@
 namespace slam::association {
 namespace {
 
-/// What the errors of a landmark's observations have in common, such as its shape from that side,
-/// as a share of their variance: so much of the last one's stays.
+/// The errors of a landmark's observations have this share of their variance in common, such as
+/// that of its shape from one side: no mean has a smaller variance than this share.
 constexpr float kAlikeShare = 0.1F;
 
 /// The chi-square distribution's share beyond `squared`, by its recurrence from one and from two

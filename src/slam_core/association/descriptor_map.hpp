@@ -10,7 +10,7 @@
 
 namespace slam::association {
 
-/// How well an observation's descriptor fits a landmark's.
+/// This tells how well an observation's descriptor fits a landmark's.
 struct DescriptorFit {
   double nis = 0.0;   ///< squared Mahalanobis distance
   double cost = 0.0;  ///< with ln(|S| / |R|) added, as Option::cost; never negative
@@ -27,8 +27,8 @@ DescriptorFit fitOf(const Descriptor& seen, const Descriptor& landmark, double p
 void fuse(const Descriptor& seen, Descriptor& known);
 
 /// The descriptors of a map's landmarks by id: means with their standard deviations, from all
-/// observations that were taken for the landmark. They do not depend on the pose, so that one serves
-/// all particles of a filter as well.
+/// observations that were taken for the landmark. They do not depend on the pose, so that one
+/// serves all particles of a filter as well.
 class DescriptorMap {
  public:
   /// @param map landmarks that were loaded, with their descriptors

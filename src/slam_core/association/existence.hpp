@@ -36,7 +36,7 @@ class Existence {
   /// @return ghosts: landmarks to be removed, of which nothing is known from now on
   std::vector<LandmarkId> see(const Pose2& sensor, const std::vector<LandmarkPlace>& landmarks,
                               const std::vector<LandmarkId>& seen, const SensorReach& reach);
-  /// Nothing is known any more of a landmark that was removed.
+  /// Forgets the evidence about a landmark that was removed.
   void forget(LandmarkId id) {
     log_odds_.erase(id);
     seen_.erase(id);

@@ -42,7 +42,7 @@ struct ConsistencyConfig {
 class ConsistencyMonitor {
  public:
   enum Source : std::size_t { kRange, kBearing, kMotion, kSources };
-  /// What is wrong, the most severe fault first.
+  /// After kNone, the faults stand in the order of their severity, the most severe one first.
   enum class Fault { kNone, kLost, kBias, kRangeSigma, kBearingSigma, kMotionSigma };
 
   /// The estimate for one source over the window.

@@ -11,9 +11,9 @@
 
 namespace slam {
 
-/// How many of the last observations of known landmarks failed the chi-square gate. A filter that
-/// has lost its pose shows nothing else: gated observations do not correct it, and the innovations
-/// of the few that pass the gate are small.
+/// Counts how many of the last observations of known landmarks failed the chi-square gate. A filter
+/// that has lost its pose shows nothing else: gated observations do not correct it, and the
+/// innovations of the few that pass the gate are small.
 ///
 /// The gate rejects right observations with a known probability, and a healthy sensor may add a
 /// share of wrong ones (kOutliers). The errors of one landmark are correlated, as it may have been

@@ -23,7 +23,7 @@ class Marginals {
     graph_.update({});
   }
   Eigen::Matrix2d of(std::size_t landmark) const { return graph_.covariance({keyOf(landmark)}); }
-  /// Of the way from one landmark to another.
+  /// The covariance belongs to the vector from one landmark to the other.
   Eigen::Matrix2d ofDifference(std::size_t from, std::size_t to) const {
     const Eigen::MatrixXd P = graph_.covariance({keyOf(from), keyOf(to)});
     const Eigen::Matrix2d cross = P.block<2, 2>(0, 2);

@@ -44,7 +44,7 @@ struct Landmark {
   LandmarkKind kind = LandmarkKind::kPoint;
   double direction = 0.0;  ///< of the perpendicular to a line, away from who saw it [rad]
   LineExtent extent = {};  ///< of a line, from `position`
-  /// By all observations of the landmark; empty where they have none.
+  /// It is the mean over all observations of the landmark; it is empty where they have none.
   Descriptor descriptor = {};
 
   bool isLine() const { return kind == LandmarkKind::kLine; }

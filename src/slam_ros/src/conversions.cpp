@@ -33,7 +33,7 @@ void copyTo(const Eigen::Matrix<double, N, N>& matrix, Array& values) {
   Eigen::Map<Eigen::Matrix<double, N, N, Eigen::RowMajor>>(values.data()) = matrix;
 }
 
-/// What is longer than a descriptor may be stays too long, so that it is refused.
+/// A descriptor that is too long stays too long by one element, so that it is refused.
 slam::Descriptor::Vector descriptorVector(const std::vector<float>& values) {
   constexpr std::size_t kRoom = slam::Descriptor::kMostElements + 1;
   const auto size = static_cast<Eigen::Index>(std::min(values.size(), kRoom));

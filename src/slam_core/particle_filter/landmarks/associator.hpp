@@ -58,7 +58,8 @@ class Associator {
     evidence_.forget(id);
     descriptors_.forget(id);
   }
-  /// What the most likely particle takes an observation for; the descriptors are the same for all.
+  /// The most likely particle has taken the observation for this landmark, which gets its
+  /// descriptor. All particles share the descriptors.
   void describe(LandmarkId id, const LandmarkObservation& z) { descriptors_.see(id, z.descriptor); }
   const association::DescriptorMap& descriptors() const { return descriptors_; }
   /// After the update: landmarks that are not there, to be removed.

@@ -149,7 +149,7 @@ void LandmarkUpdate::describe(const Particle& best, const Sight& sight) {
     if (is_used_[column]) associator_.describe(index_.id(best.map[slot].number), z);
 }
 
-/// What the most likely particle takes the observations for.
+/// Records the landmarks for which the most likely particle takes the observations.
 void LandmarkUpdate::record(const Particle& best, const Sight& sight, Account& account) const {
   auto& record = account.statistics.associations;
   record = association::recordOf(array_, sight.kinds);

@@ -38,7 +38,7 @@ class LandmarkUpdate final : public SensorUpdate {
 
   /// These are the landmarks of the particles' maps, in this order.
   void load(const LandmarkMap& map);
-  /// As LandmarkRemover::remove().
+  /// This does what LandmarkRemover::remove() promises.
   Status remove(LandmarkId id, Account& account);
   /// All motion, that of steps without observations as well; before take().
   void move(const Motion& motion) { associator_.move(motion); }

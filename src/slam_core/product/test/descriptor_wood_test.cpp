@@ -39,7 +39,7 @@ std::map<LandmarkId, Eigen::Vector2d> pairsOfTrees() {
   return trees;
 }
 
-/// How a drive of two laps through the wood went.
+/// The result of a drive of two laps through the wood.
 struct Outcome {
   int paired = 0, wrong = 0, seen = 0;
   double squared = 0.0;  ///< mean of the squared error of position [m^2]

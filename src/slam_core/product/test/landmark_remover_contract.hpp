@@ -9,7 +9,7 @@
 #include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/product/test/landmark_contract.hpp"
 
-// What a back-end promises that forgets landmarks on request.
+// A back-end that forgets landmarks on request promises what these tests check.
 
 namespace slam::test {
 

@@ -46,7 +46,7 @@ MapState mapOf(LandmarkKind kind) {
   return map;
 }
 
-/// What is seen of the lines of mapOf() from its origin.
+/// The robot at the origin of mapOf() sees one of its lines.
 LandmarkObservationArray linesAhead(Stamp stamp, std::uint64_t sequence) {
   LandmarkObservationArray array;
   array.stamp = stamp;
