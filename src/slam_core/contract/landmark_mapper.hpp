@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "slam_core/common/time.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
@@ -23,13 +24,28 @@ struct ObservationInnovation {
 };
 
 /// What an observation was taken for.
-enum class TakenFor { kLandmark, kNew, kGated, kAmbiguous, kOnTrial, kNotInMap, kNothing };
+enum class TakenFor {
+  kLandmark,
+  kNew,
+  kGated,
+  kAmbiguous,
+  kOnTrial,
+  kNotInMap,
+  kNothing,
+  kTakenBack  ///< the landmark that it was taken for before is not the one
+};
 
 /// What an observation was taken for where its id does not decide on it.
 struct AssociatedObservation {
   LandmarkId own_id = kUnknownId;    ///< the one that it brings, which was not looked at
   LandmarkId landmark = kUnknownId;  ///< the landmark's, where it was taken for one
   TakenFor taken_for = TakenFor::kNothing;
+};
+
+/// What is decided anew of an observation of an earlier step.
+struct RevisedAssociation {
+  Stamp stamp;  ///< of that step
+  AssociatedObservation observation;
 };
 
 /// The same of several observations of a stamp together, (range, bearing) one after the other.
@@ -58,6 +74,7 @@ struct UpdateStatistics {
   std::vector<ObservationInnovation> innovations;
   /// One for each observation, in their order, of a back-end that associates by place; else empty.
   std::vector<AssociatedObservation> associations;
+  std::vector<RevisedAssociation> revised_associations;  ///< in the order of their decision
   JointInnovation joint;      ///< of the first of those that were used, kJoint at most
   PosePrediction prediction;  ///< before the observations; counts only where joint.H is known
 

@@ -50,6 +50,7 @@ class Optimizer {
   friend void removeVariable(Optimizer& graph, Key key);
   FactorId add(std::shared_ptr<const Factor> factor);
   void remove(FactorId id);
+  const Factor& factor(FactorId id) const { return *terms_[index(id)].factor; }
   /// Multiplies a factor's share of chi2 by a weight, which is 1 at first.
   void set(FactorId id, double weight);
 

@@ -8,16 +8,17 @@
 namespace slam::graph_slam {
 
 PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph,
-                                 const association::DescriptorMap& descriptors, double gate)
+                                 const association::DescriptorMap& descriptors, double gate,
+                                 const Viewpoint& from)
     : IdCandidates(graph), descriptors_(descriptors) {
-  findNear(array, gate);
-  prediction_.emplace(graph, array.sensor_pose, matches_);
+  findNear(array, gate, graph.robot(from));
+  prediction_.emplace(graph, array.sensor_pose, matches_, from);
 }
 
 /// Robot and landmark may both be in doubt: relative to one another no more than both together.
-void PlaceCandidates::findNear(const LandmarkObservationArray& array, double gate) {
+void PlaceCandidates::findNear(const LandmarkObservationArray& array, double gate,
+                               const PoseEstimate& robot) {
   const RangeBearingModel model;
-  const auto robot = graph_.robot();
   const auto map = graph_.map();
   const auto order = graph_.ids().order();
   for (const auto& z : array.observations) {

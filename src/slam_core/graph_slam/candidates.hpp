@@ -32,7 +32,8 @@ class PlaceCandidates final : public IdCandidates {
  public:
   /// @param gate largest squared Mahalanobis distance; all within it are found, and some beyond
   PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph,
-                  const association::DescriptorMap& descriptors, double gate);
+                  const association::DescriptorMap& descriptors, double gate,
+                  const Viewpoint& from = {});
   PlaceCandidates(const PlaceCandidates&) = delete;  // the prediction refers to the matches
   PlaceCandidates& operator=(const PlaceCandidates&) = delete;
 
@@ -45,7 +46,7 @@ class PlaceCandidates final : public IdCandidates {
                                   const association::Pairing& second) const override;
 
  private:
-  void findNear(const LandmarkObservationArray& array, double gate);
+  void findNear(const LandmarkObservationArray& array, double gate, const PoseEstimate& robot);
   std::size_t matchOf(const association::Pairing& pairing) const;
 
   const association::DescriptorMap& descriptors_;

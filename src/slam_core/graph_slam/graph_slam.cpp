@@ -104,10 +104,15 @@ Component::Figures GraphSlam::figures() const {
 
 std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& start) const {
   auto graph = std::make_unique<Graph>(config_, start);
+  auto& delayed = graph->delayed;
+  graph->reduction.announceTo([&delayed](graph::Key node) { delayed.forget(node); });
   if (!uses_grid_) return graph;
   auto& scans = graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
   graph->reduction.keepWhile([&scans](graph::Key node) { return reductionOf(scans).holds(node); });
-  graph->reduction.announceTo([&scans](graph::Key node) { pathOf(scans).forget(node); });
+  graph->reduction.announceTo([&delayed, &scans](graph::Key node) {
+    delayed.forget(node);
+    pathOf(scans).forget(node);
+  });
   return graph;
 }
 
@@ -181,9 +186,13 @@ Status GraphSlam::execute() {
 Status GraphSlam::takeObservations() {
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
-  auto& [path, landmarks, scans, record, reduction] = *graph_;
+  auto& [path, landmarks, delayed, scans, record, reduction] = *graph_;
   auto association = associator_.associate(z, landmarks, statistics_, counters_);
   if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
+  if (associator_.goesByPlace()) {
+    delayed.keep(z, association, landmarks);
+    statistics_.revised_associations = delayed.revise(associator_, landmarks, counters_);
+  }
   const auto reconsidered = reconsider(association, z.sensor_pose);
   const auto augmented = augment(association, z.sensor_pose);
   path.optimize(config_.iterations);

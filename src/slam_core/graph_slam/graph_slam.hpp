@@ -22,6 +22,7 @@
 #include "slam_core/contract/session_merger.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/graph_slam/associator.hpp"
+#include "slam_core/graph_slam/delayed_decisions.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
 #include "slam_core/graph_slam/path_record.hpp"
@@ -103,6 +104,7 @@ class GraphSlam final : public Backend,
                     landmarks, record) {}
     PathGraph path;
     LandmarkGraph landmarks{path};
+    DelayedDecisions delayed;
     std::optional<ScanGraph> scans;  ///< where there is a grid
     PathRecord record;
     PathReduction reduction;

@@ -72,7 +72,7 @@ SavedSession GraphSlam::session() const {
 }
 
 Session GraphSlam::snapshot() const {
-  const auto& [path, landmarks, scans, record, reduction] = *graph_;
+  const auto& [path, landmarks, delayed, scans, record, reduction] = *graph_;
   const auto loops = scans ? scans->loops().states() : std::vector<graph::RobustLoops::State>();
   const auto numbers = SessionParts::numbersOf(path, landmarks, loops);
   Session session;
@@ -96,7 +96,7 @@ Session GraphSlam::snapshot() const {
 GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
   Resumed resumed{emptyGraph(session.robot.start), association::Sightings(), LandmarkMap(),
                   session.last_motion};
-  auto& [path, landmarks, scans, record, reduction] = *resumed.graph;
+  auto& [path, landmarks, delayed, scans, record, reduction] = *resumed.graph;
   SessionParts::read(session, path);
   SessionParts::read(session, landmarks);
   if (scans)
@@ -129,7 +129,7 @@ void GraphSlam::set(const SavedSession& saved) {
     resumed_ = std::move(taken);
     return;
   }
-  const auto& [path, landmarks, scans, record, reduction] = *taken.graph;
+  const auto& [path, landmarks, delayed, scans, record, reduction] = *taken.graph;
   const bool has_joint =
       !scans && landmarks.ids().size() <= static_cast<std::size_t>(config_.joint_limit);
   map_ = has_joint ? landmarks.state() : MapState{path.robot(), landmarks.map(), {}};

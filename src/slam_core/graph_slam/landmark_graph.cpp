@@ -4,6 +4,9 @@
 #include "slam_core/graph_slam/landmark_graph.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -25,6 +28,20 @@ Eigen::MatrixXd withTwist(const MapState& map) {
   P.topRows<3>() = J_inverse * P.topRows<3>().eval();
   P.leftCols<3>() = P.leftCols<3>().eval() * J_inverse.transpose();
   return P;
+}
+
+/// Whether a factor of the graph contradicts the other ones. Its residual has the covariance
+/// I - J P J^T, since the estimate has been drawn towards what it says.
+/// @param gate largest squared residual, by that covariance
+bool isContradicting(const graph::Optimizer& graph, const graph::Factor& factor, double gate) {
+  constexpr double kLeastShare = 0.25;  // of I that counts: what nothing else holds tells nothing
+  if (graph.chi2(factor) <= kLeastShare * gate) return false;
+  const auto innovation = graph.innovation({&factor});
+  const auto size = innovation.S.rows();
+  const Eigen::MatrixXd S = 2.0 * Eigen::MatrixXd::Identity(size, size) - innovation.S;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(S);
+  const Eigen::ArrayXd along = axes.eigenvectors().transpose() * innovation.r;
+  return (along.square() / axes.eigenvalues().array().max(kLeastShare)).sum() > gate;
 }
 
 }  // namespace
@@ -58,10 +75,11 @@ void LandmarkGraph::addLandmark(LandmarkId id, const Eigen::Vector2d& place) {
   index_.addLandmark();
 }
 
-Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landmarks) const {
+Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landmarks,
+                                          const Viewpoint& from) const {
   std::vector<graph::Key> keys;
   for (const auto landmark : landmarks) keys.push_back(keys_[landmark]);
-  return path_.covariance(keys);
+  return path_.covariance(keys, from);
 }
 
 /// The observation as if made from the last node: with the noise of the motion since then.
@@ -88,7 +106,7 @@ bool LandmarkGraph::isBlurred(const LandmarkObservation& z, const Pose2& sensor)
 
 void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor) {
   const auto node = isBlurred(z, sensor) ? path_.addNode() : path_.nodeNearby();
-  if (std::exchange(sightings_node_, node) != node) sightings_.clear();
+  startNode(node);
   const auto& motion = path_.tail().motion;
   Sighting sighting{carriedBack(z, sensor), motion ? motion->increment * sensor : sensor};
   auto& graph = path_.graph();
@@ -99,11 +117,75 @@ void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, cons
     sighting.z = *both;
     graph.remove(index_.remove(landmark, node));
   }
-  const auto factor = graph.add(std::make_unique<graph::RangeBearing>(
-      node, keys_[landmark], sighting.sensor, sighting.z.vector(),
-      graph::weightOfCovariance(sighting.z.covariance)));
-  index_.add(landmark, node, factor);
+  addSighting(landmark, sighting, node);
   sightings_[landmark] = sighting;
+}
+
+void LandmarkGraph::addSighting(std::size_t landmark, const Sighting& sighting, graph::Key node) {
+  index_.add(landmark, node,
+             path_.graph().add(std::make_unique<graph::RangeBearing>(
+                 node, keys_[landmark], sighting.sensor, sighting.z.vector(),
+                 graph::weightOfCovariance(sighting.z.covariance))));
+}
+
+void LandmarkGraph::startNode(graph::Key node) {
+  if (std::exchange(sightings_node_, node) != node) sightings_.clear();
+}
+
+/// What the factor of a node says.
+LandmarkGraph::Sighting LandmarkGraph::sightingOf(std::size_t landmark, graph::Key node) const {
+  const auto& factor =
+      dynamic_cast<const graph::RangeBearing&>(path_.graph().factor(index_.factor(landmark, node)));
+  Sighting sighting;
+  sighting.sensor = factor.sensor();
+  sighting.z.range = factor.measured().x();
+  sighting.z.bearing = factor.measured().y();
+  sighting.z.covariance = (factor.weight().transpose() * factor.weight()).inverse();
+  return sighting;
+}
+
+NodeObservations LandmarkGraph::fromNode(const LandmarkObservationArray& array) {
+  const auto& seen = array.observations;
+  const bool is_blurred = std::any_of(
+      seen.begin(), seen.end(), [&](const auto& z) { return isBlurred(z, array.sensor_pose); });
+  NodeObservations from_node{is_blurred ? path_.addNode() : path_.nodeNearby(), array};
+  startNode(from_node.node);
+  for (auto& z : from_node.array.observations) z = carriedBack(z, array.sensor_pose);
+  if (const auto& motion = path_.tail().motion)
+    from_node.array.sensor_pose = motion->increment * array.sensor_pose;
+  return from_node;
+}
+
+void LandmarkGraph::observe(const Match& match, const Pose2& sensor, graph::Key node) {
+  Sighting sighting{match.z, sensor};
+  if (index_.isSeenFrom(node, match.landmark)) {
+    const auto known = sightingOf(match.landmark, node);
+    const auto both = fused(sighting.z, sensor, known.z, known.sensor);
+    if (!both) return;
+    sighting = {*both, known.sensor};
+    path_.graph().remove(index_.remove(match.landmark, node));
+  }
+  addSighting(match.landmark, sighting, node);
+  if (node == sightings_node_) sightings_[match.landmark] = sighting;
+}
+
+std::vector<std::size_t> LandmarkGraph::contradictions(graph::Key node, double gate) const {
+  const auto& graph = path_.graph();
+  std::vector<std::size_t> contradicting;
+  for (const auto landmark : index_.seenFrom(node))
+    if (isContradicting(graph, graph.factor(index_.factor(landmark, node)), gate))
+      contradicting.push_back(landmark);
+  return contradicting;
+}
+
+NodeObservations LandmarkGraph::withdraw(std::size_t landmark, graph::Key node) {
+  const auto sighting = sightingOf(landmark, node);
+  path_.graph().remove(index_.remove(landmark, node));
+  if (node == sightings_node_) sightings_.erase(landmark);
+  NodeObservations withdrawn{node, {}};
+  withdrawn.array.sensor_pose = sighting.sensor;
+  withdrawn.array.observations = {sighting.z};
+  return withdrawn;
 }
 
 void LandmarkGraph::observe(const std::vector<Match>& matches, const Pose2& sensor) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -21,6 +22,15 @@ struct Match {
   LandmarkObservation z;
 };
 
+/// From where something is seen: a node of the path, or the robot where it is now.
+using Viewpoint = std::optional<graph::Key>;
+
+/// Observations of one stamp as if they had been made from a node of the path.
+struct NodeObservations {
+  graph::Key node = -1;
+  LandmarkObservationArray array;  ///< its sensor pose is T_node_sensor
+};
+
 /// The landmarks of a graph: a factor of range and bearing for each one that is seen from a node of
 /// the path. What is seen before the next node is due goes into the last one's factors, so that a
 /// robot that stands still does not make the graph grow. A node is due when the robot has moved, or
@@ -34,7 +44,9 @@ class LandmarkGraph {
   /// with a very large one, landmarks get their marginals times `inflation` squared.
   void load(const MapState& map, double inflation);
 
-  PoseEstimate robot() const { return path_.robot(); }
+  PoseEstimate robot(const Viewpoint& from = {}) const { return path_.robot(from); }
+  /// The newest node of the path; none before the first one.
+  std::optional<graph::Key> lastNode() const { return path_.tail().node; }
   const LandmarkIds& ids() const { return ids_; }
   /// To retire one: the graph keeps what was seen of it.
   friend LandmarkIds& idsOf(LandmarkGraph& landmarks) { return landmarks.ids_; }
@@ -44,12 +56,24 @@ class LandmarkGraph {
   }
   /// The covariance of the robot, as a twist in its frame, and of some landmarks, one after
   /// another.
-  Eigen::MatrixXd covariance(const std::vector<std::size_t>& landmarks) const;
+  Eigen::MatrixXd covariance(const std::vector<std::size_t>& landmarks,
+                             const Viewpoint& from = {}) const;
+  const SightingIndex& sightings() const { return index_; }
   Eigen::Matrix2d covariance(std::size_t landmark) const {
     return path_.graph().covariance({keys_[landmark]});
   }
 
   void observe(const std::vector<Match>& matches, const Pose2& sensor);
+  /// Observations that are to be decided on later, as if made from the last node.
+  NodeObservations fromNode(const LandmarkObservationArray& array);
+  /// An observation of an earlier node, which may have seen the landmark before.
+  /// @param sensor T_node_sensor
+  void observe(const Match& match, const Pose2& sensor, graph::Key node);
+  /// The landmarks that were seen from a node where all else in the graph does not have them now.
+  /// @param gate largest squared residual, by its covariance
+  std::vector<std::size_t> contradictions(graph::Key node, double gate) const;
+  /// Removes what a node saw of a landmark. @return what it saw
+  NodeObservations withdraw(std::size_t landmark, graph::Key node);
   /// A landmark at a place [m] where an observation puts it; where its id is unknown or another
   /// one's, it gets one that is free.
   void append(LandmarkId id, const Eigen::Vector2d& place, const LandmarkObservation& z,
@@ -73,6 +97,9 @@ class LandmarkGraph {
   LandmarkObservation carriedBack(const LandmarkObservation& z, const Pose2& sensor) const;
   bool isBlurred(const LandmarkObservation& z, const Pose2& sensor) const;
   void see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor);
+  void addSighting(std::size_t landmark, const Sighting& sighting, graph::Key node);
+  Sighting sightingOf(std::size_t landmark, graph::Key node) const;
+  void startNode(graph::Key node);
 
   PathGraph& path_;
   LandmarkIds ids_;

@@ -14,29 +14,31 @@
 
 namespace slam::graph_slam {
 
-PoseEstimate PathGraph::robot() const {
+PoseEstimate PathGraph::robot(const std::optional<graph::Key>& at) const {
   PoseEstimate from = start_;
-  if (tail_.node) {
-    from.pose = graph_.pose(*tail_.node);
-    from.covariance = coordinateCovariance(from.pose, graph_.covariance({*tail_.node}));
+  if (const auto node = at ? at : tail_.node) {
+    from.pose = graph_.pose(*node);
+    from.covariance = coordinateCovariance(from.pose, graph_.covariance({*node}));
   }
-  if (!tail_.motion) return from;
+  if (at || !tail_.motion) return from;
   Eigen::Matrix3d J_from, J_motion;
   const Pose2 pose = from.pose.compose(tail_.motion->increment, &J_from, &J_motion);
   return {pose, symmetric(J_from * from.covariance * J_from.transpose() +
                           J_motion * tail_.motion->covariance * J_motion.transpose())};
 }
 
-Eigen::MatrixXd PathGraph::covariance(const std::vector<graph::Key>& keys) const {
+Eigen::MatrixXd PathGraph::covariance(const std::vector<graph::Key>& keys,
+                                      const std::optional<graph::Key>& at) const {
+  const auto node = at ? at : tail_.node;
   std::vector<graph::Key> all;
-  if (tail_.node) all.push_back(*tail_.node);
+  if (node) all.push_back(*node);
   all.insert(all.end(), keys.begin(), keys.end());
   const Eigen::MatrixXd known = graph_.covariance(all);
-  const auto size = known.rows() + (tail_.node ? 0 : 3);
+  const auto size = known.rows() + (node ? 0 : 3);
   Eigen::MatrixXd P = Eigen::MatrixXd::Zero(size, size);
   P.bottomRightCorner(known.rows(), known.cols()) = known;
-  if (!tail_.node) P.topLeftCorner<3, 3>() = twistCovariance(start_.pose, start_.covariance);
-  if (!tail_.motion) return P;
+  if (!node) P.topLeftCorner<3, 3>() = twistCovariance(start_.pose, start_.covariance);
+  if (at || !tail_.motion) return P;
   const Eigen::Matrix3d Ad = tail_.motion->increment.inverse().adjoint();
   P.topRows<3>() = Ad * P.topRows<3>().eval();
   P.leftCols<3>() = P.leftCols<3>().eval() * Ad.transpose();

@@ -38,9 +38,12 @@ class PathGraph {
   PathGraph(const PathGraph&) = delete;  // its chain holds its graph
   PathGraph& operator=(const PathGraph&) = delete;
 
-  PoseEstimate robot() const;
+  /// Where the robot is, or was at a node.
+  PoseEstimate robot(const std::optional<graph::Key>& at = {}) const;
   /// The covariance of the robot, as a twist in its frame, and of some variables of the graph.
-  Eigen::MatrixXd covariance(const std::vector<graph::Key>& keys) const;
+  /// @param at a node where the robot was; where it is now without one
+  Eigen::MatrixXd covariance(const std::vector<graph::Key>& keys,
+                             const std::optional<graph::Key>& at = {}) const;
 
   /// @return what it makes of an error of the pose
   PosePrediction predict(const Motion& motion);

@@ -14,8 +14,8 @@
 namespace slam::graph_slam {
 
 Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
-                       const std::vector<Match>& matches)
-    : robot_(graph.robot().pose), sensor_(sensor), matches_(matches) {
+                       const std::vector<Match>& matches, const Viewpoint& from)
+    : robot_(graph.robot(from).pose), sensor_(sensor), matches_(matches) {
   std::vector<std::size_t> landmarks;
   for (const auto& match : matches) {
     const auto known = std::find(landmarks.begin(), landmarks.end(), match.landmark);
@@ -23,7 +23,7 @@ Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
     if (known == landmarks.end()) landmarks.push_back(match.landmark);
     points_.push_back(graph.point(match.landmark));
   }
-  P_ = graph.covariance(landmarks);
+  P_ = graph.covariance(landmarks, from);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const RangeBearingModel model;
     is_singular_.push_back(model.isSingular(model.predict(robot_, sensor_, points_[i])) ? 1 : 0);

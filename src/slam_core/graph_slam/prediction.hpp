@@ -17,7 +17,9 @@ namespace slam::graph_slam {
 /// covariance, before they are added to the graph.
 class Prediction {
  public:
-  Prediction(const LandmarkGraph& graph, const Pose2& sensor, const std::vector<Match>& matches);
+  /// @param sensor on the robot @param matches outlives this
+  Prediction(const LandmarkGraph& graph, const Pose2& sensor, const std::vector<Match>& matches,
+             const Viewpoint& from = {});
 
   /// Whether the landmark lies in the sensor, so that the prediction of this match means nothing.
   bool isSingular(std::size_t match) const { return is_singular_[match] != 0; }

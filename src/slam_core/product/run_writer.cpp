@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -40,8 +41,13 @@ const Names<TakenFor>& namesOfTakenFor() {
       {"landmark", TakenFor::kLandmark}, {"new", TakenFor::kNew},
       {"gated", TakenFor::kGated},       {"ambiguous", TakenFor::kAmbiguous},
       {"on_trial", TakenFor::kOnTrial},  {"not_in_map", TakenFor::kNotInMap},
-      {"nothing", TakenFor::kNothing}};
+      {"nothing", TakenFor::kNothing},   {"taken_back", TakenFor::kTakenBack}};
   return kNames;
+}
+
+std::string associationLine(Stamp stamp, const AssociatedObservation& observation) {
+  return fmt::format("{},{},{},{}\n", stampText(stamp), observation.own_id,
+                     nameOf(observation.taken_for, namesOfTakenFor()), observation.landmark);
 }
 
 constexpr const char* kEventsHeader = "stamp,kind,distance,turn,reason\n";
@@ -170,14 +176,16 @@ void RunWriter::write(const StepReport& report) {
 }
 
 void RunWriter::writeAssociations(const StepReport& report) {
-  if (report.statistics.associations.empty()) return;
+  const auto& [now, before] =
+      std::tie(report.statistics.associations, report.statistics.revised_associations);
+  if (now.empty() && before.empty()) return;
   if (!associations_.is_open()) {
     open(kAssociations, associations_);
     associations_ << kAssociationsHeader;
   }
-  for (const auto& [own_id, landmark, taken_for] : report.statistics.associations)
-    associations_ << fmt::format("{},{},{},{}\n", stampText(report.stamp), own_id,
-                                 nameOf(taken_for, namesOfTakenFor()), landmark);
+  for (const auto& [stamp, observation] : before)
+    associations_ << associationLine(stamp, observation);
+  for (const auto& observation : now) associations_ << associationLine(report.stamp, observation);
 }
 
 void RunWriter::writePending() {

@@ -7,7 +7,7 @@ import unittest
 
 from slam_eval.io.associations import Associated, read_associations
 from slam_eval.io.errors import InputError
-from slam_eval.metrics.association import judge
+from slam_eval.metrics.association import as_revised, judge
 
 HEADER = "stamp,own_id,taken_for,landmark\n"
 
@@ -30,6 +30,10 @@ class JudgeTest(unittest.TestCase):
         a = judge(rows((7, "new", 0), (-1, "landmark", 0)))
         self.assertEqual((a.wrong, a.observations), (1, 0))
 
+    def test_two_observations_without_ids_cannot_be_judged(self):
+        a = judge(rows((-1, "new", 0), (-1, "landmark", 0), (7, "landmark", 0)))
+        self.assertEqual((a.unjudged, a.wrong, a.right), (1, 1, 0))
+
     def test_a_second_landmark_of_an_id_and_one_of_none_are_ghosts(self):
         all_of_them = rows((7, "new", 0), (7, "new", 1), (-1, "new", 2), (8, "new", 3))
         self.assertEqual(judge(all_of_them).ghosts, 2)
@@ -38,6 +42,34 @@ class JudgeTest(unittest.TestCase):
     def test_only_what_comes_before_a_stamp_is_judged(self):
         self.assertEqual(judge(rows((7, "new", 0), (7, "landmark", 0), (8, "landmark", 0)),
                                before=2).wrong, 0)
+
+
+class RevisedTest(unittest.TestCase):
+    FIRST = [Associated(1, 7, "new", 0), Associated(2, 7, "landmark", 0),
+             Associated(2, 8, "ambiguous", -1), Associated(5, 7, "landmark", 0)]
+
+    def test_what_is_decided_later_replaces_what_was_left_out(self):
+        later = Associated(2, 8, "landmark", 3)
+        self.assertEqual(as_revised(self.FIRST + [later]),
+                         [*self.FIRST[:2], later, self.FIRST[3]])
+
+    def test_what_is_taken_back_is_no_pairing_and_may_become_one_again(self):
+        back = Associated(2, 7, "taken_back", 0)
+        self.assertEqual(as_revised(self.FIRST + [back]),
+                         [self.FIRST[0], back, *self.FIRST[2:]])
+        again = Associated(2, 7, "landmark", 3)
+        self.assertEqual(as_revised(self.FIRST + [back, again])[1], again)
+
+    def test_what_is_decided_later_may_be_of_a_landmark_that_is_mapped_later(self):
+        decided = [Associated(1, 7, "landmark", 0), Associated(2, 7, "new", 0)]
+        self.assertEqual((judge(decided).right, judge(decided).wrong), (1, 0))
+
+    def test_another_landmark_of_the_same_stamp_is_not_taken_back(self):
+        back = Associated(2, 7, "taken_back", 4)
+        self.assertEqual(as_revised(self.FIRST + [back]), self.FIRST)
+
+    def test_rows_without_a_revision_stay(self):
+        self.assertEqual(as_revised(self.FIRST), self.FIRST)
 
 
 class ReadTest(unittest.TestCase):

@@ -5,7 +5,7 @@ from slam_eval.bench.harness.runs import run_ours
 from slam_eval.bench.harness.table import lines_of, table
 from slam_eval.io.associations import read_associations
 from slam_eval.io.run_folder import read_run
-from slam_eval.metrics.association import judge
+from slam_eval.metrics.association import as_revised, judge
 from slam_eval.metrics.evaluation import evaluate
 from slam_eval.plot.associations import plot_associations
 
@@ -13,13 +13,15 @@ PRODUCTS = ("ekf_wheel", "pf_wheel", "graph_wheel")
 POLICIES = ("known_ids", "nearest", "jcbb")
 
 HEADER = ["log", "product", "association", "ATE [m]", "pairings", "precision", "recall", "wrong",
-          "landmarks", "ghosts", "left out", "CPU [s]"]
-FORMS = ["s", "s", ".3f", "d", ".2%", ".2%", ".2%", "d", "d", ".1%", ".1f"]
+          "not judged", "landmarks", "ghosts", "left out", "CPU [s]"]
+FORMS = ["s", "s", ".3f", "d", ".2%", ".2%", ".2%", "d", "d", "d", ".1%", ".1f"]
 
 DEFINITIONS = ("A landmark is that of the observation that it was begun with. Precision: share of "
                "the pairings that are right. Recall: share of the observations of landmarks in the "
-               "map that are paired with theirs. Ghosts: landmarks in the map at the end beyond "
-               "one for each id. Left out: share of all observations, those on trial included.")
+               "map that are paired with theirs. Not judged: an observation without an id, paired "
+               "with a landmark that was begun by one. Ghosts: landmarks in the map at the end "
+               "beyond one for each id. Left out: share of all observations, those on trial "
+               "included.")
 
 
 def run_policy(context, log, bag, product, policy, robot=None, before=None,
@@ -34,13 +36,14 @@ def run_policy(context, log, bag, product, policy, robot=None, before=None,
     run = read_run(folder)
     metrics = evaluate(run).metrics
     if policy == "known_ids":
-        return [log, product, policy, metrics.get("ate_rmse_m"), None, None, None, None,
+        return [log, product, policy, metrics.get("ate_rmse_m"), None, None, None, None, None,
                 len(run.landmarks), None, None, usage.cpu_s], run, None, None
-    rows = read_associations(folder / "associations.csv")
+    rows = as_revised(read_associations(folder / "associations.csv"))
     a = judge(rows, set(run.landmarks.ids), before)
     left_out = sum(row.taken_for not in ("landmark", "new") for row in rows) / max(1, len(rows))
     return [log, product, policy, metrics.get("ate_rmse_m"), a.paired, a.precision, a.recall,
-            a.wrong_share, len(run.landmarks), a.ghosts, left_out, usage.cpu_s], run, rows, a
+            a.wrong_share, a.unjudged, len(run.landmarks), a.ghosts, left_out,
+            usage.cpu_s], run, rows, a
 
 
 def run_all(context, log, bag, section, robot=None, before=None, detector="none"):

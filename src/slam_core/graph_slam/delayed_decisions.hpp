@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "slam_core/common/counters.hpp"
+#include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/graph_slam/associator.hpp"
+#include "slam_core/graph_slam/landmark_graph.hpp"
+
+namespace slam::graph_slam {
+
+/// Decisions of association that are taken later, and some that are taken back, where places
+/// decide. An observation that may be of several landmarks waits at its node. A node is looked at
+/// again when 10, 30 and 90 others have followed it, with what the graph has learnt meanwhile of
+/// its pose and of the landmarks:
+/// - What waits goes to the policy again, and into the graph if it is of one landmark now.
+/// - What was seen from it and does not fit the graph any more is withdrawn and waits.
+class DelayedDecisions {
+ public:
+  /// To be called after the graph has got what was decided at once.
+  /// @param association of the array
+  void keep(const LandmarkObservationArray& array, const Association& association,
+            LandmarkGraph& landmarks);
+  /// Decides on what is due; to be called before the graph is optimised. Counted: "decided_later",
+  /// "taken_back".
+  std::vector<RevisedAssociation> revise(Associator& associator, LandmarkGraph& landmarks,
+                                         Counters& counters);
+  /// A node is removed from the graph.
+  void forget(graph::Key node);
+
+ private:
+  /// An observation as its array had it.
+  struct Reading {
+    Stamp stamp;
+    LandmarkId own_id;
+  };
+  struct Paired {
+    Reading reading;
+    std::size_t landmark;
+  };
+  struct Waiting {
+    NodeObservations seen;
+    std::vector<std::vector<Reading>> readings;  ///< by observation
+  };
+  struct Node {
+    graph::Key key;
+    std::vector<Paired> paired;
+    std::vector<Waiting> waiting;
+  };
+
+  Node& at(graph::Key key);
+  void takeBack(Node& node, double gate, LandmarkGraph& landmarks);
+  void decide(Node& node, Associator& associator, LandmarkGraph& landmarks);
+  static bool isTaken(const Node& node, const std::vector<Reading>& readings, std::size_t landmark);
+  void tell(const Reading& reading, LandmarkId landmark, TakenFor taken_for);
+
+  std::deque<Node> nodes_;  ///< the newest last
+  std::size_t due_ = 0;     ///< nodes since the last revision
+  std::vector<RevisedAssociation> told_;
+};
+
+}  // namespace slam::graph_slam
