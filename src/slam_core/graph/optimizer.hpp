@@ -50,7 +50,6 @@ class Optimizer {
   friend void removeVariable(Optimizer& graph, Key key);
   FactorId add(std::shared_ptr<const Factor> factor);
   void remove(FactorId id);
-  const Factor& factor(FactorId id) const { return *terms_[index(id)].factor; }
   /// Multiplies a factor's share of chi2 by a weight, which is 1 at first.
   void set(FactorId id, double weight);
 
@@ -80,6 +79,9 @@ class Optimizer {
   Innovation innovation(const std::vector<const Factor*>& factors) const;
   BayesTree::Cost cost() const { return tree_.cost(); }
 
+  friend const Factor& factorOf(const Optimizer& graph, FactorId id) {
+    return *graph.terms_[index(id)].factor;
+  }
   /// Shows each factor of the graph with its weight, in the order of their ids.
   friend void visitFactors(const Optimizer& graph, const FactorVisitor& look);
 

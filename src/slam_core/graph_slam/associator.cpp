@@ -13,24 +13,10 @@
 namespace slam::graph_slam {
 
 using association::Decision;
-namespace {
-
-/// What is decided later is what was in doubt at first: it has to be clearer then.
-association::PolicyConfig laterConfig(const GraphConfig& config) {
-  constexpr double kGateProbability = 0.99;
-  constexpr double kAmbiguity = 2.0;  // times that of a decision at once
-  association::PolicyConfig later{std::min(kGateProbability, config.gate_probability),
-                                  config.places};
-  later.places.ambiguity *= kAmbiguity;
-  return later;
-}
-
-}  // namespace
 
 Associator::Associator(const GraphConfig& config)
     : policy_(
           association::makePolicy(config.association, {config.gate_probability, config.places})),
-      later_policy_(association::makePolicy(config.association, laterConfig(config))),
       places_(config.places),
       gate_(association::gateOf(config.gate_probability)),
       map_is_fixed_(config.mapIsFixed()) {}
@@ -85,25 +71,12 @@ std::vector<LandmarkId> Associator::ghosts(const Association& association,
 
 void Associator::decide(const LandmarkObservationArray& array, const LandmarkGraph& graph) {
   if (policy_->usesPlaces())
-    policy_->decide(array, PlaceCandidates(array, graph, descriptors_, ringGate()), map_is_fixed_,
-                    decisions_);
+    policy_->decide(
+        array, PlaceCandidates(array, graph, descriptors_, places_.ring * places_.ring * gate_),
+        map_is_fixed_, decisions_);
   else
     policy_->decide(array, IdCandidates(graph), map_is_fixed_, decisions_);
   decisions_.resize(array.observations.size());
-}
-
-std::vector<association::Pairing> Associator::decideAgain(const NodeObservations& seen,
-                                                          const LandmarkGraph& graph) {
-  std::vector<Decision> decisions;
-  later_policy_->decide(seen.array,
-                        PlaceCandidates(seen.array, graph, descriptors_, ringGate(), seen.node),
-                        map_is_fixed_, decisions);
-  std::vector<association::Pairing> pairings;
-  for (std::size_t i = 0; i < std::min(decisions.size(), seen.array.observations.size()); ++i)
-    if (decisions[i].kind == Decision::Kind::kLandmark &&
-        decisions[i].landmark < graph.ids().size())
-      pairings.push_back({i, decisions[i].landmark});
-  return pairings;
 }
 
 /// @return the observations of known landmarks

@@ -41,11 +41,6 @@ class Associator {
   /// @param statistics what is known of the innovations is added
   Association associate(const LandmarkObservationArray& array, const LandmarkGraph& graph,
                         UpdateStatistics& statistics, Counters& counters);
-  /// Decides once more on observations of an earlier stamp, with what the graph knows now.
-  /// @return the numbers of those that are of a landmark, with its number
-  std::vector<association::Pairing> decideAgain(const NodeObservations& seen,
-                                                const LandmarkGraph& graph);
-  double gate() const { return gate_; }  ///< largest squared Mahalanobis distance
   /// A landmark is to be re-initialised. @return whether it is to be removed instead
   bool distrusts(const association::Sightings::Verdict& verdict) {
     descriptors_.forget(verdict.z.id);
@@ -76,9 +71,7 @@ class Associator {
             Association& association, UpdateStatistics& statistics) const;
   void recordMatches(const LandmarkGraph& graph, Association& association) const;
 
-  double ringGate() const { return places_.ring * places_.ring * gate_; }
-
-  std::unique_ptr<association::AssociationPolicy> policy_, later_policy_;
+  std::unique_ptr<association::AssociationPolicy> policy_;
   association::PlaceConfig places_;
   association::PlaceEvidence evidence_;
   association::DescriptorMap descriptors_;

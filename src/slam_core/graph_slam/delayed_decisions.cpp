@@ -7,15 +7,35 @@
 #include <array>
 #include <utility>
 
+#include "slam_core/association/gate.hpp"
+#include "slam_core/graph_slam/candidates.hpp"
+
 namespace slam::graph_slam {
 namespace {
 
 /// A node is looked at again when so many others have followed.
 constexpr std::array<std::size_t, 3> kAges = {10, 30, 90};
-/// What is taken back contradicts by so many times the gate, since errors of sensors are alike.
-constexpr double kContradiction = 2.0;
+
+/// What is decided later is what was in doubt at first: it has to be clearer then.
+association::PolicyConfig laterConfig(const GraphConfig& config) {
+  constexpr double kGateProbability = 0.99;
+  constexpr double kAmbiguity = 2.0;  // times that of a decision at once
+  association::PolicyConfig later{std::min(kGateProbability, config.gate_probability),
+                                  config.places};
+  later.places.ambiguity *= kAmbiguity;
+  return later;
+}
 
 }  // namespace
+
+DelayedDecisions::DelayedDecisions(const GraphConfig& config)
+    : policy_(association::makePolicy(config.association, laterConfig(config))),
+      map_is_fixed_(config.mapIsFixed()) {
+  constexpr double kContradiction = 2.0;  // times the gate, since errors of sensors are alike
+  const double gate = association::gateOf(config.gate_probability);
+  contradiction_ = kContradiction * gate;
+  ring_gate_ = config.places.ring * config.places.ring * gate;
+}
 
 void DelayedDecisions::keep(const LandmarkObservationArray& array, const Association& association,
                             LandmarkGraph& landmarks) {
@@ -47,17 +67,15 @@ DelayedDecisions::Node& DelayedDecisions::at(graph::Key key) {
   return nodes_.back();
 }
 
-std::vector<RevisedAssociation> DelayedDecisions::revise(Associator& associator,
-                                                         LandmarkGraph& landmarks,
-                                                         Counters& counters) {
+std::vector<RevisedAssociation> DelayedDecisions::revise(
+    const association::DescriptorMap& descriptors, LandmarkGraph& landmarks, Counters& counters) {
   told_.clear();
   for (; due_ > 0; --due_) {
     for (const auto age : kAges) {
       if (nodes_.size() < age + due_) continue;
       auto& node = nodes_[nodes_.size() - age - due_];
-      decide(node, associator, landmarks);
-      takeBack(node, kContradiction * associator.gate(),
-               landmarks);  // what it frees is decided on at the next age
+      decide(node, descriptors, landmarks);
+      takeBack(node, landmarks);  // what it frees is decided on at the next age
     }
   }
   while (nodes_.size() > kAges.back()) nodes_.pop_front();
@@ -68,8 +86,8 @@ std::vector<RevisedAssociation> DelayedDecisions::revise(Associator& associator,
 }
 
 /// The last sighting of a landmark stays, so that it has a place.
-void DelayedDecisions::takeBack(Node& node, double gate, LandmarkGraph& landmarks) {
-  for (const auto landmark : landmarks.contradictions(node.key, gate)) {
+void DelayedDecisions::takeBack(Node& node, LandmarkGraph& landmarks) {
+  for (const auto landmark : landmarks.contradictions(node.key, contradiction_)) {
     if (sightingsOf(landmarks).count(landmark) < 2) continue;
     Waiting waiting{landmarks.withdraw(landmark, node.key), {{}}};
     auto& paired = node.paired;
@@ -94,9 +112,27 @@ bool DelayedDecisions::isTaken(const Node& node, const std::vector<Reading>& rea
   });
 }
 
-void DelayedDecisions::decide(Node& node, Associator& associator, LandmarkGraph& landmarks) {
+std::vector<association::Pairing> DelayedDecisions::pairingsOf(
+    const NodeObservations& seen, const association::DescriptorMap& descriptors,
+    const LandmarkGraph& landmarks) const {
+  using association::Decision;
+  std::vector<Decision> decisions;
+  policy_->decide(seen.array,
+                  PlaceCandidates(seen.array, landmarks, descriptors, ring_gate_, seen.node),
+                  map_is_fixed_, decisions);
+  decisions.resize(seen.array.observations.size());
+  std::vector<association::Pairing> pairings;
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (decisions[i].checked(map_is_fixed_, decisions[i].landmark < landmarks.ids().size()) ==
+        Decision::Kind::kLandmark)
+      pairings.push_back({i, decisions[i].landmark});
+  return pairings;
+}
+
+void DelayedDecisions::decide(Node& node, const association::DescriptorMap& descriptors,
+                              LandmarkGraph& landmarks) {
   for (auto& [seen, readings] : node.waiting) {
-    auto pairings = associator.decideAgain(seen, landmarks);
+    auto pairings = pairingsOf(seen, descriptors, landmarks);
     std::reverse(pairings.begin(), pairings.end());  // the last one is erased first
     for (const auto& [observation, landmark] : pairings) {
       if (isTaken(node, readings[observation], landmark)) continue;

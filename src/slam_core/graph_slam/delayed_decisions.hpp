@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/graph_slam/associator.hpp"
+#include "slam_core/graph_slam/graph_config.hpp"
 #include "slam_core/graph_slam/landmark_graph.hpp"
 
 namespace slam::graph_slam {
@@ -22,14 +24,17 @@ namespace slam::graph_slam {
 /// - What was seen from it and does not fit the graph any more is withdrawn and waits.
 class DelayedDecisions {
  public:
+  explicit DelayedDecisions(const GraphConfig& config);
+
   /// To be called after the graph has got what was decided at once.
   /// @param association of the array
   void keep(const LandmarkObservationArray& array, const Association& association,
             LandmarkGraph& landmarks);
   /// Decides on what is due; to be called before the graph is optimised. Counted: "decided_later",
   /// "taken_back".
-  std::vector<RevisedAssociation> revise(Associator& associator, LandmarkGraph& landmarks,
-                                         Counters& counters);
+  /// @param descriptors of the landmarks
+  std::vector<RevisedAssociation> revise(const association::DescriptorMap& descriptors,
+                                         LandmarkGraph& landmarks, Counters& counters);
   /// A node is removed from the graph.
   void forget(graph::Key node);
 
@@ -54,11 +59,18 @@ class DelayedDecisions {
   };
 
   Node& at(graph::Key key);
-  void takeBack(Node& node, double gate, LandmarkGraph& landmarks);
-  void decide(Node& node, Associator& associator, LandmarkGraph& landmarks);
+  void takeBack(Node& node, LandmarkGraph& landmarks);
+  void decide(Node& node, const association::DescriptorMap& descriptors, LandmarkGraph& landmarks);
+  std::vector<association::Pairing> pairingsOf(const NodeObservations& seen,
+                                               const association::DescriptorMap& descriptors,
+                                               const LandmarkGraph& landmarks) const;
   static bool isTaken(const Node& node, const std::vector<Reading>& readings, std::size_t landmark);
   void tell(const Reading& reading, LandmarkId landmark, TakenFor taken_for);
 
+  std::unique_ptr<association::AssociationPolicy> policy_;
+  double contradiction_;  ///< largest squared residual of what fits
+  double ring_gate_;      ///< candidates lie within this squared Mahalanobis distance
+  bool map_is_fixed_;
   std::deque<Node> nodes_;  ///< the newest last
   std::size_t due_ = 0;     ///< nodes since the last revision
   std::vector<RevisedAssociation> told_;

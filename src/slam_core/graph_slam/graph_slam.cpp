@@ -191,7 +191,8 @@ Status GraphSlam::takeObservations() {
   if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
   if (associator_.goesByPlace()) {
     delayed.keep(z, association, landmarks);
-    statistics_.revised_associations = delayed.revise(associator_, landmarks, counters_);
+    statistics_.revised_associations =
+        delayed.revise(associator_.descriptors(), landmarks, counters_);
   }
   const auto reconsidered = reconsider(association, z.sensor_pose);
   const auto augmented = augment(association, z.sensor_pose);

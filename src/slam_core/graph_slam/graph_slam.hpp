@@ -100,6 +100,7 @@ class GraphSlam final : public Backend,
   struct Graph {
     Graph(const GraphConfig& config, const PoseEstimate& start)
         : path({config.node_distance, config.node_angle}, start),
+          delayed(config),
           reduction({static_cast<std::size_t>(config.nodes_per_place), config.mapIsFixed()}, path,
                     landmarks, record) {}
     PathGraph path;

@@ -134,8 +134,8 @@ void LandmarkGraph::startNode(graph::Key node) {
 
 /// What the factor of a node says.
 LandmarkGraph::Sighting LandmarkGraph::sightingOf(std::size_t landmark, graph::Key node) const {
-  const auto& factor =
-      dynamic_cast<const graph::RangeBearing&>(path_.graph().factor(index_.factor(landmark, node)));
+  const auto& factor = dynamic_cast<const graph::RangeBearing&>(
+      factorOf(path_.graph(), index_.factor(landmark, node)));
   Sighting sighting;
   sighting.sensor = factor.sensor();
   sighting.z.range = factor.measured().x();
@@ -158,7 +158,8 @@ NodeObservations LandmarkGraph::fromNode(const LandmarkObservationArray& array) 
 
 void LandmarkGraph::observe(const Match& match, const Pose2& sensor, graph::Key node) {
   Sighting sighting{match.z, sensor};
-  if (index_.isSeenFrom(node, match.landmark)) {
+  const auto& seen = index_.seenFrom(node);
+  if (std::find(seen.begin(), seen.end(), match.landmark) != seen.end()) {
     const auto known = sightingOf(match.landmark, node);
     const auto both = fused(sighting.z, sensor, known.z, known.sensor);
     if (!both) return;
@@ -173,7 +174,7 @@ std::vector<std::size_t> LandmarkGraph::contradictions(graph::Key node, double g
   const auto& graph = path_.graph();
   std::vector<std::size_t> contradicting;
   for (const auto landmark : index_.seenFrom(node))
-    if (isContradicting(graph, graph.factor(index_.factor(landmark, node)), gate))
+    if (isContradicting(graph, factorOf(graph, index_.factor(landmark, node)), gate))
       contradicting.push_back(landmark);
   return contradicting;
 }

@@ -56,11 +56,6 @@ std::vector<graph::Key> SightingIndex::nodesThatSaw(std::size_t landmark) const 
   return nodes;
 }
 
-bool SightingIndex::isSeenFrom(graph::Key node, std::size_t landmark) const {
-  const auto& seen = seenFrom(node);
-  return std::find(seen.begin(), seen.end(), landmark) != seen.end();
-}
-
 const std::vector<std::size_t>& SightingIndex::seenFrom(graph::Key node) const {
   static const std::vector<std::size_t> kNone;
   const auto found = of_node_.find(node);

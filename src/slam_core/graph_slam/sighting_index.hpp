@@ -33,7 +33,6 @@ class SightingIndex {
   std::size_t count(std::size_t landmark) const { return of_landmark_[landmark].size(); }
   /// @return the node of each of these factors; -1 for one without a node
   std::vector<graph::Key> nodesThatSaw(std::size_t landmark) const;
-  bool isSeenFrom(graph::Key node, std::size_t landmark) const;
   /// The landmarks that were seen from a node.
   const std::vector<std::size_t>& seenFrom(graph::Key node) const;
 

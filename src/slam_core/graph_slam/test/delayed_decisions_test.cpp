@@ -21,6 +21,7 @@ class DelayedDecisionsTest : public testing::Test {
     config.association = "jcbb";
     associator_ = Associator(config);
     associator_.restart({});
+    delayed_ = DelayedDecisions(config);
   }
 
   LandmarkObservation seen(const Eigen::Vector2d& place) const {
@@ -60,7 +61,7 @@ class DelayedDecisionsTest : public testing::Test {
     const auto association = associator_.associate(array, landmarks_, statistics, counters_);
     landmarks_.observe(association.matches, Pose2());
     delayed_.keep(array, association, landmarks_);
-    auto told = delayed_.revise(associator_, landmarks_, counters_);
+    auto told = delayed_.revise(associator_.descriptors(), landmarks_, counters_);
     path_.optimize(3);
     return told;
   }
@@ -68,7 +69,7 @@ class DelayedDecisionsTest : public testing::Test {
   PathGraph path_;
   LandmarkGraph landmarks_{path_};
   Associator associator_;
-  DelayedDecisions delayed_;
+  DelayedDecisions delayed_{GraphConfig()};
   Counters counters_;
   Pose2 truth_;
   Stamp stamp_ = stampFromNanoseconds(1000000000000);
