@@ -48,10 +48,10 @@ void DelayedDecisions::keep(const LandmarkObservationArray& array, const Associa
     waiting.readings.push_back({{array.stamp, association.taken[i].own_id}});
   }
   if (!ambiguous.observations.empty()) {
-    waiting.seen = landmarks.fromNode(ambiguous);
+    waiting.seen = fromNode(landmarks, ambiguous);
     at(waiting.seen.node).waiting.push_back(std::move(waiting));
   }
-  const auto last = landmarks.lastNode();
+  const auto last = lastNodeOf(landmarks);
   if (!last) return;
   for (const auto& [own_id, id, taken_for] : association.taken)
     if (const auto landmark = landmarks.ids().find(id);
@@ -87,9 +87,9 @@ std::vector<RevisedAssociation> DelayedDecisions::revise(
 
 /// The last sighting of a landmark stays, so that it has a place.
 void DelayedDecisions::takeBack(Node& node, LandmarkGraph& landmarks) {
-  for (const auto landmark : landmarks.contradictions(node.key, contradiction_)) {
+  for (const auto landmark : contradictionsOf(landmarks, node.key, contradiction_)) {
     if (sightingsOf(landmarks).count(landmark) < 2) continue;
-    Waiting waiting{landmarks.withdraw(landmark, node.key), {{}}};
+    Waiting waiting{withdraw(landmarks, landmark, node.key), {{}}};
     auto& paired = node.paired;
     for (const auto& each : paired) {
       if (each.landmark != landmark) continue;

@@ -34,7 +34,7 @@ Eigen::MatrixXd withTwist(const MapState& map) {
 /// I - J P J^T, since the estimate has been drawn towards what it says.
 /// @param gate largest squared residual, by that covariance
 bool isContradicting(const graph::Optimizer& graph, const graph::Factor& factor, double gate) {
-  constexpr double kLeastShare = 0.25;  // of I that counts: what nothing else holds tells nothing
+  constexpr double kLeastShare = 0.1;  // of I that counts: what nothing else holds tells nothing
   if (graph.chi2(factor) <= kLeastShare * gate) return false;
   const auto innovation = graph.innovation({&factor});
   const auto size = innovation.S.rows();
@@ -144,14 +144,16 @@ LandmarkGraph::Sighting LandmarkGraph::sightingOf(std::size_t landmark, graph::K
   return sighting;
 }
 
-NodeObservations LandmarkGraph::fromNode(const LandmarkObservationArray& array) {
+NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArray& array) {
+  auto& path = landmarks.path_;
   const auto& seen = array.observations;
-  const bool is_blurred = std::any_of(
-      seen.begin(), seen.end(), [&](const auto& z) { return isBlurred(z, array.sensor_pose); });
-  NodeObservations from_node{is_blurred ? path_.addNode() : path_.nodeNearby(), array};
-  startNode(from_node.node);
-  for (auto& z : from_node.array.observations) z = carriedBack(z, array.sensor_pose);
-  if (const auto& motion = path_.tail().motion)
+  const bool is_blurred = std::any_of(seen.begin(), seen.end(), [&](const auto& z) {
+    return landmarks.isBlurred(z, array.sensor_pose);
+  });
+  NodeObservations from_node{is_blurred ? path.addNode() : path.nodeNearby(), array};
+  landmarks.startNode(from_node.node);
+  for (auto& z : from_node.array.observations) z = landmarks.carriedBack(z, array.sensor_pose);
+  if (const auto& motion = path.tail().motion)
     from_node.array.sensor_pose = motion->increment * array.sensor_pose;
   return from_node;
 }
@@ -170,19 +172,20 @@ void LandmarkGraph::observe(const Match& match, const Pose2& sensor, graph::Key 
   if (node == sightings_node_) sightings_[match.landmark] = sighting;
 }
 
-std::vector<std::size_t> LandmarkGraph::contradictions(graph::Key node, double gate) const {
-  const auto& graph = path_.graph();
+std::vector<std::size_t> contradictionsOf(const LandmarkGraph& landmarks, graph::Key node,
+                                          double gate) {
+  const auto& graph = landmarks.path_.graph();
   std::vector<std::size_t> contradicting;
-  for (const auto landmark : index_.seenFrom(node))
-    if (isContradicting(graph, factorOf(graph, index_.factor(landmark, node)), gate))
+  for (const auto landmark : landmarks.index_.seenFrom(node))
+    if (isContradicting(graph, factorOf(graph, landmarks.index_.factor(landmark, node)), gate))
       contradicting.push_back(landmark);
   return contradicting;
 }
 
-NodeObservations LandmarkGraph::withdraw(std::size_t landmark, graph::Key node) {
-  const auto sighting = sightingOf(landmark, node);
-  path_.graph().remove(index_.remove(landmark, node));
-  if (node == sightings_node_) sightings_.erase(landmark);
+NodeObservations withdraw(LandmarkGraph& landmarks, std::size_t landmark, graph::Key node) {
+  const auto sighting = landmarks.sightingOf(landmark, node);
+  landmarks.path_.graph().remove(landmarks.index_.remove(landmark, node));
+  if (node == landmarks.sightings_node_) landmarks.sightings_.erase(landmark);
   NodeObservations withdrawn{node, {}};
   withdrawn.array.sensor_pose = sighting.sensor;
   withdrawn.array.observations = {sighting.z};

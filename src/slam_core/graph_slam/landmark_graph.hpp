@@ -45,12 +45,14 @@ class LandmarkGraph {
   void load(const MapState& map, double inflation);
 
   PoseEstimate robot(const Viewpoint& from = {}) const { return path_.robot(from); }
-  /// The newest node of the path; none before the first one.
-  std::optional<graph::Key> lastNode() const { return path_.tail().node; }
   const LandmarkIds& ids() const { return ids_; }
   /// To retire one: the graph keeps what was seen of it.
   friend LandmarkIds& idsOf(LandmarkGraph& landmarks) { return landmarks.ids_; }
   friend SightingIndex& sightingsOf(LandmarkGraph& landmarks) { return landmarks.index_; }
+  /// The newest node of the path; none before the first one.
+  friend std::optional<graph::Key> lastNodeOf(const LandmarkGraph& landmarks) {
+    return landmarks.path_.tail().node;
+  }
   Eigen::Vector2d point(std::size_t landmark) const {
     return path_.graph().pose(keys_[landmark]).position();
   }
@@ -58,22 +60,16 @@ class LandmarkGraph {
   /// another.
   Eigen::MatrixXd covariance(const std::vector<std::size_t>& landmarks,
                              const Viewpoint& from = {}) const;
-  const SightingIndex& sightings() const { return index_; }
   Eigen::Matrix2d covariance(std::size_t landmark) const {
     return path_.graph().covariance({keys_[landmark]});
   }
 
   void observe(const std::vector<Match>& matches, const Pose2& sensor);
   /// Observations that are to be decided on later, as if made from the last node.
-  NodeObservations fromNode(const LandmarkObservationArray& array);
+  friend NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArray& array);
   /// An observation of an earlier node, which may have seen the landmark before.
   /// @param sensor T_node_sensor
   void observe(const Match& match, const Pose2& sensor, graph::Key node);
-  /// The landmarks that were seen from a node where all else in the graph does not have them now.
-  /// @param gate largest squared residual, by its covariance
-  std::vector<std::size_t> contradictions(graph::Key node, double gate) const;
-  /// Removes what a node saw of a landmark. @return what it saw
-  NodeObservations withdraw(std::size_t landmark, graph::Key node);
   /// A landmark at a place [m] where an observation puts it; where its id is unknown or another
   /// one's, it gets one that is free.
   void append(LandmarkId id, const Eigen::Vector2d& place, const LandmarkObservation& z,
@@ -81,6 +77,12 @@ class LandmarkGraph {
   /// Removes all factors of a landmark and re-initialises it at this place.
   void reinitialize(std::size_t landmark, const Eigen::Vector2d& place,
                     const LandmarkObservation& z, const Pose2& sensor);
+  /// The landmarks that were seen from a node where all else in the graph does not have them now.
+  /// @param gate largest squared residual, by its covariance
+  friend std::vector<std::size_t> contradictionsOf(const LandmarkGraph& landmarks, graph::Key node,
+                                                   double gate);
+  /// Removes what a node saw of a landmark. @return what it saw
+  friend NodeObservations withdraw(LandmarkGraph& landmarks, std::size_t landmark, graph::Key node);
   LandmarkMap map() const;  ///< sorted by id, with marginals
   MapState state() const;   ///< sorted by id, with the joint covariance
 

@@ -133,7 +133,7 @@ TEST_F(DelayedDecisionsTest, ForgetsWhatWaitedAtANodeThatIsRemoved) {
   move(0.2);
   see({left_});
   ASSERT_EQ(counters_["ambiguous"], 1u);
-  delayed_.forget(*landmarks_.lastNode());
+  delayed_.forget(*lastNodeOf(landmarks_));
   for (int i = 0; i < 40; ++i) {
     move(0.002);
     EXPECT_TRUE(see(others_).empty());
