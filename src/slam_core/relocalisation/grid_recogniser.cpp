@@ -15,8 +15,6 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kConfirmingWay = 1.0;  // driven between two searches that confirm each other [m]
-
 PoseEstimate estimateOf(const scan_matching::Match& match) {
   constexpr double kLeastSigma = 0.05, kLeastSigmaHeading = 0.02;  // [m], [rad]
   const Eigen::Vector3d least(kLeastSigma, kLeastSigma, kLeastSigmaHeading);
@@ -36,13 +34,16 @@ GridRecogniser::GridRecogniser(const RelocalisationConfig& config,
       local_(grid, matcher, config.local_way) {}
 
 void GridRecogniser::see(const LaserScan& scan) {
-  local_.take(scan);
+  constexpr double kMost = 2.0;  // times what is enough, so that a refuted place is given up soon
+  if (local_.take(scan) && trial_)
+    trial_->see(local_.kept().back(), map_->view(), matcher_, kMost * enough());
   has_news_ = true;
 }
 
 void GridRecogniser::forget() {
   local_.forget();
-  first_.reset();
+  trial_.reset();
+  confirmed_at_.reset();
   searched_ = 0.0;
   has_news_ = false;
 }
@@ -52,14 +53,24 @@ bool GridRecogniser::canSearch(const OccupancyGrid& grid) {
   return !grid.cells.empty() && grid.resolution * std::max(grid.width, grid.height) <= kLargestEdge;
 }
 
-void GridRecogniser::begin(const OccupancyGrid& grid) {
+void GridRecogniser::begin(const OccupancyGrid& grid, const std::optional<Pose2>& saved) {
   map_ = scan_matching::drawn(grid, grid_config_).map;
   box_ = Eigen::AlignedBox2d();
   box_.extend(grid.origin);
   box_.extend(grid.origin + grid.resolution * Eigen::Vector2d(grid.width, grid.height));
-  first_.reset();
+  saved_ = saved;
+  trial_.reset();
+  confirmed_at_.reset();
   is_due_ = true;
 }
+
+void GridRecogniser::end() {
+  map_.reset();
+  trial_.reset();
+  confirmed_at_.reset();
+}
+
+double GridRecogniser::enough() const { return std::log(config_.odds); }
 
 bool GridRecogniser::isDue() const {
   if (!has_news_ || local_.isEmpty()) return false;
@@ -79,11 +90,18 @@ std::optional<Recognition> GridRecogniser::find() {
 
 bool GridRecogniser::confirms(const Pose2& place) {
   const auto& robot = local_.robot();
-  if (!first_ || !areOnePlace(first_->map_local * robot, place)) {
-    first_ = Found{place * robot.inverse(), local_.way()};
-    return false;
+  if (!trial_ || !areOnePlace(trial_->placeOf(robot), place)) {
+    const bool is_saved = saved_ && areOnePlace(*saved_ * robot, place);
+    trial_.emplace(place * robot.inverse(), local_.kept(), is_saved ? enough() : 0.0);
   }
-  return local_.way() - first_->way >= kConfirmingWay;
+  return trial_->evidence() >= enough();
+}
+
+GridRecogniser::Test GridRecogniser::test(const Pose2& believed) {
+  constexpr double kTested = 10.0;  // way after which a place has passed [m]
+  if (trial_->evidence() <= 0.0) return Test::kRefuted;
+  trial_->moveTo(believed * local_.robot().inverse());
+  return local_.way() - *confirmed_at_ < kTested ? Test::kGoesOn : Test::kPassed;
 }
 
 }  // namespace slam::relocalisation

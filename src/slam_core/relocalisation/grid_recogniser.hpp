@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "slam_core/relocalisation/local_scans.hpp"
+#include "slam_core/relocalisation/place_trial.hpp"
 #include "slam_core/relocalisation/recognition.hpp"
 #include "slam_core/relocalisation/relocalisation_config.hpp"
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
@@ -15,8 +16,9 @@
 namespace slam::relocalisation {
 
 /// Recognises the place of a robot in a grid by what its laser has seen on the last metres. Parts
-/// of a building look alike, so that a place is confirmed only when two searches, between which the
-/// robot has driven a metre, have led to it and none in between has led elsewhere.
+/// of a building look alike, and another building has parts that look like some of this one. So a
+/// place is confirmed only when what the robot has seen since the first search that led there
+/// speaks for it (PlaceTrial), and the last search leads there too. It is tested on even then.
 class GridRecogniser {
  public:
   GridRecogniser(const RelocalisationConfig& config, const grid_map::GridMapConfig& grid,
@@ -28,26 +30,33 @@ class GridRecogniser {
 
   /// Whether the grid has cells, and is small enough to be searched as a whole.
   static bool canSearch(const OccupancyGrid& grid);
-  /// Starts to look for the robot in this grid, for which canSearch() holds.
-  void begin(const OccupancyGrid& grid);
-  void end() { map_.reset(); }
+  /// Starts to look for the robot in this grid, for which canSearch() holds. To be called after
+  /// forget(). @param saved where the robot is unless it was carried (T_map_base): if a search
+  /// leads there, the place needs no further confirmation
+  void begin(const OccupancyGrid& grid, const std::optional<Pose2>& saved = std::nullopt);
+  void end();
   /// Makes the next find() search even if the robot has not moved.
   void searchAnyway() { is_due_ = true; }
   /// To be called between begin() and end(). A search takes some hundredths of a second.
   /// @return nothing where the robot has not moved far enough since the last search
   std::optional<Recognition> find();
+
+  enum class Test { kGoesOn, kPassed, kRefuted };
+  /// The place that find() has just confirmed is tested by the scans of the next metres, instead of
+  /// searching for others.
+  void beginTest() { confirmed_at_ = local_.way(); }
+  bool isTesting() const { return confirmed_at_.has_value(); }
+  /// To be called after each scan while isTesting(). @param believed the place that is tested, at
+  /// the last scan (T_map_base)
+  Test test(const Pose2& believed);
   /// Radius of a circle that holds the grid [m]; 0 where there is none to search.
   double radius() const { return map_ ? 0.5 * box_.diagonal().norm() : 0.0; }
 
  private:
-  /// The transform between map and local scans that a search has found.
-  struct Found {
-    Pose2 map_local;  ///< T_map_local
-    double way;       ///< distance that the robot had driven by then [m]
-  };
-
   bool isDue() const;
   bool confirms(const Pose2& place);
+  /// Logarithm of the odds from which on a place is confirmed.
+  double enough() const;
 
   RelocalisationConfig config_;
   grid_map::GridMapConfig grid_config_;
@@ -55,7 +64,9 @@ class GridRecogniser {
   LocalScans local_;
   std::unique_ptr<scan_matching::ScanMap> map_;  ///< the grid, while it is searched
   Eigen::AlignedBox2d box_;                      ///< of the map [m]
-  std::optional<Found> first_;                   ///< not contradicted by later searches
+  std::optional<Pose2> saved_;                   ///< T_map_local, if the robot was not carried
+  std::optional<PlaceTrial> trial_;              ///< of the place that the last searches led to
+  std::optional<double> confirmed_at_;           ///< distance driven when a test began [m]
   double searched_ = 0.0;                        ///< distance driven at the last search [m]
   bool is_due_ = false, has_news_ = false;
 };

@@ -54,13 +54,15 @@ void LocalScans::move(const Motion& motion) {
   carried_ = carried_ ? joined(*carried_, motion) : motion;
 }
 
-void LocalScans::take(const LaserScan& scan) {
+bool LocalScans::take(const LaserScan& scan) {
   const auto points = scan_matching::pointsOf(scan, models_, spacing_);
   const auto motion = std::exchange(carried_, std::nullopt);
   const auto before = robot();
   tracker_.track(map_->view(), points, scan.stamp, motion);
   gone_ += (robot().position() - before.position()).norm();
-  if (!points[0].ends.empty() && (kept_.empty() || trigger_.isDue(robot()))) keep(points);
+  const bool is_kept = !points[0].ends.empty() && (kept_.empty() || trigger_.isDue(robot()));
+  if (is_kept) keep(points);
+  return is_kept;
 }
 
 void LocalScans::keep(const ScanLevels& points) {

@@ -13,6 +13,13 @@
 
 namespace slam::relocalisation {
 
+/// A scan and where it was taken.
+struct LocalScan {
+  scan_matching::ScanLevels points;
+  Pose2 pose;   ///< T_local_base
+  double gone;  ///< LocalScans::way() at the scan [m]
+};
+
 /// The scans of the last metres, matched with one another. They need neither a map nor a pose. A
 /// single scan often fits several places of a map; all of them together seldom do.
 class LocalScans {
@@ -23,10 +30,13 @@ class LocalScans {
 
   /// Adds motion since the last scan.
   void move(const Motion& motion);
-  void take(const LaserScan& scan);
+  /// @return whether the scan is kept: the robot has gone or turned a little since the last one
+  bool take(const LaserScan& scan);
   void forget();
 
   bool isEmpty() const { return kept_.empty(); }
+  /// The scans that are kept, the latest last.
+  const std::deque<LocalScan>& kept() const { return kept_; }
   /// T_local_base at the last scan. The local frame is the robot's at the first scan after
   /// forget().
   const Pose2& robot() const { return tracker_.robot().pose; }
@@ -36,12 +46,6 @@ class LocalScans {
   scan_matching::ScanLevels together() const;
 
  private:
-  struct Kept {
-    scan_matching::ScanLevels points;
-    Pose2 pose;   ///< T_local_base
-    double gone;  ///< way() at the scan [m]
-  };
-
   void keep(const scan_matching::ScanLevels& points);
   void redraw();
 
@@ -52,7 +56,7 @@ class LocalScans {
   scan_matching::InsertionTrigger trigger_;
   std::unique_ptr<scan_matching::ScanMap> map_;  ///< of the scans kept and of some older ones
   std::size_t drawn_ = 0;                        ///< scans in the map
-  std::deque<Kept> kept_;
+  std::deque<LocalScan> kept_;
   std::optional<Motion> carried_;
   double gone_ = 0.0;
 };

@@ -12,7 +12,8 @@ void RelocalisationConfig::describe(Fields& fields) {
   fields
       .add("odds", &odds,
            "a place is believed when it is so many times more likely than that the landmarks seen "
-           "are none of the map, and than any other place")
+           "are none of the map, and than any other place; in a grid, than a place that only looks "
+           "alike")
       .unit("1")
       .in(Range::atLeast(2));
   fields

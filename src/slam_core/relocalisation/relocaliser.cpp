@@ -126,7 +126,9 @@ bool Relocaliser::begin(const MapState* loaded) {
     const auto grid = loaded != nullptr ? loaded->grid : capabilities_.find<GridMapper>()->grid();
     searches_grid_ = grid && GridRecogniser::canSearch(*grid);
     is_grid_too_large_ = grid && !grid->cells.empty() && !searches_grid_;
-    if (searches_grid_) grid_->begin(*grid);
+    const bool has_place = loaded != nullptr && belief_ == Belief::kUnconfirmed;
+    if (searches_grid_)
+      grid_->begin(*grid, has_place ? std::make_optional(loaded->robot.pose) : std::nullopt);
   }
   return searches_landmarks_ || searches_grid_;
 }
@@ -137,9 +139,11 @@ void Relocaliser::end() {
   if (grid_) grid_->end();
 }
 
+bool Relocaliser::usesScans() const { return searches_grid_ || (grid_ && grid_->isTesting()); }
+
 void Relocaliser::predict(const Motion& motion) {
   if (searches_landmarks_) landmarks_.move(motion);
-  if (searches_grid_) grid_->move(motion);
+  if (usesScans()) grid_->move(motion);
 }
 
 bool Relocaliser::see(const LandmarkObservationArray& array) {
@@ -154,7 +158,8 @@ bool Relocaliser::see(const LandmarkObservationArray& array) {
 }
 
 bool Relocaliser::see(const LaserScan& scan) {
-  if (searches_grid_) grid_->see(scan);
+  if (usesScans()) grid_->see(scan);
+  has_new_scan_ = true;
   return belief_ != Belief::kAnywhere;
 }
 
@@ -182,13 +187,52 @@ void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
 std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Stamp stamp) {
   if (!config_.enabled) return std::nullopt;
   watch(believed.pose, stamp);
+  if (std::exchange(has_new_scan_, false)) testPlace(believed.pose);
   std::optional<Recognition> found;
   if (searches_landmarks_) found = landmarks_.find(stamp);
   if (searches_grid_ && !(found && found->hasPlace()))
-    if (const auto by_scans = grid_->find()) found = by_scans;
+    if (const auto by_scans = grid_->find()) {
+      is_ambiguous_ = by_scans->verdict == Recognition::Verdict::kAmbiguous;
+      return settleByScans(*by_scans, believed);
+    }
   if (!found) return std::nullopt;
   is_ambiguous_ = found->verdict == Recognition::Verdict::kAmbiguous;
   return found->hasPlace() ? settle(*found, believed) : std::nullopt;
+}
+
+/// What the scans have confirmed may be refuted by those that follow.
+void Relocaliser::testPlace(const Pose2& believed) {
+  if (!grid_ || !grid_->isTesting()) return;
+  const auto test = grid_->test(believed);
+  if (test == GridRecogniser::Test::kPassed) grid_->end();
+  if (test != GridRecogniser::Test::kRefuted) return;
+  counters_.add("withdrawn");
+  assume(Belief::kLost);
+}
+
+/// The back-end may have been led to its pose by the same scans, so that its agreement confirms
+/// nothing; but then it keeps its state.
+std::optional<PoseEstimate> Relocaliser::settleByScans(const Recognition& found,
+                                                       const PoseEstimate& believed) {
+  if (found.verdict != Recognition::Verdict::kConfirmed) return std::nullopt;
+  const bool stays =
+      belief_ != Belief::kAnywhere && !isLostByScans() && agree(found.robot, believed);
+  believePlaceOfScans();
+  if (stays) return std::nullopt;
+  counters_.add("relocalised");
+  return found.robot;
+}
+
+/// As assume(Belief::kSure), but what was found is tested on.
+void Relocaliser::believePlaceOfScans() {
+  belief_ = Belief::kSure;
+  gating_ = GatingRate(kWindow);
+  is_lost_by_scans_ = is_ambiguous_ = false;
+  searches_landmarks_ = searches_grid_ = false;
+  landmarks_.end();
+  landmarks_.forget();
+  doubt_.relocate();
+  grid_->beginTest();
 }
 
 /// A place that agrees with the back-end's pose needs no further confirmation, and the back-end

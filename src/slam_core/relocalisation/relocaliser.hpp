@@ -30,7 +30,8 @@ enum class Belief {
 ///
 /// The Estimator calls configure() once; then, for each step, predict() with the motions, see()
 /// with what was seen and, after the back-end's own step, judge(). Counted: "withheld"
-/// (observations that the back-end did not get), "relocalised".
+/// (observations that the back-end did not get), "relocalised", "withdrawn" (places that what came
+/// next has refuted).
 class Relocaliser {
  public:
   /// @param capabilities of the back-end, which outlives this object @param ids whether
@@ -67,11 +68,15 @@ class Relocaliser {
   Status unsearched(const MapState& loaded) const;
   void watch(const Pose2& believed, Stamp stamp);
   bool isLostByScans() const;
+  bool usesScans() const;
   bool begin(const MapState* loaded);
   LandmarkMap landmarksToSearch(const MapState* loaded) const;
   void end();
   void forgetSurroundings();
   std::optional<PoseEstimate> settle(const Recognition& found, const PoseEstimate& believed);
+  std::optional<PoseEstimate> settleByScans(const Recognition& found, const PoseEstimate& believed);
+  void believePlaceOfScans();
+  void testPlace(const Pose2& believed);
 
   RelocalisationConfig config_;
   Capabilities capabilities_;
@@ -79,12 +84,13 @@ class Relocaliser {
   LandmarkRecogniser landmarks_;
   std::optional<GridRecogniser> grid_;  ///< where the back-end has a grid
   bool searches_landmarks_ = false, searches_grid_ = false;
+  bool has_new_scan_ = false;
   bool is_lost_by_scans_ = false;  ///< lost according to the scans, not to the landmarks
   bool is_grid_too_large_ = false;
   bool sees_only_lines_ = false;  ///< nothing can confirm a loaded pose
   bool is_ambiguous_ = false;     ///< the last search found several places
-  GatingRate gating_{kWindow};  ///< of observations that are associated by id
-  LandmarkDoubt doubt_;         ///< of observations that are associated by place
+  GatingRate gating_{kWindow};    ///< of observations that are associated by id
+  LandmarkDoubt doubt_;           ///< of observations that are associated by place
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

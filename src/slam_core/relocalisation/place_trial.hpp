@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <set>
+#include <utility>
+
+#include "slam_core/relocalisation/local_scans.hpp"
+#include "slam_core/scan_matching/scan_to_map_matcher.hpp"
+
+namespace slam::relocalisation {
+
+/// Tests whether a robot is at a place that a search has found in a grid, or in one that only looks
+/// alike, by the scans after that search (sequential test, Wald 1945). The search has chosen the
+/// place because its own scans fit there, so that they say nothing for it any more. Later scans
+/// show surfaces that none of those had shown: where these stand in the map as well, or are missing
+/// there, tells the two cases apart. What the search has seen already counts little.
+class PlaceTrial {
+ public:
+  /// @param map_local T_map_local that the search has found @param seen the scans that it has used
+  /// @param prior logarithm of how many times likelier the place is by what else is known
+  PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen, double prior = 0.0);
+
+  /// To be called for each scan that is kept after the search, with the same map.
+  /// @param most of the evidence; more is not summed up
+  void see(const LocalScan& scan, const scan_matching::MapView& map,
+           const scan_matching::ScanToMapMatcher& matcher, double most);
+  /// Logarithm of how many times likelier the scans are in the place than in one that looks alike.
+  double evidence() const { return evidence_; }
+  /// The place follows what else knows where the robot is. @param map_local T_map_local
+  void moveTo(const Pose2& map_local) { map_local_ = map_local; }
+  /// T_map_base, where this is T_local_base.
+  Pose2 placeOf(const Pose2& local) const { return map_local_ * local; }
+
+ private:
+  using Patch = std::pair<int, int>;  ///< of the map's plane
+
+  double ofNewSurfaces(const grid_map::ScanPoints& scan, const scan_matching::MapView& map,
+                       const Pose2& place);
+  /// Of the last scan, in independent ones; 1 at most.
+  double weightOf(const Pose2& local) const;
+
+  Pose2 map_local_;       ///< T_map_local
+  Pose2 last_;            ///< T_local_base at the last scan
+  std::set<Patch> seen_;  ///< by the search, or counted since
+  double evidence_;
+};
+
+}  // namespace slam::relocalisation
