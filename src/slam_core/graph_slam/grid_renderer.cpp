@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "slam_core/grid_map/grid_conversion.hpp"
-#include "slam_core/grid_map/scan_insertion.hpp"
-#include "slam_core/grid_map/scan_points.hpp"
+#include "slam_core/scan_matching/scan_map.hpp"
 
 namespace slam::graph_slam {
 
@@ -18,11 +17,12 @@ GridRenderer::GridRenderer(const grid_map::GridMapConfig& config)
 void GridRenderer::startWith(const OccupancyGrid& grid) {
   base_ = grid;
   drawing_.reset();
+  drawn_.clear();
   ++revision_;
 }
 
 void GridRenderer::add(graph::Key node, const Pose2& pose, const SharedScan& scan) {
-  scans_.push_back({node, pose, scan});
+  scans_.push_back({node, pose, scan, reachOf(*scan)});
   scan_bytes_ += static_cast<double>(scan->beams.size() * sizeof(LaserBeam));
   cover(scans_.back());
   ++revision_;
@@ -32,7 +32,12 @@ void GridRenderer::remove(graph::Key node) {
   const auto found = std::find_if(scans_.begin(), scans_.end(),
                                   [node](const Scan& scan) { return scan.node == node; });
   if (found == scans_.end()) return;
-  if (static_cast<std::size_t>(found - scans_.begin()) < drawn_) drawing_.reset();
+  const auto at = found - scans_.begin();
+  if (at < static_cast<std::ptrdiff_t>(drawn_.size())) {
+    drawing_->erase(pointsOf(*found), drawn_[static_cast<std::size_t>(at)]);
+    drawn_.erase(drawn_.begin() + at);
+    is_erased_ = true;
+  }
   scan_bytes_ -= static_cast<double>(found->scan->beams.size() * sizeof(LaserBeam));
   scans_.erase(found);
   ++revision_;
@@ -42,29 +47,48 @@ void GridRenderer::follow(const graph::Optimizer& graph) {
   constexpr double kLargestTurn = 0.01;  // half a cell of 5 cm at 2.5 m [rad]
   const double most = 0.5 * config_.resolution;
   bool has_moved = false;
-  for (std::size_t i = 0; i < scans_.size(); ++i) {
-    const Pose2 now = graph.pose(scans_[i].node);
-    const Pose2 moved = scans_[i].pose.between(now);
+  for (auto& scan : scans_) {
+    const Pose2 now = graph.pose(scan.node);
+    const Pose2 moved = scan.pose.between(now);
     if (moved.position().norm() <= most && std::abs(moved.theta()) <= kLargestTurn) continue;
-    scans_[i].pose = now;
-    cover(scans_[i]);
+    scan.pose = now;
+    cover(scan);
     has_moved = true;
-    if (i < drawn_) drawing_.reset();
   }
   if (has_moved) ++revision_;
 }
 
-void GridRenderer::draw() const {
-  if (!drawing_) {
-    drawing_ = std::make_unique<scan_matching::ScanMap>(config_);
-    drawn_ = 0;
-    if (base_) grid_map::fillFrom(*base_, model_, drawing_->level(0).map);
-  }
-  auto& map = drawing_->level(0).map;
+grid_map::ScanPoints GridRenderer::pointsOf(const Scan& scan) const {
   constexpr double kNoMatter = 1.0;  // ends to match with a map are not needed to draw one
-  for (; drawn_ < scans_.size(); ++drawn_) {
-    const auto& [node, pose, scan] = scans_[drawn_];
-    grid_map::insertScan(model_, grid_map::pointsOf(*scan, model_, kNoMatter), pose, map);
+  return grid_map::pointsOf(*scan.scan, model_, kNoMatter);
+}
+
+/// @return false where that takes a new drawing
+bool GridRenderer::redrawMoved() const {
+  bool has_changed = std::exchange(is_erased_, false);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const auto& now = scans_[i].pose;
+    if (drawn_[i].vector() == now.vector()) continue;
+    const auto points = pointsOf(scans_[i]);
+    drawing_->erase(points, std::exchange(drawn_[i], now));
+    drawing_->erase(points, now);
+    has_changed = true;
+  }
+  if (!has_changed) return true;
+  if (!drawing_->clearErased()) return false;
+  for (std::size_t i = 0; i < drawn_.size(); ++i) drawing_->redraw(pointsOf(scans_[i]), drawn_[i]);
+  return true;
+}
+
+void GridRenderer::draw() const {
+  if (!drawing_ || !redrawMoved()) {
+    drawing_ = std::make_unique<GridDrawing>(config_, model_, base_);
+    drawn_.clear();
+  }
+  while (drawn_.size() < scans_.size()) {
+    const auto& next = scans_[drawn_.size()];
+    drawing_->draw(pointsOf(next), next.pose);
+    drawn_.push_back(next.pose);
   }
 }
 
@@ -75,17 +99,19 @@ OccupancyGrid GridRenderer::grid() const {
     return nothing;
   }
   draw();
-  return grid_map::occupancyGridOf(drawing_->finest().map, model_.resolution());
+  return drawing_->grid();
+}
+
+double GridRenderer::reachOf(const LaserScan& scan) const {
+  double furthest = 0.0;
+  for (const auto& beam : scan.beams)
+    furthest = std::max(furthest, static_cast<double>(beam.range));
+  return std::min(furthest, config_.usable_range) + scan.sensor_pose.position().norm();
 }
 
 void GridRenderer::cover(const Scan& scan) {
-  double furthest = 0.0;
-  for (const auto& beam : scan.scan->beams)
-    furthest = std::max(furthest, static_cast<double>(beam.range));
-  const double reach =
-      std::min(furthest, config_.usable_range) + scan.scan->sensor_pose.position().norm();
-  covered_.extend(scan.pose.position() - Eigen::Vector2d::Constant(reach));
-  covered_.extend(scan.pose.position() + Eigen::Vector2d::Constant(reach));
+  covered_.extend(scan.pose.position() - Eigen::Vector2d::Constant(scan.reach));
+  covered_.extend(scan.pose.position() + Eigen::Vector2d::Constant(scan.reach));
 }
 
 double GridRenderer::mostBytes() const {

@@ -9,17 +9,17 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/graph_slam/grid_drawing.hpp"
 #include "slam_core/graph_slam/path_graph.hpp"
 #include "slam_core/graph_slam/submap.hpp"
 #include "slam_core/grid_map/grid_map_config.hpp"
 #include "slam_core/models/occupancy_grid.hpp"
-#include "slam_core/scan_matching/scan_map.hpp"
 
 namespace slam::graph_slam {
 
-/// The whole grid, drawn of the scans of all nodes where the graph has them. A scan keeps
-/// its place in the drawing until its node has moved by half a cell; then all scans are drawn
-/// again. What is drawn does not depend on when it is asked for.
+/// The whole grid, drawn of the scans of all nodes where the graph has them. A scan keeps its
+/// place in the drawing until its node has moved by half a cell; then the tiles that it touches are
+/// drawn again. What is drawn does not depend on when it is asked for.
 class GridRenderer {
  public:
   explicit GridRenderer(const grid_map::GridMapConfig& config);
@@ -45,7 +45,11 @@ class GridRenderer {
     graph::Key node;
     Pose2 pose;  ///< as it is to be drawn
     SharedScan scan;
+    double reach;  ///< no cell that it writes to is further from the robot [m]
   };
+  double reachOf(const LaserScan& scan) const;
+  grid_map::ScanPoints pointsOf(const Scan& scan) const;
+  bool redrawMoved() const;
   void draw() const;
   void cover(const Scan& scan);
 
@@ -56,9 +60,10 @@ class GridRenderer {
   double scan_bytes_ = 0.0;
   Eigen::AlignedBox2d covered_;  ///< by all scans so far [m]
   std::uint64_t revision_ = 1;
-  /// The drawing holds the first scans, as they were when somebody last asked for it.
-  mutable std::unique_ptr<scan_matching::ScanMap> drawing_;
-  mutable std::size_t drawn_ = 0;
+  /// The drawing holds the first scans at these poses, those of when somebody last asked for it.
+  mutable std::unique_ptr<GridDrawing> drawing_;
+  mutable std::vector<Pose2> drawn_;
+  mutable bool is_erased_ = false;  ///< a scan that has gone
 };
 
 }  // namespace slam::graph_slam

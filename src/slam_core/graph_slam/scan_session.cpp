@@ -24,7 +24,7 @@ Session::Submap recordOf(const Submap& submap, const SessionNumbers& numbers,
 
 void SessionParts::write(const GridRenderer& renderer, const SessionNumbers& numbers,
                          Session& session) {
-  for (const auto& [node, pose, scan] : renderer.scans_)
+  for (const auto& [node, pose, scan, reach] : renderer.scans_)
     session.scans.push_back({numbers.variable(node), pose, scan});
   session.base = renderer.base_;
 }

@@ -9,6 +9,8 @@
 namespace slam::grid_map {
 namespace {
 
+constexpr double kHalfCell = 0.5;
+
 /// The most likely surface among the cells along a beam, told one after the other from the sensor.
 class MostLikelySurface {
  public:
@@ -58,12 +60,13 @@ CellIndex cellOf(const Eigen::Vector2d& point) {
           static_cast<std::int32_t>(std::floor(point.y()))};
 }
 
+bool dependsOnMap(double sigma) { return BeamModel::kSigmas * sigma > kHalfCell; }
+
 BeamReading readingOf(const Eigen::Vector2d& origin, const Eigen::Vector2d& end, double sigma,
                       const GridMap& map) {
   const CellIndex own = cellOf(end);
   const double length = (end - origin).norm();
   const double reach = std::min(BeamModel::kSigmas * sigma, length);
-  constexpr double kHalfCell = 0.5;
   if (!(reach > kHalfCell)) return {end, own, own};
   const Eigen::Vector2d direction = (end - origin) / length;
   MostLikelySurface surface(end, direction, sigma);

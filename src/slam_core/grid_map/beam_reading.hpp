@@ -30,4 +30,7 @@ struct BeamReading {
 BeamReading readingOf(const Eigen::Vector2d& origin, const Eigen::Vector2d& end, double sigma,
                       const GridMap& map);
 
+/// Whether what the map holds may matter for how a beam is read. @param sigma of the range [cells]
+bool dependsOnMap(double sigma);
+
 }  // namespace slam::grid_map

@@ -4,6 +4,7 @@
 #include "slam_core/grid_map/grid_conversion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -15,19 +16,26 @@ namespace {
 
 double probabilityOf(LogOdds cell) { return 1.0 / (1.0 + std::exp(-cell / kLogOddsUnit)); }
 
+/// The percentage of each value that a cell can have, by its bits.
+std::array<std::int8_t, 256> percentages() {
+  std::array<std::int8_t, 256> percent;
+  for (int cell = -128; cell <= 127; ++cell)
+    percent[static_cast<std::uint8_t>(cell)] =
+        static_cast<std::int8_t>(std::lround(100.0 * probabilityOf(static_cast<LogOdds>(cell))));
+  return percent;
+}
+
 /// Calls visit(cell, log odds) for each that has been seen, row by row.
 template <class Visit>
 void forEachSeen(const GridMap& map, const Visit& visit) {
   const auto all = map.rectangle();
   for (std::int32_t y = all.least.y; y < all.least.y + all.height; ++y)
-    for (std::int32_t x = all.least.x; x < all.least.x + all.width; ++x) {
-      const auto* const tile = map.tile({x, y});
-      if (tile == nullptr) {
-        x += Tile::kSize - 1;
-        continue;
-      }
-      if (const auto cell = tile->log_odds[Tile::at({x, y})]; cell != kUnseen)
-        visit(CellIndex{x, y}, cell);
+    for (std::int32_t left = all.least.x; left < all.least.x + all.width; left += Tile::kSize) {
+      const auto* const tile = map.tile({left, y});
+      if (tile == nullptr) continue;
+      const auto* const row = tile->log_odds.data() + Tile::at({left, y});
+      for (std::int32_t i = 0; i < Tile::kSize; ++i)
+        if (row[i] != kUnseen) visit(CellIndex{left + i, y}, row[i]);
     }
 }
 
@@ -124,11 +132,11 @@ OccupancyGrid occupancyGridOf(const GridMap& map, double resolution) {
   grid.width = static_cast<std::uint32_t>(bounds.most.x - bounds.least.x + 1);
   grid.height = static_cast<std::uint32_t>(bounds.most.y - bounds.least.y + 1);
   grid.cells.assign(std::size_t{grid.width} * grid.height, OccupancyGrid::kUnknown);
+  static const auto kPercent = percentages();
   forEachSeen(map, [&](CellIndex cell, LogOdds log_odds) {
     const auto x = static_cast<std::size_t>(cell.x - bounds.least.x);
     const auto y = static_cast<std::size_t>(cell.y - bounds.least.y);
-    grid.cells[y * grid.width + x] =
-        static_cast<std::int8_t>(std::lround(100.0 * probabilityOf(log_odds)));
+    grid.cells[y * grid.width + x] = kPercent[static_cast<std::uint8_t>(log_odds)];
   });
   return grid;
 }

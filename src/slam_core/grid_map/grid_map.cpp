@@ -4,6 +4,7 @@
 #include "slam_core/grid_map/grid_map.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace slam::grid_map {
 
@@ -16,11 +17,22 @@ Tile* GridMap::ownTile(CellIndex cell) {
   return &own.tiles[own.at(tile_x, tile_y)].own(memory_->count_);
 }
 
+void GridMap::restoreTile(CellIndex cell, const GridMap& from) {
+  const std::int32_t tile_x = cell.x >> Tile::kBits, tile_y = cell.y >> Tile::kBits;
+  const auto* const directory = directory_.get();
+  if (directory == nullptr || !directory->holds(tile_x, tile_y)) return;
+  const auto* const other = from.directory_.get();
+  const bool is_there = other != nullptr && other->holds(tile_x, tile_y);
+  auto tile = is_there ? other->tiles[other->at(tile_x, tile_y)] : CopyOnWrite<Tile>();
+  auto& own = directory_.own();
+  own.tiles[own.at(tile_x, tile_y)] = std::move(tile);
+}
+
 /// Makes room for a tile and some more beyond it, if that is not too much.
 bool GridMap::grow(std::int32_t tile_x, std::int32_t tile_y) {
   const auto* const old = directory_.get();
   if (old == nullptr) return resize(tile_x, tile_y, 1, 1);
-  for (const std::int32_t margin : {4, 0}) {
+  for (const std::int32_t margin : {kMargin, 0}) {
     const auto x = tile_x < old->x ? tile_x - margin : old->x;
     const auto y = tile_y < old->y ? tile_y - margin : old->y;
     const auto right = std::int64_t{old->x} + old->width, top = std::int64_t{old->y} + old->height;

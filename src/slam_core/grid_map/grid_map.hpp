@@ -46,12 +46,16 @@ class GridMap {
   }
   /// For writing, made where there is none. Null where the map would become too large.
   Tile* ownTile(CellIndex cell);
+  /// The cell's tile becomes what it is in another copy of the map, which may be nothing.
+  void restoreTile(CellIndex cell, const GridMap& from);
 
   LogOdds logOdds(CellIndex cell) const {
     const auto* const tile_of_cell = tile(cell);
     return tile_of_cell == nullptr ? kUnseen : tile_of_cell->log_odds[Tile::at(cell)];
   }
 
+  /// A map that must grow grows by so many tiles beyond that which is written, if it may.
+  static constexpr std::int32_t kMargin = 4;
   /// What holds all tiles.
   CellRectangle rectangle() const;
   /// The tiles of this map, counting those that it shares with others.

@@ -41,33 +41,49 @@ class EndCells {
   std::vector<std::uint64_t> cells_;
 };
 
+CellIndex tileOf(CellIndex cell) { return {cell.x >> Tile::kBits, cell.y >> Tile::kBits}; }
+
+/// A scan goes into all tiles, as a map needs them to match other scans with it.
+struct ToMatch {
+  static constexpr bool kHasLikelihood = true;
+  bool contains(CellIndex) const { return true; }
+};
+
+/// A scan goes into some tiles, or all, of which nobody asks how likely a beam ends there.
+struct ToShow {
+  static constexpr bool kHasLikelihood = false;
+  const TileSet* among;  ///< null: all
+  bool contains(CellIndex tile) const { return among == nullptr || among->contains(tile); }
+};
+
 /// The tile written last, so that neighbouring cells need no search.
+template <class Tiles>
 class TileCursor {
  public:
-  explicit TileCursor(GridMap& map) : map_(map) {}
+  TileCursor(GridMap& map, const Tiles& tiles) : map_(map), tiles_(tiles) {}
 
-  const Tile* read(CellIndex cell) {
-    moveTo(cell);
-    return read_;
+  /// Whether the scan goes into the cell's tile; to be called before the others.
+  bool moveTo(CellIndex cell) {
+    const CellIndex tile = tileOf(cell);
+    if (is_set_ && tile == tile_) return is_taken_;
+    is_set_ = true;
+    tile_ = tile;
+    is_taken_ = tiles_.contains(tile);
+    read_ = is_taken_ ? map_.tile(cell) : nullptr;
+    own_ = nullptr;
+    return is_taken_;
   }
+  const Tile* read() const { return read_; }
   Tile* own(CellIndex cell) {
-    moveTo(cell);
     if (own_ == nullptr) read_ = own_ = map_.ownTile(cell);
     return own_;
   }
 
  private:
-  void moveTo(CellIndex cell) {
-    const CellIndex tile{cell.x >> Tile::kBits, cell.y >> Tile::kBits};
-    if (is_set_ && tile == tile_) return;
-    is_set_ = true;
-    tile_ = tile;
-    read_ = map_.tile(cell);
-    own_ = nullptr;
-  }
   GridMap& map_;
+  const Tiles& tiles_;
   CellIndex tile_;
-  bool is_set_ = false;
+  bool is_set_ = false, is_taken_ = false;
   const Tile* read_ = nullptr;
   Tile* own_ = nullptr;
 };
@@ -92,14 +108,17 @@ void traverse(CellIndex from, CellIndex to, const Visit& visit) {
   }
 }
 
+template <class Tiles>
 class Insertion {
  public:
-  Insertion(const BeamModel& model, const ScanPoints& scan, const Pose2& pose, GridMap& map)
+  Insertion(const BeamModel& model, const ScanPoints& scan, const Pose2& pose, const Tiles& tiles,
+            GridMap& map)
       : model_(model),
         scan_(scan),
         pose_(pose),
+        tiles_(tiles),
         map_(map),
-        cursor_(map),
+        cursor_(map, tiles_),
         ends_(scan.beams.size()) {}
 
   std::size_t run() {
@@ -115,13 +134,15 @@ class Insertion {
       traverse(from, reading.free_to, [&](CellIndex cell) { miss(cell); });
     for (std::size_t k = 0; k < readings.size(); ++k)
       if (scan_.beams[k].isHit()) hit(readings[k], scan_.beams[k].gain);
-    for (const auto cell : freed_) takeLikelihood(model_, cell, map_);
+    if constexpr (Tiles::kHasLikelihood)
+      for (const auto cell : freed_) takeLikelihood(model_, cell, map_);
     return beyond_;
   }
 
  private:
   void miss(CellIndex cell) {
-    const auto* const tile = cursor_.read(cell);
+    if (!cursor_.moveTo(cell)) return;
+    const auto* const tile = cursor_.read();
     const auto at = Tile::at(cell);
     const LogOdds before = tile == nullptr ? kUnseen : tile->log_odds[at];
     const LogOdds after = model_.afterMiss(before);
@@ -131,14 +152,15 @@ class Insertion {
     own->log_odds[at] = after;
     if (BeamModel::isOccupied(before) && !BeamModel::isOccupied(after)) {
       own->ends[at] = 0;
-      freed_.push_back(cell);
+      if constexpr (Tiles::kHasLikelihood) freed_.push_back(cell);
     }
   }
 
   void hit(const BeamReading& reading, LogOdds gain) {
     const auto& [end, cell, free_to] = reading;
+    if (!cursor_.moveTo(cell)) return;
     const auto at = Tile::at(cell);
-    const auto* const tile = cursor_.read(cell);
+    const auto* const tile = cursor_.read();
     const LogOdds before = tile == nullptr ? kUnseen : tile->log_odds[at];
     const LogOdds after = model_.afterHit(before, gain);
     if (after == before && tile->ends[at] >= kMostEnds) return;
@@ -152,10 +174,14 @@ class Insertion {
       const int n = ++own->ends[at];
       own->mean_x[at] = moved(own->mean_x[at], end.x() - cell.x, n);
       own->mean_y[at] = moved(own->mean_y[at], end.y() - cell.y, n);
-      if (BeamModel::isOccupied(after)) giveLikelihood(model_, cell, map_);
+      if (BeamModel::isOccupied(after)) give(cell);
     } else if (!BeamModel::isOccupied(before) && BeamModel::isOccupied(after)) {
-      giveLikelihood(model_, cell, map_);
+      give(cell);
     }
+  }
+
+  void give([[maybe_unused]] CellIndex cell) {
+    if constexpr (Tiles::kHasLikelihood) giveLikelihood(model_, cell, map_);
   }
 
   static std::int8_t moved(std::int8_t mean, double end, int n) {
@@ -168,19 +194,64 @@ class Insertion {
   const BeamModel& model_;
   const ScanPoints& scan_;
   const Pose2 pose_;
+  const Tiles tiles_;
   GridMap& map_;
-  TileCursor cursor_;
+  TileCursor<Tiles> cursor_;
   EndCells ends_;
   std::vector<CellIndex> freed_;
   std::size_t beyond_ = 0;
 };
+
+/// The beams that may write to some of the tiles.
+ScanPoints partAmong(const TileSet& tiles, const ScanPoints& scan, const Pose2& in_cells) {
+  ScanPoints part;
+  part.origin = scan.origin;
+  const auto from = tileOf(cellOf(in_cells.transform(scan.origin)));
+  for (const auto& beam : scan.beams)
+    if (tiles.touches(from, tileOf(cellOf(in_cells.transform(beam.end)))))
+      part.beams.push_back(beam);
+  return part;
+}
 
 }  // namespace
 
 std::size_t insertScan(const BeamModel& model, const ScanPoints& scan, const Pose2& pose,
                        GridMap& map) {
   if (!scan.isOnMap(pose)) return scan.beams.size();
-  return Insertion(model, scan, scan.inCells(pose), map).run();
+  return Insertion(model, scan, scan.inCells(pose), ToMatch(), map).run();
+}
+
+void drawScan(const BeamModel& model, const ScanPoints& scan, const Pose2& pose,
+              const TileSet* among, GridMap& map) {
+  if (!scan.isOnMap(pose)) return;
+  const Pose2 in_cells = scan.inCells(pose);
+  if (among == nullptr)
+    Insertion(model, scan, in_cells, ToShow{among}, map).run();
+  else if (const auto part = partAmong(*among, scan, in_cells); !part.beams.empty())
+    Insertion(model, part, in_cells, ToShow{among}, map).run();
+}
+
+void addTilesOf(const ScanPoints& scan, const Pose2& pose, std::vector<CellIndex>& tiles) {
+  if (!scan.isOnMap(pose) || scan.beams.empty()) return;
+  const Pose2 in_cells = scan.inCells(pose);
+  const auto from = cellOf(in_cells.transform(scan.origin));
+  std::vector<CellIndex> corners = {tileOf(from)};
+  for (const auto& beam : scan.beams)
+    corners.push_back(tileOf(cellOf(in_cells.transform(beam.end))));
+  const auto [least, width, height] = rectangleOf(corners);
+  std::vector<bool> is_added(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const auto add = [&, least = least, width = width](CellIndex cell) {
+    const auto tile = tileOf(cell);
+    const auto at = static_cast<std::size_t>(tile.y - least.y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(tile.x - least.x);
+    if (!is_added[at]) tiles.push_back(tile);
+    is_added[at] = true;
+  };
+  for (const auto& beam : scan.beams) {
+    const auto end = cellOf(in_cells.transform(beam.end));
+    traverse(from, end, add);
+    if (beam.isHit()) add(end);
+  }
 }
 
 }  // namespace slam::grid_map

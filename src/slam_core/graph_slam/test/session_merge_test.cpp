@@ -77,6 +77,33 @@ void expectTruth(const Session& session, const SimulatedWorld& world) {
     EXPECT_LT((landmark.position - world.landmarks().at(landmark.id)).norm(), 0.15) << landmark.id;
 }
 
+/// Two nodes that lie a metre apart for sure, at headings that hardly anything tells, and a third
+/// factor that sees the second one from the first, `seen` metres ahead.
+Session tornApart(double seen) {
+  const Eigen::Matrix3d W_place = Eigen::Vector3d(1e3, 1e3, 1e-2).asDiagonal();
+  const Eigen::Matrix3d W_seen = Eigen::Vector3d(10.0, 10.0, 1e-2).asDiagonal();
+  Session session;
+  session.nodes = {{0.0, 0.0, 0.3}, {1.0, 0.0, 0.0}};
+  session.factors = {Session::PosePrior{0, {0.0, 0.0, 0.0}, W_place},
+                     Session::PosePrior{1, {1.0, 0.0, 0.0}, W_place},
+                     Session::Between{0, 1, {seen, 0.0, 0.0}, W_seen}};
+  return session;
+}
+
+TEST(Settle, BringsAGraphToRestWhoseFactorsContradictEachOtherALittle) {
+  auto session = tornApart(1.5);
+  settle(session);
+  EXPECT_NEAR(session.nodes[0].theta(), 0.0, 1e-3);
+}
+
+/// Each step turns the first node by four times the error of its heading.
+TEST(Settle, RefusesAGraphThatDoesNotComeToRest) {
+  auto session = tornApart(4.0);
+  const auto sentence = sentenceOf([&] { settle(session); });
+  EXPECT_TRUE(test::oneSays({sentence}, {"does not come to rest", "the same place is none"}))
+      << sentence;
+}
+
 /// Two drives past the same landmarks, the second one from elsewhere.
 class DrivesPastLandmarks : public testing::Test {
  protected:

@@ -61,5 +61,24 @@ TEST(GridMapTest, GrowsNoFurtherThanItsLargestRectangle) {
   EXPECT_EQ(map.logOdds({0, 0}), 1);
 }
 
+TEST(GridMapTest, TakesATileBackToWhatACopyOfItHas) {
+  GridMap::Memory memory;
+  GridMap map(memory);
+  write(map, {5, 5}, 3);
+  const GridMap before = map;
+  write(map, {5, 5}, 4);
+  write(map, {25, 5}, 6);
+  write(map, {500, 5}, 7);
+  map.restoreTile({0, 0}, before);
+  map.restoreTile({16, 0}, before);
+  map.restoreTile({-3000, 9}, before);
+  EXPECT_EQ(map.logOdds({5, 5}), 3);
+  EXPECT_EQ(map.logOdds({25, 5}), kUnseen);
+  EXPECT_EQ(map.logOdds({500, 5}), 7);
+  EXPECT_EQ(memory.tilesInUse(), 2u);
+  write(map, {5, 5}, 9);
+  EXPECT_EQ(before.logOdds({5, 5}), 3);
+}
+
 }  // namespace
 }  // namespace slam::grid_map

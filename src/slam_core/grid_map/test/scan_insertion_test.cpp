@@ -254,5 +254,67 @@ TEST_F(ScanInsertion, KeepsLikelihoodsInStepWithOccupiedCells) {
     }
 }
 
+class ScanDrawing : public ScanInsertion {
+ protected:
+  void SetUp() override {
+    RandomStream random(5, 0);
+    const test::Room room;
+    for (int i = 0; i < 12; ++i) {
+      poses.emplace_back(0.2 * i - 3.0, -2.2, 0.4 * i);
+      scans.push_back(pointsOf(scanOf(room, poses.back(), {}, 91, 0.02, random), model, 0.05));
+    }
+  }
+  void draw(const TileSet* among, GridMap& to) const {
+    for (std::size_t i = 0; i < scans.size(); ++i) drawScan(model, scans[i], poses[i], among, to);
+  }
+  /// Calls look(tile, cell) for all cells around the room.
+  template <class Look>
+  static void lookAround(const Look& look) {
+    for (std::int32_t y = -200; y < 200; ++y)
+      for (std::int32_t x = -200; x < 200; ++x)
+        look(CellIndex{x >> Tile::kBits, y >> Tile::kBits}, CellIndex{x, y});
+  }
+
+  std::vector<Pose2> poses;
+  std::vector<ScanPoints> scans;
+  GridMap drawn{memory};
+};
+
+TEST_F(ScanDrawing, ShowsWhatAMapToMatchWithShows) {
+  for (std::size_t i = 0; i < scans.size(); ++i) insertScan(model, scans[i], poses[i], map);
+  draw(nullptr, drawn);
+  int seen = 0;
+  lookAround([&](CellIndex, CellIndex cell) {
+    ASSERT_EQ(drawn.logOdds(cell), map.logOdds(cell));
+    seen += drawn.logOdds(cell) != kUnseen;
+  });
+  EXPECT_GT(seen, 3000);
+}
+
+TEST_F(ScanDrawing, DrawsTheTilesAlikeAmongWhichItIsToStay) {
+  draw(nullptr, drawn);
+  const TileSet some({{-3, -3}, {0, -3}, {1, -2}, {4, 0}, {4, 1}});
+  draw(&some, map);
+  int seen = 0;
+  lookAround([&](CellIndex tile, CellIndex cell) {
+    ASSERT_EQ(map.logOdds(cell), some.contains(tile) ? drawn.logOdds(cell) : kUnseen);
+    seen += map.logOdds(cell) != kUnseen;
+  });
+  EXPECT_GT(seen, 300);
+}
+
+TEST_F(ScanDrawing, TellsTheTilesThatAScanWritesTo) {
+  std::vector<CellIndex> tiles;
+  addTilesOf(scans[3], poses[3], tiles);
+  const TileSet told(tiles);
+  EXPECT_EQ(told.tiles().size(), tiles.size()) << "each is told once";
+  drawScan(model, scans[3], poses[3], nullptr, drawn);
+  std::vector<CellIndex> written;
+  lookAround([&](CellIndex tile, CellIndex cell) {
+    if (drawn.logOdds(cell) != kUnseen) written.push_back(tile);
+  });
+  EXPECT_EQ(TileSet(written).tiles(), told.tiles());
+}
+
 }  // namespace
 }  // namespace slam::grid_map
