@@ -87,6 +87,9 @@ void ConsistencyConfig::describe(Fields& fields) {
            "a sigma that looks too small or too large by this factor is told")
       .unit("1")
       .in(Range::above(1));
+  fields.add("adapt", &adapt,
+             "noise of odometry, ranges or bearings that looks too small is enlarged until it does "
+             "not");
 }
 
 ConsistencyMonitor::ConsistencyMonitor(const ConsistencyConfig& config)

@@ -23,6 +23,7 @@ struct ConsistencyConfig {
 
   int window = 50;
   double warning_factor = 1.5;
+  bool adapt = true;
 
   void describe(Fields& fields);
 };
@@ -77,6 +78,11 @@ class ConsistencyMonitor {
   std::optional<Source> overconfident() const;
 
   static const char* name(Source source);
+  friend const InnovationBias& biasOf(const ConsistencyMonitor& monitor) { return monitor.bias_; }
+  /// The source whose sigma is named as too small or too large.
+  friend std::optional<Source> blamedOf(const ConsistencyMonitor& monitor) {
+    return monitor.blamed_;
+  }
 
  private:
   /// The derivative of the log-likelihood with respect to the three variances, and its Fisher

@@ -101,6 +101,11 @@ Status Estimator::resetBackend() {
   consistency_ = ConsistencyMonitor(consistency_config_);
   events_ = EventWatch(events_config_);
   relocaliser_.reset();
+  noise_ = NoiseAdaptation();
+  scale_ = ScaleDoubt();
+  last_pose_.reset();
+  map_start_.reset();
+  way_ = Pose2();
   if (start_session_) return set(*start_session_);
   return start_map_ ? set(*start_map_) : Status::ok();
 }
@@ -120,6 +125,7 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
   const auto status = backend_->execute();
   relocaliser_.assume(Belief::kSure);
   events_.relocate("the robot was put there");
+  last_pose_ = backend_->pose().pose;
   consistency_.add(statistics());
   return status;
 }
@@ -136,6 +142,7 @@ Status Estimator::set(const MapState& map) {
     status = together(status, Status::warning("the map's lines are left out, since this back-end "
                                               "maps points only: use backend=ekf"));
   events_.relocate("a map was loaded");
+  keepScaleOfMap();
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
   return together(status, relocaliser_.assume(Belief::kUnconfirmed, &used));
@@ -152,6 +159,7 @@ Status Estimator::set(const SavedSession& session) {
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
   events_.relocate("a session was loaded");
+  keepScaleOfMap();
   relocaliser_.reset();
   consistency_ = ConsistencyMonitor(consistency_config_);
   if (const auto* mapper = capabilities_.find<LandmarkMapper>())
@@ -202,6 +210,7 @@ Status Estimator::execute() {
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
   const auto consistency_status = watchConsistency();
+  watchScale();
   const auto place_status = relocate(step->stamp);
   // what the monitor finds is said once only
   for (const auto& other : {step_status, place_status, consistency_status})
@@ -211,8 +220,10 @@ Status Estimator::execute() {
 }
 
 void Estimator::give(const Intake::Step& step) {
-  for (const auto& motion : step.motions) {
+  for (const auto& reported : step.motions) {
+    const auto motion = noise_.scaled(reported);
     carrier_->set(&motion);
+    way_ = way_ * motion.increment;
     events_.predict(motion);
     relocaliser_.predict(motion);
   }
@@ -222,8 +233,16 @@ void Estimator::give(const Intake::Step& step) {
     counters_.add("paused");
   } else if (isAdmitted(*step.trigger)) {
     intake_.admit(*step.trigger);
-    step.trigger->port->set(step.trigger->value.get());
+    give(*step.trigger);
   }
+}
+
+void Estimator::give(const Intake::Trigger& trigger) const {
+  const auto* const value = trigger.value.get();
+  if (trigger.port->kind != kindOf<LandmarkObservationArray>() || noise_.isNeutral())
+    return trigger.port->set(value);
+  const auto scaled = noise_.scaled(*static_cast<const LandmarkObservationArray*>(value));
+  trigger.port->set(&scaled);
 }
 
 bool Estimator::isAdmitted(const Intake::Trigger& trigger) {
@@ -241,7 +260,9 @@ Status Estimator::relocate(Stamp stamp) {
   backend_->set(*place);
   events_.relocate("the place was recognised in the map");
   consistency_ = ConsistencyMonitor(consistency_config_);
-  return backend_->execute();
+  const auto status = backend_->execute();
+  last_pose_ = backend_->pose().pose;
+  return status;
 }
 
 Status Estimator::faultOfState() {
@@ -263,16 +284,54 @@ Status Estimator::watchConsistency() {
   const auto before = consistency_.fault();
   consistency_.add(statistics());
   const auto now = consistency_.fault();
+  const auto finding = consistency_.finding();
+  adaptNoise();
   if (now == Fault::kNone || now == before) return Status::ok();
-  return now == Fault::kLost ? Status::alarm(consistency_.finding())
-                             : Status::warning(consistency_.finding());
+  return now == Fault::kLost ? Status::alarm(finding) : Status::warning(finding);
+}
+
+/// A map that was loaded has a scale of its own.
+void Estimator::keepScaleOfMap() {
+  map_start_.reset();
+  last_pose_ = backend_->pose().pose;
+}
+
+void Estimator::watchScale() {
+  const auto now = backend_->pose().pose;
+  if (last_pose_) scale_.add(way_, last_pose_->inverse() * now);
+  if (!last_pose_ && !map_start_) map_start_ = now.position();
+  last_pose_ = now;
+  way_ = Pose2();
+}
+
+/// Where odometry had to be taken for noisier than it says, the scale of the map is in doubt.
+PoseEstimate Estimator::reportedPose() const {
+  auto pose = backend_->pose();
+  if (noise_.scale(ConsistencyMonitor::kMotion) > 1.0 && map_start_)
+    pose.covariance += scale_.covariance(pose.pose.position() - *map_start_);
+  return relocaliser_.told(pose);
+}
+
+Component::Figures Estimator::figures() const {
+  auto figures = backend_->figures();
+  for (const auto source :
+       {ConsistencyMonitor::kRange, ConsistencyMonitor::kBearing, ConsistencyMonitor::kMotion})
+    figures.emplace_back(std::string(ConsistencyMonitor::name(source)) + "_noise_factor",
+                         noise_.scale(source));
+  return figures;
+}
+
+/// What the monitor has judged so far was of the noise as it was.
+void Estimator::adaptNoise() {
+  if (consistency_config_.adapt && noise_.learn(consistency_, statistics()))
+    consistency_ = ConsistencyMonitor(consistency_config_);
 }
 
 void Estimator::reportStep(const Intake::Step& step) {
   StepReport report;
   report.stamp = step.stamp;
   if (step.trigger) report.trigger = step.trigger->port->name;
-  report.pose = relocaliser_.told(backend_->pose());
+  report.pose = reportedPose();
   // at the very start of motion none has been applied yet
   if (const auto motion = last_motion_ ? last_motion_ : intake_.arrivals().pending) {
     report.odometry_pose = last_motion_ ? motion->odometry_end : motion->odometry_start;

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "slam_core/consistency/consistency_monitor.hpp"
+#include "slam_core/consistency/noise_adaptation.hpp"
+#include "slam_core/consistency/scale_doubt.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
@@ -76,7 +78,8 @@ class Estimator final : public Component {
 
   Counters counters() const override;
   std::uint64_t dropped() const override { return intake_.dropped(); }
-  Figures figures() const override { return backend_->figures(); }
+  /// Beside the back-end's: the factors on the reported noise (NoiseAdaptation).
+  Figures figures() const override;
   void reset() override;
 
  private:
@@ -85,6 +88,11 @@ class Estimator final : public Component {
   bool takesLines() const;
   Status resetBackend();
   void give(const Intake::Step& step);
+  void give(const Intake::Trigger& trigger) const;
+  void adaptNoise();
+  void watchScale();
+  void keepScaleOfMap();
+  PoseEstimate reportedPose() const;
   bool isAdmitted(const Intake::Trigger& trigger);
   /// Puts the robot where it has been recognised, where that is elsewhere.
   Status relocate(Stamp stamp);
@@ -104,6 +112,12 @@ class Estimator final : public Component {
   Intake intake_;
   ConsistencyConfig consistency_config_;
   ConsistencyMonitor consistency_;
+  NoiseAdaptation noise_;
+  ScaleDoubt scale_;
+  std::optional<Pose2> last_pose_;  ///< of the back-end after the last step
+  /// Where the map began, which has a scale of its own; a loaded map has not.
+  std::optional<Eigen::Vector2d> map_start_;
+  Pose2 way_;  ///< by odometry since the last step
   EventsConfig events_config_;
   EventWatch events_;
   relocalisation::Relocaliser relocaliser_;

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include "slam_core/models/motion.hpp"
+
+namespace slam {
+
+/// Compares the way by odometry with the way that a back-end makes of it with all it sees, over
+/// the last metres: how much longer it is, and by how much it points elsewhere. Where both are
+/// noise only, they differ by little. Where they do not, the wheels or the ranges have a wrong
+/// scale, or the bearings an offset, and nothing that is seen tells which of the two is right. A
+/// map that is being built then has a scale and a direction that may be wrong by this: the robot's
+/// position is in doubt by as much as it is away from where the map began.
+class ScaleDoubt {
+ public:
+  /// To be called for each step.
+  /// @param odometry increment of the odometry since the last step
+  /// @param estimated the back-end's, in the robot's frame before it
+  void add(const Pose2& odometry, const Pose2& estimated);
+
+  /// How much longer the estimated way is, as a share of the way by odometry.
+  double scale() const { return scale_; }
+  double turn() const { return turn_; }  ///< from the one to the other [rad]
+  /// The covariance of the pose (x, y, heading) by this doubt. @param from_start the robot's
+  /// position in the map frame, relative to where the map began [m]
+  Eigen::Matrix3d covariance(const Eigen::Vector2d& from_start) const;
+
+ private:
+  double along_ = 0.0, across_ = 0.0, square_ = 0.0;  ///< sums of products of the ways [m^2]
+  double scale_ = 0.0, turn_ = 0.0;
+};
+
+}  // namespace slam
