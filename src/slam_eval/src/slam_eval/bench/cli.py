@@ -89,8 +89,8 @@ BENCHMARKS = {
         "were carried away, over drives through random buildings",
         {"drives": lost_drives.measure}, command_line.add_lost),
     "adverse": Benchmark(
-        "adverse drives", "how long products are confidently wrong where something is wrong that they "
-        "do not know: wheels, ranges, ids, a laser, a robot that is carried away; a few minutes",
+        "adverse drives", "how long products are confidently wrong where something is wrong that "
+        "they do not know: wheels, ranges, ids, a laser, a robot that is carried; a few minutes",
         adverse_drives.PARTS, command_line.add_adverse),
     "relocalisation": Benchmark(
         "relocalisation", "robots that are switched on anywhere in their map: how many are found, "

@@ -215,7 +215,7 @@ ADVERSE = ("ekf_wheel", "pf_wheel", "graph_wheel", "pf_wheel_grid", "scan_grid_w
 def add_adverse(parser):
     """Options of `slam_bench adverse`."""
     parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
-                        default=list(ADVERSE), help="instead of " + ",".join(ADVERSE))
+                        default=list(ADVERSE), help=f"instead of {','.join(ADVERSE)}")
     parser.add_argument("--seeds", metavar="N", type=count, default=2,
                         help="halls, with a drive through each (%(default)s)")
 

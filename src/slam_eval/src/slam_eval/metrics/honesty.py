@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the pose was wrong while its covariance said that it was right, and how long the run itself
-reported the robot as lost."""
+"""Whether the pose was wrong while its covariance said that it was right, and how long the run
+itself reported the robot as lost."""
 import dataclasses
 
 import numpy as np
@@ -15,8 +15,9 @@ CONFIDENT = 5.0  # and contradicts the covariance beyond so many standard deviat
 
 @dataclasses.dataclass(frozen=True)
 class PositionClaim:
-    """Of each pose: whether it has truth, its position's error [m], the Mahalanobis distance of that
-    error from the reported covariance [1], and how long the pose stands until the next one [s]."""
+    """Of each pose: whether it has truth, its position's error [m], the Mahalanobis distance of
+    that error by the reported covariance [1], and how long the pose stands until the next one [s].
+    """
 
     valid: np.ndarray
     errors: np.ndarray
@@ -82,8 +83,8 @@ def position_claim(trajectory, updates, truth):
 
 
 def lost_intervals(events, end):
-    """(from, to) [ns] of each time for which the events report the robot as lost; the last one lasts
-    until `end` [ns] where the robot was not found again."""
+    """(from, to) [ns] of each time for which the events report the robot as lost; the last one
+    lasts until `end` [ns] where the robot was not found again."""
     intervals, since = [], None
     for event in events:
         if event.kind == "lost" and since is None:

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a fault makes of the messages of a drive: changes for harness.bag_edit.edit(). Each is used for
-one bag; `begin` and `end` are times since the bag's start [s]."""
+"""What a fault makes of the messages of a drive: changes for harness.bag_edit.edit(). Each is used
+for one bag; `begin` and `end` are times since the bag's start [s]."""
 import math
 import random
 
@@ -34,8 +34,8 @@ def _scale_twist(message, factor):
 
 
 class ScaledOdometry:
-    """Each increment of the odometry is multiplied by a factor: by another one than 1 from `begin` to
-    `end` only. With a factor of 0 the odometry stands still, and what is driven meanwhile is lost."""
+    """Each increment of the odometry from `begin` to `end` is multiplied by a factor. With a factor
+    of 0 the odometry stands still, and what is driven meanwhile is lost."""
 
     kinds = (ODOMETRY,)
 
@@ -44,19 +44,18 @@ class ScaledOdometry:
         self._before = self._out = None  # the last pose as it was, and as it was written
 
     def __call__(self, kind, message, time):
-        place, is_on = _place(message), self._begin <= time < self._end
-        factor = self._factor if is_on else 1.0
-        if self._before is not None:
-            step = compose(inverse(self._before), place)
-            step = (*step[:2], math.remainder(step[2], 2.0 * math.pi))
-            self._out = compose(self._out, tuple(factor * x for x in step))
-        else:
-            self._out = place
+        place = _place(message)
+        if time < self._begin or self._before is None:
+            self._before = self._out = place
+            if time < self._begin:
+                return
+        factor = self._factor if time < self._end else 1.0
+        step = compose(inverse(self._before), place)
+        step = (*step[:2], math.remainder(step[2], 2.0 * math.pi))
+        self._out = compose(self._out, tuple(factor * x for x in step))
         self._before = place
-        if self._out != place:
-            _set_place(message, self._out)
-        if is_on:
-            _scale_twist(message, factor)
+        _set_place(message, self._out)
+        _scale_twist(message, factor)
 
 
 class OdometryJump:
@@ -74,7 +73,7 @@ class OdometryJump:
 
 
 class ScaledRanges:
-    """All ranges, of observations and of scans, are multiplied by a factor; a laser's limits too."""
+    """All ranges of observations and scans are multiplied by a factor; a laser's limits too."""
 
     kinds = (OBSERVATIONS, SCAN)
 
@@ -128,7 +127,7 @@ class FalseIds:
 
 
 class MovedLandmarks:
-    """Each landmark stands a distance [m] elsewhere, each in a direction of its own; the noise of the
+    """Each landmark stands a distance [m] elsewhere, in a direction of its own; the noise of the
     observations stays. truth: a Trajectory in the world's frame."""
 
     kinds = (OBSERVATIONS,)
@@ -147,7 +146,8 @@ class MovedLandmarks:
         (pose,), _ = interpolate(self._truth, [message.header.stamp.to_nsec()])
         for seen in message.observations:
             place = place_of(pose, seen.range, seen.bearing) + self._shift(seen.id)
-            (seen.range,), (seen.bearing,) = (x.tolist() for x in seen_from(pose, place[None, :]))
+            ranges, bearings = seen_from(pose, place[None, :])
+            seen.range, seen.bearing = float(ranges[0]), float(bearings[0])
 
 
 class FrozenLaser:

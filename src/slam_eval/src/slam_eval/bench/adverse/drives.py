@@ -10,7 +10,7 @@ import time
 
 import yaml
 
-from slam_eval.bench.adverse.faults import FAULTS, LANDMARKS, SCANS
+from slam_eval.bench.adverse.faults import BEGIN, FAULTS, LANDMARKS, SCANS
 from slam_eval.bench.adverse.halls import write_hall
 from slam_eval.bench.adverse.judge import Failure, judge
 from slam_eval.bench.adverse.results import (median_share, REMARK, split, verdict_lines,
@@ -22,6 +22,7 @@ from slam_eval.bench.harness.products import makes_a_grid
 from slam_eval.bench.harness.programs import package_folder, workspace_program
 from slam_eval.bench.harness.runs import simulate
 from slam_eval.bench.harness.table import Section
+from slam_eval.io.errors import InputError
 from slam_eval.io.run_folder import read_run
 from slam_eval.plot.adverse import plot_shares
 
@@ -74,8 +75,8 @@ class Drives:
 
 def run_product(folder, product, bag, seed):
     """Run a product on a bag into a folder; returns its CPU time [s]. Raises BenchError."""
-    command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag, "--out", folder,
-               "--set", "detector=none", "--set", f"seed={seed}"]
+    command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag, "--out",
+               folder, "--set", "detector=none", "--set", f"seed={seed}"]
     return process.run(command, folder.with_suffix(".log")).cpu_s
 
 
@@ -95,7 +96,7 @@ class Case:
             with self._lock:
                 self.cpu_s += cpu_s
             return judge(read_run(folder), self._fault.begin)
-        except BenchError as error:
+        except (BenchError, InputError) as error:
             return Failure(str(error))
         finally:
             if self._context.options.keep is None:
@@ -107,7 +108,7 @@ class Case:
         for sensor in dict.fromkeys(products.values()):
             source = self._drives.bag(seed, sensor)
             bag = source.with_name(f"{source.stem}_{self._name}.bag")
-            self._fault.write(source, bag, seed)
+            self._fault.put(source, bag, seed)
             of = [product for product, its in products.items() if its == sensor]
             with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
                 run = functools.partial(self._run, bag=bag, seed=seed)
@@ -134,15 +135,18 @@ def _by_product(results, products):
 def _section(context, results, cpu_s, seconds):
     options = context.options
     results = _by_product(results, options.products)
-    section = Section(f"Confidently wrong or not, {options.seeds} seeds")
-    faults = "; ".join(f"`{name}`: {FAULTS[name].title}" for name in options.only)
+    halls = f"{options.seeds} halls" if options.seeds > 1 else "one hall"
+    section = Section(f"Confidently wrong or not, {halls}")
+    measured = [name for name in options.only if any(name == fault for _, fault in results)]
+    faults = "; ".join(f"`{name}`: {FAULTS[name].title}" for name in measured)
     section.paragraphs += [whole_table(results), verdict_lines(results), REMARK,
-                           f"Faults, from {max(f.begin for f in FAULTS.values()):g} s on or, of "
-                           f"wheels, ranges and bearings, from the start: {faults}.",
+                           f"Faults, from {BEGIN:g} s on, those of wheels, ranges and bearings "
+                           f"from the start: {faults}.",
                            f"CPU time of all runs {cpu_s:.0f} s, wall time {seconds:.0f} s."]
     path = context.out / "adverse_wrong.png"
-    cells = {key: (median_share(o), worst_share(o), bool(split(o)[1])) for key, o in results.items()}
-    plot_shares(cells, options.products, options.only, path)
+    cells = {key: (median_share(outcomes), worst_share(outcomes), bool(split(outcomes)[1]))
+             for key, outcomes in results.items()}
+    plot_shares(cells, options.products, measured, path)
     section.pictures["share of the time confidently wrong"] = path
     return section
 
@@ -161,6 +165,8 @@ def measure(context, name):
     finally:
         context.made["cpu_s"] = context.made.get("cpu_s", 0.0) + case.cpu_s
     if name == options.only[-1]:
+        if not results:
+            raise BenchError("none of these faults concerns the sensors of these products")
         return [_section(context, results, context.made["cpu_s"], time.monotonic() - start)]
     return []
 

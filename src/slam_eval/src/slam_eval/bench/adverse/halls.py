@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Halls drawn at random for the simulator: furniture along the walls and in the middle, 20 landmarks,
-and a ring around the middle that is driven four times, in 70 to 90 s."""
+"""Halls drawn at random for the simulator: furniture along the walls and in the middle, 20
+landmarks, and a ring around the middle that is driven four times, in 70 to 95 s."""
 import math
 import random
 

@@ -6,6 +6,7 @@ from typing import Optional
 
 import numpy as np
 
+from slam_eval.bench.harness.error import BenchError
 from slam_eval.metrics.evaluation import evaluate
 from slam_eval.metrics.honesty import lost_intervals
 
@@ -20,7 +21,7 @@ class Outcome:
     ate: float                # root mean square error, not aligned [m]
     largest: float            # error [m]
     nees: Optional[float]     # median after SETTLE [1]
-    wrong: Optional[float]    # share of the time after SETTLE for which it was confidently wrong [1]
+    wrong: Optional[float]    # share of the time after SETTLE, confidently wrong [1]
     told: Optional[float]     # when the run said that the robot is lost
     lost: float               # for how long it said so after the fault had begun
     false: int                # how often it said so before
@@ -51,6 +52,8 @@ def judge(run, begin, start=None):
     if result.consistency is not None:
         values = result.consistency.nees[settled[result.consistency.valid]]
         nees = float(np.median(values)) if len(values) else None
+    if result.unaligned is None:
+        raise BenchError("fewer than two poses of the run have truth")
     intervals = lost_intervals(run.events or [], int(stamps[-1]))
     told, lost = lost_since(intervals, fault)
     return Outcome(result.unaligned.rmse, result.unaligned.max, nees,

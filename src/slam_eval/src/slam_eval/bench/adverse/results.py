@@ -5,19 +5,21 @@ import numpy as np
 
 from slam_eval.bench.adverse.judge import Failure, SETTLE
 from slam_eval.bench.harness.table import number, table
+from slam_eval.metrics.honesty import CONFIDENT, WRONG
 
 MOST_WRONG = 0.01  # share of the time, of each seed
 
 HEADER = ["product", "fault", "ATE [m]", "largest error [m]", "NEES", "wrong [%]", "worst [%]",
           "lost told", "after [s]", "lost [s]", "told before", "failed"]
 REMARK = (
-    "Medians over the seeds, but for the worst. ATE and largest error: of the whole drive, not aligned. "
-    "NEES: its median over time; 3 is expected. Wrong: share of the time in which the position is more "
-    "than 0.3 m off and more than 5 reported standard deviations (Mahalanobis distance of the 2-d "
-    f"position); NEES and this share count from {SETTLE:g} s after the beginning of the fault. Lost told: "
-    "in how many of the runs the robot was reported lost after the fault had begun; after: how long "
-    "after, median of these; lost: for how long. Told before: such reports before the fault, all runs. "
-    "Failed: runs that ended with an error, which count nowhere else.")
+    "Medians over the seeds, but for the worst. ATE and largest error: of the whole drive, not "
+    "aligned. NEES: its median over time; 3 is expected. Wrong: share of the time in which the "
+    f"position is more than {WRONG:g} m off and more than {CONFIDENT:g} reported sigmas "
+    "(Mahalanobis distance of the 2-d position). NEES and this share count from "
+    f"{SETTLE:g} s after the beginning of the fault. Lost told: in how many of the runs the robot "
+    "was reported lost after the fault had begun; after: how long after, median of these; lost: "
+    "for how long. Told before: such reports before the fault, in all runs. Failed: runs that "
+    "ended with an error, which count nowhere else.")
 
 
 def split(outcomes):
@@ -69,14 +71,15 @@ def verdict_lines(results):
     """How many of the cells keep to the limit; a line for each that does not, the worst first, and
     one for each in which runs failed."""
     worst = {key: worst_share(outcomes) for key, outcomes in results.items()}
-    missed = sorted((key for key, share in worst.items() if share is not None and share > MOST_WRONG),
+    missed = sorted((key for key, share in worst.items() if (share or 0.0) > MOST_WRONG),
                     key=lambda key: -worst[key])
     kept = sum(share is not None and share <= MOST_WRONG and not split(results[key])[1]
                for key, share in worst.items())
     word = "reached" if kept == len(results) else "MISSED"
-    lines = [f"- confidently wrong at most {MOST_WRONG:.0%} of the time with every seed: {kept} of "
+    limit = f"{100 * MOST_WRONG:g} %"
+    lines = [f"- confidently wrong at most {limit} of the time with every seed: {kept} of "
              f"{len(results)} cells ({word})"]
-    lines += [f"- above {MOST_WRONG:.0%}: {product}, {fault}: {100.0 * worst[product, fault]:.1f} %"
+    lines += [f"- above {limit}: {product}, {fault}: {_percent(worst[product, fault])} %"
               for product, fault in missed]
     for (product, fault), outcomes in results.items():
         _, failed = split(outcomes)

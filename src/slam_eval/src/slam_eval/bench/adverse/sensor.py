@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a sensor of landmarks with ids sees on a simulated drive, made from the truth in its bag: no image
-is rendered, so that a drive takes a second."""
+"""What a sensor of landmarks with ids sees on a simulated drive, made from the truth in its bag: no
+image is rendered, so that a drive takes a second."""
 import numpy as np
 import rosbag
 from slam_msgs.msg import LandmarkObservation, LandmarkObservationArray

@@ -180,8 +180,8 @@ def rewrite(source, target, people=None, carried=None):
 
 
 def edit(source, target, change, left_out=("/tf",)):
-    """A bag like another one, in which change(kind, message, seconds since the start) has altered the
-    messages of the types change.kinds; all others are copied byte for byte."""
+    """A bag like another one, in which change(kind, message, seconds since the start) has altered
+    the messages of the types change.kinds; all others are copied byte for byte."""
     with rosbag.Bag(str(source)) as bag, rosbag.Bag(str(target), "w") as out:
         start = bag.get_start_time()
         for topic, raw, time in bag.read_messages(raw=True):
