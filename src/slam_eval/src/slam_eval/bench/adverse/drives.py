@@ -77,7 +77,7 @@ def run_product(folder, product, bag, seed):
     """Run a product on a bag into a folder; returns its CPU time [s]. Raises BenchError."""
     command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag, "--out",
                folder, "--set", "detector=none", "--set", f"seed={seed}"]
-    return process.run(command, folder.with_suffix(".log")).cpu_s
+    return process.run(command, folder.with_name(f"{folder.name}.log")).cpu_s
 
 
 class Case:
