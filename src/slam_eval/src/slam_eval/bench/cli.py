@@ -13,6 +13,7 @@ import tempfile
 
 from slam_eval.bench import (command_line, fiducial, office, online, pointmap, threads,
                              vo)
+from slam_eval.bench.adverse import drives as adverse_drives
 from slam_eval.bench.association import circles as association_circles
 from slam_eval.bench.association import forest as association_forest
 from slam_eval.bench.association import mrclam as association_mrclam
@@ -87,6 +88,10 @@ BENCHMARKS = {
         "whether a robot is lost", "false alarms, and what is told of wrong maps and of robots that "
         "were carried away, over drives through random buildings",
         {"drives": lost_drives.measure}, command_line.add_lost),
+    "adverse": Benchmark(
+        "adverse drives", "how long products are confidently wrong where something is wrong that "
+        "they do not know: wheels, ranges, ids, a laser, a robot that is carried; a few minutes",
+        adverse_drives.PARTS, command_line.add_adverse),
     "relocalisation": Benchmark(
         "relocalisation", "robots that are switched on anywhere in their map: how many are found, "
         "how soon, and how many believe a wrong place; an hour",

@@ -208,6 +208,18 @@ def add_lost(parser):
                         help="seed of the first building (%(default)s)")
 
 
+ADVERSE = ("ekf_wheel", "pf_wheel", "graph_wheel", "pf_wheel_grid", "scan_grid_wheel",
+           "graph_wheel_grid")
+
+
+def add_adverse(parser):
+    """Options of `slam_bench adverse`."""
+    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
+                        default=list(ADVERSE), help=f"instead of {','.join(ADVERSE)}")
+    parser.add_argument("--seeds", metavar="N", type=count, default=2,
+                        help="halls, with a drive through each (%(default)s)")
+
+
 def add_relocalisation(parser):
     """Options of `slam_bench relocalisation`."""
     parser.add_argument("--starts", metavar="N", type=count, default=100,

@@ -11,6 +11,7 @@ from slam_eval.io.landmarks import match_by_id
 from slam_eval.io.trajectory import at_stamps, interpolate
 from slam_eval.metrics.chi_square import two_sided_bounds
 from slam_eval.metrics.drift import Drift, segment_drift
+from slam_eval.metrics.honesty import position_claim, PositionClaim, seconds_lost, truth_in_map
 from slam_eval.metrics.map_agreement import MapAgreement
 from slam_eval.metrics.relations import RelationErrors
 
@@ -71,6 +72,7 @@ class Evaluation:
     wheels_drift: Optional[Drift] = None
     landmark_error: Optional[LandmarkError] = None
     consistency: Optional[PoseConsistency] = None
+    claim: Optional[PositionClaim] = None
     relations: Optional[RelationErrors] = None
     agreement: Optional[MapAgreement] = None
     metrics: dict = dataclasses.field(default_factory=dict)
@@ -122,14 +124,11 @@ def landmark_error(estimate, truth, align=True):
 def pose_consistency(trajectory, updates, truth):
     """Errors against the filter's own covariance; truth is moved by its first pose, no fit. None
     where truth has no headings."""
-    if not truth.has_heading:
+    moved = truth_in_map(trajectory, truth)
+    if moved is None:
         return None
-    true, valid = interpolate(truth, trajectory.stamps)
-    if not np.any(valid):
-        return None
-    first = int(np.argmax(valid))
-    T_map_truth = se2.compose(trajectory.poses[first], se2.inverse(true[first]))
-    errors = trajectory.poses - se2.transform_poses(T_map_truth, true)
+    true, valid = moved
+    errors = trajectory.poses - true
     errors[:, 2] = se2.wrap_angle(errors[:, 2])
     P = updates.covariances
     valid = valid & (np.linalg.eigvalsh(P)[:, 0] > _SINGULAR)
@@ -174,6 +173,7 @@ def evaluate(run, relations=None, agreement=None):
             result.wheels_drift = segment_drift(wheels, run.truth)
         if run.updates is not None:
             result.consistency = pose_consistency(run.trajectory, run.updates, run.truth)
+            result.claim = position_claim(run.trajectory, run.updates, run.truth)
     if run.landmarks is not None and run.true_landmarks is not None:
         result.landmark_error = landmark_error(run.landmarks, run.true_landmarks)
     result.metrics = _collect(run, result)
@@ -199,6 +199,8 @@ def _collect(run, result):
         "landmarks": None if run.landmarks is None else len(run.landmarks),
         "nees_mean": result.consistency and float(np.mean(result.consistency.nees)),
         "nis_mean": None if run.updates is None else nis_mean(run.updates),
+        "confidently_wrong_s": result.claim and result.claim.seconds_wrong,
+        "lost_s": seconds_lost(run),
         **(result.relations.metrics if result.relations else {}),
         **(result.agreement.metrics if result.agreement else {}),
         "map_area_m2": run.grid and run.grid.known_area,

@@ -126,6 +126,14 @@ KEYS = {
         "Points off the walls", "m", ".4f",
         "Root mean square distance of the points from the nearest true surface; those more than "
         "0.3 m away belong to none.", "Map", True),
+    "confidently_wrong_s": Key(
+        "Confidently wrong", "s", ".2f",
+        "Time for which the position was more than 0.3 m off and, by the covariance that was "
+        "reported with it, more than 5 standard deviations (Mahalanobis distance); truth is moved "
+        "onto the estimate by its first pose, without a fit.", "Consistency", True),
+    "lost_s": Key(
+        "Time lost", "s", ".2f",
+        "Time for which the run reported the robot as lost, by its events.", "Consistency", True),
     "lost_alarms": Key(
         "Alarms that the robot is lost", "", "d",
         "How often the scans told that the pose is lost or the map wrong.", "Consistency"),
@@ -133,7 +141,7 @@ KEYS = {
         "First of these alarms", "s", ".1f",
         "When the first of them was raised, since the first step.", "Consistency"),
     "lost_share_of_time": Key(
-        "Time lost", "", ".4f",
+        "Share of time lost", "", ".4f",
         "Share of the run's time for which such an alarm lasted.", "Consistency"),
     "events": Key(
         "Events", "", "d",

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What happens to robots, put into the bag of a drive: people walk by, and the robot is carried away
-while its odometry stands still."""
+while its odometry stands still. edit() takes any change of messages."""
 import dataclasses
 import math
 import random
@@ -177,3 +177,20 @@ def rewrite(source, target, people=None, carried=None):
             elif kind == SCAN and people:
                 people.hide(time.to_sec() - start, shift.robot, raw)
             out.write(topic, (kind, bytes(raw), *rest), time, raw=True)
+
+
+def edit(source, target, change, left_out=("/tf",)):
+    """A bag like another one, in which change(kind, message, seconds since the start) has altered
+    the messages of the types change.kinds; all others are copied byte for byte."""
+    with rosbag.Bag(str(source)) as bag, rosbag.Bag(str(target), "w") as out:
+        start = bag.get_start_time()
+        for topic, raw, time in bag.read_messages(raw=True):
+            if topic in left_out:
+                continue
+            if raw[0] not in change.kinds:
+                out.write(topic, raw, time, raw=True)
+                continue
+            message = raw[-1]().deserialize(raw[1])
+            change(raw[0], message, time.to_sec() - start)
+            out.write(topic, message, time)
+    return target

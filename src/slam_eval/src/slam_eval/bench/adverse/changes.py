@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a fault makes of the messages of a drive: changes for harness.bag_edit.edit(). Each is used
+for one bag; `begin` and `end` are times since the bag's start [s]."""
+import math
+import random
+
+import numpy as np
+import rosbag
+
+from slam_eval.bench.adverse.sensor import place_of, seen_from
+from slam_eval.bench.harness.bag_edit import (compose, inverse, OBSERVATIONS, ODOMETRY, POSE,
+                                              read_place, SCAN)
+from slam_eval.io.trajectory import interpolate, Trajectory
+
+
+def _place(message):
+    pose = message.pose.pose
+    return pose.position.x, pose.position.y, 2.0 * math.atan2(pose.orientation.z,
+                                                              pose.orientation.w)
+
+
+def _set_place(message, place):
+    pose = message.pose.pose
+    pose.position.x, pose.position.y, theta = place
+    pose.orientation.z, pose.orientation.w = math.sin(theta / 2), math.cos(theta / 2)
+
+
+def _scale_twist(message, factor):
+    twist = message.twist.twist
+    twist.linear.x *= factor
+    twist.linear.y *= factor
+    twist.angular.z *= factor
+
+
+class ScaledOdometry:
+    """Each increment of the odometry from `begin` to `end` is multiplied by a factor. With a factor
+    of 0 the odometry stands still, and what is driven meanwhile is lost."""
+
+    kinds = (ODOMETRY,)
+
+    def __init__(self, factor, begin=0.0, end=math.inf):
+        self._factor, self._begin, self._end = factor, begin, end
+        self._before = self._out = None  # the last pose as it was, and as it was written
+
+    def __call__(self, kind, message, time):
+        place = _place(message)
+        if time < self._begin or self._before is None:
+            self._before = self._out = place
+            if time < self._begin:
+                return
+        factor = self._factor if time < self._end else 1.0
+        step = compose(inverse(self._before), place)
+        step = (*step[:2], math.remainder(step[2], 2.0 * math.pi))
+        self._out = compose(self._out, tuple(factor * x for x in step))
+        self._before = place
+        _set_place(message, self._out)
+        _scale_twist(message, factor)
+
+
+class OdometryJump:
+    """A single pose of the odometry is wrong by a distance along x [m]."""
+
+    kinds = (ODOMETRY,)
+
+    def __init__(self, distance, begin):
+        self._distance, self._begin = distance, begin
+
+    def __call__(self, kind, message, time):
+        if self._distance is not None and time >= self._begin:
+            message.pose.pose.position.x += self._distance
+            self._distance = None
+
+
+class ScaledRanges:
+    """All ranges of observations and scans are multiplied by a factor; a laser's limits too."""
+
+    kinds = (OBSERVATIONS, SCAN)
+
+    def __init__(self, factor, begin=0.0):
+        self._factor, self._begin = factor, begin
+
+    def __call__(self, kind, message, time):
+        if time < self._begin:
+            return
+        if kind == OBSERVATIONS:
+            for seen in message.observations:
+                seen.range *= self._factor
+        else:
+            message.ranges = (self._factor * np.array(message.ranges)).tolist()
+            message.range_min *= self._factor
+            message.range_max *= self._factor
+
+
+class TurnedBearings:
+    """All bearings, of observations and of scans, are too large by an angle [rad]."""
+
+    kinds = (OBSERVATIONS, SCAN)
+
+    def __init__(self, angle, begin=0.0):
+        self._angle, self._begin = angle, begin
+
+    def __call__(self, kind, message, time):
+        if time < self._begin:
+            return
+        if kind == OBSERVATIONS:
+            for seen in message.observations:
+                seen.bearing = math.remainder(seen.bearing + self._angle, 2.0 * math.pi)
+        else:
+            message.angle_min += self._angle
+            message.angle_max += self._angle
+
+
+class FalseIds:
+    """A share of the observations have the id of another landmark, drawn anew for each."""
+
+    kinds = (OBSERVATIONS,)
+
+    def __init__(self, ids, share, seed, begin=0.0):
+        self._ids, self._share, self._begin = sorted(ids), share, begin
+        self._chance = random.Random(seed)
+
+    def __call__(self, kind, message, time):
+        for seen in message.observations if time >= self._begin else ():
+            if self._chance.random() < self._share:
+                seen.id = self._chance.choice([i for i in self._ids if i != seen.id])
+
+
+class MovedLandmarks:
+    """Each landmark stands a distance [m] elsewhere, in a direction of its own; the noise of the
+    observations stays. truth: a Trajectory in the world's frame."""
+
+    kinds = (OBSERVATIONS,)
+
+    def __init__(self, truth, distance, seed, begin=0.0):
+        self._truth, self._distance, self._begin = truth, distance, begin
+        self._seed = seed
+
+    def _shift(self, identity):
+        angle = random.Random(f"{self._seed} {identity}").uniform(-math.pi, math.pi)
+        return self._distance * np.array([math.cos(angle), math.sin(angle)])
+
+    def __call__(self, kind, message, time):
+        if time < self._begin:
+            return
+        (pose,), _ = interpolate(self._truth, [message.header.stamp.to_nsec()])
+        for seen in message.observations:
+            place = place_of(pose, seen.range, seen.bearing) + self._shift(seen.id)
+            ranges, bearings = seen_from(pose, place[None, :])
+            seen.range, seen.bearing = float(ranges[0]), float(bearings[0])
+
+
+class FrozenLaser:
+    """The laser repeats one scan for ever, with new stamps."""
+
+    kinds = (SCAN,)
+
+    def __init__(self, begin):
+        self._begin, self._kept = begin, None
+
+    def __call__(self, kind, message, time):
+        if time < self._begin:
+            return
+        if self._kept is None:
+            self._kept = message.ranges, message.intensities
+        message.ranges, message.intensities = self._kept
+
+
+class MirroredLaser:
+    """The laser counts its beams from the other side."""
+
+    kinds = (SCAN,)
+
+    def __init__(self, begin):
+        self._begin = begin
+
+    def __call__(self, kind, message, time):
+        if time >= self._begin:
+            message.ranges = message.ranges[::-1]
+            message.intensities = message.intensities[::-1]
+
+
+class ConstantLaser:
+    """All beams have one range [m]."""
+
+    kinds = (SCAN,)
+
+    def __init__(self, distance, begin):
+        self._distance, self._begin = distance, begin
+
+    def __call__(self, kind, message, time):
+        if time >= self._begin:
+            message.ranges = [self._distance] * len(message.ranges)
+
+
+def truth_of(bag_file):
+    """The true poses in a bag as a Trajectory."""
+    stamps, poses = [], []
+    with rosbag.Bag(str(bag_file)) as bag:
+        for _, raw, _ in bag.read_messages(raw=True):
+            if raw[0] == POSE:
+                stamps.append(raw[-1]().deserialize(raw[1]).header.stamp.to_nsec())
+                poses.append(read_place(POSE, raw[1]))
+    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses))
+
+
+def ids_in(bag_file):
+    """The ids of all observations in a bag."""
+    with rosbag.Bag(str(bag_file)) as bag:
+        return {seen.id for _, message, _ in bag.read_messages(topics=["/observations"])
+                for seen in message.observations}

@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether the pose was wrong while its covariance said that it was right, and how long the run
+itself reported the robot as lost."""
+import dataclasses
+
+import numpy as np
+
+from slam_eval.geometry import se2
+from slam_eval.io.trajectory import interpolate, NANOSECONDS
+
+WRONG = 0.3      # an error of the position beyond this matters [m]
+CONFIDENT = 5.0  # and contradicts the covariance beyond so many standard deviations
+
+
+@dataclasses.dataclass(frozen=True)
+class PositionClaim:
+    """Of each pose: whether it has truth, its position's error [m], the Mahalanobis distance of
+    that error by the reported covariance [1], and how long the pose stands until the next one [s].
+    """
+
+    valid: np.ndarray
+    errors: np.ndarray
+    distances: np.ndarray
+    durations: np.ndarray
+
+    @property
+    def is_confidently_wrong(self):
+        """Which of the poses are wrong beyond what they say."""
+        return self.valid & (self.errors > WRONG) & (self.distances > CONFIDENT)
+
+    @property
+    def seconds_wrong(self):
+        """Time for which the pose was confidently wrong [s]."""
+        return float(np.sum(self.durations[self.is_confidently_wrong]))
+
+    def share_wrong(self, chosen):
+        """Share of the time of the chosen poses (a mask) that have truth for which the pose was
+        confidently wrong; None where they last no time."""
+        time = np.sum(self.durations[chosen & self.valid])
+        if time <= 0.0:
+            return None
+        return float(np.sum(self.durations[chosen & self.is_confidently_wrong]) / time)
+
+
+def truth_in_map(trajectory, truth):
+    """(poses N x 3, valid N) of truth at the trajectory's stamps, moved into the map's frame by the
+    first pose that has truth, without a fit; None where no pose has truth, or truth no headings."""
+    if not truth.has_heading:
+        return None
+    true, valid = interpolate(truth, trajectory.stamps)
+    if not np.any(valid):
+        return None
+    first = int(np.argmax(valid))
+    T_map_truth = se2.compose(trajectory.poses[first], se2.inverse(true[first]))
+    return se2.transform_poses(T_map_truth, true), valid
+
+
+def _mahalanobis(errors, covariances):
+    """Of each error; infinite where a covariance is singular and the error lies outside of it."""
+    values, axes = np.linalg.eigh(covariances)
+    along = np.einsum("nij,ni->nj", axes, errors)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        terms = np.where(along == 0.0, 0.0, along ** 2 / np.maximum(values, 0.0))
+    return np.sqrt(np.sum(terms, axis=1))
+
+
+def durations(stamps):
+    """How long each pose stands until the next one [s]; 0 for the last one."""
+    return np.append(np.diff(stamps), 0) / NANOSECONDS
+
+
+def position_claim(trajectory, updates, truth):
+    """The PositionClaim of a run, or None where truth_in_map() has none."""
+    moved = truth_in_map(trajectory, truth)
+    if moved is None:
+        return None
+    true, valid = moved
+    errors = trajectory.poses[:, :2] - true[:, :2]
+    return PositionClaim(valid, np.linalg.norm(errors, axis=1),
+                         _mahalanobis(errors, updates.covariances[:, :2, :2]),
+                         durations(trajectory.stamps))
+
+
+def lost_intervals(events, end):
+    """(from, to) [ns] of each time for which the events report the robot as lost; the last one
+    lasts until `end` [ns] where the robot was not found again."""
+    intervals, since = [], None
+    for event in events:
+        if event.kind == "lost" and since is None:
+            since = event.stamp
+        elif event.kind == "found" and since is not None:
+            intervals.append((since, event.stamp))
+            since = None
+    if since is not None:
+        intervals.append((since, max(since, end)))
+    return intervals
+
+
+def seconds_lost(run):
+    """Time for which a run reported its robot as lost [s]; None where it has no events, or where
+    its product cannot tell."""
+    if run.events is None:
+        return None
+    intervals = lost_intervals(run.events, int(run.trajectory.stamps[-1]))
+    if not intervals and "lost_alarms" not in run.metrics:
+        return None
+    return sum(end - start for start, end in intervals) / NANOSECONDS

@@ -1,0 +1,201 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The drives of the benchmark adverse, how its runs are judged, and its table."""
+import math
+import pathlib
+import tempfile
+import types
+import unittest
+
+from geometry_msgs.msg import PoseStamped
+import genpy
+import numpy as np
+import rosbag
+from sensor_msgs.msg import LaserScan
+from slam_eval.bench.adverse import drives, halls, judge, results, sensor
+from slam_eval.bench.adverse.faults import FAULTS, LANDMARKS, SCANS
+from slam_eval.bench.adverse.judge import Failure, Outcome
+from slam_eval.bench.harness.error import BenchError
+from slam_eval.io.events import Event
+from slam_eval.io.trajectory import Trajectory
+from slam_eval.io.updates import Updates
+from slam_eval.plot.adverse import plot_shares
+from slam_msgs.msg import Landmark, LandmarkMap
+
+
+class Simulation(unittest.TestCase):
+
+    def test_a_seed_makes_one_hall(self):
+        self.assertEqual(halls.hall(7), halls.hall(7))
+        self.assertNotEqual(halls.hall(7)["markers"], halls.hall(8)["markers"])
+
+    def test_furniture_leaves_the_way_free_and_all_landmarks_are_inside(self):
+        for seed in range(1, 21):
+            world = halls.hall(seed)
+            _, _, (width, depth), _ = world["walls"][0]["points"]
+            self.assertEqual(len(world["markers"]), 20)
+            for marker in world["markers"]:
+                self.assertTrue(0 < marker["position"][0] < width)
+                self.assertTrue(0 < marker["position"][1] < depth)
+            for x, y in world["path"]["points"]:
+                self.assertGreater(min(x, y, width - x, depth - y), 0.5)
+                for box in world["furniture"]:
+                    off = [max(0.0, abs(p - c) - s / 2)
+                           for p, c, s in zip((x, y), box["centre"], box["size"])]
+                    self.assertGreater(math.hypot(*off), 0.5)
+
+    def test_a_sensor_sees_what_is_near_and_in_view_with_the_noise_that_it_reports(self):
+        points = np.array([[3.0, 0.5], [-3.0, 0.0], [20.0, 0.0]])
+        look = sensor.Sensor([1, 2, 3], points, 4)
+        messages = [look.look(genpy.Time(5), (0.0, 0.0, 0.0)) for _ in range(2000)]
+        self.assertEqual({z.id for m in messages for z in m.observations}, {1})
+        self.assertEqual([m.sequence for m in messages[:3]], [0, 1, 2])
+        (true_range,), (true_bearing,) = sensor.seen_from((0.0, 0.0, 0.0), points[:1])
+        seen = [m.observations[0] for m in messages]
+        for values, true, variance in (([z.range for z in seen], true_range, seen[0].covariance[0]),
+                                       ([z.bearing for z in seen], true_bearing,
+                                        seen[0].covariance[3])):
+            self.assertAlmostEqual(np.mean(values), true, delta=4 * math.sqrt(variance / 2000))
+            self.assertAlmostEqual(np.var(values) / variance, 1.0, delta=0.15)
+
+    def test_what_is_seen_lies_where_it_stands(self):
+        pose = (1.0, -2.0, 2.5)
+        (distance,), (bearing,) = sensor.seen_from(pose, np.array([[2.0, 3.0]]))
+        np.testing.assert_allclose(sensor.place_of(pose, distance, bearing), (2.0, 3.0))
+
+    def test_observations_take_the_place_of_scans(self):
+        with tempfile.TemporaryDirectory() as name:
+            source, target = pathlib.Path(name) / "a.bag", pathlib.Path(name) / "b.bag"
+            with rosbag.Bag(str(source), "w") as bag:
+                landmarks = LandmarkMap(landmarks=[Landmark(id=3, x=2.0, y=0.3)])
+                bag.write("/ground_truth/landmarks", landmarks, genpy.Time(1))
+                for i in range(50):
+                    truth = PoseStamped()
+                    truth.header.stamp = genpy.Time.from_sec(1.0 + 0.02 * i)
+                    truth.pose.orientation.w = 1.0
+                    bag.write("/ground_truth/pose", truth, truth.header.stamp)
+                    bag.write("/scan", LaserScan(), truth.header.stamp)
+            sensor.observe(source, target, 1)
+            with rosbag.Bag(str(target)) as bag:
+                topics = bag.get_type_and_topic_info().topics
+                self.assertNotIn("/scan", topics)
+                self.assertEqual(topics["/observations"].message_count, 10)
+                for _, message, time in bag.read_messages(topics=["/observations"]):
+                    self.assertEqual(message.header.stamp, time)
+                    self.assertEqual([z.id for z in message.observations], [3])
+
+
+def run(off, events=(), count=400, sigma=0.01):
+    """A robot that drives along x for 40 s; off: [(first, last step, error [m])]."""
+    stamps = np.arange(count, dtype=np.int64) * 10 ** 8
+    true = np.column_stack([0.05 * np.arange(count), np.zeros((count, 2))])
+    seen = true.copy()
+    for first, last, error in off:
+        seen[first:last, 1] += error
+    covariances = np.tile(np.diag([sigma ** 2, sigma ** 2, 1e-4]), (count, 1, 1))
+    zeros = np.zeros(count)
+    return types.SimpleNamespace(
+        trajectory=Trajectory(stamps, seen), truth=Trajectory(stamps, true), final=None,
+        odometry=None, wheels=None, landmarks=None, true_landmarks=None, grid=None, points=None,
+        updates=Updates(stamps, covariances, zeros, zeros.astype(int), {}), metrics={},
+        events=[Event(int(time * 1e9), kind, 0.0, 0.0, "") for time, kind in events])
+
+
+class Judge(unittest.TestCase):
+
+    def test_what_is_wrong_before_the_fault_has_settled_does_not_count(self):
+        # 15 s are left from 25 s on; the last pose stands for no time.
+        self.assertEqual(judge.judge(run([(210, 250, 1.0)]), 20.0).wrong, 0.0)
+        found = judge.judge(run([(210, 330, 1.0)]), 20.0)
+        self.assertAlmostEqual(found.wrong, 8.0 / 14.9)
+        self.assertAlmostEqual(found.largest, 1.0)
+        self.assertAlmostEqual(found.nees, 1e4)
+
+    def test_an_error_that_the_run_admits_is_not_confident(self):
+        self.assertEqual(judge.judge(run([(210, 400, 1.0)], sigma=0.5), 20.0).wrong, 0.0)
+
+    def test_lost_counts_from_the_fault_on(self):
+        found = judge.judge(run([], [(5.0, "lost"), (6.0, "found"), (22.0, "lost"),
+                                     (25.0, "found"), (38.9, "lost")]), 20.0)
+        self.assertEqual((found.told, found.false), (2.0, 1))
+        self.assertAlmostEqual(found.lost, 3.0 + 1.0)
+
+    def test_a_robot_that_is_lost_already_is_told_at_once(self):
+        found = judge.judge(run([], [(18.0, "lost")]), 20.0)
+        self.assertEqual((found.told, found.false), (0.0, 1))
+
+    def test_a_robot_that_is_never_told_lost_has_no_time(self):
+        found = judge.judge(run([]), 20.0)
+        self.assertIsNone(found.told)
+        self.assertEqual(found.lost, 0.0)
+
+
+def outcome(wrong, told=None, false=0):
+    """An Outcome of a run."""
+    return Outcome(0.5, 1.5, 4.0, wrong, told, 0.0 if told is None else 3.0, false)
+
+
+class Tables(unittest.TestCase):
+
+    def cells(self, outcomes):
+        """{column: text} of a line."""
+        return dict(zip(results.HEADER, results.row("ekf_wheel", "carried", outcomes)))
+
+    def test_a_line_has_medians_and_the_worst_seed(self):
+        cells = self.cells([outcome(0.0), outcome(0.02, 4.0, 1), outcome(0.5, 6.0)])
+        self.assertEqual(cells["wrong [%]"], "2.0")
+        self.assertEqual(cells["worst [%]"], "50.0")
+        self.assertEqual(cells["lost told"], "2 of 3")
+        self.assertEqual(cells["after [s]"], "5.0")
+        self.assertEqual(cells["lost [s]"], "3.0")
+        self.assertEqual(cells["told before"], "1")
+        self.assertEqual(cells["failed"], "-")
+
+    def test_runs_that_failed_count_as_such_alone(self):
+        cells = self.cells([outcome(0.0), Failure("no pose")])
+        self.assertEqual((cells["worst [%]"], cells["failed"]), ("0.0", "1"))
+        cells = self.cells([Failure("no pose")])
+        self.assertEqual((cells["worst [%]"], cells["lost told"], cells["failed"]), ("-", "-", "1"))
+
+    def test_what_is_above_the_limit_is_named_the_worst_first(self):
+        lines = results.verdict_lines({
+            ("ekf_wheel", "clean"): [outcome(0.0), outcome(0.01)],
+            ("ekf_wheel", "carried"): [outcome(0.0), outcome(0.011)],
+            ("pf_wheel", "carried"): [outcome(0.4)],
+            ("pf_wheel", "clean"): [outcome(0.0), Failure("slam_offline ended with exit code 1")]})
+        self.assertEqual(lines.splitlines(), [
+            "- confidently wrong at most 1 % of the time with every seed: 1 of 4 cells (MISSED)",
+            "- above 1 %: pf_wheel, carried: 40.0 %",
+            "- above 1 %: ekf_wheel, carried: 1.1 %",
+            "- failed: pf_wheel, clean: 1 of 2 runs: slam_offline ended with exit code 1"])
+        lines = results.verdict_lines({("ekf_wheel", "clean"): [outcome(0.0)]})
+        self.assertIn("1 of 1 cells (reached)", lines)
+
+    def test_the_picture_takes_cells_that_are_missing_or_failed(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "wrong.png"
+            plot_shares({("a", "x"): (0.2, 0.9, False), ("b", "x"): (None, None, True)},
+                        ["a", "b"], ["x", "y"], path)
+            self.assertEqual(path.read_bytes()[:4], b"\x89PNG")
+
+    def test_every_fault_concerns_some_sensor_and_is_a_part(self):
+        self.assertEqual(list(drives.PARTS), list(FAULTS))
+        for fault in FAULTS.values():
+            self.assertTrue(set(fault.sensors) <= {LANDMARKS, SCANS} and fault.sensors)
+
+    def test_a_product_says_by_its_features_what_it_sees(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "mine.yaml"
+            for features, expected in (("map: grid\nodometry: wheel\ndetector: none", SCANS),
+                                       ("map: landmarks\nodometry: wheel", LANDMARKS)):
+                path.write_text(features)
+                self.assertEqual(drives.sensor_of(str(path)), expected)
+            path.write_text("map: landmarks\nodometry: visual")
+            with self.assertRaisesRegex(BenchError, "give others with --products"):
+                drives.sensor_of(str(path))
+            with self.assertRaisesRegex(BenchError, "there is no product"):
+                drives.sensor_of(f"{name}/absent.yaml")
+
+
+if __name__ == "__main__":
+    unittest.main()
