@@ -19,6 +19,8 @@ namespace slam {
 /// - Innovations that are biased show an error that is no noise. Where it is of the way, the
 /// motion's
 ///   sigma grows; of all ranges or bearings, that of the sensor.
+/// - Where the gate rejects most of what is seen, the robot is not where its odometry has it: the
+///   motion's sigma grows as well. A robot that was carried away is found by other means.
 /// - A sigma that was enlarged and looks too large by now is reduced, never below that reported.
 class NoiseAdaptation {
  public:

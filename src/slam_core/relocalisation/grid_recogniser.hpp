@@ -45,12 +45,16 @@ class GridRecogniser {
   /// The place that find() has just confirmed is tested by the scans of the next metres, instead of
   /// searching for others.
   void beginTest() { confirmed_at_ = local_.way(); }
-  bool isTesting() const { return confirmed_at_.has_value(); }
+  friend bool isTesting(const GridRecogniser& recogniser) {
+    return recogniser.confirmed_at_.has_value();
+  }
   /// To be called after each scan while isTesting(). @param believed the place that is tested, at
   /// the last scan (T_map_base)
   Test test(const Pose2& believed);
   /// Radius of a circle that holds the grid [m]; 0 where there is none to search.
-  double radius() const { return map_ ? 0.5 * box_.diagonal().norm() : 0.0; }
+  friend double radiusOf(const GridRecogniser& recogniser) {
+    return recogniser.map_ ? 0.5 * recogniser.box_.diagonal().norm() : 0.0;
+  }
 
  private:
   bool isDue() const;

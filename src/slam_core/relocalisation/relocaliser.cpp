@@ -139,7 +139,7 @@ void Relocaliser::end() {
   if (grid_) grid_->end();
 }
 
-bool Relocaliser::usesScans() const { return searches_grid_ || (grid_ && grid_->isTesting()); }
+bool Relocaliser::usesScans() const { return searches_grid_ || (grid_ && isTesting(*grid_)); }
 
 void Relocaliser::predict(const Motion& motion) {
   if (searches_landmarks_) landmarks_.move(motion);
@@ -202,7 +202,7 @@ std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Sta
 
 /// What the scans have confirmed may be refuted by those that follow.
 void Relocaliser::testPlace(const Pose2& believed) {
-  if (!grid_ || !grid_->isTesting()) return;
+  if (!grid_ || !isTesting(*grid_)) return;
   const auto test = grid_->test(believed);
   if (test == GridRecogniser::Test::kPassed) grid_->end();
   if (test != GridRecogniser::Test::kRefuted) return;
@@ -251,7 +251,7 @@ std::optional<PoseEstimate> Relocaliser::settle(const Recognition& found,
 
 PoseEstimate Relocaliser::told(PoseEstimate believed) const {
   if (belief_ == Belief::kSure) return believed;
-  const double radius = std::max(landmarks_.radius(), grid_ ? grid_->radius() : 0.0);
+  const double radius = std::max(landmarks_.radius(), grid_ ? radiusOf(*grid_) : 0.0);
   believed.covariance.diagonal() +=
       Eigen::Vector3d(radius * radius, radius * radius, M_PI * M_PI / 3.0);
   return believed;

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/consistency/scale_doubt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slam_core/common/random.hpp"
+
+namespace slam {
+namespace {
+
+/// A way of 20 m in which the estimate is longer and points elsewhere.
+ScaleDoubt doubtAfter(double scale, double turn, double noise) {
+  ScaleDoubt doubt;
+  RandomStream random(1, 0);
+  for (int i = 0; i < 200; ++i) {
+    const Pose2 odometry(0.1 + noise * random.gaussian(), noise * random.gaussian(), 0.02);
+    const double way = 0.1 * scale;
+    doubt.add(odometry, Pose2(way * std::cos(turn), way * std::sin(turn), 0.02));
+  }
+  return doubt;
+}
+
+TEST(ScaleDoubt, FindsScaleAndTurn) {
+  const auto doubt = doubtAfter(1.2, -0.1, 0.0);
+  EXPECT_NEAR(doubt.scale(), 0.2, 1e-9);
+  EXPECT_NEAR(doubt.turn(), -0.1, 1e-9);
+}
+
+TEST(ScaleDoubt, NoiseAloneIsNoScale) {
+  const auto doubt = doubtAfter(1.0, 0.0, 0.01);
+  EXPECT_LT(std::abs(doubt.scale()), 0.03);
+  EXPECT_LT(std::abs(doubt.turn()), 0.03);
+}
+
+TEST(ScaleDoubt, GrowsWithTheDistanceFromWhereTheMapBegan) {
+  const auto doubt = doubtAfter(1.2, 0.1, 0.0);
+  EXPECT_TRUE(doubt.covariance({0, 0}).topLeftCorner(2, 2).isZero());
+  const auto P = doubt.covariance({10, 0});
+  EXPECT_NEAR(std::sqrt(P(0, 0)), 2.0, 1e-6) << "a fifth of 10 m along the line of sight";
+  EXPECT_NEAR(std::sqrt(P(1, 1)), 1.0, 1e-6) << "0.1 rad at 10 m across it";
+  EXPECT_NEAR(std::sqrt(P(2, 2)), 0.1, 1e-6);
+  EXPECT_TRUE(P.isApprox(P.transpose()));
+}
+
+TEST(ScaleDoubt, ARobotThatStandsLearnsNothing) {
+  ScaleDoubt doubt;
+  for (int i = 0; i < 10; ++i) doubt.add(Pose2(), Pose2(0.01, 0, 0));
+  EXPECT_EQ(doubt.scale(), 0.0);
+  EXPECT_TRUE(doubt.covariance({3, 4}).isZero());
+}
+
+}  // namespace
+}  // namespace slam

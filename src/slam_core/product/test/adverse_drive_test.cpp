@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <string>
+
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/estimator.hpp"
+
+namespace slam {
+namespace {
+
+/// The share of the steps in which a pose is wrong by more than five reported sigmas and 0.1 m, of
+/// a drive of two laps on which the odometry's way and the ranges have wrong scales.
+double confidentlyWrong(const std::string& backend, double way, double range, bool adapts) {
+  constexpr int kSteps = 250, kFirst = 50;
+  Settings settings({}, {},
+                    {std::string("consistency.adapt=") + (adapts ? "true" : "false"),
+                     "relocalisation.enabled=false"});
+  Estimator estimator;
+  estimator.use(Registry<Backend>::instance().create(backend));
+  estimator.configure(settings);
+  test::SimulatedWorld world(3);
+  int wrong = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    auto step = world.next();
+    const auto u = step.motion.increment.vector();
+    step.motion.increment = Pose2(way * u.x(), way * u.y(), u.z());
+    for (auto& z : step.observations.observations) z.range *= range;
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    for (estimator.execute(); estimator.report(); estimator.execute()) {
+      const auto& pose = estimator.report()->pose;
+      const Eigen::Vector2d error = pose.pose.position() - step.truth.position();
+      const Eigen::Matrix2d P = pose.covariance.topLeftCorner<2, 2>();
+      const bool is_wrong = error.norm() > 0.1 && error.dot(P.inverse() * error) > 25.0;
+      wrong += i >= kFirst && is_wrong ? 1 : 0;
+    }
+  }
+  return wrong / double(kSteps - kFirst);
+}
+
+class AdverseDrive : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Backends, AdverseDrive, testing::Values("ekf", "graph"),
+                         [](const auto& backend) { return backend.param; });
+
+TEST_P(AdverseDrive, WheelsOfAWrongRadiusAreNotBelieved) {
+  EXPECT_GT(confidentlyWrong(GetParam(), 0.7, 1.0, false), 0.2) << "as reported, they mislead";
+  EXPECT_LT(confidentlyWrong(GetParam(), 0.7, 1.0, true), 0.02);
+}
+
+TEST_P(AdverseDrive, AMapWhoseScaleIsInDoubtIsReportedAsThat) {
+  EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.2, false), 0.2);
+  EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.2, true), 0.1);
+}
+
+TEST_P(AdverseDrive, ARightOneStaysAsItIs) {
+  EXPECT_EQ(confidentlyWrong(GetParam(), 1.0, 1.0, true), 0.0);
+}
+
+}  // namespace
+}  // namespace slam
