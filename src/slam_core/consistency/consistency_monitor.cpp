@@ -89,7 +89,7 @@ void ConsistencyConfig::describe(Fields& fields) {
       .in(Range::above(1));
   fields.add("adapt", &adapt,
              "noise of odometry, ranges or bearings that looks too small is enlarged until it does "
-             "not");
+             "not, and the reported covariance is widened where the scale of the map is in doubt");
 }
 
 ConsistencyMonitor::ConsistencyMonitor(const ConsistencyConfig& config)

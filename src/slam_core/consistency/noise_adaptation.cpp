@@ -11,7 +11,6 @@ namespace {
 
 /// Less may be errors that are alike from reading to reading, which no larger sigma mends.
 constexpr double kSmallestFactor = 2.5;
-constexpr double kLostFactor = 2.0;
 constexpr double kLargestScale = 30.0;
 constexpr double kLargestFactor = 3.0;  ///< at once
 
@@ -25,7 +24,7 @@ ConsistencyMonitor::Source sourceOf(InnovationBias::Direction direction) {
 
 bool NoiseAdaptation::learn(const ConsistencyMonitor& monitor, const UpdateStatistics& statistics) {
   using Fault = ConsistencyMonitor::Fault;
-  if (monitor.fault() == Fault::kLost) return multiply(Source::kMotion, kLostFactor);
+  if (monitor.fault() == Fault::kLost) return false;
   const bool tells_sources = statistics.joint.H.rows() > 0;
   if (monitor.fault() == Fault::kBias) {
     const auto& bias = biasOf(monitor);

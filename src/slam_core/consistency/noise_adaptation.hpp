@@ -16,12 +16,12 @@ namespace slam {
 /// detector whose ranges scatter more than it says (adaptive filtering: Mehra 1970). It acts on
 /// what the ConsistencyMonitor finds:
 /// - A sigma that looks too small is multiplied by the factor found.
-/// - Innovations that are biased show an error that is no noise. Where it is of the way, the
-/// motion's
-///   sigma grows; of all ranges or bearings, that of the sensor.
-/// - Where the gate rejects most of what is seen, the robot is not where its odometry has it: the
-///   motion's sigma grows as well. A robot that was carried away is found by other means.
+/// - Innovations that are biased show an error that is no noise. Where it is one of the way, the
+///   motion's sigma grows; where it is one of all ranges or bearings, that of the sensor.
 /// - A sigma that was enlarged and looks too large by now is reduced, never below that reported.
+///
+/// Where the gate rejects most of what is seen, nothing is learnt: the robot may have been carried
+/// away, and is found by other means.
 class NoiseAdaptation {
  public:
   using Source = ConsistencyMonitor::Source;

@@ -3,20 +3,53 @@
 
 #include "slam_core/consistency/scale_doubt.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slam {
 
-void ScaleDoubt::add(const Pose2& odometry, const Pose2& estimated) {
-  constexpr double kMemory = 5.0;  // of the way, over which older increments lose their weight [m]
-  const Eigen::Vector2d o = odometry.position(), e = estimated.position();
+namespace {
+
+/// What is less than this much beyond the noise is none, since no noise is known exactly.
+constexpr double kSmallestScale = 0.05;
+constexpr double kSmallestTurn = 0.03;  // [rad]
+/// The ways are compared in pieces: the jitter of an odometry that stands still adds up to a way,
+/// but leads nowhere.
+constexpr double kPiece = 0.3;  // [m]
+
+double beyondNoise(double value, double variance, double smallest) {
+  constexpr double kSignificant = 3.0;  // standard deviations
+  return std::abs(value) > smallest + kSignificant * std::sqrt(variance) ? value : 0.0;
+}
+
+}  // namespace
+
+void ScaleDoubt::add(const Motion& odometry, const Pose2& estimated) {
+  odometry_ = odometry_ ? joined(*odometry_, odometry) : odometry;
+  estimated_ = estimated_ * estimated;
+  const double way = std::max(odometry_->increment.position().norm(), estimated_.position().norm());
+  if (way < kPiece) return;
+  compare(*odometry_, estimated_.position());
+  odometry_.reset();
+  estimated_ = Pose2();
+}
+
+void ScaleDoubt::compare(const Motion& odometry, const Eigen::Vector2d& e) {
+  constexpr double kMemory = 5.0;  // of the way, over which older pieces lose their weight [m]
+  const Eigen::Vector2d o = odometry.increment.position();
+  const Eigen::Vector2d sideways(-o.y(), o.x());
+  const Eigen::Matrix2d Q = odometry.covariance.topLeftCorner<2, 2>();
   const double kept = std::exp(-o.norm() / kMemory);
   along_ = kept * along_ + o.dot(e);
-  across_ = kept * across_ + o.x() * e.y() - o.y() * e.x();
+  across_ = kept * across_ + sideways.dot(e);
   square_ = kept * square_ + o.squaredNorm();
-  if (square_ <= 0.0) return;
-  scale_ = std::hypot(along_, across_) / square_ - 1.0;
-  turn_ = std::atan2(across_, along_);
+  variance_along_ = kept * kept * variance_along_ + o.dot(Q * o);
+  variance_across_ = kept * kept * variance_across_ + sideways.dot(Q * sideways);
+  if (square_ < kPiece * kPiece) return;
+  scale_ = beyondNoise(std::hypot(along_, across_) / square_ - 1.0,
+                       variance_along_ / (square_ * square_), kSmallestScale);
+  turn_ = beyondNoise(std::atan2(across_, along_), variance_across_ / (square_ * square_),
+                      kSmallestTurn);
 }
 
 Eigen::Matrix3d ScaleDoubt::covariance(const Eigen::Vector2d& from_start) const {

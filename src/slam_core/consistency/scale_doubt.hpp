@@ -4,33 +4,40 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "slam_core/models/motion.hpp"
 
 namespace slam {
 
 /// Compares the way by odometry with the way that a back-end makes of it with all it sees, over
-/// the last metres: how much longer it is, and by how much it points elsewhere. Where both are
-/// noise only, they differ by little. Where they do not, the wheels or the ranges have a wrong
-/// scale, or the bearings an offset, and nothing that is seen tells which of the two is right. A
-/// map that is being built then has a scale and a direction that may be wrong by this: the robot's
-/// position is in doubt by as much as it is away from where the map began.
+/// the last metres: how much longer it is, and by how much it points elsewhere. Noise of the
+/// odometry makes them differ by little. Where they differ by more, the wheels or the ranges have a
+/// wrong scale, the bearings an offset, or a sensor repeats itself, and nothing tells which of the
+/// two ways is right. A map that is being built then has a scale and a direction that may be wrong
+/// by this: the robot's position is in doubt by as much as it is away from where the map began.
 class ScaleDoubt {
  public:
   /// To be called for each step.
-  /// @param odometry increment of the odometry since the last step
-  /// @param estimated the back-end's, in the robot's frame before it
-  void add(const Pose2& odometry, const Pose2& estimated);
+  /// @param odometry since the last step, with its covariance
+  /// @param estimated the back-end's increment, in the robot's frame before it
+  void add(const Motion& odometry, const Pose2& estimated);
 
-  /// How much longer the estimated way is, as a share of the way by odometry.
+  /// How much longer the estimated way is, as a share of the way by odometry; 0 where noise
+  /// explains it.
   double scale() const { return scale_; }
-  double turn() const { return turn_; }  ///< from the one to the other [rad]
+  double turn() const { return turn_; }  ///< from the one to the other [rad]; 0 as scale()
   /// The covariance of the pose (x, y, heading) by this doubt. @param from_start the robot's
   /// position in the map frame, relative to where the map began [m]
   Eigen::Matrix3d covariance(const Eigen::Vector2d& from_start) const;
 
  private:
-  double along_ = 0.0, across_ = 0.0, square_ = 0.0;  ///< sums of products of the ways [m^2]
+  void compare(const Motion& odometry, const Eigen::Vector2d& estimated);
+
+  std::optional<Motion> odometry_;  ///< of the piece of the way that is not compared yet
+  Pose2 estimated_;
+  double along_ = 0.0, across_ = 0.0, square_ = 0.0;     ///< sums of products of the ways [m^2]
+  double variance_along_ = 0.0, variance_across_ = 0.0;  ///< of the first two [m^4]
   double scale_ = 0.0, turn_ = 0.0;
 };
 

@@ -105,7 +105,7 @@ Status Estimator::resetBackend() {
   scale_ = ScaleDoubt();
   last_pose_.reset();
   map_start_.reset();
-  way_ = Pose2();
+  way_.reset();
   if (start_session_) return set(*start_session_);
   return start_map_ ? set(*start_map_) : Status::ok();
 }
@@ -223,7 +223,7 @@ void Estimator::give(const Intake::Step& step) {
   for (const auto& reported : step.motions) {
     const auto motion = noise_.scaled(reported);
     carrier_->set(&motion);
-    way_ = way_ * motion.increment;
+    way_ = way_ ? joined(*way_, reported) : reported;
     events_.predict(motion);
     relocaliser_.predict(motion);
   }
@@ -297,18 +297,17 @@ void Estimator::keepScaleOfMap() {
 }
 
 void Estimator::watchScale() {
+  if (!consistency_config_.adapt) return;
   const auto now = backend_->pose().pose;
-  if (last_pose_) scale_.add(way_, last_pose_->inverse() * now);
-  if (!last_pose_ && !map_start_) map_start_ = now.position();
+  if (last_pose_ && way_) scale_.add(*way_, last_pose_->inverse() * now);
+  if (!last_pose_) map_start_ = now.position();
   last_pose_ = now;
-  way_ = Pose2();
+  way_.reset();
 }
 
-/// Where odometry had to be taken for noisier than it says, the scale of the map is in doubt.
 PoseEstimate Estimator::reportedPose() const {
   auto pose = backend_->pose();
-  if (noise_.scale(ConsistencyMonitor::kMotion) > 1.0 && map_start_)
-    pose.covariance += scale_.covariance(pose.pose.position() - *map_start_);
+  if (map_start_) pose.covariance += scale_.covariance(pose.pose.position() - *map_start_);
   return relocaliser_.told(pose);
 }
 

@@ -117,7 +117,7 @@ class Estimator final : public Component {
   std::optional<Pose2> last_pose_;  ///< of the back-end after the last step
   /// Where the map began, which has a scale of its own; a loaded map has not.
   std::optional<Eigen::Vector2d> map_start_;
-  Pose2 way_;  ///< by odometry since the last step
+  std::optional<Motion> way_;  ///< by odometry since the last step
   EventsConfig events_config_;
   EventWatch events_;
   relocalisation::Relocaliser relocaliser_;

@@ -62,7 +62,7 @@ TEST_F(NoiseAdaptationTest, FindsASensorThatIsFourTimesAsNoisyAsItReports) {
 
 TEST_F(NoiseAdaptationTest, BlamesTheWayWhereItsScaleIsWrong) {
   Errors errors;
-  errors.way = 0.7;
+  errors.way = 0.9;
   drive(1, errors, 200);
   EXPECT_GT(noise_.scale(Source::kMotion), 2.0);
 }

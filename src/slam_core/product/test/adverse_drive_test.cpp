@@ -50,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Backends, AdverseDrive, testing::Values("ekf", "graph")
                          [](const auto& backend) { return backend.param; });
 
 TEST_P(AdverseDrive, WheelsOfAWrongRadiusAreNotBelieved) {
-  EXPECT_GT(confidentlyWrong(GetParam(), 0.7, 1.0, false), 0.2) << "as reported, they mislead";
-  EXPECT_LT(confidentlyWrong(GetParam(), 0.7, 1.0, true), 0.02);
+  EXPECT_GT(confidentlyWrong(GetParam(), 0.8, 1.0, false), 0.2) << "as reported, they mislead";
+  EXPECT_LT(confidentlyWrong(GetParam(), 0.8, 1.0, true), 0.02);
 }
 
 TEST_P(AdverseDrive, AMapWhoseScaleIsInDoubtIsReportedAsThat) {
