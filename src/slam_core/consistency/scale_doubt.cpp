@@ -18,8 +18,8 @@ constexpr double kSmallestTurn = 0.03;  // [rad]
 constexpr double kPiece = 0.3;  // [m]
 
 double beyondNoise(double value, double variance, double smallest) {
-  constexpr double kSignificant = 3.0;  // standard deviations
-  return std::abs(value) > smallest + kSignificant * std::sqrt(variance) ? value : 0.0;
+  constexpr double kStandardDeviations = 3.0;
+  return std::abs(value) > smallest + kStandardDeviations * std::sqrt(variance) ? value : 0.0;
 }
 
 }  // namespace
