@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace slam {
-
 namespace {
 
 /// What is less than this much beyond the noise is none, since no noise is known exactly.
@@ -17,9 +16,9 @@ constexpr double kSmallestTurn = 0.03;  // [rad]
 /// but leads nowhere.
 constexpr double kPiece = 0.3;  // [m]
 
-double beyondNoise(double value, double variance, double smallest) {
+bool isBeyond(double value, double variance, double smallest) {
   constexpr double kStandardDeviations = 3.0;
-  return std::abs(value) > smallest + kStandardDeviations * std::sqrt(variance) ? value : 0.0;
+  return std::abs(value) > smallest + kStandardDeviations * std::sqrt(variance);
 }
 
 }  // namespace
@@ -46,19 +45,26 @@ void ScaleDoubt::compare(const Motion& odometry, const Eigen::Vector2d& e) {
   variance_along_ = kept * kept * variance_along_ + o.dot(Q * o);
   variance_across_ = kept * kept * variance_across_ + sideways.dot(Q * sideways);
   if (square_ < kPiece * kPiece) return;
-  scale_ = beyondNoise(std::hypot(along_, across_) / square_ - 1.0,
-                       variance_along_ / (square_ * square_), kSmallestScale);
-  turn_ = beyondNoise(std::atan2(across_, along_), variance_across_ / (square_ * square_),
-                      kSmallestTurn);
+  difference_ = {std::hypot(along_, across_) / square_ - 1.0, std::atan2(across_, along_)};
 }
 
-Eigen::Matrix3d ScaleDoubt::covariance(const Eigen::Vector2d& from_start) const {
+ScaleDoubt::Difference ScaleDoubt::beyondNoise() const {
+  if (square_ <= 0.0) return {};
+  const double square = square_ * square_;
+  const auto& [scale, turn] = difference_;
+  return {isBeyond(scale, variance_along_ / square, kSmallestScale) ? scale : 0.0,
+          isBeyond(turn, variance_across_ / square, kSmallestTurn) ? turn : 0.0};
+}
+
+Eigen::Matrix3d covarianceOf(const ScaleDoubt::Difference& doubt,
+                             const Eigen::Vector2d& from_start) {
   const Eigen::Vector2d sideways(-from_start.y(), from_start.x());
+  const double scale = doubt.scale * doubt.scale, turn = doubt.turn * doubt.turn;
   Eigen::Matrix3d P = Eigen::Matrix3d::Zero();
-  P.topLeftCorner<2, 2>() = scale_ * scale_ * from_start * from_start.transpose() +
-                            turn_ * turn_ * sideways * sideways.transpose();
-  P(2, 2) = turn_ * turn_;
-  P.topRightCorner<2, 1>() = turn_ * turn_ * sideways;
+  P.topLeftCorner<2, 2>() =
+      scale * from_start * from_start.transpose() + turn * sideways * sideways.transpose();
+  P(2, 2) = turn;
+  P.topRightCorner<2, 1>() = turn * sideways;
   P.bottomLeftCorner<1, 2>() = P.topRightCorner<2, 1>().transpose();
   return P;
 }

@@ -23,13 +23,14 @@ class ScaleDoubt {
   /// @param estimated the back-end's increment, in the robot's frame before it
   void add(const Motion& odometry, const Pose2& estimated);
 
-  /// How much longer the estimated way is, as a share of the way by odometry; 0 where noise
-  /// explains it.
-  double scale() const { return scale_; }
-  double turn() const { return turn_; }  ///< from the one to the other [rad]; 0 as scale()
-  /// The covariance of the pose (x, y, heading) by this doubt. @param from_start the robot's
-  /// position in the map frame, relative to where the map began [m]
-  Eigen::Matrix3d covariance(const Eigen::Vector2d& from_start) const;
+  /// How the estimated way differs from the one by odometry.
+  struct Difference {
+    double scale = 0.0;  ///< by how much it is longer, as a share of the way by odometry
+    double turn = 0.0;   ///< from the one to the other [rad]
+  };
+  Difference difference() const { return difference_; }
+  /// The same; 0 where the odometry's noise explains it.
+  Difference beyondNoise() const;
 
  private:
   void compare(const Motion& odometry, const Eigen::Vector2d& estimated);
@@ -38,7 +39,12 @@ class ScaleDoubt {
   Pose2 estimated_;
   double along_ = 0.0, across_ = 0.0, square_ = 0.0;     ///< sums of products of the ways [m^2]
   double variance_along_ = 0.0, variance_across_ = 0.0;  ///< of the first two [m^4]
-  double scale_ = 0.0, turn_ = 0.0;
+  Difference difference_;
 };
+
+/// The covariance of the pose (x, y, heading) where the map's scale and direction are in doubt.
+/// @param from_start the robot's position in the map frame, relative to where the map began [m]
+Eigen::Matrix3d covarianceOf(const ScaleDoubt::Difference& doubt,
+                             const Eigen::Vector2d& from_start);
 
 }  // namespace slam

@@ -305,9 +305,13 @@ void Estimator::watchScale() {
   way_.reset();
 }
 
+/// Where the innovations contradict the odometry, no difference is left to its noise.
 PoseEstimate Estimator::reportedPose() const {
   auto pose = backend_->pose();
-  if (map_start_) pose.covariance += scale_.covariance(pose.pose.position() - *map_start_);
+  if (!map_start_) return relocaliser_.told(pose);
+  const bool is_evident = noise_.scale(ConsistencyMonitor::kMotion) > 1.0;
+  const auto doubt = is_evident ? scale_.difference() : scale_.beyondNoise();
+  pose.covariance += covarianceOf(doubt, pose.pose.position() - *map_start_);
   return relocaliser_.told(pose);
 }
 

@@ -33,20 +33,22 @@ ScaleDoubt doubtAfter(double scale, double turn, double noise) {
 
 TEST(ScaleDoubt, FindsScaleAndTurn) {
   const auto doubt = doubtAfter(1.2, -0.1, 0.0);
-  EXPECT_NEAR(doubt.scale(), 0.2, 1e-9);
-  EXPECT_NEAR(doubt.turn(), -0.1, 1e-9);
+  EXPECT_NEAR(doubt.difference().scale, 0.2, 1e-9);
+  EXPECT_NEAR(doubt.difference().turn, -0.1, 1e-9);
+  EXPECT_EQ(doubt.beyondNoise().scale, doubt.difference().scale);
+  EXPECT_EQ(doubt.beyondNoise().turn, doubt.difference().turn);
 }
 
 TEST(ScaleDoubt, NoiseAloneIsNoScale) {
   const auto doubt = doubtAfter(1.0, 0.0, 0.01);
-  EXPECT_EQ(doubt.scale(), 0.0);
-  EXPECT_EQ(doubt.turn(), 0.0);
+  EXPECT_EQ(doubt.beyondNoise().scale, 0.0);
+  EXPECT_EQ(doubt.beyondNoise().turn, 0.0);
 }
 
 TEST(ScaleDoubt, GrowsWithTheDistanceFromWhereTheMapBegan) {
   const auto doubt = doubtAfter(1.2, 0.1, 0.0);
-  EXPECT_TRUE(doubt.covariance({0, 0}).topLeftCorner(2, 2).isZero());
-  const auto P = doubt.covariance({10, 0});
+  EXPECT_TRUE(covarianceOf(doubt.beyondNoise(), {0, 0}).topLeftCorner(2, 2).isZero());
+  const auto P = covarianceOf(doubt.beyondNoise(), {10, 0});
   EXPECT_NEAR(std::sqrt(P(0, 0)), 2.0, 1e-6) << "a fifth of 10 m along the line of sight";
   EXPECT_NEAR(std::sqrt(P(1, 1)), 1.0, 1e-6) << "0.1 rad at 10 m across it";
   EXPECT_NEAR(std::sqrt(P(2, 2)), 0.1, 1e-6);
@@ -62,8 +64,8 @@ TEST(ScaleDoubt, AnOdometryThatJittersWhereTheRobotStandsTellsNothing) {
     doubt.add(moved(before.inverse() * now, 0.001), Pose2());
     before = now;
   }
-  EXPECT_EQ(doubt.scale(), 0.0);
-  EXPECT_TRUE(doubt.covariance({3, 4}).isZero());
+  EXPECT_EQ(doubt.beyondNoise().scale, 0.0);
+  EXPECT_TRUE(covarianceOf(doubt.beyondNoise(), {3, 4}).isZero());
 }
 
 }  // namespace
