@@ -173,7 +173,9 @@ double NoiseTuner::Evidence::sum() const {
 
 void NoiseTuner::evaluate(std::size_t log, const std::vector<std::string>& overrides,
                           Evidence& evidence) const {
-  auto settings = make_settings_(overrides);
+  auto fixed = overrides;
+  fixed.emplace_back("consistency.adapt=false");  // the noise is what is sought
+  auto settings = make_settings_(fixed);
   MetaCoordinator coordinator;
   coordinator.configure(settings);
   InnovationScore score(resightings_.empty() ? nullptr : &resightings_[log]);
