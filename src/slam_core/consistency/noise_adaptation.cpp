@@ -52,15 +52,20 @@ bool NoiseAdaptation::isNeutral() const {
   return std::all_of(scales_.begin(), scales_.end(), [](double scale) { return scale == 1.0; });
 }
 
-Motion NoiseAdaptation::scaled(Motion motion) const {
-  motion.covariance *= scale(Source::kMotion) * scale(Source::kMotion);
-  return motion;
+Motion NoiseAdaptation::scaled(const Motion& motion) const {
+  if (scale(Source::kMotion) == 1.0) return motion;
+  auto enlarged = motion;
+  enlarged.covariance *= scale(Source::kMotion) * scale(Source::kMotion);
+  return faultOf(enlarged).empty() ? enlarged : motion;
 }
 
 LandmarkObservationArray NoiseAdaptation::scaled(LandmarkObservationArray array) const {
   const Eigen::Vector2d scales(scale(Source::kRange), scale(Source::kBearing));
-  for (auto& z : array.observations)
-    z.covariance = scales.asDiagonal() * z.covariance * scales.asDiagonal();
+  for (auto& z : array.observations) {
+    auto enlarged = z;
+    enlarged.covariance = scales.asDiagonal() * z.covariance * scales.asDiagonal();
+    if (faultOf(enlarged).empty()) z = enlarged;
+  }
   return array;
 }
 

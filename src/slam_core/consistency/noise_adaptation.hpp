@@ -34,7 +34,8 @@ class NoiseAdaptation {
   /// The factor on a source's reported sigma, at least 1.
   double scale(Source source) const { return scales_[source]; }
 
-  Motion scaled(Motion motion) const;
+  /// What would be a fault of the input when enlarged (faultOf()) stays as it is.
+  Motion scaled(const Motion& motion) const;
   LandmarkObservationArray scaled(LandmarkObservationArray array) const;
   bool isNeutral() const;
 

@@ -23,7 +23,7 @@ class ScaleDoubt {
   /// @param estimated the back-end's increment, in the robot's frame before it
   void add(const Motion& odometry, const Pose2& estimated);
 
-  /// How the estimated way differs from the one by odometry.
+  /// The estimated way differs from the one by odometry by this.
   struct Difference {
     double scale = 0.0;  ///< by how much it is longer, as a share of the way by odometry
     double turn = 0.0;   ///< from the one to the other [rad]

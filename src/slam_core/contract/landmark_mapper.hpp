@@ -42,7 +42,7 @@ struct AssociatedObservation {
   TakenFor taken_for = TakenFor::kNothing;
 };
 
-/// What is decided anew of an observation of an earlier step.
+/// A decision on an observation of an earlier step that replaces the first one.
 struct RevisedAssociation {
   Stamp stamp;  ///< of that step
   AssociatedObservation observation;

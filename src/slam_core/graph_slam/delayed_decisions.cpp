@@ -16,7 +16,7 @@ namespace {
 /// A node is looked at again when so many others have followed.
 constexpr std::array<std::size_t, 3> kAges = {10, 30, 90};
 
-/// What is decided later is what was in doubt at first: it has to be clearer then.
+/// An observation that was ambiguous at first has to pass a stricter test later.
 association::PolicyConfig laterConfig(const GraphConfig& config) {
   constexpr double kGateProbability = 0.99;
   constexpr double kAmbiguity = 2.0;  // times that of a decision at once

@@ -38,7 +38,7 @@ class PathGraph {
   PathGraph(const PathGraph&) = delete;  // its chain holds its graph
   PathGraph& operator=(const PathGraph&) = delete;
 
-  /// Where the robot is, or was at a node.
+  /// The robot is there, or was there at a node.
   PoseEstimate robot(const std::optional<graph::Key>& at = {}) const;
   /// The covariance of the robot, as a twist in its frame, and of some variables of the graph.
   /// @param at a node where the robot was; where it is now without one

@@ -115,7 +115,7 @@ class Estimator final : public Component {
   NoiseAdaptation noise_;
   ScaleDoubt scale_;
   std::optional<Pose2> last_pose_;  ///< of the back-end after the last step
-  /// Where the map began, which has a scale of its own; a loaded map has not.
+  /// The robot was here when the map began; nothing in a map that was loaded.
   std::optional<Eigen::Vector2d> map_start_;
   std::optional<Motion> way_;  ///< by odometry since the last step
   EventsConfig events_config_;

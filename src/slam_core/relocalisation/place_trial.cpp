@@ -23,7 +23,7 @@ constexpr double kStandsIfRight = 0.9, kStandsIfAlike = 0.5;
 constexpr double kPatchesAlike = 2.0;
 /// What the rest of a scan counts: the search has chosen the place by the surfaces that it shows.
 constexpr double kOfSeen = 0.25;
-/// How much of a scan contradicts the map in a wrong place, as in ScanDoubt.
+/// The share of a scan that contradicts the map has this distribution in a wrong place (ScanDoubt).
 constexpr scan_matching::ShareDistribution kWrongPlace{1.5, 3.0};
 /// No single scan tells more.
 constexpr double kMostOfOneScan = 6.0;
@@ -68,7 +68,7 @@ std::vector<std::pair<int, int>> largerThanFurniture(std::set<std::pair<int, int
   return larger;
 }
 
-/// Of a scan as a whole, that the robot is right.
+/// The logarithm of how many times likelier a whole scan is in the right place than in a wrong one.
 double ofShare(const scan_matching::Agreement& agreement) {
   const auto usual = scan_matching::UsualFit().distribution();
   return std::clamp(usual.logLikelihood(agreement) - kWrongPlace.logLikelihood(agreement),

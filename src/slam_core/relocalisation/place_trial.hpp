@@ -39,7 +39,7 @@ class PlaceTrial {
 
   double ofNewSurfaces(const grid_map::ScanPoints& scan, const scan_matching::MapView& map,
                        const Pose2& place);
-  /// Of the last scan, in independent ones; 1 at most.
+  /// The last scan counts as this share of an independent one.
   double weightOf(const Pose2& local) const;
 
   Pose2 map_local_;       ///< T_map_local

@@ -223,7 +223,7 @@ std::optional<PoseEstimate> Relocaliser::settleByScans(const Recognition& found,
   return found.robot;
 }
 
-/// As assume(Belief::kSure), but what was found is tested on.
+/// Does the same as assume(Belief::kSure), but the place that was found is tested on.
 void Relocaliser::believePlaceOfScans() {
   belief_ = Belief::kSure;
   gating_ = GatingRate(kWindow);

@@ -93,5 +93,19 @@ TEST_F(NoiseAdaptationTest, ScalesSigmasAndNothingElse) {
   EXPECT_DOUBLE_EQ(scaled.covariance(1, 1), 0.01);
 }
 
+TEST_F(NoiseAdaptationTest, EnlargesNoCovarianceBeyondWhatAnInputMayHave) {
+  Errors errors;
+  errors.range = 4.0;
+  drive(1, errors, 200);
+  ASSERT_GT(noise_.scale(Source::kRange), 2.0);
+  LandmarkObservationArray array;
+  array.observations.emplace_back();
+  auto& z = array.observations[0];
+  z.range = 2.0;
+  z.covariance = Eigen::Vector2d(0.5e6, 0.01).asDiagonal();
+  ASSERT_EQ(faultOf(z), "");
+  EXPECT_EQ(faultOf(noise_.scaled(array).observations[0]), "");
+}
+
 }  // namespace
 }  // namespace slam

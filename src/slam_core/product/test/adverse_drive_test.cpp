@@ -63,5 +63,32 @@ TEST_P(AdverseDrive, ARightOneStaysAsItIs) {
   EXPECT_EQ(confidentlyWrong(GetParam(), 1.0, 1.0, true), 0.0);
 }
 
+TEST(NoiseOfAnEstimator, IsEnlargedWhereASigmaIsThreeTimesTooSmallUntilAReset) {
+  Settings settings;
+  Estimator estimator;
+  estimator.use(Registry<Backend>::instance().create("ekf"));
+  estimator.configure(settings);
+  const auto factor = [&estimator] {
+    for (const auto& [name, value] : estimator.figures())
+      if (name == "bearing_noise_factor") return value;
+    return 0.0;
+  };
+  EXPECT_EQ(factor(), 1.0);
+  test::SimulatedWorld world(9);
+  for (int i = 0; i < 200; ++i) {
+    auto step = world.next();
+    for (auto& z : step.observations.observations) z.covariance(1, 1) /= 9.0;
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    do estimator.execute();
+    while (estimator.report());
+  }
+  EXPECT_GT(factor(), 2.0);
+  EXPECT_LT(factor(), 5.0);
+  EXPECT_EQ(estimator.consistency().finding(), "") << "the noise is right now";
+  estimator.reset();
+  EXPECT_EQ(factor(), 1.0);
+}
+
 }  // namespace
 }  // namespace slam

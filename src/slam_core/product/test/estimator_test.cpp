@@ -375,27 +375,6 @@ TEST_F(EstimatorTest, WarnsOnceOfASigmaThatIsThreeTimesTooSmall) {
   EXPECT_EQ(estimator.consistency().finding(), "");
 }
 
-TEST_F(EstimatorTest, ASigmaThatIsThreeTimesTooSmallIsEnlargedUntilAReset) {
-  const auto factor = [this] {
-    for (const auto& [name, value] : estimator.figures())
-      if (name == "bearing_noise_factor") return value;
-    return 0.0;
-  };
-  EXPECT_EQ(factor(), 1.0);
-  for (auto& step : simulate(9, 200)) {
-    for (auto& z : step.observations.observations) z.covariance(1, 1) /= 9.0;
-    estimator.set(step.motion);
-    estimator.set(step.observations);
-    do estimator.execute();
-    while (estimator.report());
-  }
-  EXPECT_GT(factor(), 2.0);
-  EXPECT_LT(factor(), 5.0);
-  EXPECT_EQ(estimator.consistency().finding(), "") << "the noise is right now";
-  estimator.reset();
-  EXPECT_EQ(factor(), 1.0);
-}
-
 TEST_F(EstimatorTest, ThatThePoseMayBeLostIsSaidByTheMonitorOnceAndHidesNothingGraver) {
   // else the robot finds itself before
   configure(estimator, Settings({}, {}, {"relocalisation.enabled=false"}));

@@ -78,7 +78,7 @@ TEST_F(PlaceTrialTest, NewSurfacesThatAreMissingInTheMapRefuteAPlaceThatLooksAli
   EXPECT_LT(trial.evidence(), -std::log(100.0));
 }
 
-/// Nothing in the map stands where a person stands now.
+/// A person stands where the map is free.
 TEST_F(PlaceTrialTest, APersonWhoStandsAroundDoesNotRefuteThePlace) {
   PlaceTrial trial(Pose2(), {next(1)});
   for (int i = 0; i < 12; ++i) {
