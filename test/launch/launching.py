@@ -116,7 +116,7 @@ def wait_for_last_step(environment, offline, timeout=40):
 def play_into_launch(bag, topics, rate, offline, *arguments):
     """Plays a bag's topics with `rosbag play`, ends the launch with Ctrl-C when it has come as far
     as the offline run; returns what it printed."""
-    launch, environment = start_launch("use_sim_time:=true", *arguments)
+    launch, environment = start_launch("use_sim_time:=true", "unsafe_paths:=true", *arguments)
     try:
         subprocess.run(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r",
                         str(rate), bag, "--topics", *topics],

@@ -84,8 +84,9 @@ class TwoProductsTest(SameAsOffline, unittest.TestCase):
 
     def test_two_live_products_of_one_robot(self):
         with master() as port:
-            launches = self.start(port, "live", "use_sim_time:=true", "robot:=mrpt_demo",
-                                  "odom_topic:=/odom", "observations_topic:=/observations")
+            launches = self.start(port, "live", "use_sim_time:=true", "unsafe_paths:=true",
+                                  "robot:=mrpt_demo", "odom_topic:=/odom",
+                                  "observations_topic:=/observations")
             outputs = self.play(port, launches)
         self.assert_same("live", outputs)
 

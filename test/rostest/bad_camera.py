@@ -8,7 +8,7 @@ import threading
 import time
 import unittest
 
-from diagnostic_msgs.msg import DiagnosticArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
 from nav_msgs.msg import Odometry
 from player import wait_for
@@ -190,6 +190,12 @@ class BadCameraTest(unittest.TestCase):
             values = self.values()
             for name in ("rate [1/s]", "latency p50 [ms]", "latency p99 [ms]"):
                 self.assertGreater(float(values[name]), 0, name)
+
+    def test_99_a_camera_that_has_died_is_no_running_detector(self):
+        self.play(5)
+        self.assertTrue(wait_for(lambda: "stale: nothing has come on" in
+                                 self.values().get("message", ""), 15), self.values())
+        self.assertEqual(self.values()["level"], DiagnosticStatus.WARN)
 
 
 if __name__ == "__main__":

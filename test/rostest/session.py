@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The services that save a session of the graph and go on from it, in either composition."""
 
+import os
 import pathlib
 import sys
 import tempfile
@@ -72,14 +73,18 @@ class SessionTest(unittest.TestCase):
         saved = self.save(self.path)
         damaged = self.path.with_name("damaged.session")
         damaged.write_bytes(saved[:-1] + bytes([saved[-1] ^ 1]))
+        pipe = self.path.with_name("pipe")
+        os.mkfifo(pipe)
         for path, sentence in ((damaged, "damaged.session: it is damaged"),
-                               ("/no/such/file", "does it exist?"), ("", "names no file")):
+                               (self.path.with_name("none"), "does it exist?"),
+                               ("/etc/passwd", "/etc/passwd is not below /tmp"),
+                               (pipe, "is a device or a pipe"), ("", "names no file")):
             answer = self.call("load_session", LoadMap, path)
             self.assertFalse(answer.success)
             self.assertIn(sentence, answer.message)
         answer = self.call("save_session", SaveMap, "/proc/a.session")
         self.assertFalse(answer.success)
-        self.assertIn("/proc/a.session", answer.message)
+        self.assertIn("/proc/a.session is not below /tmp", answer.message)
         self.assertEqual(self.save(self.path.with_name("b.session")), saved)
 
 

@@ -16,6 +16,10 @@ constexpr double kSmallestTurn = 0.03;  // [rad]
 /// but leads nowhere.
 constexpr double kPiece = 0.3;  // [m]
 
+/// A filter goes between two sensors that contradict each other, which bends its map: a share of
+/// what is wrong in one direction is wrong in the other.
+constexpr double kBent = 0.5;
+
 bool isBeyond(double value, double variance, double smallest) {
   constexpr double kStandardDeviations = 3.0;
   return std::abs(value) > smallest + kStandardDeviations * std::sqrt(variance);
@@ -60,9 +64,10 @@ Eigen::Matrix3d covarianceOf(const ScaleDoubt::Difference& doubt,
                              const Eigen::Vector2d& from_start) {
   const Eigen::Vector2d sideways(-from_start.y(), from_start.x());
   const double scale = doubt.scale * doubt.scale, turn = doubt.turn * doubt.turn;
+  const double along = scale + kBent * kBent * turn, across = turn + kBent * kBent * scale;
   Eigen::Matrix3d P = Eigen::Matrix3d::Zero();
   P.topLeftCorner<2, 2>() =
-      scale * from_start * from_start.transpose() + turn * sideways * sideways.transpose();
+      along * from_start * from_start.transpose() + across * sideways * sideways.transpose();
   P(2, 2) = turn;
   P.topRightCorner<2, 1>() = turn * sideways;
   P.bottomLeftCorner<1, 2>() = P.topRightCorner<2, 1>().transpose();

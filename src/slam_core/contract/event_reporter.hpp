@@ -19,6 +19,8 @@ struct Event {
     kLoopClosed,     ///< a place was recognised, which moved the pose
     kLoopTakenBack,  ///< a place is no longer believed to be the one it was taken for
     kMerged,         ///< the map of another session has become part of the map
+    kDoubtful,       ///< something speaks against the pose (Trust)
+    kConfident,      ///< nothing does any more
     kLost,           ///< the back-end does not believe its pose any more
     kFound           ///< it does again
   };
@@ -37,13 +39,15 @@ inline const Names<Event::Kind>& namesOfEvents() {
                                            {"loop_closed", Event::Kind::kLoopClosed},
                                            {"loop_taken_back", Event::Kind::kLoopTakenBack},
                                            {"merged", Event::Kind::kMerged},
+                                           {"doubtful", Event::Kind::kDoubtful},
+                                           {"confident", Event::Kind::kConfident},
                                            {"lost", Event::Kind::kLost},
                                            {"found", Event::Kind::kFound}};
   return names;
 }
 
 /// The capability of a back-end that knows more of what happened than its pose shows. Jumps are
-/// found without it, and `lost` and `found` come from the Estimator.
+/// found without it, and what concerns the trust in the pose comes from the Estimator.
 class EventReporter {
  public:
   virtual ~EventReporter() = default;

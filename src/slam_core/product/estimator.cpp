@@ -102,10 +102,7 @@ Status Estimator::resetBackend() {
   events_ = EventWatch(events_config_);
   relocaliser_.reset();
   noise_ = NoiseAdaptation();
-  scale_ = ScaleDoubt();
-  last_pose_.reset();
-  map_start_.reset();
-  way_.reset();
+  doubt_.restart();
   if (start_session_) return set(*start_session_);
   return start_map_ ? set(*start_map_) : Status::ok();
 }
@@ -125,7 +122,7 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
   const auto status = backend_->execute();
   relocaliser_.assume(Belief::kSure);
   events_.relocate("the robot was put there");
-  last_pose_ = backend_->pose().pose;
+  doubt_.relocate(backend_->pose().pose);
   consistency_.add(statistics());
   return status;
 }
@@ -142,7 +139,7 @@ Status Estimator::set(const MapState& map) {
     status = together(status, Status::warning("the map's lines are left out, since this back-end "
                                               "maps points only: use backend=ekf"));
   events_.relocate("a map was loaded");
-  keepScaleOfMap();
+  doubt_.load(backend_->pose().pose);
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
   return together(status, relocaliser_.assume(Belief::kUnconfirmed, &used));
@@ -159,7 +156,7 @@ Status Estimator::set(const SavedSession& session) {
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
   events_.relocate("a session was loaded");
-  keepScaleOfMap();
+  doubt_.load(backend_->pose().pose);
   relocaliser_.reset();
   consistency_ = ConsistencyMonitor(consistency_config_);
   if (const auto* mapper = capabilities_.find<LandmarkMapper>())
@@ -210,7 +207,7 @@ Status Estimator::execute() {
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
   const auto consistency_status = watchConsistency();
-  watchScale();
+  if (consistency_config_.adapt) doubt_.compare(backend_->pose().pose);
   const auto place_status = relocate(step->stamp);
   // what the monitor finds is said once only
   for (const auto& other : {step_status, place_status, consistency_status})
@@ -223,7 +220,7 @@ void Estimator::give(const Intake::Step& step) {
   for (const auto& reported : step.motions) {
     const auto motion = noise_.scaled(reported);
     carrier_->set(&motion);
-    way_ = way_ ? joined(*way_, reported) : reported;
+    doubt_.predict(reported);
     events_.predict(motion);
     relocaliser_.predict(motion);
   }
@@ -261,7 +258,7 @@ Status Estimator::relocate(Stamp stamp) {
   events_.relocate("the place was recognised in the map");
   consistency_ = ConsistencyMonitor(consistency_config_);
   const auto status = backend_->execute();
-  last_pose_ = backend_->pose().pose;
+  doubt_.relocate(backend_->pose().pose);
   return status;
 }
 
@@ -290,28 +287,10 @@ Status Estimator::watchConsistency() {
   return now == Fault::kLost ? Status::alarm(finding) : Status::warning(finding);
 }
 
-/// A map that was loaded has a scale of its own.
-void Estimator::keepScaleOfMap() {
-  map_start_.reset();
-  last_pose_ = backend_->pose().pose;
-}
-
-void Estimator::watchScale() {
-  if (!consistency_config_.adapt) return;
-  const auto now = backend_->pose().pose;
-  if (last_pose_ && way_) scale_.add(*way_, last_pose_->inverse() * now);
-  if (!last_pose_) map_start_ = now.position();
-  last_pose_ = now;
-  way_.reset();
-}
-
-/// Where the innovations contradict the odometry, no difference is left to its noise.
 PoseEstimate Estimator::reportedPose() const {
   auto pose = backend_->pose();
-  if (!map_start_) return relocaliser_.told(pose);
-  const bool is_evident = noise_.scale(ConsistencyMonitor::kMotion) > 1.0;
-  const auto doubt = is_evident ? scale_.difference() : scale_.beyondNoise();
-  pose.covariance += covarianceOf(doubt, pose.pose.position() - *map_start_);
+  const bool contradicts_odometry = noise_.scale(ConsistencyMonitor::kMotion) > 1.0;
+  pose.covariance += doubt_.covarianceAt(pose.pose, contradicts_odometry);
   return relocaliser_.told(pose);
 }
 
@@ -334,6 +313,7 @@ void Estimator::reportStep(const Intake::Step& step) {
   StepReport report;
   report.stamp = step.stamp;
   if (step.trigger) report.trigger = step.trigger->port->name;
+  doubt_.judgeLoss(isLost(), backend_->pose().pose, step.stamp);
   report.pose = reportedPose();
   // at the very start of motion none has been applied yet
   if (const auto motion = last_motion_ ? last_motion_ : intake_.arrivals().pending) {
@@ -344,7 +324,10 @@ void Estimator::reportStep(const Intake::Step& step) {
   frames_.complete(report.odometry_frame, report.base_frame);
   report.has_motion = carrier_ != nullptr;
   report.statistics = statistics();
-  report.is_lost = isLost();
+  report.doubt = doubt();
+  report.trust = isLost()               ? Trust::kLost
+                 : report.doubt.empty() ? Trust::kConfident
+                                        : Trust::kDoubtful;
   report.restarted = step.restart;
   events_.complete(report, capabilities_);
   pose_ = FilterPose::of(report.stamp, report.pose.pose);
@@ -354,7 +337,18 @@ void Estimator::reportStep(const Intake::Step& step) {
 bool Estimator::isLost() const {
   const auto* reporter = capabilities_.find<LostReporter>();
   const bool is_lost_by_backend = reporter != nullptr && reporter->lostSince().has_value();
-  return is_lost_by_backend || relocaliser_.belief() == Belief::kLost;
+  const auto belief = relocaliser_.belief();
+  return is_lost_by_backend || belief == Belief::kLost || belief == Belief::kAnywhere;
+}
+
+std::string Estimator::doubt() const {
+  using Fault = ConsistencyMonitor::Fault;
+  if (isLost()) return "what is seen contradicts the map";
+  if (relocaliser_.belief() == Belief::kUnconfirmed)
+    return "the place in the loaded map has not been recognised yet";
+  const auto fault = consistency_.fault();
+  if (fault == Fault::kLost || fault == Fault::kBias) return consistency_.finding();
+  return doubt_.reason();
 }
 
 Counters Estimator::counters() const {

@@ -9,7 +9,7 @@
 
 #include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/consistency/noise_adaptation.hpp"
-#include "slam_core/consistency/scale_doubt.hpp"
+#include "slam_core/consistency/pose_doubt.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
@@ -90,8 +90,6 @@ class Estimator final : public Component {
   void give(const Intake::Step& step);
   void give(const Intake::Trigger& trigger) const;
   void adaptNoise();
-  void watchScale();
-  void keepScaleOfMap();
   PoseEstimate reportedPose() const;
   bool isAdmitted(const Intake::Trigger& trigger);
   /// Puts the robot where it has been recognised, where that is elsewhere.
@@ -99,6 +97,8 @@ class Estimator final : public Component {
   void reportStep(const Intake::Step& step);
   UpdateStatistics statistics() const;
   bool isLost() const;
+  /// A clause on why the pose is in doubt; empty where it is not.
+  std::string doubt() const;
   /// An error where the back-end's pose is not finite.
   Status faultOfState();
   Status watchConsistency();
@@ -113,11 +113,7 @@ class Estimator final : public Component {
   ConsistencyConfig consistency_config_;
   ConsistencyMonitor consistency_;
   NoiseAdaptation noise_;
-  ScaleDoubt scale_;
-  std::optional<Pose2> last_pose_;  ///< of the back-end after the last step
-  /// The robot was here when the map began; nothing in a map that was loaded.
-  std::optional<Eigen::Vector2d> map_start_;
-  std::optional<Motion> way_;  ///< by odometry since the last step
+  PoseDoubt doubt_;
   EventsConfig events_config_;
   EventWatch events_;
   relocalisation::Relocaliser relocaliser_;

@@ -52,7 +52,7 @@ void EventWatch::complete(StepReport& report, const Capabilities& backend) {
   }
   addOwn(report, backend);
   addJump(report);
-  addLost(report);
+  addTrust(report);
   for (auto& event : report.events) event.stamp = report.stamp;
   pose_ = report.pose;
   relocation_.reset();
@@ -83,19 +83,38 @@ void EventWatch::addJump(StepReport& report) const {
   report.events.push_back(event);
 }
 
-void EventWatch::addLost(StepReport& report) {
-  if (!report.is_lost || *report.is_lost == lost_since_.has_value()) return;
-  if (*report.is_lost) {
+/// A doubt lasts for a second at least, so that the trust does not flicker.
+void EventWatch::addTrust(StepReport& report) {
+  constexpr auto kHold = std::chrono::seconds(1);
+  if (report.trust == Trust::kDoubtful) doubted_ = report.stamp;
+  const bool is_held = doubted_ && report.stamp - *doubted_ < kHold;
+  if (report.trust == Trust::kConfident && trust_ != Trust::kConfident && is_held)
+    report.trust = Trust::kDoubtful;
+  addLoss(report);
+  const bool was_doubtful = trust_ == Trust::kDoubtful,
+             is_doubtful = report.trust == Trust::kDoubtful;
+  if (is_doubtful && !was_doubtful)
+    report.events.push_back({Event::Kind::kDoubtful, 0.0, 0.0, report.doubt, {}});
+  if (was_doubtful && report.trust == Trust::kConfident)
+    report.events.push_back(
+        {Event::Kind::kConfident, 0.0, 0.0, "nothing speaks against the pose any more", {}});
+  trust_ = report.trust;
+}
+
+void EventWatch::addLoss(StepReport& report) {
+  const bool is_lost = report.trust == Trust::kLost;
+  if (is_lost == lost_since_.has_value()) return;
+  if (is_lost) {
     lost_since_ = report.stamp;
-    report.events.push_back({Event::Kind::kLost, 0.0, 0.0, "what is seen contradicts the map", {}});
-  } else {
-    const double time = seconds(report.stamp - *std::exchange(lost_since_, std::nullopt));
-    report.events.push_back({Event::Kind::kFound,
-                             0.0,
-                             0.0,
-                             fmt::format("what is seen fits the map again, after {:.1f} s", time),
-                             {}});
+    report.events.push_back({Event::Kind::kLost, 0.0, 0.0, report.doubt, {}});
+    return;
   }
+  const double time = seconds(report.stamp - *std::exchange(lost_since_, std::nullopt));
+  report.events.push_back({Event::Kind::kFound,
+                           0.0,
+                           0.0,
+                           fmt::format("what is seen fits the map again, after {:.1f} s", time),
+                           {}});
 }
 
 bool EventWatch::isLarge(double distance, double turn) const {

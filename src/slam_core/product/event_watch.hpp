@@ -23,9 +23,9 @@ struct EventsConfig {
 };
 
 /// Tells what of a step others should know, for every back-end alike: jumps from the pose and the
-/// motion, `lost` and `found` from the report, the rest from the EventReporter. What moves
-/// the pose by no more than the limits of the configuration is no event, unless the robot was put
-/// there.
+/// motion, what concerns the trust in the pose from the report, the rest from the EventReporter.
+/// What moves the pose by no more than the limits of the configuration is no event, unless the
+/// robot was put there.
 class EventWatch {
  public:
   explicit EventWatch(const EventsConfig& config = {}) : config_(config) {}
@@ -41,13 +41,16 @@ class EventWatch {
  private:
   void addOwn(StepReport& report, const Capabilities& backend) const;
   void addJump(StepReport& report) const;
-  void addLost(StepReport& report);
+  void addTrust(StepReport& report);
+  void addLoss(StepReport& report);
   bool isLarge(double distance, double turn) const;
 
   EventsConfig config_;
   std::optional<PoseEstimate> pose_;  ///< of the last step, moved on by odometry
   std::optional<std::string> relocation_;
   std::optional<Stamp> lost_since_;
+  std::optional<Stamp> doubted_;  ///< last
+  Trust trust_ = Trust::kConfident;
 };
 
 }  // namespace slam

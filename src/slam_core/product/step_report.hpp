@@ -9,6 +9,7 @@
 
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/models/trust.hpp"
 
 namespace slam {
 
@@ -28,10 +29,11 @@ struct StepReport {
   std::string odometry_frame, base_frame;
   bool has_motion = true;       ///< else nobody knows where the odometry has the robot
   UpdateStatistics statistics;  ///< of back-ends that map landmarks
-  std::optional<bool> is_lost;  ///< by the back-end's own test or the relocaliser's
-  bool restarted = false;       ///< time began anew with this step
-  bool is_relocated = false;    ///< the robot was put somewhere or a map loaded since the last step
-  std::vector<Event> events;    ///< what others should know of it, in order
+  Trust trust = Trust::kConfident;
+  std::string doubt;          ///< a clause on why the pose is in doubt; else empty
+  bool restarted = false;     ///< time began anew with this step
+  bool is_relocated = false;  ///< the robot was put somewhere or a map loaded since the last step
+  std::vector<Event> events;  ///< what others should know of it, in order
   /// There is none at the first step, and in a product without motion.
   std::optional<Correction> correction;
 

@@ -88,10 +88,10 @@ class ConfidentlyWrong(unittest.TestCase):
 
 class Lost(unittest.TestCase):
 
-    def intervals(self, *kinds, end=100):
+    def intervals(self, *kinds, end=100, state=honesty.LOST):
         """Intervals of events (stamp, kind)."""
         events = [Event(stamp, kind, 0.0, 0.0, "") for stamp, kind in kinds]
-        return honesty.lost_intervals(events, end)
+        return honesty.intervals_of(state, events, end)
 
     def test_lasts_until_the_robot_is_found(self):
         self.assertEqual(self.intervals((10, "lost"), (20, "jump"), (30, "found"), (50, "lost"),
@@ -99,6 +99,12 @@ class Lost(unittest.TestCase):
 
     def test_lasts_to_the_end_where_it_is_not_found(self):
         self.assertEqual(self.intervals((10, "found"), (40, "lost")), [(40, 100)])
+
+    def test_a_doubt_lasts_until_it_ends_or_becomes_a_loss(self):
+        self.assertEqual(
+            self.intervals((10, "doubtful"), (20, "confident"), (30, "doubtful"), (40, "lost"),
+                           (50, "found"), (50, "doubtful"), state=honesty.DOUBTFUL),
+            [(10, 20), (30, 40), (50, 100)])
 
     def test_is_no_time_where_nothing_says_so(self):
         self.assertEqual(self.intervals((10, "jump")), [])
@@ -142,6 +148,7 @@ class Runs(unittest.TestCase):
     def test_both_are_told_in_the_report(self):
         self.assertEqual(KEYS["confidently_wrong_s"].unit, "s")
         self.assertEqual(KEYS["lost_s"].unit, "s")
+        self.assertEqual(KEYS["doubtful_s"].unit, "s")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 
 #include "slam_ros/backend_services.hpp"
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,11 +26,6 @@ bool answer(Response& response, Action&& action) {
   return true;
 }
 
-std::string absolute(const std::string& path) {
-  if (path.empty()) throw std::runtime_error("the request names no file; fill in its path");
-  return std::filesystem::absolute(path).string();
-}
-
 std::string inflated(const slam::LandmarkFile& file) {
   const bool complete = file.map.landmarks.empty() || file.map.joint_covariance.size() > 0;
   return complete ? "" : "; it holds no joint covariance, so the landmarks' own were inflated";
@@ -46,9 +40,10 @@ std::string contents(const slam::LandmarkFile& file, bool has_grid) {
 }  // namespace
 
 BackendServices::BackendServices(ros::NodeHandle handle, std::string map_frame, bool has_grid,
-                                 BackendActions actions)
+                                 MapFolder folder, BackendActions actions)
     : map_frame_(std::move(map_frame)),
       has_grid_(has_grid),
+      folder_(std::move(folder)),
       actions_(std::move(actions)),
       reset_(handle.advertiseService("reset", &BackendServices::reset, this)),
       pause_(handle.advertiseService("pause", &BackendServices::pause, this)),
@@ -79,13 +74,15 @@ bool BackendServices::pause(std_srvs::SetBool::Request& request,
 
 bool BackendServices::save(slam_msgs::SaveMap::Request& request,
                            slam_msgs::SaveMap::Response& response) {
-  return answer(response, [&] { return slam::saveMap(absolute(request.path), actions_.map()); });
+  return answer(response, [&] {
+    return slam::saveMap(folder_.resolveForWriting(request.path), actions_.map());
+  });
 }
 
 bool BackendServices::load(slam_msgs::LoadMap::Request& request,
                            slam_msgs::LoadMap::Response& response) {
   return answer(response, [&] {
-    const auto path = absolute(request.path);
+    const auto path = folder_.resolve(request.path);
     const auto file = slam::loadMap(path, map_frame_, has_grid_);
     const auto status = actions_.load(file);
     if (status.level == slam::Status::Level::kError)
@@ -109,7 +106,7 @@ bool BackendServices::remove(slam_msgs::RemoveLandmark::Request& request,
 bool BackendServices::saveSession(slam_msgs::SaveMap::Request& request,
                                   slam_msgs::SaveMap::Response& response) {
   return answer(response, [&] {
-    const auto path = absolute(request.path);
+    const auto path = folder_.resolveForWriting(request.path);
     slam::writeFileAtomically(path, actions_.session().bytes);
     return "the session is saved in " + path;
   });
@@ -118,7 +115,7 @@ bool BackendServices::saveSession(slam_msgs::SaveMap::Request& request,
 bool BackendServices::loadSession(slam_msgs::LoadMap::Request& request,
                                   slam_msgs::LoadMap::Response& response) {
   return answer(response, [&] {
-    const auto path = absolute(request.path);
+    const auto path = folder_.resolve(request.path);
     const auto status = actions_.take_up({slam::readInputFile(path, "the session")});
     if (status.level == slam::Status::Level::kError)
       throw std::runtime_error("cannot use the session " + path + ": " + status.message);
@@ -130,7 +127,7 @@ bool BackendServices::loadSession(slam_msgs::LoadMap::Request& request,
 bool BackendServices::mergeSession(slam_msgs::LoadMap::Request& request,
                                    slam_msgs::LoadMap::Response& response) {
   return answer(response, [&] {
-    const auto path = absolute(request.path);
+    const auto path = folder_.resolve(request.path);
     const auto status = actions_.merge({slam::readInputFile(path, "the session")});
     if (!status.isOk())
       throw std::runtime_error("cannot use the session " + path + ": " + status.message);

@@ -29,6 +29,8 @@ void ConsistencyPublisher::restart() {
   truth_.reset();
   pending_.clear();
   nees_ = -1.0;
+  trust_ = slam::Trust::kConfident;
+  doubt_.clear();
 }
 
 void ConsistencyPublisher::onTruth(const geometry_msgs::PoseStamped& message) {
@@ -38,7 +40,9 @@ void ConsistencyPublisher::onTruth(const geometry_msgs::PoseStamped& message) {
 }
 
 void ConsistencyPublisher::publish(const slam::StepReport& report) {
-  if (report.trigger != "observations") return;
+  if (!report.hasTrigger()) return;
+  trust_ = report.trust;
+  doubt_ = report.doubt;
   pending_.push_back({messageOf(report), report.stamp, report.pose});
   flush();
 }
@@ -56,6 +60,8 @@ void ConsistencyPublisher::flush() {
 slam_msgs::Consistency ConsistencyPublisher::messageOf(const slam::StepReport& report) const {
   slam_msgs::Consistency message;
   message.header.stamp = toRos(report.stamp);
+  message.trust = slam::nameOf(report.trust, slam::namesOfTrust());
+  message.doubt = report.doubt;
   message.nis = report.statistics.nis;
   message.nis_dof = static_cast<std::uint32_t>(report.statistics.nis_dof);
   message.nis_mean = monitor_.nisMean();
@@ -75,11 +81,16 @@ void ConsistencyPublisher::fill(diagnostic_updater::DiagnosticStatusWrapper& sta
   using diagnostic_msgs::DiagnosticStatus;
   const auto finding = monitor_.finding();
   const bool is_faulty = monitor_.fault() != slam::ConsistencyMonitor::Fault::kNone;
-  if (!finding.empty())
+  if (trust_ == slam::Trust::kLost)
+    status.summary(DiagnosticStatus::ERROR, "the robot is lost: " + doubt_);
+  else if (trust_ == slam::Trust::kDoubtful)
+    status.summary(DiagnosticStatus::WARN, "the pose is in doubt: " + doubt_);
+  else if (!finding.empty())
     status.summary(is_faulty ? DiagnosticStatus::WARN : DiagnosticStatus::OK, finding);
   else
     status.summary(DiagnosticStatus::OK,
                    monitor_.updates() == 0 ? "nothing to judge by" : "as wrong as it says");
+  status.add("trust", slam::nameOf(trust_, slam::namesOfTrust()));
   status.add("updates", monitor_.updates());
   status.add("NIS per degree of freedom", monitor_.nisMean());
   for (const auto source : kSources)

@@ -57,7 +57,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
                    slam::JumpLimit::Limits{frames.jump_limit, frames.jump_limit_heading});
   outputs_->refresh();
   consistency_.emplace(handles.product, *diagnostics_, estimator().consistency());
-  services_.emplace(handles.product, map_frame_, makes_grid, actions());
+  services_.emplace(handles.product, map_frame_, makes_grid,
+                    MapFolder(settings.read<FilesConfig>()), actions());
   localisation_.emplace(handles.product, map_frame_, localisationActions());
   connect(handles.product, settings, inputs);
   start_.emplace([this, handle = handles.product] { subscribe(handle); });

@@ -215,7 +215,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     if (report->hasTrigger()) {
       metrics_.addUpdate(time);
       metrics_.addLatency(report->stamp, time);
-      if (report->is_lost) metrics_.addLost(report->stamp, *report->is_lost);
+      metrics_.addTrust(report->stamp, report->trust);
     }
     metrics_.addEvents(*report);
     writer.write(*report);
@@ -230,14 +230,17 @@ void OfflineRun::warn(const std::string& sentence, bool is_urgent) {
 }
 
 void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
-  if (writer.lines() > 0) return;
+  if (metrics_.updates() > 0) return;
+  const std::string what =
+      writer.lines() == 0 ? "no step could be taken: "
+                          : "nothing that the sensors saw could be used, and odometry alone is no "
+                            "result: ";
   for (const auto& found : inputs_->found())
     if (const auto lacking = found.input->lacking(); !lacking.empty())
-      throw std::runtime_error("no step could be taken: " + lacking);
+      throw std::runtime_error(what + lacking);
   throw std::runtime_error(
-      fmt::format("no step could be taken: no observation or scan of the bag {} has a stamp that "
-                  "its odometry covers",
-                  bag_.path()));
+      fmt::format("{}no observation or scan of the bag {} has a stamp that its odometry covers",
+                  what, bag_.path()));
 }
 
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {

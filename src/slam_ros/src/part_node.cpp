@@ -17,7 +17,7 @@ PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
   topics_ = context.topics;
   diagnostics_.emplace(handles.product, handles.own, handles.name,
                        Diagnostics::Sources{[this] { return part_.counters(); },
-                                            [this] { return inputs_ ? inputs_->waiting() : ""; },
+                                            [this] { return waiting(); },
                                             [this] { return figures(); }});
   context.pass = pass();
   context.put = [this](const auto& port, auto kind, const auto* value, const auto& topic) {
@@ -44,11 +44,19 @@ void PartNode::reset() {
 
 void PartNode::take(const std::string& port, slam::Kind kind, const void* value,
                     const std::string& topic) {
+  const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
+  if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
   if (clock_.hasJumpedBack()) reset();
   arrival_ = inputs_->of(port, kind).arrival();
   part_.put(port, kind, value);
   diagnostics_->report(topic, part_.execute());
   if (on_taken) on_taken(kind, value);
+}
+
+std::string PartNode::waiting() const {
+  if (!inputs_) return "";
+  const auto wait = inputs_->waiting();
+  return wait.empty() ? silence_.sentence(SilenceWatch::Clock::now()) : wait;
 }
 
 Diagnostics::Values PartNode::figures() const {

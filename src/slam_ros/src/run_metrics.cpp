@@ -55,23 +55,25 @@ std::optional<double> meanEntropy(const slam::OccupancyGrid& grid) {
   return sum / static_cast<double>(known);
 }
 
-void LostTime::add(slam::Stamp stamp, bool is_lost) {
-  if (was_lost_ && stamp > last_) lost_ += stamp - last_;
-  if (is_lost && !was_lost_) {
+void AlarmTime::add(slam::Stamp stamp, bool holds) {
+  if (held_ && stamp > last_) time_ += stamp - last_;
+  if (holds && !held_) {
     ++alarms_;
     if (!first_) first_ = slam::seconds(stamp - start_);
   }
-  was_lost_ = is_lost;
+  held_ = holds;
   last_ = std::max(last_, stamp);
 }
 
-double LostTime::share() const {
-  return last_ > start_ ? slam::seconds(lost_) / slam::seconds(last_ - start_) : 0.0;
+double AlarmTime::share() const {
+  return last_ > start_ ? slam::seconds(time_) / slam::seconds(last_ - start_) : 0.0;
 }
 
-void RunMetrics::addLost(slam::Stamp stamp, bool is_lost) {
+void RunMetrics::addTrust(slam::Stamp stamp, slam::Trust trust) {
   if (!lost_) lost_.emplace(stamp);
-  lost_->add(stamp, is_lost);
+  if (!doubtful_) doubtful_.emplace(stamp);
+  lost_->add(stamp, trust == slam::Trust::kLost);
+  doubtful_->add(stamp, trust == slam::Trust::kDoubtful);
 }
 
 void RunMetrics::addEvents(const slam::StepReport& report) {
@@ -110,6 +112,7 @@ std::string RunMetrics::toJson(slam::Duration data_time, std::uint64_t dropped_m
     metrics["lost_alarms"] = lost_->alarms();
     if (lost_->first()) metrics["lost_first_s"] = *lost_->first();
     metrics["lost_share_of_time"] = lost_->share();
+    metrics["doubtful_share_of_time"] = doubtful_->share();
   }
   metrics["events"] = events_;
   if (largest_jump_) metrics["largest_jump_m"] = *largest_jump_;

@@ -39,7 +39,7 @@ void RunRecorder::write(const slam::StepReport& report, RunMetrics::Clock::durat
   }
   if (report.hasTrigger()) metrics_->addUpdate(time);
   metrics_->addEvents(report);
-  if (report.hasTrigger() && report.is_lost) metrics_->addLost(report.stamp, *report.is_lost);
+  if (report.hasTrigger()) metrics_->addTrust(report.stamp, report.trust);
   last_stamp_ = report.stamp;
   if (writer_) attempt([&] { writer_->write(report); });
 }

@@ -49,8 +49,8 @@ TEST(ScaleDoubt, GrowsWithTheDistanceFromWhereTheMapBegan) {
   const auto doubt = doubtAfter(1.2, 0.1, 0.0);
   EXPECT_TRUE(covarianceOf(doubt.beyondNoise(), {0, 0}).topLeftCorner(2, 2).isZero());
   const auto P = covarianceOf(doubt.beyondNoise(), {10, 0});
-  EXPECT_NEAR(std::sqrt(P(0, 0)), 2.0, 1e-6) << "a fifth of 10 m along the line of sight";
-  EXPECT_NEAR(std::sqrt(P(1, 1)), 1.0, 1e-6) << "0.1 rad at 10 m across it";
+  EXPECT_NEAR(P(0, 0), 4.0 + 0.25, 1e-6) << "a fifth of 10 m along the line of sight";
+  EXPECT_NEAR(P(1, 1), 1.0 + 1.0, 1e-6) << "0.1 rad at 10 m across it, and each a half of both";
   EXPECT_NEAR(std::sqrt(P(2, 2)), 0.1, 1e-6);
   EXPECT_TRUE(P.isApprox(P.transpose()));
 }

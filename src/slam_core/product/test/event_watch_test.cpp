@@ -31,16 +31,16 @@ class EventWatchTest : public testing::Test {
   void SetUp() override { backend.offer<EventReporter>(account); }
 
   /// A step after 0.1 m ahead, whose pose is off by so much [m].
-  StepReport step(double off, std::optional<bool> is_lost = {}) {
+  StepReport step(double off, Trust trust = Trust::kConfident) {
     Motion motion;
     motion.increment = {0.1, 0, 0};
     motion.covariance = 1e-4 * Eigen::Matrix3d::Identity();
     watch.predict(motion);
-    report.stamp += std::chrono::seconds(1);
+    report.stamp += interval;
     report.events.clear();
     x += 0.1 + off;
     report.pose = {Pose2(x, 0, 0), variance * Eigen::Matrix3d::Identity()};
-    report.is_lost = is_lost;
+    report.trust = trust;
     watch.complete(report, backend);
     return report;
   }
@@ -50,6 +50,7 @@ class EventWatchTest : public testing::Test {
   EventWatch watch;
   StepReport report;
   double x = 0.0, variance = 1e-4;
+  Duration interval = std::chrono::seconds(1);
 };
 
 TEST_F(EventWatchTest, SaysNothingOfSmallCorrections) {
@@ -104,13 +105,38 @@ TEST_F(EventWatchTest, ReportsLoopsThatMovedThePoseAndThoseTakenBack) {
 TEST_F(EventWatchTest, ReportsThatTheRobotIsLostAndFoundOnceEach) {
   std::vector<EventKind> kinds;
   std::string reason;
-  for (const bool is_lost : {false, true, true, true, false, false})
-    for (const auto& event : step(0.0, is_lost).events) {
+  const auto well = Trust::kConfident, lost = Trust::kLost;
+  for (const auto trust : {well, lost, lost, lost, well, well})
+    for (const auto& event : step(0.0, trust).events) {
       kinds.push_back(event.kind);
       reason = event.reason;
     }
   EXPECT_EQ(kinds, (std::vector<EventKind>{EventKind::kLost, EventKind::kFound}));
   EXPECT_NE(reason.find("after 3.0 s"), std::string::npos) << reason;
+}
+
+TEST_F(EventWatchTest, ReportsADoubtAndItsEndOnceEach) {
+  std::vector<EventKind> kinds;
+  const auto well = Trust::kConfident, doubt = Trust::kDoubtful, lost = Trust::kLost;
+  report.doubt = "something";
+  for (const auto trust : {well, doubt, doubt, well, well, doubt, lost, lost, doubt, well})
+    for (const auto& event : step(0.0, trust).events) {
+      kinds.push_back(event.kind);
+      if (event.kind == EventKind::kDoubtful) EXPECT_EQ(event.reason, "something");
+    }
+  using Kind = EventKind;
+  EXPECT_EQ(kinds,
+            (std::vector<EventKind>{Kind::kDoubtful, Kind::kConfident, Kind::kDoubtful, Kind::kLost,
+                                    Kind::kFound, Kind::kDoubtful, Kind::kConfident}));
+}
+
+TEST_F(EventWatchTest, HoldsADoubtForASecond) {
+  interval = std::chrono::milliseconds(300);
+  std::vector<Trust> trusts;
+  const auto well = Trust::kConfident, doubt = Trust::kDoubtful;
+  for (const auto trust : {well, doubt, well, well, well, well})
+    trusts.push_back(step(0.0, trust).trust);
+  EXPECT_EQ(trusts, (std::vector<Trust>{well, doubt, doubt, doubt, doubt, well}));
 }
 
 TEST(EventsConfig, RefusesLimitsBelowZero) {

@@ -17,6 +17,7 @@
 #include "slam_core/common/status.hpp"
 #include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
+#include "slam_ros/map_folder.hpp"
 
 namespace slam_ros {
 
@@ -37,7 +38,7 @@ struct BackendActions {
 class BackendServices {
  public:
   /// @param has_grid whether the back-end's map has a grid
-  BackendServices(ros::NodeHandle handle, std::string map_frame, bool has_grid,
+  BackendServices(ros::NodeHandle handle, std::string map_frame, bool has_grid, MapFolder folder,
                   BackendActions actions);
 
  private:
@@ -54,6 +55,7 @@ class BackendServices {
 
   std::string map_frame_;
   bool has_grid_;
+  MapFolder folder_;
   BackendActions actions_;
   ros::ServiceServer reset_, pause_, save_, load_, remove_;
   ros::ServiceServer save_session_, load_session_, merge_session_;

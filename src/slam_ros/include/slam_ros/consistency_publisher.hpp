@@ -49,7 +49,9 @@ class ConsistencyPublisher {
   const slam::ConsistencyMonitor& monitor_;
   TruthComparison truth_;
   std::deque<Pending> pending_;
-  double nees_ = -1.0;  ///< the newest one
+  double nees_ = -1.0;                           ///< the newest one
+  slam::Trust trust_ = slam::Trust::kConfident;  ///< after the last step
+  std::string doubt_;
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
 };

@@ -14,6 +14,7 @@
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/latency_window.hpp"
 #include "slam_ros/part_inputs.hpp"
+#include "slam_ros/silence_watch.hpp"
 
 namespace slam_ros {
 
@@ -53,6 +54,7 @@ class PartNode {
 
  private:
   void take(const std::string& port, slam::Kind kind, const void* value, const std::string& topic);
+  std::string waiting() const;
   Diagnostics::Values figures() const;
 
   slam::MetaCoordinator part_;
@@ -60,6 +62,7 @@ class PartNode {
   ClockWatch clock_;
   LatencyWindow latency_;
   LatencyWindow::Clock::time_point arrival_;  ///< of the last input, by the wall
+  SilenceWatch silence_;
   std::optional<Diagnostics> diagnostics_;
   std::optional<PartInputs> inputs_;
 };

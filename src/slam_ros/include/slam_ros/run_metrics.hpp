@@ -25,11 +25,11 @@ double percentile(std::vector<double> values, double share);
 /// for a grid that knows no cell.
 std::optional<double> meanEntropy(const slam::OccupancyGrid& grid);
 
-/// When a back-end took the robot for lost.
-class LostTime {
+/// When something held: that the robot was lost, or its pose in doubt.
+class AlarmTime {
  public:
-  explicit LostTime(slam::Stamp start) : start_(start), last_(start) {}
-  void add(slam::Stamp stamp, bool is_lost);
+  explicit AlarmTime(slam::Stamp start) : start_(start), last_(start) {}
+  void add(slam::Stamp stamp, bool holds);
 
   std::size_t alarms() const { return alarms_; }
   /// Of the first alarm, since the first step [s]; nothing without one.
@@ -39,9 +39,9 @@ class LostTime {
 
  private:
   slam::Stamp start_, last_;
-  slam::Duration lost_{};
+  slam::Duration time_{};
   std::size_t alarms_ = 0;
-  bool was_lost_ = false;
+  bool held_ = false;
   std::optional<double> first_;
 };
 
@@ -57,9 +57,8 @@ class RunMetrics {
     update_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
   }
   std::size_t updates() const { return update_ms_.size(); }
-  /// Whether the back-end takes the robot for lost after the step of this stamp, for those that
-  /// test it.
-  void addLost(slam::Stamp stamp, bool is_lost);
+  /// How far the pose can be relied on after the step of this stamp.
+  void addTrust(slam::Stamp stamp, slam::Trust trust);
   /// Counts the events of a step and notes how far it moved the pose.
   void addEvents(const slam::StepReport& report);
   /// Work on what makes a step of this stamp, before it is due: an image's, a scan's.
@@ -81,7 +80,7 @@ class RunMetrics {
   std::vector<double> update_ms_, latency_ms_;
   std::map<slam::Stamp, Clock::duration> front_end_;
   std::optional<double> map_entropy_;
-  std::optional<LostTime> lost_;
+  std::optional<AlarmTime> lost_, doubtful_;
   std::size_t events_ = 0;
   std::optional<double> largest_jump_;  ///< [m]
 };

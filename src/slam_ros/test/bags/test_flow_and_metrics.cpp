@@ -36,22 +36,24 @@ TEST(MeanEntropy, IsOfTheKnownCellsOnly) {
   EXPECT_NE(metrics.toJson(slam::Duration(1), 0).find("map_entropy_bits"), std::string::npos);
 }
 
-TEST(LostTime, CountsAlarmsAndTheTimeThatTheyLast) {
+TEST(AlarmTime, CountsAlarmsAndTheTimeThatTheyLast) {
   RunMetrics metrics;
   const auto json = [&] { return nlohmann::json::parse(metrics.toJson(slam::Duration(1), 0)); };
-  EXPECT_FALSE(json().contains("lost_alarms")) << "of back-ends that do not test it";
+  EXPECT_FALSE(json().contains("lost_alarms")) << "before the first step";
   const auto at = [](int s) { return slam::stampFromNanoseconds(s * 1000000000LL); };
-  metrics.addLost(at(100), false);
+  using slam::Trust;
+  metrics.addTrust(at(100), Trust::kConfident);
   EXPECT_EQ(json()["lost_alarms"], 0);
   EXPECT_FALSE(json().contains("lost_first_s"));
   EXPECT_EQ(json()["lost_share_of_time"], 0.0);
-  for (const int s : {102, 103, 104}) metrics.addLost(at(s), true);
-  metrics.addLost(at(106), false);
-  metrics.addLost(at(109), true);
-  metrics.addLost(at(110), true);
+  for (const int s : {102, 103, 104}) metrics.addTrust(at(s), Trust::kLost);
+  metrics.addTrust(at(106), Trust::kDoubtful);
+  metrics.addTrust(at(109), Trust::kLost);
+  metrics.addTrust(at(110), Trust::kLost);
   EXPECT_EQ(json()["lost_alarms"], 2);
   EXPECT_DOUBLE_EQ(json()["lost_first_s"], 2.0);
   EXPECT_DOUBLE_EQ(json()["lost_share_of_time"], 0.5);
+  EXPECT_DOUBLE_EQ(json()["doubtful_share_of_time"], 0.3);
 }
 
 TEST(FlowWindow, IsFullForOneInputOnlyUntilAcknowledged) {

@@ -108,27 +108,45 @@ TEST_F(ScanBags, TheOnlyScansThereAreAreFoundAlthoughTheRobotCallsThemOtherwise)
   EXPECT_TRUE(contains(inputs.notes()[0], "/scan is the input scan")) << inputs.notes()[0];
 }
 
-TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
-  const auto path = bag([](auto& maker) {
-    maker.add("/tf_static", 0, test::transform("base_link", "laser", 0));
-    for (int i = 0; i < 10; ++i) {
-      auto scan = scanAt(0.1 * i);
-      scan.header.frame_id = i < 7 && i != 3 ? "laser" : "nowhere";
-      scan.angle_min = -0.1f;
-      scan.angle_max = scan.angle_increment = 0.1f;
-      scan.range_max = 8.0f;
-      maker.add("/scan", 0.1 * i, scan);
-    }
-  });
+/// Runs a grid product on ten scans of these frames, of which only `laser` has a mount; odometry
+/// comes with them. @return the exit status
+int runOnScans(const test::Folder& folder, const std::string& bag) {
   const auto product = folder.write("product.yaml",
                                     "{version: 1, product: test, backend: pf, map: grid, "
                                     "pf: {particles: 3}}");
   const auto command = std::string(SLAM_OFFLINE) + " " + product + " --robot " +
-                       folder.write("robot.yaml", "{version: 1, robot: test}") + " --bag " + path +
-                       " --out " + (folder / "run") + " > " + (folder / "stdout");
-  ASSERT_EQ(std::system(command.c_str()), 0);
+                       folder.write("robot.yaml", "{version: 1, robot: test}") + " --bag " + bag +
+                       " --out " + (folder / "run") + " > " + (folder / "stdout") + " 2>&1";
+  return std::system(command.c_str());
+}
+
+void addScan(BagMaker& maker, double time, const std::string& frame) {
+  auto scan = scanAt(time);
+  scan.header.frame_id = frame;
+  scan.angle_min = -0.1f;
+  scan.angle_max = scan.angle_increment = 0.1f;
+  scan.range_max = 8.0f;
+  maker.add("/scan", time, scan);
+}
+
+TEST_F(ScanBags, CountsTheScansThatWaitForTheirMountAtTheEnd) {
+  const auto path = bag([](auto& maker) {
+    maker.add("/tf_static", 0, test::transform("base_link", "laser", 0));
+    for (int i = 0; i < 10; ++i) addScan(maker, 0.1 * i, i < 7 && i != 3 ? "laser" : "nowhere");
+  });
+  ASSERT_EQ(runOnScans(folder, path), 0);
   EXPECT_TRUE(contains(folder.read("stdout"), "run: 7 poses")) << folder.read("stdout");
   EXPECT_TRUE(contains(folder.read("stdout"), "laser_no_mount 4")) << folder.read("stdout");
+}
+
+TEST_F(ScanBags, FailsWhereNoScanHasAMountAlthoughThereIsOdometry) {
+  const auto path = bag([](auto& maker) {
+    for (int i = 0; i < 10; ++i) addScan(maker, 0.1 * i, "nowhere");
+  });
+  EXPECT_NE(runOnScans(folder, path), 0);
+  EXPECT_TRUE(contains(folder.read("stdout"), "odometry alone is no result"))
+      << folder.read("stdout");
+  EXPECT_TRUE(contains(folder.read("stdout"), "nowhere"));
 }
 
 /// Of which the odometry source makes motion of scans.

@@ -9,10 +9,15 @@ import importlib.util
 import io
 import os
 import pathlib
+import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+import unittest.mock
+
+import rosgraph
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "slam_run"
 
@@ -187,6 +192,45 @@ class Online(unittest.TestCase):
                                            "--online"])
         with self.assertRaisesRegex(slam_run.RunError, "there is no such file"):
             slam_run.run_online(chosen)
+
+    def test_leaves_the_time_of_a_running_master_as_it_was(self):
+        with running_master() as master:
+            for before in (None, False, True):
+                if before is not None:
+                    master.setParam("/use_sim_time", before)
+                with slam_run.kept_time():
+                    master.setParam("/use_sim_time", True)
+                self.assertEqual(master.hasParam("/use_sim_time"), before is not None)
+                if before is not None:
+                    self.assertEqual(master.getParam("/use_sim_time"), before)
+
+    def test_needs_no_running_master(self):
+        with unittest.mock.patch.dict(os.environ, ROS_MASTER_URI=f"http://localhost:{free_port()}"):
+            with slam_run.kept_time():
+                pass
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+@contextlib.contextmanager
+def running_master():
+    """Starts a master; gives access to it."""
+    port = free_port()
+    with unittest.mock.patch.dict(os.environ, ROS_MASTER_URI=f"http://localhost:{port}"):
+        process = subprocess.Popen(["rosmaster", "--core", "-p", str(port)],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            master = rosgraph.Master("/test")
+            while not master.is_online():
+                time.sleep(0.05)
+            yield master
+        finally:
+            process.terminate()
+            process.wait()
 
 
 if __name__ == "__main__":

@@ -11,7 +11,8 @@ from slam_eval.io.landmarks import match_by_id
 from slam_eval.io.trajectory import at_stamps, interpolate
 from slam_eval.metrics.chi_square import two_sided_bounds
 from slam_eval.metrics.drift import Drift, segment_drift
-from slam_eval.metrics.honesty import position_claim, PositionClaim, seconds_lost, truth_in_map
+from slam_eval.metrics.honesty import (
+    DOUBTFUL, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
 from slam_eval.metrics.map_agreement import MapAgreement
 from slam_eval.metrics.relations import RelationErrors
 
@@ -200,7 +201,8 @@ def _collect(run, result):
         "nees_mean": result.consistency and float(np.mean(result.consistency.nees)),
         "nis_mean": None if run.updates is None else nis_mean(run.updates),
         "confidently_wrong_s": result.claim and result.claim.seconds_wrong,
-        "lost_s": seconds_lost(run),
+        "lost_s": seconds_in(LOST, run),
+        "doubtful_s": seconds_in(DOUBTFUL, run),
         **(result.relations.metrics if result.relations else {}),
         **(result.agreement.metrics if result.agreement else {}),
         "map_area_m2": run.grid and run.grid.known_area,

@@ -82,14 +82,20 @@ def position_claim(trajectory, updates, truth):
                          durations(trajectory.stamps))
 
 
-def lost_intervals(events, end):
-    """(from, to) [ns] of each time for which the events report the robot as lost; the last one
-    lasts until `end` [ns] where the robot was not found again."""
+# of the events: what begins a time and what ends it
+LOST = ("lost", ("found",))
+DOUBTFUL = ("doubtful", ("confident", "lost"))
+
+
+def intervals_of(state, events, end):
+    """(from, to) [ns] of each time for which the events report the robot in a state; the last one
+    lasts until `end` [ns] where nothing ended it."""
+    begins, ends = state
     intervals, since = [], None
     for event in events:
-        if event.kind == "lost" and since is None:
+        if event.kind == begins and since is None:
             since = event.stamp
-        elif event.kind == "found" and since is not None:
+        elif event.kind in ends and since is not None:
             intervals.append((since, event.stamp))
             since = None
     if since is not None:
@@ -97,12 +103,12 @@ def lost_intervals(events, end):
     return intervals
 
 
-def seconds_lost(run):
-    """Time for which a run reported its robot as lost [s]; None where it has no events, or where
+def seconds_in(state, run):
+    """Time for which a run reported its robot in a state [s]; None where it has no events, or where
     its product cannot tell."""
     if run.events is None:
         return None
-    intervals = lost_intervals(run.events, int(run.trajectory.stamps[-1]))
+    intervals = intervals_of(state, run.events, int(run.trajectory.stamps[-1]))
     if not intervals and "lost_alarms" not in run.metrics:
         return None
     return sum(end - start for start, end in intervals) / NANOSECONDS

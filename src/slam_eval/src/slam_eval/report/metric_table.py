@@ -134,6 +134,9 @@ KEYS = {
     "lost_s": Key(
         "Time lost", "s", ".2f",
         "Time for which the run reported the robot as lost, by its events.", "Consistency", True),
+    "doubtful_s": Key(
+        "Time in doubt", "s", ".2f",
+        "Time for which the run reported the pose as doubtful, by its events.", "Consistency"),
     "lost_alarms": Key(
         "Alarms that the robot is lost", "", "d",
         "How often the scans told that the pose is lost or the map wrong.", "Consistency"),
@@ -143,10 +146,13 @@ KEYS = {
     "lost_share_of_time": Key(
         "Share of time lost", "", ".4f",
         "Share of the run's time for which such an alarm lasted.", "Consistency"),
+    "doubtful_share_of_time": Key(
+        "Share of time in doubt", "", ".4f",
+        "Share of the run's time for which something spoke against the pose.", "Consistency"),
     "events": Key(
         "Events", "", "d",
         "Jumps, loops that moved the pose or were taken back, and times at which the robot was "
-        "lost or found.", "Consistency"),
+        "lost or found, or its pose in doubt.", "Consistency"),
     "largest_jump_m": Key(
         "Largest jump", "m", ".3f",
         "By how much one step moved the pose at most, beyond what odometry says.", "Consistency"),

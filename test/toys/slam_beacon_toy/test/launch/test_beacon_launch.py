@@ -86,7 +86,8 @@ class BeaconLaunch(ReplayOfProduct, unittest.TestCase):
         self.assertIn("lacks ranges to beacons: 'beacons' (slam_beacon_toy/BeaconRanges)", output)
 
     def test_says_that_there_is_no_map_to_save(self):
-        launch, environment = start_launch(f"product:={self.product}", "robot:=sim_segway")
+        launch, environment = start_launch(f"product:={self.product}", "robot:=sim_segway",
+                                           "unsafe_paths:=true")
         try:
             subprocess.run(["timeout", "60", "bash", "-c",
                             "until rosservice info save_map; do sleep 0.5; done"],

@@ -8,7 +8,7 @@ import numpy as np
 
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.metrics.evaluation import evaluate
-from slam_eval.metrics.honesty import lost_intervals
+from slam_eval.metrics.honesty import intervals_of, LOST
 
 SETTLE = 5.0  # after the fault began: from then on the pose is judged [s]
 SECOND = 10**9
@@ -54,7 +54,7 @@ def judge(run, begin, start=None):
         nees = float(np.median(values)) if len(values) else None
     if result.unaligned is None:
         raise BenchError("fewer than two poses of the run have truth")
-    intervals = lost_intervals(run.events or [], int(stamps[-1]))
+    intervals = intervals_of(LOST, run.events or [], int(stamps[-1]))
     told, lost = lost_since(intervals, fault)
     return Outcome(result.unaligned.rmse, result.unaligned.max, nees,
                    result.claim and result.claim.share_wrong(settled), told, lost,

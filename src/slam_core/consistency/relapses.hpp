@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "slam_core/common/time.hpp"
+
+namespace slam {
+
+/// A robot that is lost again soon after it was found has been found at a wrong place: the map is
+/// no longer true, or several places look alike. The next place may be as wrong. It is on probation
+/// for one second, and for twice as long after each further relapse (exponential backoff).
+class Relapses {
+ public:
+  /// To be called after each step.
+  void judge(bool is_lost, const Eigen::Vector2d& robot, Stamp stamp);
+  /// Whether the robot was found, and the place is yet to prove right.
+  bool isOnProbation() const { return on_probation_until_.has_value(); }
+  int count() const { return count_; }
+  /// How far the places lie apart at which it was found, at least half a metre [m].
+  double extent() const;
+
+ private:
+  void lose(Stamp stamp);
+  void find(const Eigen::Vector2d& robot, Stamp stamp);
+
+  bool is_lost_ = false;
+  int count_ = 0;              ///< of relapses, one soon after the other
+  double largest_jump_ = 0.0;  ///< with which the robot was found, since the first relapse [m]
+  Eigen::Vector2d robot_ = Eigen::Vector2d::Zero();  ///< after the last step
+  std::optional<Stamp> found_;                       ///< the last time
+  std::optional<Stamp> on_probation_until_;
+};
+
+}  // namespace slam

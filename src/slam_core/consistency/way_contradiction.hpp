@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+
+#include "slam_core/models/motion.hpp"
+
+namespace slam {
+
+/// Notices that the odometry and the back-end, which follows its sensors, report motions that
+/// exclude each other: the one moves where the other stands still, or turns to the other side. Then
+/// wheels slip or stand, or a laser repeats its scans or reverses its beams, and nothing tells
+/// which of the two is right. The robot is where the one or the other leads, and the distance
+/// between the two is how far the pose may be wrong.
+///
+/// The motions are compared in pieces of 0.3 m, and their turns in pieces of 0.3 rad or 1.5 m. A
+/// wrong scale is no contradiction (ScaleDoubt), nor is one correction, however large.
+class WayContradiction {
+ public:
+  /// To be called for each step.
+  /// @param odometry since the last step, with its covariance
+  /// @param estimated the back-end's increment, in the robot's frame before it
+  void add(const Motion& odometry, const Pose2& estimated);
+
+  /// Whether several pieces in a row were contradictory, and not many have agreed since.
+  bool isEvident() const { return ways_.isEvident() || turns_.isEvident(); }
+  /// How far the robot by odometry may be from where the back-end has it, by what both have added
+  /// up to since the contradiction began, and by the odometry's noise: standard deviations. 0 where
+  /// there is no contradiction.
+  struct Distance {
+    double position = 0.0;  ///< [m]
+    double heading = 0.0;   ///< [rad]
+  };
+  Distance apart() const;
+
+ private:
+  /// The same piece of the way by both.
+  struct Piece {
+    Motion odometry;
+    Pose2 estimated;
+
+    void add(const Motion& next, const Pose2& next_estimated);
+  };
+  /// Judges one piece after the other, by the way or by the turn.
+  class Comparison {
+   public:
+    using Verdict = bool (*)(const Piece&);
+    /// @param is_complete whether a piece is long enough @param is_contradictory judges it
+    Comparison(Verdict is_complete, Verdict is_contradictory)
+        : is_complete_(is_complete), is_contradictory_(is_contradictory) {}
+
+    void add(const Motion& odometry, const Pose2& estimated);
+    bool isEvident() const { return is_evident_; }
+    /// The last complete piece where it is contradictory, up to the next one.
+    const std::optional<Piece>& contradictory() const { return contradictory_; }
+
+   private:
+    Verdict is_complete_, is_contradictory_;
+    std::optional<Piece> piece_;
+    std::optional<Piece> contradictory_;
+    int in_a_row_ = 0, agreeing_ = 0;  ///< contradictory pieces, and others, up to the last one
+    bool is_evident_ = false;
+  };
+
+  static bool isWay(const Piece& piece);
+  static bool isTurn(const Piece& piece);
+  static bool haveContradictoryWays(const Piece& piece);
+  static bool haveContradictoryTurns(const Piece& piece);
+
+  Comparison ways_{isWay, haveContradictoryWays}, turns_{isTurn, haveContradictoryTurns};
+  std::optional<Piece> since_;  ///< the first contradictory piece, and all that followed
+};
+
+}  // namespace slam
