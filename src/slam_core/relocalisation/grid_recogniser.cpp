@@ -31,18 +31,20 @@ GridRecogniser::GridRecogniser(const RelocalisationConfig& config,
     : config_(config),
       grid_config_(grid),
       matcher_(matcher),
-      local_(grid, matcher, config.local_way) {}
+      local_(grid, matcher, config.local_way),
+      trials_(config.odds) {}
 
 void GridRecogniser::see(const LaserScan& scan) {
-  constexpr double kMost = 2.0;  // times what is enough, so that a refuted place is given up soon
-  if (local_.take(scan) && trial_)
-    trial_->see(local_.kept().back(), map_->view(), matcher_, kMost * enough());
+  if (local_.take(scan) && map_) {
+    trials_.see(local_.kept().back(), map_->view(), matcher_);
+    if (!confirmed_at_ && trials_.hasEnough()) is_due_ = true;
+  }
   has_news_ = true;
 }
 
 void GridRecogniser::forget() {
   local_.forget();
-  trial_.reset();
+  trials_.forget();
   confirmed_at_.reset();
   searched_ = 0.0;
   has_news_ = false;
@@ -59,18 +61,16 @@ void GridRecogniser::begin(const OccupancyGrid& grid, const std::optional<Pose2>
   box_.extend(grid.origin);
   box_.extend(grid.origin + grid.resolution * Eigen::Vector2d(grid.width, grid.height));
   saved_ = saved;
-  trial_.reset();
+  trials_.forget();
   confirmed_at_.reset();
   is_due_ = true;
 }
 
 void GridRecogniser::end() {
   map_.reset();
-  trial_.reset();
+  trials_.forget();
   confirmed_at_.reset();
 }
-
-double GridRecogniser::enough() const { return std::log(config_.odds); }
 
 bool GridRecogniser::isDue() const {
   if (!has_news_ || local_.isEmpty()) return false;
@@ -81,26 +81,48 @@ std::optional<Recognition> GridRecogniser::find() {
   if (!isDue()) return std::nullopt;
   is_due_ = has_news_ = false;
   searched_ = local_.way();
-  const auto match = matcher_.recogniseAnywhere(map_->view(), local_.together(), box_);
-  if (!match) return Recognition();
+  const auto scans = local_.together();
+  const auto best = matcher_.bestAnywhere(map_->view(), scans, box_);
+  if (!best) return Recognition();
   using Verdict = Recognition::Verdict;
-  return Recognition{confirms(match->pose) ? Verdict::kConfirmed : Verdict::kLikely,
-                     estimateOf(*match)};
+  const auto verdict = weigh(*best, scans);
+  if (verdict == Verdict::kNothing || verdict == Verdict::kAmbiguous)
+    return Recognition{verdict, {}};
+  if (verdict == Verdict::kConfirmed) trials_.keepOnly(best->pose, local_.robot());
+  return Recognition{verdict, estimateOf(*best)};
 }
 
-bool GridRecogniser::confirms(const Pose2& place) {
+/// A place on trial that the evidence speaks for may explain less of the scans than one that goes
+/// on trial: walls and furniture may have been moved.
+Recognition::Verdict GridRecogniser::weigh(const scan_matching::Match& best,
+                                           const scan_matching::ScanLevels& scans) {
+  using Verdict = Recognition::Verdict;
+  constexpr double kExplained = 0.75, kExplainedOnTrial = 0.5;  // of all ends
+  constexpr double kBetterThanRival = 0.1;                      // surplus, of all ends
   const auto& robot = local_.robot();
-  if (!trial_ || !areOnePlace(trial_->placeOf(robot), place)) {
-    const bool is_saved = saved_ && areOnePlace(*saved_ * robot, place);
-    trial_.emplace(place * robot.inverse(), local_.kept(), is_saved ? enough() : 0.0);
-  }
-  return trial_->evidence() >= enough();
+  const auto ends = static_cast<double>(scans[0].ends.size());
+  const bool is_enough = trials_.isEnoughFor(best.pose, robot);
+  if (best.agreement.agreeing <= (is_enough ? kExplainedOnTrial : kExplained) * ends)
+    return Verdict::kNothing;
+  const auto rival = matcher_.rivalAnywhere(best, map_->view(), scans, box_);
+  const bool is_only =
+      !rival || best.agreement.surplus() - rival->agreement.surplus() > kBetterThanRival * ends;
+  trials_.lead(best.pose, robot, local_.kept(), isSaved(best.pose));
+  if (is_only)
+    return trials_.isEnoughFor(best.pose, robot) ? Verdict::kConfirmed : Verdict::kLikely;
+  trials_.lead(rival->pose, robot, local_.kept(), isSaved(rival->pose));
+  return Verdict::kAmbiguous;
+}
+
+bool GridRecogniser::isSaved(const Pose2& place) const {
+  return saved_ && areOnePlace(*saved_ * local_.robot(), place);
 }
 
 GridRecogniser::Test GridRecogniser::test(const Pose2& believed) {
   constexpr double kTested = 10.0;  // way after which a place has passed [m]
-  if (trial_->evidence() <= 0.0) return Test::kRefuted;
-  trial_->moveTo(believed * local_.robot().inverse());
+  auto& trial = trials_.only();
+  if (trial.evidence() <= 0.0) return Test::kRefuted;
+  trial.moveTo(believed * local_.robot().inverse());
   return local_.way() - *confirmed_at_ < kTested ? Test::kGoesOn : Test::kPassed;
 }
 

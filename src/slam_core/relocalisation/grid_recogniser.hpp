@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "slam_core/relocalisation/local_scans.hpp"
-#include "slam_core/relocalisation/place_trial.hpp"
+#include "slam_core/relocalisation/place_trials.hpp"
 #include "slam_core/relocalisation/recognition.hpp"
 #include "slam_core/relocalisation/relocalisation_config.hpp"
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
@@ -18,7 +18,8 @@ namespace slam::relocalisation {
 /// Recognises the place of a robot in a grid by what its laser has seen on the last metres. Parts
 /// of a building look alike, and another building has parts that look like some of this one. So a
 /// place is confirmed only when what the robot has seen since the first search that led there
-/// speaks for it (PlaceTrial), and the last search leads there too. It is tested on even then.
+/// speaks for it and for no other place (PlaceTrials), and the last search leads there too, and to
+/// no other place as well. It is tested on even then.
 class GridRecogniser {
  public:
   GridRecogniser(const RelocalisationConfig& config, const grid_map::GridMapConfig& grid,
@@ -58,9 +59,10 @@ class GridRecogniser {
 
  private:
   bool isDue() const;
-  bool confirms(const Pose2& place);
-  /// Logarithm of the odds from which on a place is confirmed.
-  double enough() const;
+  bool isSaved(const Pose2& place) const;
+  /// Has the places on trial to which a search leads. @return what the search has found
+  Recognition::Verdict weigh(const scan_matching::Match& best,
+                             const scan_matching::ScanLevels& scans);
 
   RelocalisationConfig config_;
   grid_map::GridMapConfig grid_config_;
@@ -69,7 +71,7 @@ class GridRecogniser {
   std::unique_ptr<scan_matching::ScanMap> map_;  ///< the grid, while it is searched
   Eigen::AlignedBox2d box_;                      ///< of the map [m]
   std::optional<Pose2> saved_;                   ///< T_map_local, if the robot was not carried
-  std::optional<PlaceTrial> trial_;              ///< of the place that the last searches led to
+  PlaceTrials trials_;                           ///< of the places that searches led to
   std::optional<double> confirmed_at_;           ///< distance driven when a test began [m]
   double searched_ = 0.0;                        ///< distance driven at the last search [m]
   bool is_due_ = false, has_news_ = false;

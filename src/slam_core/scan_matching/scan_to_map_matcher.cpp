@@ -31,6 +31,8 @@ constexpr double kRecognised = 0.5;
 
 /// A place that is found is compared with all other places within this distance.
 constexpr SearchWindow kAround{10.0, M_PI};  // [m], [rad]
+/// Two poses that are further from each other are two places.
+constexpr SearchWindow kOtherPlace{0.5, 0.3};  // [m], [rad]
 /// Where no odometry tells the motion, a scan is looked for as far from the guess as the guess may
 /// be off, but no further than this.
 constexpr SearchWindow kWidestGuess{2.0, 1.6};  // [m], [rad]
@@ -51,6 +53,13 @@ PlaceSearch searchOf(const MapView& map, const ScanLevels& scan, const Pose2& mi
                      const SearchWindow& window) {
   const std::size_t level = PlaceSearch::isWithinMemory(scan[0], window) ? 0 : 1;
   return {map.levels[level].map, thinned(scan[level]), middle, window};
+}
+
+/// The middle of all places, and the window around it that holds them and what is not far away.
+std::pair<Pose2, SearchWindow> wholeOf(const Eigen::AlignedBox2d& places) {
+  constexpr double kBeyond = 2.0;  // [m]
+  return {Pose2(places.center().x(), places.center().y(), 0.0),
+          {0.5 * places.sizes().maxCoeff() + kBeyond, M_PI}};
 }
 
 double largestEigenvalue(const Eigen::Matrix2d& covariance) {
@@ -113,15 +122,30 @@ std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanL
 
 std::optional<Match> ScanToMapMatcher::recogniseAnywhere(const MapView& map, const ScanLevels& scan,
                                                          const Eigen::AlignedBox2d& places) const {
-  constexpr double kBeyond = 2.0;  // [m]
-  if (map.isEmpty() || places.isEmpty()) return std::nullopt;
-  const double reach = 0.5 * places.sizes().maxCoeff() + kBeyond;
-  const Pose2 middle(places.center().x(), places.center().y(), 0.0);
-  const auto found = searched(map, scan, middle, reach, M_PI);
-  const double margin = isDoubtful(found) ? kUnmistakable : kBetterThanRivals;
-  const bool fits = found.is_determined && found.agreement.agreeing > kExplained * endsOf(scan);
-  if (!fits || hasRival(found, map, scan, middle, {reach, M_PI}, margin)) return std::nullopt;
+  const auto found = bestAnywhere(map, scan, places);
+  if (!found || found->agreement.agreeing <= kExplained * endsOf(scan)) return std::nullopt;
+  const double margin = isDoubtful(*found) ? kUnmistakable : kBetterThanRivals;
+  const auto [middle, window] = wholeOf(places);
+  if (hasRival(*found, map, scan, middle, window, margin)) return std::nullopt;
   return found;
+}
+
+std::optional<Match> ScanToMapMatcher::bestAnywhere(const MapView& map, const ScanLevels& scan,
+                                                    const Eigen::AlignedBox2d& places) const {
+  if (map.isEmpty() || places.isEmpty()) return std::nullopt;
+  const auto [middle, window] = wholeOf(places);
+  const auto search = searchOf(map, scan, middle, window);
+  if (!search.isWithinReach()) return std::nullopt;
+  const auto found = refinedWithin(map, scan, search.best().value_or(middle), window);
+  return found.is_determined ? std::make_optional(found) : std::nullopt;
+}
+
+std::optional<Match> ScanToMapMatcher::rivalAnywhere(const Match& found, const MapView& map,
+                                                     const ScanLevels& scan,
+                                                     const Eigen::AlignedBox2d& places) const {
+  const auto [middle, window] = wholeOf(places);
+  const auto place = searchOf(map, scan, middle, window).bestApartFrom(found.pose, kOtherPlace);
+  return place ? std::make_optional(refinedWithin(map, scan, *place, kOtherPlace)) : std::nullopt;
 }
 
 Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
@@ -164,7 +188,7 @@ bool ScanToMapMatcher::isDoubtful(const Match& match) const {
 Match ScanToMapMatcher::orAround(const Pose2& place, const MapView& map, const ScanLevels& scan,
                                  const Match& nearby) const {
   const auto found =
-      refinedWithin(map, scan, place, config_.window_position, config_.window_heading);
+      refinedWithin(map, scan, place, {config_.window_position, config_.window_heading});
   const double worth = kWorthAStep * endsOf(scan);
   return isBetter(found, nearby, worth) ? found : nearby;
 }
@@ -188,27 +212,26 @@ Match ScanToMapMatcher::refined(const MapView& map, const ScanLevels& scan, cons
 bool ScanToMapMatcher::hasRival(const Match& found, const MapView& map, const ScanLevels& scan,
                                 const Pose2& middle, const SearchWindow& window,
                                 double margin) const {
-  constexpr SearchWindow kApart{0.5, 0.3};  // [m], [rad]
   const bool is_wider = window.position > kAround.position;
   const auto search = is_wider ? searchOf(map, scan, middle, {window.position, M_PI})
                                : searchOf(map, scan, found.pose, kAround);
   if (!search.isWithinReach()) return true;  // none has been ruled out
-  const auto place = search.bestApartFrom(found.pose, kApart);
+  const auto place = search.bestApartFrom(found.pose, kOtherPlace);
   if (!place) return false;
-  const auto rival = refinedWithin(map, scan, *place, kApart.position, kApart.heading);
+  const auto rival = refinedWithin(map, scan, *place, kOtherPlace);
   return !isBetter(found, rival, margin * endsOf(scan));
 }
 
 Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, const Pose2& middle,
                                  double position, double heading) const {
   const auto search = searchOf(map, scan, middle, {position, heading});
-  return refinedWithin(map, scan, search.best().value_or(middle), position, heading);
+  return refinedWithin(map, scan, search.best().value_or(middle), {position, heading});
 }
 
 /// What a search has found is all that is known of the place.
 Match ScanToMapMatcher::refinedWithin(const MapView& map, const ScanLevels& scan,
-                                      const Pose2& middle, double position, double heading) const {
-  const Eigen::Vector3d sigma(position, position, heading);
+                                      const Pose2& middle, const SearchWindow& window) const {
+  const Eigen::Vector3d sigma(window.position, window.position, window.heading);
   const PosePrior found{middle, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
   auto match = refined(map, scan, found.pose, found);
   if (!match.is_determined) return match;

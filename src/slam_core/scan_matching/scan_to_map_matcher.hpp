@@ -55,6 +55,15 @@ class ScanToMapMatcher {
   std::optional<Match> recogniseAnywhere(const MapView& map, const ScanLevels& scan,
                                          const Eigen::AlignedBox2d& places) const;
 
+  // The same in steps, for who weighs what was found by other evidence as well.
+  /// The place where most of the scan fits the map, whether or not that is enough.
+  /// @return nothing where the map or the places are none, or too large to be searched
+  std::optional<Match> bestAnywhere(const MapView& map, const ScanLevels& scan,
+                                    const Eigen::AlignedBox2d& places) const;
+  /// The best one that lies apart from a place. @return nothing where there is none
+  std::optional<Match> rivalAnywhere(const Match& found, const MapView& map, const ScanLevels& scan,
+                                     const Eigen::AlignedBox2d& places) const;
+
   // The same in steps, for who searches once for many maps.
   /// A scan that contradicts most of the map even so tells nothing: the robot is where the prior
   /// leads.
@@ -84,7 +93,7 @@ class ScanToMapMatcher {
   Match searched(const MapView& map, const ScanLevels& scan, const Pose2& middle, double position,
                  double heading) const;
   Match refinedWithin(const MapView& map, const ScanLevels& scan, const Pose2& middle,
-                      double position, double heading) const;
+                      const SearchWindow& window) const;
 
   MatcherConfig config_;
 };

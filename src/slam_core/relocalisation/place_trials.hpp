@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "slam_core/relocalisation/place_trial.hpp"
+
+namespace slam::relocalisation {
+
+/// The places that searches have led to, each on trial by all scans that follow (PlaceTrial). A
+/// search that finds nothing, or another place, ends no trial: two places that look alike are two
+/// hypotheses, until what the robot sees next tells them apart.
+///
+/// Among many places that are tried, one looks like the robot's by chance. So the odds that a place
+/// must reach grow with the number of places that have been tried (Bonferroni; Dunn 1961), which
+/// keeps the probability that any wrong one is believed below one in `odds`.
+class PlaceTrials {
+ public:
+  /// @param odds that the only place on trial must reach
+  explicit PlaceTrials(double odds) : odds_(odds) {}
+
+  void forget();
+  /// To be called for each scan that is kept, with the same map. Places that turn out to be one
+  /// become one.
+  void see(const LocalScan& scan, const scan_matching::MapView& map,
+           const scan_matching::ScanToMapMatcher& matcher);
+  /// A search has led to a place, which goes on trial unless it is. @param place T_map_base, where
+  /// the last scan is @param local T_local_base of the last scan @param seen the scans that the
+  /// search has used @param is_expected the place is where the robot is unless it was carried
+  void lead(const Pose2& place, const Pose2& local, const std::deque<LocalScan>& seen,
+            bool is_expected);
+  /// Whether the evidence for this place is enough, and for no other one on trial nearly as much.
+  /// @param local T_local_base, where the robot would be at `place`
+  bool isEnoughFor(const Pose2& place, const Pose2& local) const;
+  /// Whether isEnoughFor() holds for one of the places.
+  bool hasEnough() const;
+
+  /// Ends the trials of all places but this one, for which isEnoughFor() holds.
+  void keepOnly(const Pose2& place, const Pose2& local);
+  /// The place that keepOnly() has left.
+  PlaceTrial& only() { return trials_.front(); }
+
+ private:
+  using Trials = std::vector<PlaceTrial>;
+
+  Trials::iterator find(const Pose2& place, const Pose2& local);
+  Trials::const_iterator find(const Pose2& place, const Pose2& local) const;
+  bool isEnough(const PlaceTrial& trial) const;
+  void dropWorst();
+  /// Logarithm of the odds that a place must reach.
+  double enough() const;
+  /// More evidence is not summed up, so that a place that was refuted may still turn out right.
+  double most() const;
+
+  double odds_;
+  Trials trials_;
+  double tried_ = 0.0;  ///< places so far
+};
+
+}  // namespace slam::relocalisation

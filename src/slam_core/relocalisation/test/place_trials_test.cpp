@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/place_trials.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/models/test/simulated_room.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+using slam::test::RoomDrive;
+
+constexpr double kOdds = 100.0;
+const Pose2 kRight, kWrong(1.5, 0.8, 1.0);  // T_map_local
+
+/// Scans of a robot in the room, whose local frame is the map's, and the map of another drive.
+class PlaceTrialsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    RoomDrive drive(1);
+    for (int i = 0; i < RoomDrive::kLap; ++i) {
+      const auto step = drive.next();
+      map.insert(scan_matching::pointsOf(step.scan, models, 0.02), step.truth);
+    }
+    next();
+  }
+  /// The next scan that is kept.
+  void next() {
+    constexpr int kSteps = 3;
+    RoomDrive::Step step;
+    for (int i = 0; i < kSteps; ++i) step = robot.next();
+    last = {scan_matching::pointsOf(step.scan, models, 0.02), step.truth, 0.0};
+  }
+  void lead(const Pose2& map_local, bool is_expected = false) {
+    trials.lead(map_local * last.pose, last.pose, {last}, is_expected);
+  }
+  bool isEnoughFor(const Pose2& map_local) const {
+    return trials.isEnoughFor(map_local * last.pose, last.pose);
+  }
+  void drive(int scans) {
+    for (int i = 0; i < scans; ++i) {
+      next();
+      trials.see(last, map.view(), matcher);
+    }
+  }
+  grid_map::GridMapConfig config;
+  scan_matching::LevelModels models = scan_matching::levelModels(config);
+  scan_matching::ScanMap map{config};
+  scan_matching::ScanToMapMatcher matcher;
+  RoomDrive robot{2};
+  LocalScan last;
+  PlaceTrials trials{kOdds};
+};
+
+TEST_F(PlaceTrialsTest, APlaceIsNotBelievedForTheSearchThatLedThere) {
+  lead(kRight);
+  EXPECT_FALSE(isEnoughFor(kRight));
+  EXPECT_FALSE(trials.hasEnough());
+}
+
+TEST_F(PlaceTrialsTest, TheRightOneOfTwoPlacesIsToldByLaterScans) {
+  lead(kWrong);
+  lead(kRight);
+  drive(12);
+  EXPECT_TRUE(isEnoughFor(kRight));
+  EXPECT_FALSE(isEnoughFor(kWrong));
+}
+
+/// Else a search that leads elsewhere once would take all evidence away.
+TEST_F(PlaceTrialsTest, ASearchThatLeadsElsewhereEndsNoTrial) {
+  lead(kRight);
+  drive(12);
+  lead(kWrong);
+  EXPECT_TRUE(isEnoughFor(kRight));
+}
+
+TEST_F(PlaceTrialsTest, APlaceThatASearchLeadsToAgainKeepsItsEvidence) {
+  lead(kRight);
+  drive(12);
+  lead(kRight);
+  EXPECT_TRUE(isEnoughFor(kRight));
+}
+
+/// Among many places one looks like the robot's by chance.
+TEST_F(PlaceTrialsTest, TheMorePlacesHaveBeenTriedTheMoreEvidenceIsNeeded) {
+  lead(kRight);
+  for (int i = 0; i < 12 && !trials.hasEnough(); ++i) drive(1);
+  ASSERT_TRUE(trials.hasEnough());
+  for (int i = 0; i < 90; ++i) lead(Pose2(3.0 + i, 0.0, 0.0));
+  EXPECT_FALSE(trials.hasEnough());
+  drive(12);
+  EXPECT_TRUE(isEnoughFor(kRight));
+}
+
+TEST_F(PlaceTrialsTest, TheExpectedPlaceNeedsNoOtherEvidence) {
+  lead(kRight, true);
+  EXPECT_TRUE(isEnoughFor(kRight));
+}
+
+/// But what comes next may refute it.
+TEST_F(PlaceTrialsTest, TheExpectedPlaceIsRefutedByScansThatDoNotFit) {
+  lead(kWrong, true);
+  drive(12);
+  EXPECT_FALSE(isEnoughFor(kWrong));
+  lead(kWrong, true);
+  EXPECT_FALSE(isEnoughFor(kWrong));
+}
+
+TEST_F(PlaceTrialsTest, OnlyTheBelievedPlaceIsTestedOn) {
+  lead(kWrong);
+  lead(kRight);
+  drive(12);
+  trials.keepOnly(kRight * last.pose, last.pose);
+  EXPECT_LT((trials.only().placeOf(last.pose).position() - last.pose.position()).norm(), 0.1);
+  EXPECT_GT(trials.only().evidence(), 0.0);
+}
+
+TEST_F(PlaceTrialsTest, NothingIsLeftOfAForgottenTrial) {
+  lead(kRight, true);
+  trials.forget();
+  EXPECT_FALSE(trials.hasEnough());
+  EXPECT_FALSE(isEnoughFor(kRight));
+}
+
+}  // namespace
+}  // namespace slam::relocalisation
