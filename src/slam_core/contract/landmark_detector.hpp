@@ -10,6 +10,11 @@
 
 namespace slam {
 
+/// What a detector tells of each landmark that it finds.
+struct LandmarkTraits {
+  bool has_descriptor = false;
+};
+
 /// The role of an allothetic source: raw data in, landmark observations out (thesis 3.4.1, 5.2), at
 /// the output `observations`. What it takes in is its own affair: describe() says so.
 ///
@@ -19,6 +24,8 @@ class LandmarkDetector : public Component {
  public:
   static constexpr const char* kRole = "detector";
 
+  /// A loaded map is compared with this; known before configure().
+  virtual LandmarkTraits traits() const { return {}; }
   bool isBusy() const override { return observations().has_value(); }
   /// What the last execute() made: nothing when no input was due.
   virtual const std::optional<LandmarkObservationArray>& observations() const = 0;

@@ -24,6 +24,7 @@ class LaserTrunks final : public ScanDetector {
  public:
   void configure(const LaserTrunksConfig& config);
   void configure(Settings& settings) override;
+  LandmarkTraits traits() const override { return {true}; }
 
  private:
   Status find(const LaserScan& scan, Observations& found, Counters& counters) override;

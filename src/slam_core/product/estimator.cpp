@@ -38,6 +38,7 @@ void Estimator::use(std::unique_ptr<Backend> backend) { backend_ = std::move(bac
 
 void Estimator::adaptTo(const ProductConfig& product) {
   has_odometry_ = product.odometry != "none";
+  expected_ = ExpectedLandmarks(product);
   chooseMap(product, *backend_);
   capabilities_ = capabilitiesOf(*backend_);
   auto* chooser = capabilities_.find<AssociationChooser>();
@@ -138,6 +139,7 @@ Status Estimator::set(const MapState& map) {
   if (used.landmarks.size() < map.landmarks.size())
     status = together(status, Status::warning("the map's lines are left out, since this back-end "
                                               "maps points only: use backend=ekf"));
+  status = together(status, expected_.judge(used.landmarks));
   events_.relocate("a map was loaded");
   doubt_.load(backend_->pose().pose);
   consistency_ = ConsistencyMonitor(consistency_config_);

@@ -15,6 +15,7 @@
 #include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/models/filter_pose.hpp"
 #include "slam_core/product/event_watch.hpp"
+#include "slam_core/product/expected_landmarks.hpp"
 #include "slam_core/product/intake.hpp"
 #include "slam_core/product/map_choice.hpp"
 #include "slam_core/product/step_report.hpp"
@@ -106,6 +107,7 @@ class Estimator final : public Component {
   std::unique_ptr<Backend> backend_;
   bool has_odometry_ = true;            ///< the product has an odometry source
   Ports ports_;                         ///< the back-end's
+  ExpectedLandmarks expected_;          ///< in a loaded map
   const InputPort* carrier_ = nullptr;  ///< that takes motion; none in a product without
   Capabilities capabilities_;           ///< the back-end's
   FramesConfig frames_;
