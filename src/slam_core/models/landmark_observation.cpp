@@ -14,6 +14,10 @@ namespace {
 
 /// [m]; no sensor reaches as far, and the fourth power of it is a number still.
 constexpr double kLargestRange = 1e15;
+/// [m]; nearer to a sensor there is no room for a landmark, and the direction of one tells nothing.
+constexpr double kSmallestRange = 1e-3;
+/// [rad]; a driver counts turns, but not so many.
+constexpr double kLargestBearing = 1e3;
 
 std::string faultOfKind(const LandmarkObservation& observation) {
   const auto& [begin, end] = observation.extent;
@@ -31,6 +35,12 @@ std::string faultOf(const LandmarkObservation& observation) {
   if (!std::isfinite(observation.range) || !std::isfinite(observation.bearing))
     return name + " holds a value that is not a number";
   if (observation.range <= 0.0) return name + " has a range that is not positive";
+  if (observation.range < kSmallestRange && !observation.isLine())
+    return name + fmt::format(" has a range of {:.3g} m, less than {:g} m", observation.range,
+                              kSmallestRange);
+  if (std::abs(observation.bearing) > kLargestBearing)
+    return name +
+           fmt::format(" has a bearing of {:.3g} rad, which is no angle", observation.bearing);
   if (observation.range > kLargestRange) return name + " has a range that no sensor reaches";
   if (!isCovariance(observation.covariance))
     return name + " has a covariance that is not positive definite";

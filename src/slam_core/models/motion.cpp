@@ -34,8 +34,14 @@ std::pair<Motion, Motion> split(const Motion& motion, Stamp at) {
   return {before, after};
 }
 
+/// Each pair of elements is compared by the standard deviations that it belongs to: norms of huge
+/// elements would overflow, and a test by them would pass.
 bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  if (!matrix.allFinite() || !matrix.isApprox(matrix.transpose(), 1e-6)) return false;
+  constexpr double kSymmetry = 1e-6;
+  if (!matrix.allFinite()) return false;
+  const Eigen::VectorXd sigma = matrix.diagonal().cwiseAbs().cwiseSqrt();
+  const Eigen::MatrixXd most = kSymmetry * sigma * sigma.transpose();
+  if (!((matrix - matrix.transpose()).cwiseAbs().array() <= most.array()).all()) return false;
   return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
 }
 

@@ -36,6 +36,12 @@ TEST(LandmarkObservationFault, NamesTheLandmarkAndWhatIsWrong) {
   z.bearing = 0.0;
   z.range = 1e155;
   EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "range that no sensor reaches"}));
+  z.range = 1e-300;
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "range of 1e-300 m, less than 0.001 m"}));
+  z.range = 2.0;
+  z.bearing = -1e12;
+  EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "bearing of -1e+12 rad"}));
+  z.bearing = 0.0;
   for (const double range : {0.0, -1.0}) {
     z = goodObservation();
     z.range = range;

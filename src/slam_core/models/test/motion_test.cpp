@@ -157,5 +157,20 @@ TEST(MotionFault, FindsACovarianceThatIsAbsurdlyLarge) {
     }
 }
 
+TEST(Covariance, AHugeElementOnOneSideOfTheDiagonalIsNone) {
+  for (const double value : {1e300, 1e9, 1.0, 1e-3}) {
+    Eigen::Matrix3d matrix = 1e-4 * Eigen::Matrix3d::Identity();
+    matrix(0, 2) = value;
+    EXPECT_FALSE(isCovariance(matrix)) << value;
+    EXPECT_FALSE(isCovariance(matrix.transpose())) << value;
+  }
+}
+
+TEST(Covariance, RoundingOfItsElementsIsNoLackOfSymmetry) {
+  Eigen::Matrix2d matrix;
+  matrix << 1.0, 0.3e-3, 0.3e-3 * (1.0 + 1e-7), 1e-6;
+  EXPECT_TRUE(isCovariance(matrix));
+}
+
 }  // namespace
 }  // namespace slam
