@@ -4,21 +4,16 @@
 #pragma once
 
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#include "slam_core/common/byte_stream.hpp"
 #include "slam_core/graph_slam/session_fields.hpp"
 
 namespace slam::graph_slam {
-
-/// The unsigned integer with as many bits as a number.
-template <class T>
-using BitsOf = std::conditional_t<sizeof(T) == 1, std::uint8_t,
-                                  std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>;
 
 /// Appends fields to a string of bytes.
 class SessionWriter {
@@ -27,15 +22,12 @@ class SessionWriter {
   void operator()(Fields&... each) {
     (put(each), ...);
   }
-  std::string take() { return std::move(bytes_); }
+  std::string take() { return bytes_.take(); }
 
  private:
   template <class T>
   std::enable_if_t<std::is_arithmetic_v<T>> put(T value) {
-    BitsOf<T> bits;
-    std::memcpy(&bits, &value, sizeof(value));
-    for (std::size_t i = 0; i < sizeof(bits); ++i)
-      bytes_.push_back(static_cast<char>((bits >> (8 * i)) & 0xffU));
+    bytes_.number(value);
   }
   template <class T>
   std::enable_if_t<std::is_class_v<T>> put(T& record) {
@@ -57,7 +49,7 @@ class SessionWriter {
   }
   void put(std::string& text) {
     put(static_cast<std::uint64_t>(text.size()));
-    bytes_ += text;
+    bytes_.append(text.data(), text.size());
   }
   template <class T>
   void put(std::vector<T>& list) {
@@ -78,7 +70,7 @@ class SessionWriter {
     put(copy);
   }
 
-  std::string bytes_;
+  ByteWriter bytes_;
 };
 
 /// Takes fields off a string of bytes. Lists grow with what is read, so that a count without the
@@ -87,34 +79,24 @@ class SessionWriter {
 class SessionReader {
  public:
   /// @param bytes outlive this
-  SessionReader(const char* bytes, std::size_t size) : next_(bytes), left_(size) {}
+  SessionReader(const char* bytes, std::size_t size) : bytes_(bytes, size) {}
 
   template <class... Fields>
   void operator()(Fields&... each) {
     (get(each), ...);
   }
-  std::size_t left() const { return left_; }
+  std::size_t left() const { return bytes_.left(); }
 
  private:
-  const char* take(std::size_t size) {
-    if (size > left_) throw std::runtime_error("it ends within a record: save the session again");
-    left_ -= size;
-    return std::exchange(next_, next_ + size);
-  }
   template <class T>
   std::enable_if_t<std::is_arithmetic_v<T>> get(T& value) {
-    const char* from = take(sizeof(T));
-    BitsOf<T> bits = 0;
-    for (std::size_t i = sizeof(T); i-- > 0;)
-      bits =
-          static_cast<BitsOf<T>>((std::uint64_t{bits} << 8U) | static_cast<unsigned char>(from[i]));
-    std::memcpy(&value, &bits, sizeof(value));
+    bytes_.number(value);
     if constexpr (std::is_floating_point_v<T>)
       if (!std::isfinite(value))
         throw std::runtime_error("it holds a value that is not finite: save the session again");
   }
   void get(bool& value) {
-    const char byte = *take(1);
+    const char byte = *bytes_.take(1);
     if (byte != 0 && byte != 1) refuse("a flag that is neither 0 nor 1");
     value = byte == 1;
   }
@@ -155,23 +137,17 @@ class SessionReader {
   Eigen::Index edge() {
     std::uint32_t rows = 0;
     get(rows);
-    if (std::uint64_t{rows} * rows > left_ / sizeof(double)) take(left_ + 1);
+    if (std::uint64_t{rows} * rows > left() / sizeof(double)) refuse("a matrix without its values");
     return rows;
   }
-  std::uint64_t count() {
-    std::uint64_t count = 0;
-    get(count);
-    if (count > left_) take(left_ + 1);
-    return count;
-  }
   void get(std::string& text) {
-    const auto size = count();
-    text.assign(take(size), size);
+    const auto size = bytes_.count();
+    text.assign(bytes_.take(size), size);
   }
   template <class T>
   void get(std::vector<T>& list) {
     list.clear();
-    for (auto left = count(); left > 0; --left) get(list.emplace_back());
+    for (auto left = bytes_.count(); left > 0; --left) get(list.emplace_back());
   }
   template <class T>
   void get(std::optional<T>& value) {
@@ -199,8 +175,7 @@ class SessionReader {
     throw std::runtime_error("it holds " + what + ": save the session again");
   }
 
-  const char* next_;
-  std::size_t left_;
+  ByteReader bytes_;
 };
 
 }  // namespace slam::graph_slam
