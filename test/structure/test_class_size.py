@@ -3,7 +3,8 @@
 """A class of slam_core has at most ten public methods beside its configuration.
 
 Counted by name, so that overloads are one method. Not counted: constructors, operators, what a base
-class declares (it is counted there), and what configures: `configure`, `describe`.
+class declares (it is counted there), what configures (`configure`, `describe`), and `persist`, which
+lists the members for an archive.
 """
 
 import pathlib
@@ -17,7 +18,7 @@ CLASS = re.compile(r"^( *)(?:class|struct) (\w+)[^;]*$")
 ACCESS = re.compile(r"^ *(public|protected|private):$")
 METHOD = re.compile(r"([\w~]+|operator\S+)\(")
 NO_METHOD = re.compile(r" *(//|using |friend |template |static_assert|static constexpr |\}|#)")
-CONFIGURATION = {"configure", "describe"}
+EVERYWHERE = {"configure", "describe", "persist"}
 # With the reason why it is not taken apart.
 MORE = {"Pose2": "a value, and what mathematics has of it",
         "EkfState": "estimate, covariance and ids change together or not at all",
@@ -51,7 +52,7 @@ def public_methods(name, indentation, is_struct, lines):
         found = METHOD.search(declaration)
         if found and "override" not in declaration and " = " not in declaration[:found.start()]:
             methods.add(found.group(1))
-    return {method for method in methods - CONFIGURATION
+    return {method for method in methods - EVERYWHERE
             if method.strip("~") != name and not method.startswith("operator")}
 
 

@@ -43,6 +43,11 @@ class DescriptorMap {
   /// Fills in the descriptors of a map.
   void describe(LandmarkMap& map) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(known_);
+  }
+
  private:
   std::map<LandmarkId, Descriptor> known_;
 };

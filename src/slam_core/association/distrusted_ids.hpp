@@ -32,6 +32,11 @@ class DistrustedIds {
 
   static Status warningOf(LandmarkId id);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(doubts_);
+  }
+
  private:
   std::map<LandmarkId, int> doubts_;
 };

@@ -42,6 +42,11 @@ class Existence {
     seen_.erase(id);
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(log_odds_, seen_, way_, turn_, hits_, misses_);
+  }
+
  private:
   bool isDue() const;
   double detection() const;

@@ -30,12 +30,22 @@ class LineTrials {
   void forget() { tracks_.clear(); }
   std::size_t size() const { return tracks_.size(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(tracks_, is_confirmed_);
+  }
+
  private:
   struct Track {
     Eigen::Vector2d m;  ///< in the robot's frame, whose origin is the anchor [m, rad]
     Eigen::Matrix2d P;
     int sightings = 1;
     int unseen = 0;  ///< arrays since it was seen
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(m, P, sightings, unseen);
+    }
   };
   std::size_t nearest(const Track& seen, std::size_t end) const;
   void update(const Track& seen, Track& track) const;

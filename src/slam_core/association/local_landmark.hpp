@@ -15,6 +15,11 @@ struct LocalLandmark {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the robot's frame [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
   Descriptor descriptor = {};                            ///< empty where nothing is known
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(id, position, covariance, descriptor);
+  }
 };
 
 }  // namespace slam::association

@@ -56,6 +56,11 @@ class PlaceEvidence {
     return existence_.see(sensor, landmarks, seen, reach_);
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(is_line_, reach_, trials_, line_trials_, existence_, ids_);
+  }
+
  private:
   bool is_needed_ = false;
   std::vector<bool> is_line_;  ///< by observation of the last array

@@ -19,11 +19,21 @@ class SensorReach {
   /// @return the area of all that is covered, 1 m^2 at least [m^2]
   double area() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(sectors_);
+  }
+
  private:
   static constexpr int kSectors = 24;
   struct Sector {
     int count = 0;
     double range = 0.0;  ///< mean [m]
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(count, range);
+    }
   };
   static std::size_t sectorOf(double bearing);
   static double reachOf(const Sector& sector);

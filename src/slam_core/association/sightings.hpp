@@ -30,6 +30,11 @@ class Sightings {
   /// A record counts what is known of a landmark.
   struct Record {
     int fits = 0, misses = 0;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(fits, misses);
+    }
   };
 
   /// Those of a loaded map are confirmed.
@@ -45,6 +50,11 @@ class Sightings {
   // A session saves the records and takes them up again.
   Record record(LandmarkId id) const;
   void set(LandmarkId id, const Record& record) { records_[id] = record; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(records_);
+  }
 
  private:
   static constexpr int kConfirmed = 3;  ///< seen so often after the first time where it is

@@ -31,6 +31,11 @@ class Trials {
   void forget();
   std::size_t size() const { return tracks_.size(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(tracks_, track_of_, strays_);
+  }
+
  private:
   struct Track {
     Eigen::Vector2d place;  ///< in the robot's frame [m]
@@ -38,6 +43,11 @@ class Trials {
     int sightings = 0;
     double score = 0.0;
     bool is_seen = false;  ///< in the last array
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(place, P, sightings, score, is_seen);
+    }
   };
   /// Where an observation puts something in the robot's frame.
   struct Place {

@@ -19,6 +19,11 @@ struct CameraCalibration {
   std::vector<double> distortion;
 
   bool operator==(const CameraCalibration& other) const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(width, height, distortion_model, fx, fy, cx, cy, distortion);
+  }
 };
 
 /// Empty, or what makes the calibration unusable (K all zero, NaN, a distortion model that is not
@@ -30,6 +35,11 @@ std::string faultOf(const CameraCalibration& calibration);
 struct CameraMount {
   std::string camera_frame;
   Eigen::Isometry3d T_base_camera = Eigen::Isometry3d::Identity();
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(camera_frame, T_base_camera.matrix());
+  }
 };
 
 /// Empty, or what makes the mount unusable (NaN, a matrix that does not rotate).

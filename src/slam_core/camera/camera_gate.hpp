@@ -57,6 +57,15 @@ class CameraGate : public Gate {
 
   /// The gate is as after configure(), but keeps calibration and mount.
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(mount_, calibration_, calibration_fault_, mount_fault_, camera_, held_, last_,
+            input_status_, counters_);
+  }
 
  private:
   struct Fault {

@@ -30,6 +30,12 @@ class CameraModel {
   /// The point (x/z, y/z) on the plane z = 1 that a pixel sees; nothing where it sees none.
   std::optional<Eigen::Vector2d> unproject(const Eigen::Vector2d& pixel) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(calibration_);
+    if constexpr (Archive::kReads) lens_ = Lens(calibration_);
+  }
+
  private:
   CameraCalibration calibration_;
   Lens lens_;

@@ -21,6 +21,11 @@ struct CameraView {
 
   /// Else the image only moves time on.
   bool isUsable() const { return camera != nullptr; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, image, mount, camera);
+  }
 };
 
 }  // namespace slam

@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "slam_core/camera/mat_archive.hpp"
 #include "slam_core/common/time.hpp"
 
 namespace slam {
@@ -16,6 +17,12 @@ struct Image {
   std::string frame;  ///< the camera's optical frame
   cv::Mat gray;       ///< 8 bit, one channel; empty where the pixels cannot be used
   std::string fault;  ///< why not: a sentence
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, frame, fault);
+    persistMat(archive, gray);
+  }
 };
 
 }  // namespace slam

@@ -119,6 +119,13 @@ class Collator {
     return sum;
   }
 
+  template <class Archive>
+  void persist(Archive& archive, const std::vector<Trigger>& alike) {
+    for (std::size_t source = 0; source < triggers_.size(); ++source)
+      triggers_[source].persist(archive, alike[source]);
+    archive(motions_, silent_, position_, stepped_, restart_, counters_);
+  }
+
  private:
   /// Triggers from before the first motion, and those of a timed-out source that come too late.
   void dropStale() {

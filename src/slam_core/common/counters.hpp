@@ -29,6 +29,11 @@ class Counters {
   std::map<std::string, std::uint64_t> all() && { return std::move(counts_); }
   void clear() { counts_.clear(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(counts_);
+  }
+
  private:
   std::map<std::string, std::uint64_t> counts_;
 };

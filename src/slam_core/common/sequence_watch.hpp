@@ -42,6 +42,11 @@ class SequenceWatch {
     if (next_ == sequence) ++*next_;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(next_, before_break_, since_break_);
+  }
+
  private:
   static constexpr double kMostPerSecond = 10000.0;
   static constexpr std::uint64_t kDamaged =

@@ -56,6 +56,11 @@ class StampJump {
     return before() && jump_->messages == 1 && *before() < stamp && stamp < *last_;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(last_, last_interval_, jump_);
+  }
+
  private:
   /// From `before`, nothing where the source begins, to `begin`.
   struct Jump {
@@ -63,6 +68,11 @@ class StampJump {
     Stamp begin;
     std::size_t messages = 1;  ///< since then
     bool is_doubtful = false;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(before, begin, messages, is_doubtful);
+    }
   };
 
   bool isConfirmed() const {

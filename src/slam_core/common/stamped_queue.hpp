@@ -28,6 +28,11 @@ class StampedQueue {
   struct Item {
     Stamp stamp;
     T value;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(stamp, value);
+    }
   };
   static constexpr std::size_t kInARow = StampJump::kInARow;
 
@@ -90,6 +95,14 @@ class StampedQueue {
     stamps_.forget(items_.empty() ? std::nullopt : std::optional(items_.back().stamp));
     gone_to_.reset();
     sequence_ = aside_sequence_;
+  }
+
+  template <class Archive>
+  void persist(Archive& archive, const T& alike = T()) {
+    const auto make = [&alike] { return Item{Stamp(), alike}; };
+    archive.list(items_, make);
+    archive.list(aside_, make);
+    archive(gone_to_, stamps_, sequence_, aside_sequence_);
   }
 
  private:

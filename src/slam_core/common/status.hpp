@@ -24,6 +24,11 @@ struct Status {
   Level level = Level::kOk;
   std::string message;    ///< one sentence: what, where, what to do; empty when all is well
   bool is_alarm = false;  ///< see alarm()
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(level, message, is_alarm);
+  }
 };
 
 /// The one of two that must be told, where only one can be; the second one where both must.

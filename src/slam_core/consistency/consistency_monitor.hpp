@@ -51,6 +51,11 @@ class ConsistencyMonitor {
     double sigma = 1.0;        ///< true over believed standard deviation
     double uncertainty = 0.0;  ///< of that, standard deviation; 0: it cannot be seen
     double evidence = 0.0;     ///< against its being right, in standard deviations
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(sigma, uncertainty, evidence);
+    }
   };
 
   explicit ConsistencyMonitor(const ConsistencyConfig& config = {});
@@ -84,6 +89,12 @@ class ConsistencyMonitor {
     return monitor.blamed_;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(gating_, bias_, serial_, odometry_, window_, last_nis_, factors_, is_lost_, is_biased_,
+            blamed_, agreeing_.bias, agreeing_.sensor, agreeing_.motion);
+  }
+
  private:
   /// The derivative of the log-likelihood with respect to the three variances, and its Fisher
   /// information.
@@ -92,6 +103,11 @@ class ConsistencyMonitor {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     double nis = 0.0;
     int dof = 0;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(slope, information, nis, dof);
+    }
   };
   Score scoreOf(const UpdateStatistics& statistics);
   void addGroup(const JointInnovation& group, Score& score) const;

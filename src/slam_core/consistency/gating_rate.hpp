@@ -40,14 +40,29 @@ class GatingRate {
     return !steps_.empty() && countOf(steps_.back()).isMostlyGated();
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(gate_probability_, steps_, landmarks_, all_, doubtful_steps_);
+  }
+
  private:
   struct Count {
     int seen = 0, gated = 0;
     bool isMostlyGated() const { return 2 * gated > seen; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(seen, gated);
+    }
   };
   struct Observation {
     LandmarkId id = kUnknownId;
     bool used = false;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(id, used);
+    }
   };
   using Step = std::vector<Observation>;
   static Count countOf(const Step& step);

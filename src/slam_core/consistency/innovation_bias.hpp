@@ -32,6 +32,11 @@ class InnovationBias {
     double size = 0.0;      ///< in standard deviations of a step
     double evidence = 0.0;  ///< against its being zero, in standard deviations
     int steps = 0;          ///< number of latest steps, chosen for the most evidence
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(size, evidence, steps);
+    }
   };
 
   /// @param window steps
@@ -45,6 +50,11 @@ class InnovationBias {
   const Mean& mean() const { return means_[worst_]; }
   /// "innovations are biased across the way by 0.9 standard deviations (...)"
   std::string finding() const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(steps_, means_, worst_);
+  }
 
  private:
   using Step = std::array<std::optional<double>, kDirections>;

@@ -39,6 +39,11 @@ class NoiseAdaptation {
   LandmarkObservationArray scaled(LandmarkObservationArray array) const;
   bool isNeutral() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(scales_);
+  }
+
  private:
   bool multiply(Source source, double factor);
 

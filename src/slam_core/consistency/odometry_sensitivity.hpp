@@ -25,6 +25,11 @@ class OdometrySensitivity {
   /// @param group of which H is known
   void update(const JointInnovation& group);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(e_, D_);
+  }
+
  private:
   Eigen::Vector3d e_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d D_ = Eigen::Matrix3d::Zero();

@@ -27,10 +27,21 @@ class ScaleDoubt {
   struct Difference {
     double scale = 0.0;  ///< by how much it is longer, as a share of the way by odometry
     double turn = 0.0;   ///< from the one to the other [rad]
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(scale, turn);
+    }
   };
   Difference difference() const { return difference_; }
   /// The same; 0 where the odometry's noise explains it.
   Difference beyondNoise() const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(odometry_, estimated_, along_, across_, square_, variance_along_, variance_across_,
+            difference_);
+  }
 
  private:
   void compare(const Motion& odometry, const Eigen::Vector2d& estimated);

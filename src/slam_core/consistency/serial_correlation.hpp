@@ -27,10 +27,20 @@ class SerialCorrelation {
   /// The coefficient of correlation, in [-1, 1]; below 0 where the innovations alternate.
   double coefficient(Component component) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(previous_, steps_);
+  }
+
  private:
   /// The sums of the products of successive innovations, and of their squares.
   struct Sums {
     double products = 0.0, squares = 0.0;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(products, squares);
+    }
   };
   using Step = std::array<Sums, kComponents>;
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "slam_core/common/archive.hpp"
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/settings.hpp"
 #include "slam_core/common/status.hpp"
@@ -43,6 +44,15 @@ class Component {
   virtual Figures figures() const { return {}; }
   /// The component is as after configure(); what is latched stays.
   virtual void reset() = 0;
+
+  /// Whether saveState() and restoreState() are there; known after configure(). A product of which
+  /// one component cannot be resumed writes no checkpoints.
+  virtual bool canResume() const { return false; }
+  /// Between two executions, outputs taken: all that is known beyond the configuration.
+  virtual void saveState(ArchiveWriter& /*archive*/) const {}
+  /// The component, which is configured as the one that was saved, goes on as that one would.
+  /// @throw std::runtime_error where the archive holds no such state; then only configure() helps
+  virtual void restoreState(ArchiveReader& /*archive*/) {}
 };
 
 /// The ports of a component. They hold pointers to it.

@@ -10,6 +10,7 @@
 #include <typeindex>
 #include <utility>
 
+#include "slam_core/common/archive.hpp"
 #include "slam_core/common/time.hpp"
 
 namespace slam {
@@ -79,10 +80,13 @@ struct HasFault<T, std::void_t<decltype(faultOf(std::declval<const T&>()))>> : s
 struct KindTraits {
   HeldDatum (*hold)(const void* value);        ///< null: the kind has no stamp
   std::string (*fault_of)(const void* value);  ///< empty: the value can be used
+  /// Null: values of this kind cannot be put into a checkpoint, since they have no persist().
+  void (*save)(const void* value, ArchiveWriter& archive) = nullptr;
+  std::shared_ptr<void> (*restore)(ArchiveReader& archive) = nullptr;
 
   template <class T>
   static KindTraits of() {
-    KindTraits traits{nullptr, [](const void*) { return std::string(); }};
+    KindTraits traits{nullptr, [](const void*) { return std::string(); }, nullptr, nullptr};
     if constexpr (detail::HasStamp<T>::value)
       traits.hold = [](const void* value) {
         auto copy = std::make_shared<T>(*static_cast<const T*>(value));
@@ -92,6 +96,16 @@ struct KindTraits {
       };
     if constexpr (detail::HasFault<T>::value)
       traits.fault_of = [](const void* value) { return faultOf(*static_cast<const T*>(value)); };
+    if constexpr (archive_traits::HasPersist<T, ArchiveWriter>::value) {
+      traits.save = [](const void* value, ArchiveWriter& archive) {
+        archive(*static_cast<const T*>(value));
+      };
+      traits.restore = [](ArchiveReader& archive) -> std::shared_ptr<void> {
+        const auto value = std::make_shared<T>();
+        archive(*value);
+        return value;
+      };
+    }
     return traits;
   }
 };

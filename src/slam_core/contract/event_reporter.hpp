@@ -31,6 +31,11 @@ struct Event {
   double distance = 0.0, turn = 0.0;
   std::string reason;  ///< a clause, for people
   Stamp stamp;         ///< of the step; the Estimator fills it in
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(kind, distance, turn, reason, stamp);
+  }
 };
 
 /// The kinds have these names in messages and files.

@@ -21,6 +21,11 @@ struct ObservationInnovation {
   Eigen::Matrix2d S = Eigen::Matrix2d::Zero();   ///< its covariance, as the back-end believes
   Eigen::Matrix2d R = Eigen::Matrix2d::Zero();   ///< the observation's part of it
   bool used = false;                             ///< it passed the gate
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(id, nu, S, R, used);
+  }
 };
 
 /// What an observation was taken for.
@@ -40,12 +45,22 @@ struct AssociatedObservation {
   LandmarkId own_id = kUnknownId;    ///< the one that it brings, which was not looked at
   LandmarkId landmark = kUnknownId;  ///< the landmark's, where it was taken for one
   TakenFor taken_for = TakenFor::kNothing;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(own_id, landmark, taken_for);
+  }
 };
 
 /// A decision on an observation of an earlier step that replaces the first one.
 struct RevisedAssociation {
   Stamp stamp;  ///< of that step
   AssociatedObservation observation;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, observation);
+  }
 };
 
 /// The same of several observations of a stamp together, (range, bearing) one after the other.
@@ -54,6 +69,11 @@ struct JointInnovation {
   Eigen::MatrixXd S, R;
   /// Jacobian of the prediction by the pose (x, y, theta), map frame; empty where it is not known.
   Eigen::MatrixX3d H;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(nu, S, R, H);
+  }
 };
 
 /// What the last execute() made of its observations.
@@ -79,6 +99,12 @@ struct UpdateStatistics {
   PosePrediction prediction;  ///< before the observations; counts only where joint.H is known
 
   static constexpr std::size_t kJoint = 8;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(nis, nis_dof, used, gated, added, unknown, landmarks, gate_probability, log_likelihood,
+            innovations, associations, revised_associations, joint, prediction);
+  }
 };
 
 /// The capability of a back-end whose map has landmarks.

@@ -10,6 +10,11 @@ namespace slam {
 /// The content of a session's file, which only back-ends of the same kind can read.
 struct SavedSession {
   std::string bytes;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(bytes);
+  }
 };
 
 /// The capability of a back-end that can save all it knows, the way and what was seen on it

@@ -12,6 +12,11 @@ namespace slam {
 struct StampedPose {
   Stamp stamp;
   Pose2 pose;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, pose);
+  }
 };
 
 }  // namespace slam

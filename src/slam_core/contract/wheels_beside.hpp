@@ -69,6 +69,16 @@ class WheelsBeside {
   }
   std::uint64_t dropped() const { return wheels_->dropped(); }
 
+  bool canResume() const { return wheels_->canResume(); }
+  template <class Archive>
+  void persist(Archive& archive) {
+    if constexpr (Archive::kReads)
+      wheels_->restoreState(archive);
+    else
+      wheels_->saveState(archive);
+    archive(has_sample_, track_, waiting_, counters_);
+  }
+
  private:
   static constexpr Duration kPatience = std::chrono::seconds(1);
   static constexpr std::size_t kCapacity = 100;

@@ -60,6 +60,11 @@ class Associator {
   std::vector<LandmarkId> ghosts(const Association& association, const EkfState& state,
                                  const Pose2& sensor);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(evidence_, descriptors_);
+  }
+
  private:
   using Decision = association::Decision;
 

@@ -46,6 +46,11 @@ class DenseCovariance {
   /// Appends a landmark by its covariance with all there is, a column each, and with itself.
   void appendJoint(const Eigen::Ref<const Eigen::Matrix2Xd>& cross, const Eigen::Matrix2d& itself);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(P_, size_);
+  }
+
  private:
   static constexpr Eigen::Index kRobotSize = 3;
   void reserve(Eigen::Index size);

@@ -46,6 +46,15 @@ class EkfSlam final : public Backend,
   Counters counters() const override { return counters_; }
 
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(associator_, state_, sightings_, statistics_, counters_, map_, initial_pose_, motion_,
+            observations_);
+  }
 
  private:
   // what it offers as capabilities

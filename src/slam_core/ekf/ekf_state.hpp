@@ -111,6 +111,12 @@ class EkfState {
   LandmarkMap map() const;                                 ///< sorted by id, with marginals
   MapState state() const;  ///< sorted by id, with the joint covariance
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(robot_, neighbourhood_, ids_, largest_id_, index_, starts_, firsts_, lines_, born_,
+            is_seen_, seen_);
+  }
+
  private:
   LandmarkPoint point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,
                       double born) const;

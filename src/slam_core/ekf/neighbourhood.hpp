@@ -67,6 +67,12 @@ class Neighbourhood {
   /// (robot, landmarks).
   double prior(Eigen::Index row, Eigen::Index column) const { return prior_(row, column); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(prior_, local_, correction_, taken_, slots_, known_, is_fresh_, is_updated_,
+            prior_rows_, local_rows_, L_, factored_);
+  }
+
  private:
   static constexpr Eigen::Index kPoseSize = 3;
   static Eigen::Index priorRow(Eigen::Index landmark) { return kPoseSize + 2 * landmark; }

@@ -38,6 +38,11 @@ class PanelTriangle {
   void subtractProduct(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
                        const std::vector<Eigen::Index>& rows);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(panels_, size_);
+  }
+
  private:
   static constexpr Eigen::Index kRows = 16;
 

@@ -35,9 +35,17 @@ class FiducialDetector : public LandmarkDetector, public ViewDrawer {
   cv::Mat drawing() const override;
   Counters counters() const override { return counters_; }
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
 
   /// All that was found in the last image, accepted or not, sorted by id.
   const std::vector<MarkerDetection>& detections() const { return detections_; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(next_sequence_, counters_);
+  }
 
  private:
   LandmarkObservationArray emptyArray();

@@ -50,6 +50,11 @@ class Pose2 {
   /// The displacement after the part `share` in [0, 1] of this one, along the SE(2) geodesic.
   Pose2 part(double share) const { return exp(share * log()); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(x_, y_, theta_);
+  }
+
  private:
   double x_ = 0.0, y_ = 0.0, theta_ = 0.0;
 };

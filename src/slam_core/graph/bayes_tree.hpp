@@ -59,6 +59,13 @@ class BayesTree {
   };
   Cost cost() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(rows_, offsets_, clique_of_, cliques_, free_, roots_, factors_, free_factors_,
+            free_keys_, open_, open_factors_, orphans_, changed_, touched_, removed_,
+            eliminated_rows_, undetermined_, solution_, spread_, has_moved_, moved_, row_of_);
+  }
+
  private:
   friend class Elimination;
 
@@ -77,10 +84,21 @@ class BayesTree {
     int parent = -1;
     bool is_open = false;  ///< it was taken off
     bool is_due = false;   ///< its part of the solution has to be computed
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(keys, frontals, frontal_rows, rows, columns, schur, rhs, schur_rhs, factors, children,
+              parent, is_open, is_due);
+    }
   };
   struct StoredFactor {
     QuadraticFactor factor;
     int clique = -1;  ///< that holds it; -1: none yet
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(factor, clique);
+    }
   };
   /// The part of the rows of L^-1 E, E the columns of a variable, that one clique holds.
   struct ForwardRows {

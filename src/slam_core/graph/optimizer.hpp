@@ -11,6 +11,7 @@
 
 #include "slam_core/graph/bayes_tree.hpp"
 #include "slam_core/graph/factor.hpp"
+#include "slam_core/graph/factor_archive.hpp"
 
 namespace slam::graph {
 
@@ -85,6 +86,11 @@ class Optimizer {
   /// Shows each factor of the graph with its weight, in the order of their ids.
   friend void visitFactors(const Optimizer& graph, const FactorVisitor& look);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(variables_, terms_, terms_of_, tree_, moved_);
+  }
+
  private:
   friend GraphContents contentsOf(const Optimizer& graph);
   friend void eliminate(Optimizer& graph, const std::vector<Key>& last);
@@ -92,6 +98,12 @@ class Optimizer {
   struct Term {
     std::shared_ptr<const Factor> factor;
     double weight = 1.0;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      persistFactor(archive, factor);
+      archive(weight);
+    }
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }

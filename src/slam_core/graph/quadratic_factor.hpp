@@ -19,6 +19,11 @@ struct QuadraticFactor {
   std::vector<Key> keys;
   Eigen::MatrixXd H;
   Eigen::VectorXd g;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(keys, H, g);
+  }
 };
 
 }  // namespace slam::graph

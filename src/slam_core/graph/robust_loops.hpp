@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/graph/factor_archive.hpp"
 #include "slam_core/graph/optimizer.hpp"
 
 namespace slam::graph {
@@ -32,6 +33,11 @@ class RobustLoops {
   /// Counts how often loops were believed and taken back so far.
   struct Changes {
     std::size_t believed = 0, taken_back = 0;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(believed, taken_back);
+    }
   };
 
   /// @param graph outlives this
@@ -65,12 +71,23 @@ class RobustLoops {
   std::size_t rejected() const;
   Changes changes() const { return changes_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(loops_, noise_, taught_, has_new_, changes_);
+  }
+
  private:
   struct Loop {
     std::shared_ptr<const Factor> factor;
     std::optional<FactorId> id;  ///< in the graph
     double weight = 1.0;
     bool is_alone = false;  ///< it waits for another one that says the same
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      persistFactor(archive, factor);
+      archive(id, weight, is_alone);
+    }
   };
   void believe(Loop& loop);
   void learnNoise(double nis);

@@ -38,10 +38,20 @@ class Variables {
   }
   void set(Key key, const Pose2& value) { variables_[static_cast<std::size_t>(key)].pose = value; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(variables_);
+  }
+
  private:
   struct Variable {
     Pose2 pose;  ///< of a point: its position
     int rows = 0;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(pose, rows);
+    }
   };
   void store(Key key, const Variable& variable) {
     const auto i = static_cast<std::size_t>(key);

@@ -62,6 +62,11 @@ class Associator {
   std::vector<LandmarkId> ghosts(const Association& association, const LandmarkGraph& graph,
                                  const Pose2& sensor);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(evidence_, descriptors_);
+  }
+
  private:
   void decide(const LandmarkObservationArray& array, const LandmarkGraph& graph);
   std::vector<Match> sort(const LandmarkObservationArray& array, const LandmarkGraph& graph,

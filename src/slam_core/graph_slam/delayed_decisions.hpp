@@ -38,24 +38,49 @@ class DelayedDecisions {
   /// A node is removed from the graph.
   void forget(graph::Key node);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(nodes_, due_, told_);
+  }
+
  private:
   /// An observation as its array had it.
   struct Reading {
     Stamp stamp;
     LandmarkId own_id;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(stamp, own_id);
+    }
   };
   struct Paired {
     Reading reading;
     std::size_t landmark;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(reading, landmark);
+    }
   };
   struct Waiting {
     NodeObservations seen;
     std::vector<std::vector<Reading>> readings;  ///< by observation
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(seen, readings);
+    }
   };
   struct Node {
     graph::Key key;
     std::vector<Paired> paired;
     std::vector<Waiting> waiting;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(key, paired, waiting);
+    }
   };
 
   Node& at(graph::Key key);

@@ -72,6 +72,18 @@ class GraphSlam final : public Backend,
   Figures figures() const override;
 
   void reset() override;
+  /// Not while a session waits to be merged.
+  bool canResume() const override { return waiting_ == nullptr && !resumed_; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    if constexpr (Archive::kReads) graph_ = emptyGraph({});
+    archive(*graph_, associator_, revision_, sightings_, statistics_, events_, counters_,
+            fixed_map_, last_motion_, has_moved_, map_, initial_pose_, motion_, observations_,
+            scan_);
+  }
 
  private:
   // what it offers as capabilities
@@ -109,6 +121,12 @@ class GraphSlam final : public Backend,
     std::optional<ScanGraph> scans;  ///< where there is a grid
     PathRecord record;
     PathReduction reduction;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(path, landmarks, delayed, record, reduction);
+      if (scans) archive(*scans);
+    }
   };
   /// A session to go on with.
   struct Resumed {

@@ -38,6 +38,16 @@ class GridRenderer {
   /// somebody has asked for one.
   double mostBytes() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(base_, scans_, scan_bytes_, covered_.min(), covered_.max(), revision_);
+    if constexpr (Archive::kReads) {
+      drawing_.reset();
+      drawn_.clear();
+      is_erased_ = false;
+    }
+  }
+
  private:
   friend struct SessionParts;  // writes and reads its members
 
@@ -46,6 +56,11 @@ class GridRenderer {
     Pose2 pose;  ///< as it is to be drawn
     SharedScan scan;
     double reach;  ///< no cell that it writes to is further from the robot [m]
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(node, pose, scan, reach);
+    }
   };
   double reachOf(const LaserScan& scan) const;
   grid_map::ScanPoints pointsOf(const Scan& scan) const;

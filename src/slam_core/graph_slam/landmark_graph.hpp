@@ -29,6 +29,11 @@ using Viewpoint = std::optional<graph::Key>;
 struct NodeObservations {
   graph::Key node = -1;
   LandmarkObservationArray array;  ///< its sensor pose is T_node_sensor
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(node, array);
+  }
 };
 
 /// The landmarks of a graph: a factor of range and bearing for each one that is seen from a node of
@@ -86,6 +91,11 @@ class LandmarkGraph {
   LandmarkMap map() const;  ///< sorted by id, with marginals
   MapState state() const;   ///< sorted by id, with the joint covariance
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(ids_, keys_, index_, sightings_node_, sightings_);
+  }
+
  private:
   friend struct SessionParts;  // writes and reads its members
 
@@ -93,6 +103,11 @@ class LandmarkGraph {
   struct Sighting {
     LandmarkObservation z;
     Pose2 sensor;  ///< T_node_sensor
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(z, sensor);
+    }
   };
 
   void addLandmark(LandmarkId id, const Eigen::Vector2d& place);

@@ -48,6 +48,11 @@ class LandmarkIds {
     return order;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(ids_, largest_, number_);
+  }
+
  private:
   std::vector<LandmarkId> ids_;
   LandmarkId largest_ = kUnknownId;

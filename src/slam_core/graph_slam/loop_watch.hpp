@@ -22,6 +22,11 @@ class LoopWatch {
   void note(const graph::RobustLoops::Changes& now, const Pose2& before, const Pose2& after);
   const std::vector<Event>& events() const { return events_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(last_, events_);
+  }
+
  private:
   graph::RobustLoops::Changes last_;
   std::vector<Event> events_;

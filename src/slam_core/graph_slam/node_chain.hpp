@@ -24,16 +24,31 @@ class NodeChain {
     Pose2 increment;
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the increment, to the first order
     double way = 0.0;                                      ///< driven, along all nodes between [m]
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(factor, increment, covariance, way);
+    }
   };
   struct Chord {
     graph::FactorId factor = -1;
     graph::Key other = -1;  ///< the node at its other end
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(factor, other);
+    }
   };
   struct Node {
     graph::Key before = -1, after = -1;
     Link link;                  ///< to the one before, where there is one
     bool has_prior = false;     ///< something besides motions and sightings says where it is
     std::vector<Chord> chords;  ///< from it and to it
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(before, after, link, has_prior, chords);
+    }
   };
 
   /// @param graph outlives this
@@ -55,6 +70,11 @@ class NodeChain {
 
   /// Removes a node with its variable and chords. No factors but those of motion hold it any more.
   void remove(graph::Key node);
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(nodes_, new_);
+  }
 
  private:
   friend struct SessionParts;  // takes up the nodes of a session as if they had just come

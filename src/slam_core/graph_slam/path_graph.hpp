@@ -27,6 +27,11 @@ struct Tail {
   std::optional<graph::Key> node;  ///< the last one; none before the first one and where redrawn
   std::optional<Motion> motion;    ///< since then; nothing where the robot is there
   std::size_t nodes = 0;           ///< of the whole path, with those that were removed
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(node, motion, nodes);
+  }
 };
 
 /// The robot's path as a graph: a node for each pose from which something new was seen, and a
@@ -65,6 +70,11 @@ class PathGraph {
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }
   friend NodeChain& chainOf(PathGraph& path) { return path.chain_; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(graph_, chain_, start_, tail_);
+  }
 
  private:
   friend struct SessionParts;  // writes and reads its members

@@ -23,6 +23,11 @@ class PathRecord {
   void hang(graph::Key node, graph::Key to, const graph::Optimizer& graph);
   std::vector<StampedPose> poses(const graph::Optimizer& graph) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(marks_, spans_);
+  }
+
  private:
   friend struct SessionParts;  // writes and reads its members
 
@@ -31,10 +36,20 @@ class PathRecord {
     Stamp stamp;
     graph::Key node;
     Pose2 pose;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(stamp, node, pose);
+    }
   };
   /// The marks of a node, and perhaps others between them.
   struct Span {
     std::size_t first, last;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(first, last);
+    }
   };
   void push(const Mark& mark);
 

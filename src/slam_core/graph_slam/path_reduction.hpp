@@ -45,6 +45,11 @@ class PathReduction {
   /// The number of nodes removed so far.
   std::size_t removed() const { return removed_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(places_, newest_, open_, window_, leaving_, to_keep_, removed_);
+  }
+
  private:
   bool isToBeJudged(graph::Key node) const;
   void judge(graph::Key node);

@@ -39,6 +39,11 @@ class PlaceRaster {
     return first->node;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(cells_, size_);
+  }
+
  private:
   static constexpr double kNear = 1.0, kTurned = M_PI / 4;  // [m], [rad]
 
@@ -46,6 +51,11 @@ class PlaceRaster {
     Pose2 pose;
     graph::Key node;
     std::size_t number;  ///< in the order in which they were added
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(pose, node, number);
+    }
   };
 
   template <class Visit>

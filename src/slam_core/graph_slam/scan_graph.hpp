@@ -58,6 +58,12 @@ class ScanGraph {
   friend ScanPath& pathOf(ScanGraph& scans) { return scans.told_; }
   friend GraphView viewOf(const graph::Optimizer& graph, const ScanGraph* scans);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(told_, submaps_, loops_, loop_watch_, renderer_, reduction_, tracker_, trigger_, doubt_,
+            watch_, inserted_);
+  }
+
  private:
   friend struct SessionParts;  // writes and reads its members
 

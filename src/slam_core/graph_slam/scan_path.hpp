@@ -41,6 +41,11 @@ class ScanPath {
   /// are off by they owe to it, so that it counts as exact in the odom frame.
   graph::Key insert(const PoseEstimate& robot, bool is_determined);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(carried_, last_, reference_);
+  }
+
  private:
   friend struct SessionParts;  // writes and reads its members
 
@@ -49,6 +54,11 @@ class ScanPath {
     graph::Key node = -1;
     PoseEstimate in_odom;        ///< T_odom_base
     std::optional<Motion> told;  ///< since then, by odometry
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(node, in_odom, told);
+    }
   };
 
   PoseEstimate motionFrom(const Place& place, const PoseEstimate& robot) const;

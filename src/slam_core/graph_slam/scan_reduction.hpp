@@ -34,6 +34,11 @@ class ScanReduction {
   /// Whether the node has a scan that stays for now.
   bool holds(graph::Key node) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(kept_, finished_, released_);
+  }
+
  private:
   bool isKnown(const Submap& submap) const;
   bool isNearKept(graph::Key node) const;

@@ -36,10 +36,20 @@ class SightingIndex {
   /// The landmarks that were seen from a node.
   const std::vector<std::size_t>& seenFrom(graph::Key node) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(of_landmark_, of_node_);
+  }
+
  private:
   struct Sighting {
     graph::Key node;
     graph::FactorId factor;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(node, factor);
+    }
   };
   std::vector<std::vector<Sighting>> of_landmark_;
   std::unordered_map<graph::Key, std::vector<std::size_t>> of_node_;  // looked up only

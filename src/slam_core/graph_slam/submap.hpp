@@ -51,6 +51,21 @@ class Submap {
   /// The nodes of its scans.
   const std::vector<graph::Key>& nodes() const { return nodes_; }
 
+  /// What was drawn of scans is drawn again.
+  template <class Archive>
+  void persist(Archive& archive, const grid_map::GridMapConfig& config) {
+    bool is_loaded = isLoaded(), is_drawn = map_ != nullptr;
+    archive(is_loaded, is_drawn, origin_, T_odom_origin_, places_, nodes_, scans_);
+    if constexpr (Archive::kReads) {
+      config_ = is_loaded ? nullptr : &config;
+      map_.reset();
+    }
+    if (is_loaded)
+      archive.made(map_, [&] { return std::make_unique<scan_matching::ScanMap>(config); });
+    else if (is_drawn)
+      map();
+  }
+
  private:
   const grid_map::GridMapConfig* config_ = nullptr;
   std::unique_ptr<scan_matching::ScanMap> map_;

@@ -21,6 +21,12 @@ class Submaps {
     Submap submap;
     double ended;  ///< the way that had been gone with its last scan [m]
     std::size_t used;
+
+    template <class Archive>
+    void persist(Archive& archive, const grid_map::GridMapConfig& config) {
+      submap.persist(archive, config);
+      archive(ended, used);
+    }
   };
 
   /// @param config outlives this @param way of a submap [m]
@@ -44,6 +50,24 @@ class Submaps {
   /// The length of the way up to the last scan [m].
   double way() const { return gone_; }
   std::size_t bytes() const;  ///< of all drawings
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    auto size = std::uint64_t{finished_.size()};
+    archive.count(size);
+    if constexpr (Archive::kReads) {
+      finished_.clear();
+      for (; size > 0; --size) finished_.push_back({Submap(config_), 0.0, 0});
+    }
+    for (auto& each : finished_) each.persist(archive, config_);
+    older_.persist(archive, config_);
+    bool has_younger = younger_.has_value();
+    archive(has_younger);
+    if constexpr (Archive::kReads)
+      younger_ = has_younger ? std::optional<Submap>(Submap(config_)) : std::nullopt;
+    if (younger_) younger_->persist(archive, config_);
+    archive(gone_, renewed_, last_, uses_);
+  }
 
  private:
   friend struct SessionParts;  // writes and reads its members

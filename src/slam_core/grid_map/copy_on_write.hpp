@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
 #include "slam_core/common/reference_count.hpp"
@@ -43,6 +44,25 @@ class CopyOnWrite {
     else if (!block_->count.isOne())
       *this = CopyOnWrite(new Block{ReferenceCount(), block_->value});
     return block_->value;
+  }
+
+  /// @param arguments of the persist() of the value, and of its constructor where that takes them
+  template <class Archive, class... Arguments>
+  void persist(Archive& archive, Arguments&... arguments) {
+    if constexpr (Archive::kReads) *this = CopyOnWrite();
+    if (!archive.refer(block_)) {
+      if constexpr (Archive::kReads)
+        if (block_ != nullptr) block_->count.increment(true);
+      return;
+    }
+    if constexpr (Archive::kReads) {
+      if constexpr (std::is_constructible_v<T, Arguments&...>)
+        own(arguments...);
+      else
+        own();
+      archive.bind(block_);
+    }
+    block_->value.persist(archive, arguments...);
   }
 
  private:

@@ -64,6 +64,11 @@ class GridMap {
   /// The same for copies of which none has been written since.
   const void* identity() const { return directory_.get(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    directory_.persist(archive, memory_->count_);
+  }
+
  private:
   struct Directory {
     std::int32_t x = 0, y = 0;  ///< of the first tile, in tiles
@@ -80,6 +85,19 @@ class GridMap {
     const Tile* tile(CellIndex cell) const {
       const std::int32_t tile_x = cell.x >> Tile::kBits, tile_y = cell.y >> Tile::kBits;
       return holds(tile_x, tile_y) ? tiles[at(tile_x, tile_y)].get() : nullptr;
+    }
+
+    template <class Archive>
+    void persist(Archive& archive, TileCount& count) {
+      archive(x, y, width, height);
+      auto size = std::uint64_t{tiles.size()};
+      archive.count(size);
+      if constexpr (Archive::kReads) {
+        if (width < 0 || height < 0 || size != std::uint64_t(width) * std::uint64_t(height))
+          throw std::runtime_error("it holds a grid of another size: save it again");
+        tiles.resize(size);
+      }
+      for (auto& tile : tiles) tile.persist(archive, count);
     }
   };
 

@@ -18,6 +18,11 @@ struct ScanPoints {
     LogOdds gain;         ///< of the cell in which it ends; 0: it says that there is nothing
     double sigma;         ///< of its length; 0 where it says that there is nothing
     bool isHit() const { return gain > 0; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(end, gain, sigma);
+    }
   };
   double cells_per_metre = 1.0;
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the sensor
@@ -31,6 +36,11 @@ struct ScanPoints {
   /// The pose with lengths in cells.
   Pose2 inCells(const Pose2& pose) const {
     return {cells_per_metre * pose.x(), cells_per_metre * pose.y(), pose.theta()};
+  }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(cells_per_metre, origin, relative_sigma, beams, ends);
   }
 };
 

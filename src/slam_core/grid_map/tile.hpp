@@ -72,6 +72,11 @@ struct Tile : CountedTile {
   /// them there were.
   std::array<std::int8_t, kCells> mean_x{}, mean_y{};
   std::array<std::uint8_t, kCells> ends{};
+
+  template <class Archive>
+  void persist(Archive& archive, TileCount& /*count*/) {
+    archive(likelihood, log_odds, mean_x, mean_y, ends);
+  }
 };
 
 }  // namespace slam::grid_map

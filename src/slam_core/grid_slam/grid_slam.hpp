@@ -43,6 +43,15 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
   Counters counters() const override { return counters_; }
   Figures figures() const override;
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(map_config_); });
+    archive(revision_, tracker_, trigger_, drift_, carried_, doubt_, watch_, inputs_, counters_);
+  }
 
  private:
   /// What was set since the last step.
@@ -54,6 +63,11 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
 
     void set(const Motion& next) { motion = motion ? joined(*motion, next) : next; }
     void set(const LaserScan& latest) { scan = latest; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(map, initial_pose, motion, scan);
+    }
   };
 
   // what it offers as capabilities

@@ -21,6 +21,12 @@ struct LaserSweep {
   float range_min = 0.0f, range_max = 0.0f;                          ///< [m]
   std::vector<float> ranges;                                         ///< [m]
   std::vector<float> intensities;  ///< one for each range, in the sensor's own unit; or none
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, frame, angle_min, angle_max, angle_increment, range_min, range_max, ranges,
+            intensities);
+  }
 };
 
 /// Where a laser is mounted: its frame (x ahead, y left, beams in the plane of both) in the robot's
@@ -28,6 +34,11 @@ struct LaserSweep {
 struct LaserMount {
   std::string laser_frame;
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(laser_frame, T_base_laser.matrix());
+  }
 };
 
 /// Empty, or what makes the sweep unusable: angles or limits that are none, an increment that leads

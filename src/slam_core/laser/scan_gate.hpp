@@ -47,6 +47,14 @@ class ScanGate final : public Gate {
 
   /// The gate is as after configure(), but keeps the mount.
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(mount_, mount_fault_, held_, sequence_, blind_since_, scan_, counters_);
+  }
 
  private:
   struct Fault {

@@ -25,6 +25,14 @@ class ScanDetector : public LandmarkDetector {
   }
   Counters counters() const override { return counters_; }
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(next_sequence_, counters_);
+  }
 
  protected:
   using Observations = std::vector<LandmarkObservation>;

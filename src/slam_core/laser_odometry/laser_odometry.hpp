@@ -41,6 +41,15 @@ class LaserOdometry final : public OdometrySource {
   Counters counters() const override { return counters_; }
   Figures figures() const override;
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(tracker_, trigger_, input_, last_, last_sure_, ahead_, agreement_, is_sure_,
+            has_slipped_, motion_, next_sequence_, counters_, *map_);
+  }
 
  private:
   bool isLate(Stamp stamp);

@@ -27,6 +27,11 @@ class LaserWheelOdometry final : public OdometrySource {
   std::uint64_t dropped() const override { return wheels_.dropped(); }
   Figures figures() const override { return laser_.figures(); }
   void reset() override;
+  bool canResume() const override { return wheels_.canResume(); }
+  void saveState(ArchiveWriter& archive) const override {
+    archive(wheels_, laser_, is_handing_over_);
+  }
+  void restoreState(ArchiveReader& archive) override { archive(wheels_, laser_, is_handing_over_); }
 
  private:
   WheelsBeside<LaserScan> wheels_;

@@ -24,6 +24,14 @@ class LocalMap {
   void reset();
   std::size_t bytes() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    const auto make = [this] { return empty(); };
+    archive.made(older_, make);
+    archive.made(younger_, make);
+    archive(gone_, last_);
+  }
+
  private:
   std::unique_ptr<scan_matching::ScanMap> empty() const;
 

@@ -23,6 +23,11 @@ class Coasting {
   /// Whether a step is much longer than any of the motions that were measured.
   bool isUnusual(const Pose2& step, Duration interval) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(step_, span_, velocity_, largest_speed_, largest_turn_rate_);
+  }
+
  private:
   Pose2 step_;                                          ///< since the last velocity
   Duration span_{};                                     ///< of it

@@ -22,6 +22,11 @@ struct Descriptor {
 
   bool isEmpty() const { return values.size() == 0 && sigmas.size() == 0; }
   Eigen::Index size() const { return values.size(); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(values, sigmas);
+  }
 };
 
 /// A descriptor of one number.

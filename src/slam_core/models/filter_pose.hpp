@@ -17,6 +17,11 @@ struct FilterPose {
 
   static FilterPose of(Stamp stamp, const Pose2& T_map_base);
   Pose2 pose() const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, x, y, qz, qw);
+  }
 };
 
 }  // namespace slam

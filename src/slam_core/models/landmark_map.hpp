@@ -18,6 +18,11 @@ namespace slam {
 struct PoseEstimate {
   Pose2 pose;                                            ///< T_map_base
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(pose, covariance);
+  }
 };
 
 /// Standard deviations of a pose above which back-ends would compute with differences of numbers
@@ -48,6 +53,11 @@ struct Landmark {
   Descriptor descriptor = {};
 
   bool isLine() const { return kind == LandmarkKind::kLine; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(id, position, covariance, kind, direction, extent, descriptor);
+  }
 };
 
 /// Landmarks sorted by id.
@@ -60,6 +70,11 @@ struct MapState {
   LandmarkMap landmarks;
   Eigen::MatrixXd joint_covariance;
   std::optional<OccupancyGrid> grid = std::nullopt;  ///< of back-ends that make one
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(robot, landmarks, joint_covariance, grid);
+  }
 };
 
 /// The map without its lines, for those who take points only.

@@ -24,6 +24,11 @@ enum class LandmarkKind : std::uint8_t { kPoint = 0, kLine = 1 };
 /// at it is positive.
 struct LineExtent {
   double begin = 0.0, end = 0.0;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(begin, end);
+  }
 };
 
 /// Range [m] and bearing [rad] of a landmark in the sensor's horizontal plane, Eq. 5.3. Those of a
@@ -41,6 +46,11 @@ struct LandmarkObservation {
   Eigen::Vector2d vector() const { return {range, bearing}; }
   bool hasCovariance() const { return covariance(0, 0) != -1.0; }
   bool isLine() const { return kind == LandmarkKind::kLine; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(id, range, bearing, covariance, kind, extent, descriptor);
+  }
 };
 
 /// What one sensor saw at one instant; empty when it saw nothing.
@@ -50,6 +60,11 @@ struct LandmarkObservationArray {
   std::string sensor_frame;
   Pose2 sensor_pose;  ///< T_base_sensor
   std::vector<LandmarkObservation> observations;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(sequence, stamp, sensor_frame, sensor_pose, observations);
+  }
 };
 
 /// Empty, or what makes the observation unusable (NaN, a range that is not positive or absurd, a

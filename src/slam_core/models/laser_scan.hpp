@@ -26,6 +26,11 @@ struct LaserBeam {
     return {range * std::cos(static_cast<double>(bearing)),
             range * std::sin(static_cast<double>(bearing))};
   }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(bearing, range, hit, intensity);
+  }
 };
 
 /// One sweep of a laser, whatever its mount, seen as horizontal. Beams that tell nothing (not a
@@ -38,6 +43,11 @@ struct LaserScan {
   Pose2 sensor_pose;            ///< T_base_sensor
   double relative_sigma = 0.0;  ///< standard deviation of a range, relative to it
   std::vector<LaserBeam> beams;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(sequence, stamp, sensor_frame, sensor_pose, relative_sigma, beams);
+  }
 };
 
 }  // namespace slam

@@ -17,7 +17,7 @@ namespace slam {
 class LineModel final : public ObservationModel {
  public:
   /// @param anchor in the map frame [m]
-  explicit LineModel(const Eigen::Vector2d& anchor) : anchor_(anchor) {}
+  explicit LineModel(const Eigen::Vector2d& anchor = Eigen::Vector2d::Zero()) : anchor_(anchor) {}
   /// The model of a line that was seen for the first time: its anchor is the middle of what was
   /// seen.
   LineModel(const Pose2& T_map_sensor, const LandmarkObservation& z);
@@ -43,6 +43,11 @@ class LineModel final : public ObservationModel {
   /// The line as a map has it.
   Landmark landmarkOf(LandmarkId id, const Eigen::Vector2d& m_map, const LineExtent& extent) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(anchor_);
+  }
+
  private:
   Eigen::Vector2d anchor_;
 };
@@ -51,6 +56,11 @@ class LineModel final : public ObservationModel {
 struct MappedLine {
   LineModel model;
   LineExtent extent;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(model, extent);
+  }
 };
 
 /// Parts of a line that are farther apart are two lines, as walls beside a gate [m].

@@ -23,6 +23,12 @@ struct Motion {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   Pose2 odometry_start, odometry_end;  ///< T_odom_base
   std::string odometry_frame, base_frame;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(sequence, start, end, increment, covariance, odometry_start, odometry_end,
+            odometry_frame, base_frame);
+  }
 };
 
 /// The parts before and after a stamp within (start, end): the increment is divided along the SE(2)
@@ -55,6 +61,11 @@ bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 struct PosePrediction {
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(F, Q);
+  }
 };
 
 }  // namespace slam

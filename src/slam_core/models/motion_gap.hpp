@@ -26,6 +26,12 @@ class MotionGap {
 
   void reset() { *this = {}; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(last_, before_jump_, since_jump_, span_, span_covariance_, worst_rate_, knows_rate_,
+            way_scale_, turn_scale_, coasting_);
+  }
+
  private:
   /// True over measured by least squares, beginning with 1.
   class Scale {
@@ -35,6 +41,11 @@ class MotionGap {
       below_ += measured_squared;
     }
     double value() const { return above_ / below_; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(above_, below_);
+    }
 
    private:
     static constexpr double kFirst =

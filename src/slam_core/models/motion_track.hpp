@@ -22,6 +22,11 @@ class MotionTrack {
   /// cover all of it without a hole.
   std::optional<Motion> between(Stamp start, Stamp end) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(motions_);
+  }
+
  private:
   std::deque<Motion> motions_;
 };

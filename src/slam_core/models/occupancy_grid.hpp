@@ -19,6 +19,11 @@ struct OccupancyGrid {
   std::uint32_t width = 0, height = 0;               ///< in cells, along x and y
   /// Row by row from the least y: percent of certainty that the cell is occupied, or kUnknown.
   std::vector<std::int8_t> cells;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(resolution, origin, width, height, cells);
+  }
 };
 
 }  // namespace slam

@@ -19,6 +19,11 @@ struct OdometrySample {
   Eigen::Vector3d twist = Eigen::Vector3d::Zero();  ///< vx, vy, omega in base [m/s, m/s, rad/s]
   Eigen::Matrix3d twist_covariance = Eigen::Matrix3d::Zero();
   std::string odometry_frame, base_frame;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, pose, twist, twist_covariance, odometry_frame, base_frame);
+  }
 };
 
 }  // namespace slam

@@ -41,6 +41,8 @@ class AlignedFusion final : public FusionPolicy {
   }
 
   void reset() override { correction_ = Pose2(); }
+  void saveState(ArchiveWriter& archive) const override { archive(correction_); }
+  void restoreState(ArchiveReader& archive) override { archive(correction_); }
 
  private:
   /// Of the points beside an end point along a surface that is known well, the best known.

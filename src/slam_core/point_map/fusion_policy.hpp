@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "slam_core/common/archive.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/point_map/point_map_config.hpp"
 #include "slam_core/point_map/point_set.hpp"
@@ -26,6 +27,9 @@ class FusionPolicy {
   virtual std::optional<std::uint32_t> match(const Eigen::Vector2d& end, PointSet& map) = 0;
   /// The map begins anew.
   virtual void reset() {}
+  /// What it knows of the scans before, for who has some.
+  virtual void saveState(ArchiveWriter& /*archive*/) const {}
+  virtual void restoreState(ArchiveReader& /*archive*/) {}
 };
 
 /// The thesis's: at the filter's pose, as it is (5.6).

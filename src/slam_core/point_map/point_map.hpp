@@ -56,6 +56,18 @@ class PointMap final : public MapModule {
   /// Writes `points.pcd`.
   void save(const std::string& folder) const override;
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(gap_, collator_, points_, counters_, fault_, revision_, stamp_);
+    if constexpr (Archive::kReads)
+      fusion_->restoreState(archive);
+    else
+      fusion_->saveState(archive);
+  }
 
  private:
   void begin();

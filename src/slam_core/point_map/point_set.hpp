@@ -14,6 +14,11 @@ namespace slam::point_map {
 struct MapPoint {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< in the map frame [m]
   std::uint32_t count = 1;                             ///< end points
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(position, count);
+  }
 };
 
 /// The points of a map with an index over their places: a hash of square cells, each with a list of
@@ -52,10 +57,20 @@ class PointSet {
 
   void clear();
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(points_, cells_, next_, heads_);
+  }
+
  private:
   struct Cell {
     std::int64_t x, y;
     bool operator==(const Cell& other) const { return x == other.x && y == other.y; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(x, y);
+    }
   };
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 

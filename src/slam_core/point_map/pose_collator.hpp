@@ -47,6 +47,11 @@ class PoseCollator {
   std::optional<Stamp> lastMotion() const { return motions_.stamps().last(); }
   std::optional<Stamp> lastPose() const { return poses_.stamps().last(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(motions_, poses_, scans_, begin_, pose_, pose_sequence_, restart_, counters_);
+  }
+
  private:
   static constexpr std::size_t kKept = 20000;  ///< minutes
   static constexpr std::size_t kScans = 2000;

@@ -83,6 +83,21 @@ class Estimator final : public Component {
   Figures figures() const override;
   void reset() override;
 
+  bool canResume() const override { return backend_->canResume() && slam::canResume(intake_); }
+  void saveState(ArchiveWriter& archive) const override {
+    archive(*this);
+    backend_->saveState(archive);
+  }
+  void restoreState(ArchiveReader& archive) override {
+    archive(*this);
+    backend_->restoreState(archive);
+  }
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(intake_, consistency_, noise_, scale_, last_pose_, map_start_, way_, events_,
+            relocaliser_, start_map_, start_session_, last_motion_, fault_, paused_, counters_);
+  }
+
  private:
   /// The back-end's, without those that the product does not use.
   Ports usedPorts() const;

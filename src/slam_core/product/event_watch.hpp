@@ -38,6 +38,11 @@ class EventWatch {
   /// Fills in what a step has led to; its pose and stamp are there.
   void complete(StepReport& report, const Capabilities& backend);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(pose_, relocation_, lost_since_);
+  }
+
  private:
   void addOwn(StepReport& report, const Capabilities& backend) const;
   void addJump(StepReport& report) const;

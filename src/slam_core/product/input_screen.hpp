@@ -44,6 +44,11 @@ class InputScreen {
   const Counters& counters() const { return counters_; }
   void reset();
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(observations_, fault_, counters_);
+  }
+
  private:
   void screen(LaserScan& scan);
   void tell(const std::string& sentence);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,14 @@ class Intake {
   struct Trigger {
     const InputPort* port = nullptr;
     std::shared_ptr<void> value;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      if constexpr (Archive::kReads)
+        value = port->traits.restore(archive);
+      else
+        port->traits.save(value.get(), archive);
+    }
   };
   using Step = Collator<Motion, Trigger>::Step;
   /// What has come so far.
@@ -78,6 +87,20 @@ class Intake {
   std::uint64_t dropped() const;
   void reset();
 
+  /// Whether what waits here can be put into a checkpoint.
+  friend bool canResume(const Intake& intake) {
+    const auto& ports = intake.triggers_;
+    return std::all_of(ports.begin(), ports.end(),
+                       [](const auto* port) { return port->traits.save != nullptr; });
+  }
+  template <class Archive>
+  void persist(Archive& archive) {
+    std::vector<Trigger> alike;
+    for (const auto* port : triggers_) alike.push_back({port, nullptr});
+    collator_.persist(archive, alike);
+    archive(screen_, gap_, moved_frame_, fault_, counters_);
+  }
+
  private:
   void take(const InputPort& port, const void* value);
   void takeMotion(Motion motion);
@@ -99,5 +122,7 @@ class Intake {
   std::string fault_;        ///< of an input since it was asked for
   Counters counters_;
 };
+
+bool canResume(const Intake& intake);
 
 }  // namespace slam

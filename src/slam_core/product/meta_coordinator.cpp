@@ -70,4 +70,17 @@ std::uint64_t MetaCoordinator::dropped() const {
   return sum;
 }
 
+std::string stateOf(const MetaCoordinator& product) {
+  ArchiveWriter archive;
+  archive(product);
+  return archive.take();
+}
+
+void restore(const std::string& state, MetaCoordinator& product) {
+  ArchiveReader archive(state);
+  archive(product);
+  if (archive.left() > 0)
+    throw std::runtime_error("it goes on behind its last record: save it again");
+}
+
 }  // namespace slam

@@ -63,6 +63,11 @@ class MetaCoordinator {
   std::uint64_t dropped() const;
   void reset() { wiring_.reset(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(wiring_);
+  }
+
  private:
   std::string portOf(Kind kind) const;
   Status beginningModules(Status status);
@@ -70,5 +75,12 @@ class MetaCoordinator {
   ProductComponents parts_;
   Wiring wiring_;
 };
+
+/// All that a product knows beyond its configuration, so that one that is configured in the same
+/// way goes on bit by bit as this one would. All its components can be resumed, see notResumable().
+std::string stateOf(const MetaCoordinator& product);
+/// @throw std::runtime_error where it is no state of this product, which has to be configured anew
+/// then
+void restore(const std::string& state, MetaCoordinator& product);
 
 }  // namespace slam

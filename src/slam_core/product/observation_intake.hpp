@@ -42,6 +42,11 @@ class ObservationIntake {
   /// another length from then on.
   void knowOnly(const LandmarkMap& map);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(misses_ids_, arrays_without_id_, known_, descriptor_size_);
+  }
+
  private:
   std::string watchIds(const std::vector<LandmarkObservation>& all);
 

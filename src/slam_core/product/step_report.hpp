@@ -17,6 +17,11 @@ namespace slam {
 struct Correction {
   double distance = 0.0;  ///< [m]
   double turn = 0.0;      ///< [rad], not negative
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(distance, turn);
+  }
 };
 
 /// What one step of the back-end led to, all that is published and written of it.
@@ -38,6 +43,12 @@ struct StepReport {
   std::optional<Correction> correction;
 
   bool hasTrigger() const { return !trigger.empty(); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, trigger, pose, odometry_pose, odometry_frame, base_frame, has_motion, statistics,
+            is_lost, restarted, is_relocated, events, correction);
+  }
 };
 
 }  // namespace slam

@@ -99,6 +99,12 @@ Component::Figures Wiring::figures() const {
   return all;
 }
 
+std::string notResumable(const Wiring& wiring) {
+  for (const auto& part : wiring.ports().parts())
+    if (!part.component->canResume()) return part.title;
+  return "";
+}
+
 Counters heldAtGates(const Wiring& wiring) {
   Counters all;
   for (const auto& gate : wiring.gates()) all.add(gate->held(), gate->name() + "_");

@@ -59,6 +59,17 @@ class Wiring {
   const std::vector<std::unique_ptr<Gate>>& gates() const { return ports_.gates(); }
   void reset();
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(status_);
+    for (auto& node : nodes_) {
+      if constexpr (Archive::kReads)
+        node.component->restoreState(archive);
+      else
+        node.component->saveState(archive);
+    }
+  }
+
  private:
   struct Node {
     std::string prefix;
@@ -87,6 +98,9 @@ class Wiring {
   WiredPorts ports_;
   Status status_;  ///< the last warning of those that took their turn at once
 };
+
+/// The title of a component or gate that cannot be resumed ("back-end 'x'"); empty where all can.
+std::string notResumable(const Wiring& wiring);
 
 /// Data that wait at gates, with the gates' prefixes.
 Counters heldAtGates(const Wiring& wiring);

@@ -57,6 +57,13 @@ class GridRecogniser {
     return recogniser.map_ ? 0.5 * recogniser.box_.diagonal().norm() : 0.0;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(local_, box_.min(), box_.max(), saved_, confirmed_at_, searched_, is_due_, has_news_);
+    archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(grid_config_); });
+    archive.made(trial_, [] { return PlaceTrial(Pose2(), {}); });
+  }
+
  private:
   bool isDue() const;
   bool isSaved(const Pose2& place) const;

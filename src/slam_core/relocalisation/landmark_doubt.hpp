@@ -39,6 +39,11 @@ class LandmarkDoubt {
   /// To be called when the map was replaced.
   void forget();
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(views_, trusted_, since_doubt_, missing_, hits_, misses_, sum_, robot_, stamp_);
+  }
+
  private:
   /// A cell of positions and headings from which about the same landmarks are seen.
   using Cell = std::array<long, 3>;

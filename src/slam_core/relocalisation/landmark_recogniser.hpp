@@ -35,12 +35,25 @@ class LandmarkRecogniser {
   /// Radius of a circle that holds the map [m]; 0 where there is none to search.
   double radius() const { return search_ ? search_->evidence().radius() : 0.0; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    bool is_searching = search_ != nullptr;
+    archive(is_searching, map_);
+    if constexpr (Archive::kReads) is_searching ? begin(std::move(map_)) : end();
+    archive(local_, reach_, candidate_, has_news_);
+  }
+
  private:
   /// The best place, and since when it has been the best.
   struct Candidate {
     Pose2 pose;  ///< T_map_base now
     Stamp since;
     int times = 1;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(pose, since, times);
+    }
   };
 
   bool stays(const Pose2& place, Stamp stamp);

@@ -31,6 +31,11 @@ class LocalLandmarks {
   /// In the order in which they were first seen.
   const std::vector<LocalLandmark>& all() const { return landmarks_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(landmarks_);
+  }
+
  private:
   bool see(const LocalLandmark& seen);
 

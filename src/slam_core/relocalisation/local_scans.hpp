@@ -18,6 +18,11 @@ struct LocalScan {
   scan_matching::ScanLevels points;
   Pose2 pose;   ///< T_local_base
   double gone;  ///< LocalScans::way() at the scan [m]
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(points, pose, gone);
+  }
 };
 
 /// The scans of the last metres, matched with one another. They need neither a map nor a pose. A
@@ -44,6 +49,12 @@ class LocalScans {
   double way() const { return gone_; }
   /// The ends of all scans that are kept, in the robot's frame.
   scan_matching::ScanLevels together() const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(tracker_, trigger_, drawn_, kept_, carried_, gone_);
+    archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(config_); });
+  }
 
  private:
   void keep(const scan_matching::ScanLevels& points);

@@ -34,6 +34,11 @@ class PlaceTrial {
   /// T_map_base, where this is T_local_base.
   Pose2 placeOf(const Pose2& local) const { return map_local_ * local; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(map_local_, last_, seen_, evidence_);
+  }
+
  private:
   using Patch = std::pair<int, int>;  ///< of the map's plane
 

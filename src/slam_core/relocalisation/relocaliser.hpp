@@ -64,6 +64,14 @@ class Relocaliser {
   Status status() const;
   const Counters& counters() const { return counters_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(belief_, landmarks_, searches_landmarks_, searches_grid_, has_new_scan_,
+            is_lost_by_scans_, is_grid_too_large_, sees_only_lines_, is_ambiguous_, gating_, doubt_,
+            counters_);
+    if (grid_) archive(*grid_);
+  }
+
  private:
   Status unsearched(const MapState& loaded) const;
   void watch(const Pose2& believed, Stamp stamp);

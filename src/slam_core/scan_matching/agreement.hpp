@@ -26,6 +26,11 @@ struct Agreement {
   }
   /// Such a scan does not tell where the robot is.
   bool mostlyContradicts() const { return contradictingShare() > 0.5; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(agreeing, contradicting, silent);
+  }
 };
 
 /// @param model of the beams that the map is made of

@@ -28,6 +28,11 @@ class MapDrift {
   /// Of a robot that knows exactly where it is among the parts around it, in (x, y, theta).
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(oldest_, last_);
+  }
+
  private:
   /// Oldest first where they lie in one square: it was drawn by the surest robot.
   const PoseEstimate& nearest(const Pose2& pose) const;
@@ -36,6 +41,11 @@ class MapDrift {
   struct Place {
     std::size_t age_rank;  ///< the oldest: 0
     PoseEstimate pose;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(age_rank, pose);
+    }
   };
   std::unordered_map<std::uint64_t, Place> oldest_;  ///< of each square of the plane
   PoseEstimate last_;

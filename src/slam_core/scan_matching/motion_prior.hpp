@@ -22,6 +22,11 @@ class SlipEstimate {
   /// @param shares of the error in each coordinate that the scan determines, 0 to 1
   void learn(const Pose2& increment, const Pose2& error, const Eigen::Vector3d& shares);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(position_, heading_);
+  }
+
  private:
   double position_ = 1.0, heading_ = 1.0;  ///< variances, relative to those of the beginning
 };

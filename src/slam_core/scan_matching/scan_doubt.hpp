@@ -51,6 +51,11 @@ class ScanDoubt {
   /// A new place or map: what was seen before says nothing of it.
   void forget();
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(usual_, sum_, evidence_, began_, lost_since_, pose_, jumped_, stamp_, agreement_);
+  }
+
  private:
   /// Of the last scan, in independent ones; 1 at most.
   double weightOf(const Pose2& pose, Stamp stamp) const;

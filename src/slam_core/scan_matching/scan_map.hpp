@@ -66,6 +66,11 @@ class ScanMap {
   Level& level(std::size_t i) { return levels_[i]; }
   std::size_t bytes() const { return memory_.bytes(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(levels_[0].map, levels_[1].map);
+  }
+
  private:
   grid_map::GridMap::Memory memory_;
   std::array<Level, kLevels> levels_;

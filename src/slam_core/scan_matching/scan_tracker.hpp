@@ -22,6 +22,11 @@ class SweepInterval {
   /// A gap of any length counts in full here, since scans may have been lost.
   Duration likely(Duration interval) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(usual_, spread_);
+  }
+
  private:
   double usual_ = 0.0, spread_ = 0.0;  ///< mean, and mean distance from it [s]; 0: none yet
 };
@@ -32,6 +37,11 @@ struct ScanStep {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta) of the increment
   /// The part of an error of the motion that was told which the scan has left in the increment.
   Eigen::Matrix3d of_motion = Eigen::Matrix3d::Identity();
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(increment, covariance, of_motion);
+  }
 };
 
 /// The robot moves no faster than this.
@@ -63,6 +73,12 @@ class ScanTracker {
   const ScanStep& step() const { return step_; }
   /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
   const PoseEstimate& robot() const { return robot_; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(robot_, step_, slip_, stamp_, wide_search_, sweeps_, velocity_, shares_, was_known_,
+            unconfirmed_);
+  }
 
  private:
   Motion motionOf(Duration interval) const;
@@ -103,6 +119,11 @@ class InsertionTrigger {
   bool isDue(const Pose2& pose) const;
   void note(const Pose2& inserted) { last_ = inserted; }
   void restart() { last_.reset(); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(last_);
+  }
 
  private:
   double distance_, angle_;

@@ -23,6 +23,11 @@ class ScanWatch {
   /// A warning where the last scans hold nothing to match, or fit nothing.
   Status status() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(blind_, unmatched_, has_motion_);
+  }
+
  private:
   int blind_ = 0, unmatched_ = 0;  ///< scans in a row up to the last one
   bool has_motion_ = false;

@@ -27,6 +27,11 @@ class UsualFit {
   void learn(const Agreement& counts, double weight);
   double share() const { return mean_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(mean_, variance_);
+  }
+
  private:
   double mean_ = 0.06, variance_ = 0.06 * 0.06;
 };

@@ -8,6 +8,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "slam_core/camera/mat_archive.hpp"
 #include "slam_core/visual_odometry/ceiling_view.hpp"
 #include "slam_core/visual_odometry/point_match.hpp"
 #include "slam_core/visual_odometry/visual_odometry_config.hpp"
@@ -24,6 +25,16 @@ struct Features {
   std::vector<cv::Mat> pyramid;         ///< of the image, where features are tracked
 
   std::size_t size() const { return pixels.size(); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(pixels, points, sigmas);
+    persistMat(archive, descriptors);
+    auto levels = std::uint64_t{pyramid.size()};
+    archive.count(levels);
+    if constexpr (Archive::kReads) pyramid.resize(levels);
+    for (auto& level : pyramid) persistMat(archive, level);
+  }
 };
 
 /// How points of the ceiling are found again in another image: by what surrounds them (descriptors)

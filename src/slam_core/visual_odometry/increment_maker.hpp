@@ -38,6 +38,11 @@ class IncrementMaker {
   /// Where the robot is if it goes on as it did at the view given.
   Pose2 expected(const View& from, Stamp stamp) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(velocity_, gap_covariance_, next_sequence_);
+  }
+
  private:
   GapMotion coast(Stamp start, Stamp end, Stamp gap_begin) const;
   Eigen::Matrix3d covarianceOf(const View& last, const View& now, const Eigen::Matrix3d& alignment,

@@ -16,6 +16,11 @@ struct View {
   Stamp stamp{};
   std::shared_ptr<const Features> features;  ///< none of an image that cannot be used
   Pose2 T_odom_base;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(stamp, features, T_odom_base);
+  }
 };
 
 }  // namespace slam::visual_odometry

@@ -43,6 +43,11 @@ class ViewMatcher {
   const PointMatches& matches() const { return matches_; }
   const Alignment& alignment() const { return alignment_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(images_, features_);
+  }
+
  private:
   void countTracked(const Features& reference);
 

@@ -46,10 +46,18 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   cv::Mat drawing() const override;
   Figures figures() const override;
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
 
   /// Whether the last image told nothing.
   bool isLost() const {
     return views_.last && (!views_.last_good || views_.last->stamp != views_.last_good->stamp);
+  }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(matcher_, views_, increments_, counters_);
   }
 
  private:
@@ -59,6 +67,11 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
     std::optional<Stamp> gap_begin;    ///< since when images tell nothing, if they do not
     std::size_t keyframe_inliers = 0;  ///< of the first image aligned with the keyframe
     Pose2 T_odom_reference;            ///< of what the present one was aligned with
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(keyframe, last, last_good, gap_begin, keyframe_inliers, T_odom_reference);
+    }
   };
 
   std::string look(View& now);

@@ -29,6 +29,13 @@ class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
   cv::Mat drawing() const override { return visual_.drawing(); }
   Figures figures() const override { return visual_.figures(); }
   void reset() override;
+  bool canResume() const override { return wheels_.canResume(); }
+  void saveState(ArchiveWriter& archive) const override {
+    archive(wheels_, visual_, is_handing_over_);
+  }
+  void restoreState(ArchiveReader& archive) override {
+    archive(wheels_, visual_, is_handing_over_);
+  }
 
   const VisualOdometry& visual() const { return visual_; }
 

@@ -65,6 +65,15 @@ class WheelOdometry final : public OdometrySource {
   Counters counters() const override { return counters_; }
   std::uint64_t dropped() const override;
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(input_, last_, ahead_, suspect_, coasting_, has_twist_, odometry_pose_, motion_,
+            next_sequence_, counters_);
+  }
 
  private:
   /// True for the first stamp of a jump ahead: one message that is stamped wrongly must not make

@@ -55,8 +55,20 @@ class FastSlam final : public Backend,
   Counters counters() const override { return account_.counters; }
   Figures figures() const override;
   void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
 
   const ParticleSet& particleSet() const { return *particles_; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(*particles_, landmarks_, belief_, inputs_, account_, execution_.streams);
+    if (scans_) archive(*scans_);
+    bool is_shown = shown_grid_.identity == best().grid.identity();
+    archive(is_shown, shown_grid_.revision);
+    if constexpr (Archive::kReads) shown_grid_.identity = is_shown ? best().grid.identity() : this;
+  }
 
  private:
   /// What was set since the last step.
@@ -70,6 +82,11 @@ class FastSlam final : public Backend,
     void set(const Motion& next) { motion = motion ? joined(*motion, next) : next; }
     void set(const LandmarkObservationArray& array) { observations = array; }
     void set(const LaserScan& latest) { scan = latest; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(map, initial_pose, motion, observations, scan);
+    }
   };
   /// What a step begins with.
   struct Step {

@@ -79,6 +79,11 @@ class Associator {
                       const ObservationModel& model, const ParticleSet& particles,
                       const std::vector<PoseGaussian>& priors, Workers& workers);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(evidence_, descriptors_);
+  }
+
  private:
   using Source = association::CandidateSource;
 

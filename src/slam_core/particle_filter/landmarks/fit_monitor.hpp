@@ -41,6 +41,11 @@ class FitMonitor {
   /// A new place or map: what was seen before says nothing of it.
   void forget();
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(nis_, dof_, is_step_doubtful_, gated_in_a_row_);
+  }
+
  private:
   /// What a step says of its established landmarks.
   struct Established {

@@ -32,6 +32,11 @@ class LandmarkIndex {
   /// The numbers of those that are not retired in the order of the ids.
   std::vector<std::size_t> numbersById() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(ids_, numbers_, largest_id_);
+  }
+
  private:
   std::vector<LandmarkId> ids_;
   std::unordered_map<LandmarkId, std::size_t> numbers_;  // looked up only, never iterated

@@ -65,6 +65,11 @@ class LandmarkUpdate final : public SensorUpdate {
   const association::DescriptorMap& descriptors() const { return associator_.descriptors(); }
   bool isLost() const { return fit_.isLost(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(associator_, index_, fit_, established_, array_, has_seen_);
+  }
+
  private:
   bool isDoubtful() const { return has_seen_ && fit_.isDoubtful(); }
   const Prediction* predictionsOf(std::size_t particle) const {

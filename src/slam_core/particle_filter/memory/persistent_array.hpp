@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <new>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -126,12 +127,49 @@ class PersistentArray {
     edit(size_++, lane) = value;
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    constexpr unsigned kMostHeight = 20;
+    if constexpr (Archive::kReads) *this = PersistentArray(*memory_);
+    auto height = height_;
+    auto size = std::uint64_t{size_};
+    archive(height, size);
+    if constexpr (Archive::kReads) {
+      if (height > kMostHeight || size > capacity(height))
+        throw std::runtime_error("it holds an array of another size: save it again");
+      height_ = height;
+    }
+    persistBlock(archive, root_, height);
+    size_ = size;
+  }
+
  private:
   static std::size_t capacity(unsigned height) {
     return std::size_t{1} << (kLeafBits + kFanBits * height);
   }
   static std::size_t childAt(std::size_t i, unsigned height) {
     return (i >> (kLeafBits + kFanBits * (height - 1))) % kFanOut;
+  }
+
+  template <class Archive>
+  void persistBlock(Archive& archive, Block*& block, unsigned height) {
+    if (height == 0)
+      persistAs<Leaf>(archive, block, memory_->leaves_, [&](Leaf& leaf) { archive(leaf.values); });
+    else
+      persistAs<Node>(archive, block, memory_->nodes_, [&](Node& node) {
+        for (auto& child : node.children) persistBlock(archive, child, height - 1);
+      });
+  }
+  template <class Kind, class Archive, class Persist>
+  void persistAs(Archive& archive, Block*& block, BlockPool& pool, const Persist& persist) {
+    auto* kind = static_cast<Kind*>(block);
+    const bool follows = archive.refer(kind);
+    if constexpr (Archive::kReads) {
+      if (follows) archive.bind(kind = new (pool.allocate(0)) Kind());
+      block = kind;
+      if (!follows && block != nullptr) block->count.increment(memory_->concurrent_);
+    }
+    if (follows) persist(*kind);
   }
 
   Node* newNode(unsigned lane) { return new (memory_->nodes_.allocate(lane)) Node(); }

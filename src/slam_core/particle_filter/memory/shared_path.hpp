@@ -39,11 +39,21 @@ class SharedPath {
     std::size_t steps() const { return steps_.size(); }
     std::size_t posesInUse() const { return links_.inUse(); }
 
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(steps_);
+    }
+
    private:
     friend class SharedPath;
     struct Step {
       Stamp stamp;
       Pose2 odometry;  ///< since the first step
+
+      template <class Archive>
+      void persist(Archive& archive) {
+        archive(stamp, odometry);
+      }
     };
     BlockPool links_;
     std::vector<Step> steps_;
@@ -69,6 +79,19 @@ class SharedPath {
   /// its error spread evenly over the way to the next.
   /// @param now after the last step, counts where nothing was appended for it
   std::vector<StampedPose> poses(const Pose2& now) const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    if constexpr (Archive::kReads) *this = SharedPath(*memory_);
+    Link** place = &last_;
+    for (; archive.refer(*place); place = &(*place)->before) {
+      if constexpr (Archive::kReads)
+        archive.bind(*place = new (memory_->links_.allocate(0)) Link{Pose2(), 0, nullptr, 1});
+      archive((*place)->pose, (*place)->step);
+    }
+    if constexpr (Archive::kReads)
+      if (*place != nullptr) ++(*place)->count;
+  }
 
  private:
   struct Knot {

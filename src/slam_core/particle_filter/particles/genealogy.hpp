@@ -29,6 +29,11 @@ class Genealogy {
   /// The share of the pairs of particles.
   double forgottenSince(double time) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(alive_, coalesced_);
+  }
+
  private:
   double alive_ = 1.0;  ///< share of the pairs of particles, by weight
   double coalesced_ = 0.0;

@@ -54,10 +54,20 @@ class KnowledgeBound {
   Eigen::Matrix3d told(const Eigen::Matrix3d& covariance) const;
   Eigen::Matrix2d told(const Eigen::Matrix2d& covariance, std::size_t number) const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(pose_, pose_since_, genealogy_, landmarks_);
+  }
+
  private:
   struct Landmark {
     Eigen::Matrix2d covariance;
     double since;  ///< genealogy's time when it was begun
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(covariance, since);
+    }
   };
 
   Eigen::Matrix3d pose_ = Eigen::Matrix3d::Zero();

@@ -28,6 +28,11 @@ struct LandmarkEstimate {
 
   Eigen::Vector2d mean() const { return {x, y}; }
   Eigen::Matrix2d covariance() const { return (Eigen::Matrix2d() << xx, xy, xy, yy).finished(); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(x, y, xx, xy, yy, credit, number);
+  }
 };
 
 }  // namespace slam::particle_filter

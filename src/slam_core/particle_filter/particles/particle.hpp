@@ -20,6 +20,11 @@ struct Particle {
   /// Where motion alone has led it since the last scan: what landmarks have moved it by since then
   /// lies between this and its pose.
   Pose2 followed;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(pose, map, grid, path, coarse_grid, followed);
+  }
 };
 
 }  // namespace slam::particle_filter

@@ -10,9 +10,17 @@ namespace slam::particle_filter {
 
 ParticleSet::ParticleSet(std::size_t count, unsigned lanes, std::size_t most_tiles)
     : memory_{ParticleMap::Memory(lanes), grid_map::GridMap::Memory(most_tiles), {}},
-      particles_(count, {Pose2(), ParticleMap(memory_.maps), grid_map::GridMap(memory_.grids),
-                         SharedPath(memory_.paths), grid_map::GridMap(memory_.grids), Pose2()}),
+      particles_(count, empty()),
       weights_(count) {}
+
+Particle ParticleSet::empty() {
+  return {Pose2(),
+          ParticleMap(memory_.maps),
+          grid_map::GridMap(memory_.grids),
+          SharedPath(memory_.paths),
+          grid_map::GridMap(memory_.grids),
+          Pose2()};
+}
 
 bool ParticleSet::weigh(const std::vector<double>& log_factors) {
   const bool are_left = weights_.multiply(log_factors);

@@ -50,7 +50,19 @@ class ParticleSet {
   ParticleMemory& memory() { return memory_; }
   const ParticleMemory& memory() const { return memory_; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(memory_.paths);
+    archive.list(particles_, [this] { return empty(); });
+    archive(weights_, best_);
+    if constexpr (Archive::kReads)
+      if (best_ >= particles_.size() || weights_.size() != particles_.size())
+        throw std::runtime_error("it holds another number of particles: save it again");
+  }
+
  private:
+  Particle empty();
+
   ParticleMemory memory_;  // before those that live in it
   std::vector<Particle> particles_;
   Weights weights_;

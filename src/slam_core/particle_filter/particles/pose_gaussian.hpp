@@ -24,6 +24,11 @@ struct PoseGaussian {
   PoseGaussian moved(const Motion& motion) const;
   Pose2 sample(RandomStream& random) const;
   double logDensity(const Pose2& pose) const;  ///< not of a certain one
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(mean, covariance);
+  }
 };
 
 }  // namespace slam::particle_filter

@@ -26,6 +26,11 @@ class RandomStreams {
                             static_cast<std::uint32_t>(particle));
   }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(step_);
+  }
+
  private:
   std::uint64_t seed_ = 1, step_ = 0;
 };

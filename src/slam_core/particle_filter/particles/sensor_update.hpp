@@ -43,6 +43,11 @@ struct PoseBelief {
   /// one.
   std::optional<PoseGaussian> told_place;
   std::optional<Motion> carried;  ///< motion that has not been applied to the particles yet
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(estimate, bound, told_place, carried);
+  }
 };
 
 /// What works on all particles.
@@ -56,6 +61,11 @@ struct Account {
   UpdateStatistics statistics;  ///< of the last step
   Counters counters;
   std::map<std::string, double> figures;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(statistics, counters, figures);
+  }
 };
 
 /// What a step has put into the particles' maps.

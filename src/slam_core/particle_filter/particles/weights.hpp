@@ -28,6 +28,11 @@ class Weights {
   /// 1 / sum of squares (Kong, Liu, Wong 1994): between 1 and size().
   double effectiveSize() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(logs_, normalized_);
+  }
+
  private:
   std::vector<double> logs_, normalized_;
 };

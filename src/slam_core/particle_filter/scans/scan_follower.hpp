@@ -16,6 +16,11 @@ struct ScanCorrection {
   Pose2 pose;  ///< where it puts the robot, seen from where the wheels did
   /// The part of an error of the wheels that it leaves, (x, y, theta) in the robot's frame.
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity();
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(pose, left);
+  }
 };
 
 /// The motion up to a scan with what that says of it.
@@ -52,6 +57,11 @@ class ScanFollower {
   void beginMotion() { motion_ = {}; }
   /// Of the robot among the parts of the map around it, in (x, y, theta).
   const Eigen::Matrix3d& covariance() const { return tracker_.robot().covariance; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(tracker_, wheels_, correction_, motion_);
+  }
 
  private:
   Eigen::Vector3d variance_per_metre_;

@@ -56,6 +56,12 @@ class ScanUpdate final : public SensorUpdate {
   /// Tiles in the rectangle of the largest map.
   std::size_t mostTiles() const { return grid_map::mostTiles(map_config_); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(follower_, drift_, trigger_, doubt_, watch_, told_, correction_, stamp_, motion_,
+            scan_);
+  }
+
  private:
   scan_matching::MapView mapOf(const Particle& particle) const;
   ScanInMap inMapOf(const Particle& particle) const;

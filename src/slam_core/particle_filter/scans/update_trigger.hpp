@@ -27,6 +27,11 @@ class UpdateTrigger {
   }
   void restart(Stamp stamp) { last_ = stamp; }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(last_);
+  }
+
  private:
   double distance_, angle_;
   Duration interval_;

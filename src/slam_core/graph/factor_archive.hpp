@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "slam_core/graph/factors.hpp"
+
+namespace slam::graph {
+
+/// The numbers of the kinds in an archive.
+enum class FactorKind : std::uint8_t { kPosePrior, kPointPrior, kJointPrior, kBetween, kSighting };
+
+/// Writes a factor with its kind. @throw std::logic_error of a kind that is not listed here
+template <class Archive>
+void write(const Factor& factor, Archive& archive) {
+  archive(factor.keys());
+  if (const auto* pose = dynamic_cast<const PosePrior*>(&factor))
+    archive(FactorKind::kPosePrior, pose->known(), pose->weight());
+  else if (const auto* point = dynamic_cast<const PointPrior*>(&factor))
+    archive(FactorKind::kPointPrior, point->known(), point->weight());
+  else if (const auto* joint = dynamic_cast<const JointPrior*>(&factor))
+    archive(FactorKind::kJointPrior, joint->pose(), joint->points(), joint->weight());
+  else if (const auto* between = dynamic_cast<const Between*>(&factor))
+    archive(FactorKind::kBetween, between->measured(), between->weight());
+  else if (const auto* sighting = dynamic_cast<const RangeBearing*>(&factor))
+    archive(FactorKind::kSighting, sighting->sensor(), sighting->measured(), sighting->weight());
+  else
+    throw std::logic_error("this kind of factor cannot be written");
+}
+
+/// @throw std::runtime_error where the archive holds no factor
+template <class Archive>
+std::shared_ptr<const Factor> readFactor(Archive& archive) {
+  std::vector<Key> keys;
+  FactorKind kind{};
+  Pose2 pose;
+  Eigen::Vector2d point;
+  std::vector<Eigen::Vector2d> points;
+  Eigen::Matrix2d W2;
+  Eigen::Matrix3d W3;
+  Eigen::MatrixXd W;
+  archive(keys, kind);
+  const std::size_t size = keys.size();
+  if (kind == FactorKind::kPosePrior && size == 1)
+    return archive(pose, W3), std::make_shared<PosePrior>(keys[0], pose, W3);
+  if (kind == FactorKind::kPointPrior && size == 1)
+    return archive(point, W2), std::make_shared<PointPrior>(keys[0], point, W2);
+  if (kind == FactorKind::kJointPrior)
+    return archive(pose, points, W), std::make_shared<JointPrior>(keys, pose, points, W);
+  if (kind == FactorKind::kBetween && size == 2)
+    return archive(pose, W3), std::make_shared<Between>(keys[0], keys[1], pose, W3);
+  if (kind == FactorKind::kSighting && size == 2)
+    return archive(pose, point, W2),
+           std::make_shared<RangeBearing>(keys[0], keys[1], pose, point, W2);
+  throw std::runtime_error("it holds a factor of unknown kind: save it again");
+}
+
+/// A factor that several hold is written once.
+template <class Archive>
+void persistFactor(Archive& archive, std::shared_ptr<const Factor>& factor) {
+  if constexpr (Archive::kReads)
+    archive.shared(factor, [&] { return readFactor(archive); });
+  else
+    archive.shared(factor, [&] { write(*factor, archive); });
+}
+
+}  // namespace slam::graph
