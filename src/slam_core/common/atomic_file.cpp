@@ -34,6 +34,17 @@ bool writeToDisk(int descriptor, const std::string& content) {
   return ::fsync(descriptor) == 0;
 }
 
+/// The name of a file outlives a power cut once its folder is on the disk. A file system that
+/// cannot do so does what it can.
+void flushFolderOf(const std::string& path) {
+  const auto end = path.rfind('/');
+  const auto folder = end == std::string::npos ? "." : path.substr(0, end + 1);
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
 void requireReplaceable(const std::string& path) {
   // Renaming would replace a device like /dev/null, and root may do that.
   struct stat target {};
@@ -69,6 +80,7 @@ class TemporaryFile {
   void takePlace() {
     if (!close() || std::rename(name_.c_str(), path_.c_str()) != 0) fail(path_, errno);
     name_.clear();
+    flushFolderOf(path_);
   }
   std::string release() { return std::exchange(name_, ""); }
 
@@ -87,6 +99,14 @@ void writeFileAtomically(const std::string& path, const std::string& content) {
   TemporaryFile file(path);
   file.write(content);
   file.takePlace();
+}
+
+void flushToDisk(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_flushed = descriptor >= 0 && ::fsync(descriptor) == 0;
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!is_flushed) throw std::runtime_error("cannot write " + path + ": " + std::strerror(error));
 }
 
 std::string makeTemporaryBeside(const std::string& path) { return TemporaryFile(path).release(); }

@@ -8,9 +8,14 @@
 namespace slam {
 
 /// Writes `content` to `path` so that a reader finds the old file or the whole new one, never a
-/// part: a temporary file beside it is flushed to disk and renamed.
+/// part: a temporary file beside it is flushed to disk and renamed, and its new name is flushed as
+/// well.
 /// @throw std::runtime_error naming the file and the cause (full disk, no permission)
 void writeFileAtomically(const std::string& path, const std::string& content);
+
+/// What has been written to a file is on the disk afterwards, so that a power cut does not take it.
+/// @throw std::runtime_error naming the file and the cause
+void flushToDisk(const std::string& path);
 
 /// Makes an empty file beside `path`, for who writes by name and renames it at the end. Nothing had
 /// its name before: in a folder that others may write to, no link of theirs is followed.

@@ -5,6 +5,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <vector>
@@ -42,6 +43,13 @@ constexpr const char* kResults[] = {"trajectory.tum",
 constexpr const char* kKept = ".before_restart_";  ///< in names of what was written until a restart
 constexpr const char* kLast = "config.yaml";
 
+std::vector<std::string> namesIn(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  return names;
+}
+
 const std::string& made(const std::string& folder) {
   if (folder.empty()) throw std::runtime_error("the output folder has no name");
   std::error_code error;
@@ -53,7 +61,7 @@ const std::string& made(const std::string& folder) {
 
 }  // namespace
 
-RunFolder::RunFolder(const std::string& path)
+RunFolder::RunFolder(const std::string& path, Start start)
     : path_(path), unfinished_((fs::path(path) / "unfinished_run").string()), lock_(made(path)) {
   for (const auto* name : kResults) {
     requirePlace(name);
@@ -64,6 +72,14 @@ RunFolder::RunFolder(const std::string& path)
     const auto file = path_ + "/" + entry.path().filename().string();
     if (file.find(kKept, path_.size()) != std::string::npos) former_[file] = versionOf(file);
   }
+  if (start == Start::kAnew)
+    clear();
+  else if (!fs::is_regular_file(unfinished_ + "/" + kCheckpoint))
+    throw std::runtime_error("there is no checkpoint of an unfinished run in " + path_ +
+                             ": run anew, with autosave");
+}
+
+void RunFolder::clear() {
   std::error_code error;
   fs::remove_all(unfinished_, error);  // of a link only the link
   if (!fs::create_directory(unfinished_, error))
@@ -87,10 +103,17 @@ void RunFolder::removeFormer() {
     if (versionOf(file) == version) fs::remove(file, ignored);
 }
 
+void RunFolder::restrictTo(const std::set<std::string>& files) {
+  for (const auto& name : files)
+    if (!fs::exists(unfinished_ + "/" + name) && fs::exists(path_ + "/" + name))
+      fs::rename(path_ + "/" + name, unfinished_ + "/" + name);
+  for (const auto& name : namesIn(unfinished_))
+    if (files.count(name) == 0 && name != kCheckpoint) fs::remove_all(unfinished_ + "/" + name);
+}
+
 void RunFolder::complete() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(unfinished_))
-    names.push_back(entry.path().filename().string());
+  auto names = namesIn(unfinished_);
+  names.erase(std::remove(names.begin(), names.end(), kCheckpoint), names.end());
   for (const auto& name : names) requirePlace(name);
   removeFormer();
   const auto move = [this](const std::string& name) {

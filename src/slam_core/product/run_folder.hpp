@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -14,11 +15,19 @@ namespace slam {
 /// The folder that takes a run's files, locked against other runs. While the run goes on its files
 /// stand in `unfinished_run` in it, and what an earlier run has left stays as it is; complete()
 /// lets the one take the place of the other. What a run that was cut off has written stays in
-/// `unfinished_run` until the next run into this folder begins.
+/// `unfinished_run` until the next run into this folder begins, unless that one resumes it.
 class RunFolder {
  public:
-  /// Makes the folder. @throw std::runtime_error naming the folder and the cause
-  explicit RunFolder(const std::string& path);
+  enum class Start {
+    kAnew,     ///< what a run that was cut off has left is removed
+    kResumed,  ///< it stays
+  };
+  /// In unfinished(): what a run is resumed from. It does not stay in the folder.
+  static constexpr const char* kCheckpoint = "checkpoint";
+
+  /// Makes the folder. @throw std::runtime_error naming the folder and the cause, as that there is
+  /// nothing to resume
+  explicit RunFolder(const std::string& path, Start start = Start::kAnew);
 
   const std::string& path() const { return path_; }
   /// Where files of the run are to be written.
@@ -29,6 +38,9 @@ class RunFolder {
   /// what somebody has written since the run began. @throw std::runtime_error before anything is
   /// changed, where a folder is in the way
   void complete();
+  /// Of a run that is resumed: leaves only these files in unfinished(), beside the checkpoint.
+  /// Those that complete() had moved already when the run was cut off are moved back.
+  void restrictTo(const std::set<std::string>& files);
   /// Leaves nothing of the run.
   void discard();
 
@@ -36,6 +48,7 @@ class RunFolder {
   using FileVersion = std::pair<long long, unsigned long long>;  // when it was written, its inode
 
   static FileVersion versionOf(const std::string& path);
+  void clear();
   void requirePlace(const std::string& name) const;
   void removeFormer();
 

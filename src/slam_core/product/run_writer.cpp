@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
@@ -94,6 +96,18 @@ std::string keptName(const std::string& name, std::size_t restart) {
   return fmt::format("{}.before_restart_{}{}", name.substr(0, dot), restart, name.substr(dot));
 }
 
+/// Opens a file for more behind its first `size` bytes; what follows them is cut off.
+void goOn(const std::string& path, std::uint64_t size, std::ofstream& file) {
+  std::error_code error;
+  if (const auto now = std::filesystem::file_size(path, error); error || now < size)
+    throw std::runtime_error("the run cannot be resumed, since " + path +
+                             " is gone or shorter than when it was saved: run anew");
+  std::filesystem::resize_file(path, size, error);
+  file.open(path, std::ios::app | std::ios::ate);
+  if (error || !file)
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+}
+
 std::string readFile(const std::string& path) {
   std::ostringstream content;
   content << std::ifstream(path).rdbuf();
@@ -114,10 +128,13 @@ std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position) 
                      position.y() + 0.0);
 }
 
-RunWriter::RunWriter(const std::string& folder) : folder_(folder) { begin(); }
+RunWriter::RunWriter(const std::string& folder, Start start)
+    : folder_(folder, start), is_resumed_(start == Start::kResumed) {
+  if (!is_resumed_) begin();
+}
 
 RunWriter::~RunWriter() {
-  if (lines() == 0 && restarts_ == 0) folder_.discard();
+  if (lines() == 0 && restarts_ == 0 && !is_resumed_) folder_.discard();
 }
 
 void RunWriter::open(const std::string& name, std::ofstream& file) const {
@@ -197,6 +214,56 @@ void RunWriter::writePending() {
   ++lines_;
   if (!trajectory_ || !odometry_ || !updates_ || !events_)
     throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
+}
+
+std::array<std::pair<std::string, std::ofstream*>, 5> RunWriter::files() {
+  return {{{"trajectory.tum", &trajectory_},
+           {"odometry.tum", &odometry_},
+           {"updates.csv", &updates_},
+           {"events.csv", &events_},
+           {kAssociations, &associations_}}};
+}
+
+void RunWriter::saveState(ArchiveWriter& archive) {
+  archive(pending_, last_stamp_, lines_, restarts_);
+  for (auto& [name, file] : files()) {
+    std::optional<std::uint64_t> size;
+    if (file->is_open()) {
+      if (!file->flush())
+        throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
+      flushToDisk(unfinished() + "/" + name);
+      size = static_cast<std::uint64_t>(file->tellp());
+    }
+    archive(size);
+  }
+}
+
+void RunWriter::restoreState(ArchiveReader& archive) {
+  archive(pending_, last_stamp_, lines_, restarts_);
+  undoRestart();
+  std::set<std::string> known;
+  std::map<std::string, std::uint64_t> sizes;
+  for (const auto& [name, file] : files()) {
+    std::optional<std::uint64_t> size;
+    archive(size);
+    for (std::size_t restart = 1; restart <= restarts_; ++restart)
+      known.insert(keptName(name, restart));
+    if (!size) continue;
+    sizes[name] = *size;
+    known.insert(name);
+  }
+  folder_.restrictTo(known);
+  for (auto& [name, file] : files())
+    if (const auto size = sizes.find(name); size != sizes.end())
+      goOn(unfinished() + "/" + name, size->second, *file);
+}
+
+/// Where time began anew after the checkpoint, the files of that time have other names.
+void RunWriter::undoRestart() {
+  std::error_code ignored;
+  for (const auto& [name, file] : files())
+    std::filesystem::rename(unfinished() + "/" + keptName(name, restarts_ + 1),
+                            unfinished() + "/" + name, ignored);
 }
 
 void RunWriter::finish(const Capabilities& backend, const std::string& map_frame,

@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include <array>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "slam_core/common/archive.hpp"
 #include "slam_core/common/time.hpp"
 #include "slam_core/contract/capabilities.hpp"
 #include "slam_core/geometry/pose2.hpp"
@@ -28,10 +31,13 @@ std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position);
 /// what an earlier run has left.
 class RunWriter {
  public:
-  /// Makes and locks the folder.
+  using Start = RunFolder::Start;
+
+  /// Makes and locks the folder. A run that is resumed goes on with restoreState().
   /// @throw std::runtime_error naming the folder and the cause
-  explicit RunWriter(const std::string& folder);
-  /// Without finish() the folder is as before, but for an unfinished run that has written poses.
+  explicit RunWriter(const std::string& folder, Start start = Start::kAnew);
+  /// Without finish() the folder is as before, but for an unfinished run that has written poses or
+  /// was resumed.
   ~RunWriter();
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
@@ -55,6 +61,13 @@ class RunWriter {
   /// @throw std::runtime_error naming the file that could not be written
   void finish(const Capabilities& backend, const std::string& map_frame, const std::string& config);
 
+  /// What a writer needs to go on from here. What has been written is on the disk then.
+  /// @throw std::runtime_error naming the file and the cause
+  void saveState(ArchiveWriter& archive);
+  /// Goes on from there: what was written later is cut off.
+  /// @throw std::runtime_error naming a file that was changed meanwhile
+  void restoreState(ArchiveReader& archive);
+
   const std::string& folder() const { return folder_.path(); }
   /// Where others put what belongs to the run, before finish().
   const std::string& unfinished() const { return folder_.unfinished(); }
@@ -66,11 +79,14 @@ class RunWriter {
   static constexpr std::size_t kMostKept = 100;
 
   void begin();
+  std::array<std::pair<std::string, std::ofstream*>, 5> files();
+  void undoRestart();
   void keep(const std::string& name, std::ofstream& file) const;
   void writePending();
   void writeAssociations(const StepReport& report);
 
   RunFolder folder_;
+  bool is_resumed_;
   std::ofstream trajectory_, odometry_, updates_, events_;
   std::ofstream associations_;  ///< opened when there is something to write
   std::optional<StepReport> pending_;
