@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "slam_core/common/atomic_file.hpp"
@@ -43,6 +45,12 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
       bag_(options.bag),
       settings_(settingsFor(options, bag_)) {
   configure();
+  const auto& begins_with = {options.load_map, options.load_session, options.merge_session};
+  if (options.resumes && std::any_of(begins_with.begin(), begins_with.end(),
+                                     [](const auto& file) { return !file.empty(); }))
+    throw std::runtime_error(
+        "a checkpoint holds what its run began with: leave out --load-map, --load-session and "
+        "--merge-session");
   if (!options.load_map.empty()) loadMap();
   if (!options.load_session.empty()) loadSession();
   if (!options.merge_session.empty()) mergeSession();
@@ -116,7 +124,10 @@ void OfflineRun::requireSession() const {
 void OfflineRun::run() {
   for (const auto& note : inputs_->notes()) fmt::print("{}\n", note);
   for (const auto& warning : inputs_->warnings()) warn(warning);
-  slam::RunWriter writer(options_.folder);
+  using Start = slam::RunWriter::Start;
+  slam::RunWriter writer(options_.folder, options_.resumes ? Start::kResumed : Start::kAnew);
+  autosave_ = slam::Autosave(options_.autosave.value_or(0.0));
+  if (options_.resumes) resume(writer);
   read(writer);
   requireSteps(writer);
   const auto truth = writeGroundTruth(bag_, writer.unfinished());
@@ -135,15 +146,75 @@ void OfflineRun::run() {
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
 }
 
+slam::RunIdentity OfflineRun::identity() const {
+  std::size_t messages = 0;
+  for (const auto& topic : bag_.topics()) messages += topic.messages;
+  const auto data = fmt::format("{} bytes with {} messages from {} to {} ns",
+                                std::filesystem::file_size(bag_.path()), messages,
+                                slam::nanoseconds(bag_.begin()), slam::nanoseconds(bag_.end()));
+  return {coordinator_.components().product.product, robotOf(options_, bag_), data,
+          settings_.inForce() + slam::join(inputs_->notes(), "\n")};
+}
+
+/// What the handlers of messages know is not saved: they see the messages again.
+void OfflineRun::resume(slam::RunWriter& writer) {
+  const auto path = writer.unfinished() + "/" + slam::RunFolder::kCheckpoint;
+  try {
+    const auto state = slam::stateIn(slam::readInputFile(path, "the checkpoint"), identity());
+    slam::ArchiveReader archive(state);
+    std::string of_product;
+    double interval = 0.0;
+    archive(resumed_, interval, last_step_, of_product, metrics_);
+    slam::restore(of_product, coordinator_);
+    writer.restoreState(archive);
+    autosave_ = slam::Autosave(options_.autosave.value_or(interval));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("cannot resume from " + path + ": " + error.what());
+  }
+  fmt::print("{}: goes on after {} messages, at {:.3f} s\n", writer.folder(), resumed_,
+             slam::seconds(last_step_ - bag_.begin()));
+}
+
+void OfflineRun::save(slam::RunWriter& writer) {
+  const auto path = writer.unfinished() + "/" + slam::RunFolder::kCheckpoint;
+  const auto fault = autosave_.save(last_step_, path, [&] {
+    slam::ArchiveWriter archive;
+    archive(messages_, autosave_.interval(), last_step_, slam::stateOf(coordinator_), metrics_);
+    writer.saveState(archive);
+    return slam::checkpointOf(identity(), archive.take());
+  });
+  if (!fault.empty()) warn(fault, true);
+}
+
+void OfflineRun::stop(slam::RunWriter& writer) {
+  save(writer);
+  throw std::runtime_error("stopped after " + std::to_string(messages_) +
+                           " messages: go on with --resume " + writer.folder());
+}
+
 void OfflineRun::read(slam::RunWriter& writer) {
+  if (const auto title = slam::notResumable(coordinator_.wiring());
+      autosave_.isOn() && !title.empty()) {
+    warn("no checkpoints are written: the " + title + " cannot be resumed yet", true);
+    autosave_ = slam::Autosave();
+  }
   const auto handlers = this->handlers();
   progress_.begin(bag_.path(), bag_.messages(handlers));
-  bag_.read(handlers, [&](std::size_t done) {
-    drain(writer);
+  const auto take = [&](std::size_t done) {
+    const bool is_known = isResuming();
+    messages_ = done;
+    if (!is_known) drain(writer);
+    if (!is_known && autosave_.isDue(last_step_)) save(writer);
     progress_.update(done);
-    return true;
-  });
+    return !options_.is_stopped();
+  };
+  try {
+    bag_.read(handlers, take);
+  } catch (const std::runtime_error&) {
+    if (!options_.is_stopped()) throw;  // else the process that reads was stopped as well
+  }
   progress_.end();
+  if (options_.is_stopped() && !isResuming() && autosave_.isOn()) stop(writer);
   tellOfHeld();
   tellOfDropped(bag_.messages(handlers));
 }
@@ -167,6 +238,7 @@ BagSinks OfflineRun::sinksOf(const BagInputs::Found& input) {
   const bool is_for_steps = inputs_->flow().leadsToSteps(input.port, input.kind);
   BagSinks sinks;
   sinks.put = [this, &input, is_for_steps](const slam::Datum& value, slam::Stamp stamp) {
+    if (isResuming()) return;
     coordinator_.put(input.port, value.kind(), value.value());
     if (is_for_steps) metrics_.addFrontEnd(stamp, RunMetrics::Clock::now() - arrival_);
   };
@@ -208,6 +280,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     if (!status.isOk()) warn(status.message, status.isUrgent());
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
+    last_step_ = report->stamp;
     if (report->restarted)
       warn(
           "the stamps went back: map and pose begin anew; what was written until then is kept in "
@@ -223,6 +296,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
 }
 
 void OfflineRun::warn(const std::string& sentence, bool is_urgent) {
+  if (isResuming()) return;  // it was said when the message came first
   const auto line = warnings_.add(sentence, is_urgent);
   if (line.empty()) return;
   progress_.clear();

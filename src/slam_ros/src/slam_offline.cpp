@@ -9,10 +9,26 @@
 
 namespace {
 
+volatile std::sig_atomic_t is_stopped = 0;
+
+/// The run is saved at the next message and ends; a second signal ends it at once.
+void stopOnSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(signal, [](int number) {
+      is_stopped = 1;
+      std::signal(number, SIG_DFL);
+    });
+}
+
 void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& seed) {
   app.add_option("PRODUCT", options.product, "a product's name, or its file")->required();
   app.add_option("--bag", options.bag, "the recorded data")->required();
-  app.add_option("--out", options.folder, "the folder that takes the run's files")->required();
+  auto* out = app.add_option("--out", options.folder, "the folder that takes the run's files");
+  app.add_option("--resume", options.folder, "the folder of a run that was cut off, to go on with")
+      ->excludes(out);
+  app.add_option("--autosave", options.autosave,
+                 "seconds of stamps between the checkpoints that a run can be resumed from")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--robot", options.robot, "a robot's name or file; default: the bag's");
   app.add_option("--seed", seed, "of every random stream; default: the product's");
   app.add_option("--load-map", options.load_map,
@@ -38,6 +54,12 @@ int main(int argc, char** argv) {
   addOptions(app, options, seed);
   return slam_ros::runProgram(app, argc, argv, [&] {
     if (!seed.empty()) options.overrides.push_back("seed=" + seed);
+    options.resumes = app.count("--resume") > 0;
+    if (options.folder.empty()) throw CLI::RequiredError("--out or --resume");
+    if (options.autosave.value_or(0.0) > 0.0 || options.resumes) {
+      stopOnSignals();
+      options.is_stopped = [] { return is_stopped != 0; };
+    }
     slam_ros::OfflineRun(options).run();
   });
 }

@@ -3,11 +3,14 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "slam_core/common/progress.hpp"
+#include "slam_core/product/autosave.hpp"
+#include "slam_core/product/checkpoint.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
@@ -24,6 +27,12 @@ struct OfflineOptions {
   std::string load_map;  ///< landmarks.yaml to start with; empty: none
   std::string load_session, save_session, merge_session;  ///< files; empty: none
   std::vector<std::string> overrides, remaps;
+  /// Interval of the checkpoints [s of stamps], 0 for none; by default none, or as the run that is
+  /// resumed has it.
+  std::optional<double> autosave = std::nullopt;
+  bool resumes = false;  ///< go on from the folder's checkpoint
+  /// Asked after each message: whether the run is to be saved and to end.
+  std::function<bool()> is_stopped = [] { return false; };
 };
 
 /// Drives a product's components from a bag, in one thread, as fast as it goes, and writes the
@@ -44,10 +53,15 @@ class OfflineRun {
   void mergeSession();
   std::string session() const;
   void requireSession() const;
+  void resume(slam::RunWriter& writer);
   void read(slam::RunWriter& writer);
   BagHandlers handlers();
   BagSinks sinksOf(const BagInputs::Found& input);
   void drain(slam::RunWriter& writer);
+  slam::RunIdentity identity() const;
+  void save(slam::RunWriter& writer);
+  void stop(slam::RunWriter& writer);
+  bool isResuming() const { return messages_ < resumed_; }
   void tellOfHeld();
   void tellOfDropped(std::size_t messages);
   void warn(const std::string& sentence, bool is_urgent = false);
@@ -65,6 +79,10 @@ class OfflineRun {
   slam::Counters input_counters_;            ///< of the messages before they are data
   RunMetrics::Clock::time_point arrival_{};  ///< of the message that is handled
   WarningLog warnings_;
+  slam::Autosave autosave_;
+  slam::Stamp last_step_;
+  std::size_t messages_ = 0;  ///< that have been handled
+  std::size_t resumed_ = 0;   ///< that had been taken in when the run was saved
 };
 
 }  // namespace slam_ros

@@ -37,6 +37,11 @@ class AlarmTime {
   /// Of the time of all steps.
   double share() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(start_, last_, lost_, alarms_, was_lost_, first_);
+  }
+
  private:
   slam::Stamp start_, last_;
   slam::Duration time_{};
@@ -74,6 +79,13 @@ class RunMetrics {
   /// The metrics up to now, of this process. Keys without a value are absent.
   /// @param data_time what the data cover
   std::string toJson(slam::Duration data_time, std::uint64_t dropped_messages) const;
+
+  /// Of a run that is resumed the times are those of all its parts, but for the wall's.
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(update_ms_, latency_ms_, front_end_, events_, largest_jump_);
+    archive.made(lost_, [] { return LostTime(slam::Stamp()); });
+  }
 
  private:
   Clock::time_point start_;

@@ -68,6 +68,16 @@ class WrongUse(unittest.TestCase):
         self.assertIn("call the service save_session",
                       self.refusal("--online", "--save-session", "x.session"))
 
+    def test_refuses_checkpoints_online(self):
+        self.assertIn("go without --online", self.refusal("--online", "--autosave", "5"))
+
+    def test_refuses_an_interval_that_is_none(self):
+        self.assertIn("is no interval", self.refusal("--autosave", "nan"))
+        self.assertIn("is no interval", self.refusal("--autosave=-1"))
+
+    def test_a_run_is_begun_or_resumed(self):
+        self.assertIn("not allowed with", self.refusal("--resume", "run"))
+
     def test_refuses_a_speed_that_is_none(self):
         self.assertIn("not a speed", self.refusal("--online", "--rate=-1"))
         self.assertIn("not a speed", self.refusal("--online", "--rate", "nan"))
