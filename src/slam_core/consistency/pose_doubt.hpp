@@ -40,6 +40,11 @@ class PoseDoubt {
   /// A clause on the gravest doubt; empty where there is none.
   std::string reason() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(scale_, ways_, relapses_, way_, last_, map_start_);
+  }
+
  private:
   ScaleDoubt::Difference scaleAt(bool is_evident) const;
 

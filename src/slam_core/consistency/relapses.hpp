@@ -23,6 +23,11 @@ class Relapses {
   /// How far the places lie apart at which it was found, at least half a metre [m].
   double extent() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(is_lost_, count_, largest_jump_, robot_, found_, on_probation_until_);
+  }
+
  private:
   void lose(Stamp stamp);
   void find(const Eigen::Vector2d& robot, Stamp stamp);

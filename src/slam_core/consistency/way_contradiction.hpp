@@ -35,6 +35,11 @@ class WayContradiction {
   };
   Distance apart() const;
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(ways_, turns_, since_);
+  }
+
  private:
   /// The same piece of the way by both.
   struct Piece {
@@ -42,6 +47,10 @@ class WayContradiction {
     Pose2 estimated;
 
     void add(const Motion& next, const Pose2& next_estimated);
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(odometry, estimated);
+    }
   };
   /// Judges one piece after the other, by the way or by the turn.
   class Comparison {
@@ -55,6 +64,11 @@ class WayContradiction {
     bool isEvident() const { return is_evident_; }
     /// The last complete piece where it is contradictory, up to the next one.
     const std::optional<Piece>& contradictory() const { return contradictory_; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(piece_, contradictory_, in_a_row_, agreeing_, is_evident_);
+    }
 
    private:
     Verdict is_complete_, is_contradictory_;

@@ -94,8 +94,8 @@ class Estimator final : public Component {
   }
   template <class Archive>
   void persist(Archive& archive) {
-    archive(intake_, consistency_, noise_, scale_, last_pose_, map_start_, way_, events_,
-            relocaliser_, start_map_, start_session_, last_motion_, fault_, paused_, counters_);
+    archive(intake_, consistency_, noise_, doubt_, events_, relocaliser_, start_map_,
+            start_session_, last_motion_, fault_, paused_, counters_);
   }
 
  private:

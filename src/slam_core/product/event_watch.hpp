@@ -40,7 +40,7 @@ class EventWatch {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(pose_, relocation_, lost_since_);
+    archive(pose_, relocation_, lost_since_, doubted_, trust_);
   }
 
  private:

@@ -47,7 +47,7 @@ struct StepReport {
   template <class Archive>
   void persist(Archive& archive) {
     archive(stamp, trigger, pose, odometry_pose, odometry_frame, base_frame, has_motion, statistics,
-            is_lost, restarted, is_relocated, events, correction);
+            trust, doubt, restarted, is_relocated, events, correction);
   }
 };
 

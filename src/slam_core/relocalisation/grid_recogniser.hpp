@@ -59,9 +59,9 @@ class GridRecogniser {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(local_, box_.min(), box_.max(), saved_, confirmed_at_, searched_, is_due_, has_news_);
+    archive(local_, box_.min(), box_.max(), saved_, confirmed_at_, searched_, is_due_, has_news_,
+            trials_);
     archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(grid_config_); });
-    archive.made(trial_, [] { return PlaceTrial(Pose2(), {}); });
   }
 
  private:

@@ -42,6 +42,12 @@ class PlaceTrials {
   /// The place that keepOnly() has left.
   PlaceTrial& only() { return trials_.front(); }
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive.list(trials_, [] { return PlaceTrial(Pose2(), {}); });
+    archive(tried_);
+  }
+
  private:
   using Trials = std::vector<PlaceTrial>;
 

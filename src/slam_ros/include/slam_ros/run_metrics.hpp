@@ -39,7 +39,7 @@ class AlarmTime {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(start_, last_, lost_, alarms_, was_lost_, first_);
+    archive(start_, last_, time_, alarms_, held_, first_);
   }
 
  private:
@@ -84,7 +84,9 @@ class RunMetrics {
   template <class Archive>
   void persist(Archive& archive) {
     archive(update_ms_, latency_ms_, front_end_, events_, largest_jump_);
-    archive.made(lost_, [] { return LostTime(slam::Stamp()); });
+    const auto make = [] { return AlarmTime(slam::Stamp()); };
+    archive.made(lost_, make);
+    archive.made(doubtful_, make);
   }
 
  private:
