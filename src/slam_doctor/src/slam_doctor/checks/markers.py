@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Does any marker of the robot's families appear? The product's own detector answers."""
+import pathlib
+import re
+import subprocess
+import tempfile
+
+import yaml
+from slam_launch import packages
+from slam_launch.errors import ProductError
+
+from slam_doctor.finding import ok, unknown, warn
+
+PROGRAM = ("slam_core", "slam_core_fiducial_images")
+FAMILIES = {"apriltag": "apriltag.families", "aruco": "aruco.dictionaries"}
+OTHERS = (("apriltag", ["36h11", "25h9", "Standard41h12"]),
+          ("aruco", ["DICT_4X4_250", "DICT_5X5_250", "DICT_6X6_250", "DICT_7X7_250",
+                     "DICT_ARUCO_ORIGINAL"]))
+LINE = re.compile(r"^(.*): id (\d+), corners.*, range", re.M)  # of a marker that is not rejected
+
+
+def check(case):
+    """Findings about markers before the camera that looks ahead."""
+    camera, product = case.sensors.get("camera"), case.expectations.product
+    if camera is None or not hasattr(camera.topic.record, "pictures"):
+        return []
+    if product and product.detector not in FAMILIES:
+        return []
+    pictures, calibration = camera.topic.record.pictures.items, camera.calibration
+    if not pictures or not calibration or not calibration.record.first:
+        return [unknown("camera.markers", "markers cannot be looked for", "They need images with a "
+                        "camera_info.")]
+    detectors = [product.detector] if product else list(FAMILIES)
+    with tempfile.TemporaryDirectory(prefix="slam_doctor_") as folder:
+        return [look(Detector(folder, pictures, calibration.record.first), detectors, case.robot)]
+
+
+class Detector:
+    """Pictures in files, for the program that finds markers in them."""
+
+    def __init__(self, folder, pictures, info):
+        from PIL import Image  # only where there are images
+        self._folder = pathlib.Path(folder)
+        self.images = []
+        for number, picture in enumerate(pictures):
+            self.images.append(self._folder / f"{number}.png")
+            Image.fromarray(picture).save(self.images[-1])
+        self._calibration = self._folder / "camera.yaml"
+        self._calibration.write_text(yaml.safe_dump(calibration_file(info)), encoding="utf-8")
+
+    def find(self, name, families):
+        """{id: number of pictures that show it}, None where the detector cannot work."""
+        command = [packages.program(*PROGRAM), name, self._calibration,
+                   f"{FAMILIES[name]}=[{', '.join(families)}]", *self.images]
+        done = subprocess.run([str(word) for word in command], text=True, capture_output=True,
+                              check=False)
+        if done.returncode != 0:
+            return None
+        seen = {}
+        for _, identity in set(LINE.findall(done.stdout)):
+            seen[int(identity)] = seen.get(int(identity), 0) + 1
+        return seen
+
+
+def calibration_file(info):
+    """A camera_info as ROS's camera calibration writes it into a file."""
+    def matrix(rows, columns, data):
+        return {"rows": rows, "cols": columns, "data": [float(value) for value in data]}
+    return {"image_width": info.width, "image_height": info.height, "camera_name": "camera",
+            "camera_matrix": matrix(3, 3, info.K), "distortion_model": info.distortion_model,
+            "distortion_coefficients": matrix(1, len(info.D), info.D)}
+
+
+def families_of(name, robot):
+    """The families that a detector looks for."""
+    section, key = FAMILIES[name].split(".")
+    own = robot.value(section, key)
+    return [str(family) for family in own] if isinstance(own, list) else \
+        re.findall(r"\w+", str(own or ""))
+
+
+def look(detector, names, robot):
+    """The Finding about markers in some pictures."""
+    count, looked_for = len(detector.images), []
+    try:
+        for name in names:
+            families = families_of(name, robot)
+            seen = detector.find(name, families)
+            if seen:
+                return ok("camera.markers", f"{len(seen)} markers of {', '.join(families)} in "
+                          f"{count} images", len(seen), "markers")
+            looked_for += [] if seen is None else families
+        others = other_families(detector, looked_for)
+    except ProductError as fault:
+        return unknown("camera.markers", str(fault), "Build the workspace.")
+    if not looked_for:
+        return unknown("camera.markers", "the detectors refuse these images or families",
+                       "Look at the sections apriltag and aruco of the robot file.")
+    text = f"no marker of {', '.join(looked_for)} in {count} images"
+    if others:
+        return warn("camera.markers", text, f"There are markers of {others}: name that family in "
+                    "the robot file.", 0, "markers")
+    return warn("camera.markers", text, "Are markers in view, flat, lit, and larger than 12 px? "
+                "Else take a product without a camera.", 0, "markers")
+
+
+def other_families(detector, looked_for):
+    """A family that does appear, where at least two pictures, or the only one, show it."""
+    for name, families in OTHERS:
+        for family in families:
+            seen = detector.find(name, [family]) if family not in looked_for else None
+            if seen and sum(seen.values()) >= min(2, len(detector.images)):
+                return family
+    return ""
