@@ -149,10 +149,15 @@ class Odometry(unittest.TestCase):
         def change(kind, message, time):
             if 20.0 < time < 21.0:
                 message.pose.pose.position.x = math.nan
-            message.twist.covariance = [-1.0] + 35 * [0.0]
+            message.twist.covariance = [-0.1] + 35 * [0.0]
         found = faults(diagnose(edited("numbers", Edit((ODOMETRY,), change))))
         self.assertEqual(found["odom.numbers"], "ERROR")
         self.assertEqual(found["odom.covariance"], "ERROR")
+
+    def test_covariances_that_are_not_given(self):
+        def change(kind, message, time):
+            message.pose.covariance = [-1.0] + 35 * [0.0]
+        self.assertEqual(faults(diagnose(edited("not_given", Edit((ODOMETRY,), change)))), {})
 
     def test_huge_covariance(self):
         def change(kind, message, time):

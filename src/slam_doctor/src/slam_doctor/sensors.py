@@ -86,9 +86,10 @@ def odometry_of_transforms(recording, expectations):
     record = recording.odometry_of_edges.get(edge)
     if record is None or not len(record.samples()):
         return None
-    topic = Topic(f"/tf {edge[0]} -> {edge[1]}", ODOMETRY, recording.start)
+    start = recording.stamp_start
+    topic = Topic(f"/tf {edge[0]} -> {edge[1]}", ODOMETRY, start, start)
     topic.record = record
     for row in record.samples():
-        stamp = recording.start + round(row[0] * 1e9)
+        stamp = start + round(row[0] * 1e9)
         topic.stream.add(stamp, stamp)
     return topic

@@ -18,8 +18,15 @@ def check(case):
 
 
 def governors(root=pathlib.Path("/sys")):
-    """The names of the clock governors; empty where the kernel tells none."""
-    return {path.read_text(encoding="utf-8").strip() for path in root.glob(GOVERNORS)}
+    """The names of the clock governors; empty where the kernel tells none. A processor that sets its
+    clock itself (intel_pstate, amd-pstate) calls powersave what others call schedutil."""
+    found = set()
+    for path in root.glob(GOVERNORS):
+        driver = path.with_name("scaling_driver")
+        by_itself = driver.exists() and "pstate" in driver.read_text(encoding="utf-8")
+        name = path.read_text(encoding="utf-8").strip()
+        found.add(f"{name} of the processor" if by_itself else name)
+    return found
 
 
 def memory(path=pathlib.Path("/proc/meminfo")):
@@ -35,13 +42,12 @@ def computer(cores, load, names, free, is_live):
     text = f"{cores} cores, load {load:.1f}, {free / 1024:.1f} GB of memory free"
     text += f", clock governor {', '.join(sorted(names))}" if names else ""
     if is_live and load > LOAD * cores:
-        return [warn("computer", text, "Stop what else runs, or run SLAM on another machine (docs: "
-                     "two machines).", load, "load")]
+        return [warn("computer", text, "Stop what else runs, or run SLAM on another machine "
+                     "(docs/architecture.md, Two machines).", load, "load")]
     if is_live and names & {"powersave", "conservative"}:
         return [warn("computer", text, "Set the governor to performance or schedutil (cpupower "
                      "frequency-set -g performance).", load, "load")]
     if is_live and free < MEMORY:
-        return [warn("computer", text, "Close other programs: maps and particles need "
-                     "memory.", free,
-                     "MB")]
+        return [warn("computer", text, "Close other programs: maps and particles need memory.",
+                     free, "MB")]
     return [ok("computer", text, load, "load")]

@@ -8,6 +8,7 @@ import numpy as np
 from slam_doctor.finding import error, judged, Level, ok, unknown, warn
 
 LOST = (0.05, 0.3)        # share of the messages of a regular sensor that are lost: WARN, ERROR
+DENSE = 0.1               # steps below this leave enough, whatever is lost [s]
 SLOW = 0.5                # a step of key scans, which are taken when the robot has moved on [s]
 GAP = (0.3, 1.0)          # a gap in which the robot drives [m] or turns [rad] so far: WARN, ERROR
 GAP_UNSEEN = 1.0          # a gap that counts where no odometry says what happened in it [s]
@@ -41,9 +42,9 @@ def motion_per_message(case, stream):
 
 
 def lost_share(steps):
-    """The share of messages that did not come, of a sensor whose steps [s] are short and regular;
-    NaN of others, such as key scans."""
-    if len(steps) < 20 or np.median(steps) > SLOW:
+    """The share of messages that did not come, of a sensor whose steps [s] are regular; NaN of
+    others, such as key scans, and of those that are dense even so."""
+    if len(steps) < 20 or np.median(steps) > SLOW or np.quantile(steps, 0.95) < DENSE:
         return math.nan
     low, median, high = np.quantile(steps, [0.25, 0.5, 0.75])
     if high - low > 0.2 * median:
@@ -65,11 +66,11 @@ def rate(sensor, case):
     gap, begin, _ = stream.longest_gap
     text = (f"{sensor.topic.name}: {1.0 / median:.3g} Hz, jitter {1000 * jitter:.3g} ms, longest "
             f"gap {gap:.3g} s at {begin:.1f} s")
-    # Sources of observations may say nothing while they see nothing.
-    if gap > max(5 * median, 0.5) and sensor.name != "observations":
-        bad = gap_fault(sensor, case, text)
-        if bad:
-            return bad
+    if sensor.name == "observations":  # their source may say nothing while it sees nothing
+        return ok(name, text, 1.0 / median, "Hz")
+    bad = gap_fault(sensor, case, text) if gap > max(5 * median, 0.5) else None
+    if bad:
+        return bad
     lost = lost_share(steps)
     if lost > LOST[0]:
         return judged(name, f"{text}, {100 * lost:.0f} % of the messages are missing",
@@ -124,6 +125,14 @@ def stamps(sensor):
     return ok(name, f"{sensor.topic.name}: stamps grow")
 
 
+def spoken(seconds):
+    """A time in the unit that people would use."""
+    for unit, factor in (("days", 86400.0), ("h", 3600.0), ("s", 1.0)):
+        if abs(seconds) >= 10 * factor:
+            return f"{seconds / factor:.3g} {unit}"
+    return f"{1000 * seconds:.4g} ms"
+
+
 def clock(sensor):
     """Stamps against the time of arrival."""
     stream, name = sensor.topic.stream, f"{sensor.name}.clock"
@@ -131,9 +140,9 @@ def clock(sensor):
     if not math.isfinite(offset):
         return []
     found = []
-    text = f"{sensor.topic.name}: messages come {1000 * offset:.4g} ms after their stamps"
+    text = f"{sensor.topic.name}: messages come {spoken(offset)} after their stamps"
     if offset < -EARLY:
-        found.append(error(name, f"{sensor.topic.name}: stamps lie {-offset:.3g} s in the future",
+        found.append(error(name, f"{sensor.topic.name}: stamps lie {spoken(-offset)} in the future",
                            "Synchronise the clocks of the machines (chrony, ntp).", -offset, "s"))
     else:
         found.append(judged(name, text, "Is the driver's clock that of another machine (chrony, "

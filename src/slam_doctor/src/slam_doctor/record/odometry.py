@@ -20,7 +20,7 @@ class Covariances:
     def add(self, values):
         """Looks at the 36 values of a covariance: those of x, y and the heading count."""
         self.count += 1
-        if not any(values):
+        if not any(values) or values[0] == -1:  # ROS's ways to say that none is given
             self.zero += 1
             return
         matrix = np.array(values).reshape(6, 6)[np.ix_(PLANE, PLANE)]

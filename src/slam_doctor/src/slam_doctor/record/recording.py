@@ -12,16 +12,18 @@ ODOMETRY, SCAN = "nav_msgs/Odometry", "sensor_msgs/LaserScan"
 IMAGE, COMPRESSED = "sensor_msgs/Image", "sensor_msgs/CompressedImage"
 CALIBRATION, OBSERVATIONS = "sensor_msgs/CameraInfo", "slam_msgs/LandmarkObservationArray"
 MOTION, TEXT = "slam_msgs/Motion", "std_msgs/String"
+SENSORS = (ODOMETRY, SCAN, IMAGE, COMPRESSED, OBSERVATIONS)
 TRANSFORMS = ("tf2_msgs/TFMessage", "tf/tfMessage")
 ROBOT = "robot"  # the topic that names the robot file
 
 
 class Topic:
-    """A topic with its type, the times of its messages, and what they say where that is known."""
+    """A topic with its type, the times of its messages, and what they say where that is known.
+    arrival_start, start: of the recording by arrivals and by stamps [ns]."""
 
-    def __init__(self, name, kind, start):
+    def __init__(self, name, kind, arrival_start, start):
         self.name, self.kind = name, kind
-        self.stream = Stream(start)
+        self.stream = Stream(arrival_start, start)
         self.record = None
         if kind == ODOMETRY:
             self.record = OdometryRecord(start)
@@ -42,11 +44,13 @@ def stamp_of(raw):
 
 
 class Recording:
-    """Takes messages as they come; times are seconds since the first one's arrival, stamps too."""
+    """Takes messages as they come. Times are seconds: of arrivals since the first one, of stamps
+    since the first stamp of a sensor, as a replayed bag's stamps may be years old."""
 
     def __init__(self, name, is_live=False):
         self.name, self.is_live = name, is_live
         self.start, self.end = None, None  # arrival [ns]
+        self.stamp_start = None            # [ns]
         self.topics = {}
         self.transforms = TransformRecord()
         self.odometry_of_edges = {}  # (parent, child): OdometryRecord of transforms that move
@@ -58,11 +62,14 @@ class Recording:
         if self.start is None:
             self.start = arrival
         self.end = max(arrival, self.end or arrival)
+        stamp = stamp_of(raw) if getattr(message_class, "_has_header", False) else None
+        if self.stamp_start is None and stamp and kind in SENSORS:
+            self.stamp_start = stamp
         known = self.topics.get(topic)
         if known is None:
-            known = self.topics[topic] = Topic(topic, kind, self.start)
-        has_header = getattr(message_class, "_has_header", False)
-        known.stream.add(arrival, stamp_of(raw) if has_header else None)
+            known = self.topics[topic] = Topic(topic, kind, self.start,
+                                               self.stamp_start or arrival)
+        known.stream.add(arrival, stamp)
         try:
             self._look(known, raw, message_class, publisher)
         except Exception:  # genpy raises whatever damaged bytes lead to
@@ -85,9 +92,11 @@ class Recording:
             pair = (each.header.frame_id.lstrip("/"), each.child_frame_id.lstrip("/"))
             if pair not in self.odometry_of_edges and len(self.odometry_of_edges) >= 20:
                 continue
-            record = self.odometry_of_edges.setdefault(pair, OdometryRecord(self.start))
+            stamp = each.header.stamp.to_nsec()
+            self.stamp_start = self.stamp_start or stamp
+            record = self.odometry_of_edges.setdefault(pair, OdometryRecord(self.stamp_start))
             t, q = each.transform.translation, each.transform.rotation
-            record.add(each.header.stamp.to_nsec(), t.x, t.y, heading_of(q), 0.0, 0.0)
+            record.add(stamp, t.x, t.y, heading_of(q), 0.0, 0.0)
 
     def duration(self):
         """From the first arrival to the last [s]."""

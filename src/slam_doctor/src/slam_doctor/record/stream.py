@@ -29,10 +29,11 @@ class Timeline:
 
 
 class Stream:
-    """The times of one topic's messages [ns], as statistics."""
+    """The times of one topic's messages [ns], as statistics. arrival_start, start: of the recording
+    by arrivals and by stamps [ns]."""
 
-    def __init__(self, start):
-        self._start = start
+    def __init__(self, arrival_start, start):
+        self._arrival_start, self._start = arrival_start, start
         self._last_stamp = self._last_arrival = None
         self.count = self.stamped = 0
         self.zero = self.equal = self.back = 0  # stamps
@@ -45,7 +46,7 @@ class Stream:
     def add(self, arrival, stamp):
         """Notes a message; stamp: None of one without."""
         self.count += 1
-        self.timeline.add((arrival - self._start) / SECOND)
+        self.timeline.add((arrival - self._arrival_start) / SECOND)
         if stamp == 0:
             self.zero += 1
         elif stamp is not None:
@@ -56,7 +57,7 @@ class Stream:
 
     def _add_stamp(self, arrival, stamp):
         self.stamped += 1
-        self.offsets.append(((arrival - self._start) / SECOND, (arrival - stamp) / SECOND))
+        self.offsets.append(((arrival - self._arrival_start) / SECOND, (arrival - stamp) / SECOND))
         if self._last_stamp is not None:
             self._add_interval(self._last_stamp, stamp)
         self._last_stamp = stamp

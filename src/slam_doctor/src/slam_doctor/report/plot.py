@@ -14,14 +14,11 @@ from slam_doctor.scans.match import moved
 
 def draw(case, path):
     """Writes the picture. Raises InputError."""
-    figure, axes = plt.subplots(2, 2, figsize=(13, 9), constrained_layout=True,
-                                gridspec_kw={"height_ratios": [2, 3]})
-    gaps = axes[0, 0].get_gridspec()
-    for axis in axes[0]:
-        axis.remove()
-    draw_rates(figure.add_subplot(gaps[0, :]), case)
-    draw_path(axes[1, 0], case)
-    draw_scans(axes[1, 1], case)
+    figure = plt.figure(figsize=(13, 9), constrained_layout=True)
+    grid = figure.add_gridspec(2, 2, height_ratios=[2, 3])
+    draw_rates(figure.add_subplot(grid[0, :]), case)
+    draw_path(figure.add_subplot(grid[1, 0]), case)
+    draw_scans(figure.add_subplot(grid[1, 1]), case)
     figure.suptitle(f"{case.recording.name}: {case.recording.duration():.0f} s")
     try:
         figure.savefig(pathlib.Path(path), dpi=90)
@@ -42,15 +39,21 @@ def draw_rates(axis, case):
         usual = np.median(rates[rates > 0]) if (rates > 0).any() else 1.0
         edges = timeline.width * np.arange(len(rates) + 1)
         colours = np.where(rates == 0, 0.0, np.clip(rates / usual, 0.15, 1.0))[None, :]
-        axis.pcolormesh(edges, [row - 0.4, row + 0.4], colours, cmap="Blues", vmin=0, vmax=1.3)
-        gap, begin, end = sensor.topic.stream.longest_gap
-        if gap > 0:
-            axis.plot([begin, end], [row + 0.45] * 2, color="tab:red", linewidth=3,
-                      solid_capstyle="butt")
+        axis.pcolormesh(edges, [row - 0.3, row + 0.3], colours, cmap="Blues", vmin=0, vmax=1.3)
+        draw_gap(axis, row, sensor.topic.stream)
     axis.set_yticks(range(len(sensors)), [f"{s.topic.name}\n{1 / s.topic.stream.interval():.3g} Hz"
                                           for s in sensors])
-    axis.set(xlim=(0, duration), xlabel="time since the first message [s]",
+    axis.set(xlim=(0, duration), ylim=(-0.5, len(sensors) - 0.3),
+             xlabel="time since the first message [s]",
              title="messages: the darker, the more; red: each topic's longest gap")
+
+
+def draw_gap(axis, row, stream):
+    """The longest gap over a topic's row, where it is longer than others."""
+    gap, begin, end = stream.longest_gap  # by stamps, which begin about when arrivals do
+    if gap > 3 * stream.interval():
+        axis.plot([begin, end], [row + 0.38] * 2, color="tab:red", linewidth=3)
+        axis.text((begin + end) / 2, row + 0.41, f"{gap:.2g} s", color="tab:red", ha="center")
 
 
 def draw_path(axis, case):
