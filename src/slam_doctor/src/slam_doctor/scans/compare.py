@@ -122,8 +122,11 @@ def compare_times(scans, path, ratio=1.0):
     offsets = np.arange(-WINDOW, WINDOW + STEP / 2, STEP)
     costs = np.stack([residuals(path, begins - o, ends - o, turns, ratio) for o in offsets])
     value = lowest(offsets, costs.mean(axis=1))
-    groups = [lowest(offsets, costs[:, g::GROUPS].mean(axis=1)) for g in range(GROUPS)]
-    return Offset(value, max(0.002, float(np.std(groups)) / math.sqrt(GROUPS)))
+    # Groups of successive spans, as neighbours share their scans.
+    groups = np.array_split(costs, GROUPS, axis=1)
+    off = [abs(lowest(offsets, group.mean(axis=1)) - value) for group in groups]
+    spread = 1.4826 * float(np.median(off))
+    return Offset(value, max(0.002, 1.25 * spread / math.sqrt(GROUPS)))
 
 
 def residuals(path, begins, ends, turns, ratio):
