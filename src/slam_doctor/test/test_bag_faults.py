@@ -7,6 +7,8 @@ from drives import diagnose, drive, Edit, edited, faults, FOLDER, ODOMETRY, SCAN
 import genpy
 from geometry_msgs.msg import TransformStamped
 import rosbag
+from slam_eval.bench.adverse import sensor
+from slam_eval.bench.harness.bag_edit import OBSERVATIONS
 from tf2_msgs.msg import TFMessage
 
 TRANSFORMS = "tf2_msgs/TFMessage"
@@ -193,6 +195,34 @@ class Topics(unittest.TestCase):
         found = diagnose(path)
         self.assertEqual(faults(found), {})
         self.assertIn("/front/laser", found["scan.topic"].text)
+
+
+class Landmarks(unittest.TestCase):
+    def seen(self, name, change=None):
+        path = FOLDER / f"{name}.bag"
+        if not path.exists():
+            sensor.observe(drive(), path, 1)
+        bag = edited(f"{name}_edited", Edit((OBSERVATIONS,), change), path) if change else path
+        return diagnose(bag, product="ekf_wheel")
+
+    def test_observations_take_the_place_of_images(self):
+        found = self.seen("landmarks")
+        self.assertEqual(faults(found), {})
+        self.assertEqual(found["product"].level.name, "OK")
+        self.assertGreater(found["observations.seen"].value, 1)
+
+    def test_ranges_and_covariances_that_cannot_be(self):
+        def change(kind, message, time):
+            for each in message.observations:
+                each.range = -each.range
+                each.covariance = [0.01, 1.0, 1.0, 0.01]
+        self.assertEqual(faults(self.seen("landmarks", change)),
+                         {"observations.range": "ERROR", "observations.covariance": "ERROR"})
+
+    def test_no_landmark(self):
+        def change(kind, message, time):
+            message.observations = []
+        self.assertEqual(faults(self.seen("landmarks", change)), {"observations.seen": "WARN"})
 
 
 class RobotFile(unittest.TestCase):

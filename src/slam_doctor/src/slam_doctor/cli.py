@@ -13,7 +13,6 @@ from slam_doctor.expectations import (all_products, Expectations, NO_ROBOT, read
                                        read_robot, Robot)
 from slam_doctor.finding import Level
 from slam_doctor.report import json_file, text
-from slam_doctor.sensors import plain
 
 DESCRIPTION = "Checks a bag or a running robot for what makes SLAM fail, and says what to do."
 EPILOG = "Exit codes: 0 no ERROR, 1 an ERROR or a bag that cannot be read, 2 wrong use."
@@ -88,12 +87,7 @@ def make_case(chosen):
     robot, product = expect(chosen)
     recording = record(chosen)
     known = (product,) if product else tuple(all_products())
-    case = Case(recording, Expectations(robot or robot_of(recording), product, known))
-    if product:  # what it does not need is not checked
-        needed = {need.input for need in product.needs} | \
-            {name for name, sensor in case.sensors.items() if plain(sensor.expected) == name}
-        case.sensors = {name: s for name, s in case.sensors.items() if name in needed}
-    return case
+    return Case(recording, Expectations(robot or robot_of(recording), product, known))
 
 
 def examine(case):

@@ -73,7 +73,7 @@ def read_robot(name):
 
 @dataclasses.dataclass(frozen=True)
 class Need:
-    """What a product takes in from outside."""
+    """What a product takes in from outside, or may take from a bag instead of making it."""
 
     input: str             # its name, such as `scan`
     topic: str             # where the robot file names no other
@@ -115,7 +115,10 @@ def with_needs(product):
                        frozenset(output.kind for output in component.outputs if output.kind))
                   for component in told.components for port in component.inputs
                   if port.made_by is None)
-    return Product(product.name or "this product", product.features.get("detector", "none"), needs)
+    made = tuple(Need(output.name, output.topic, output.kind, output.name, False, frozenset())
+                 for component in told.components for output in component.outputs if output.kind)
+    return Product(product.name or "this product", product.features.get("detector", "none"),
+                   needs + made)
 
 
 @dataclasses.dataclass(frozen=True)
