@@ -18,8 +18,8 @@ def check(case):
 
 
 def governors(root=pathlib.Path("/sys")):
-    """The names of the clock governors; empty where the kernel tells none. A processor that sets its
-    clock itself (intel_pstate, amd-pstate) calls powersave what others call schedutil."""
+    """The names of the clock governors; empty where the kernel tells none. A processor that sets
+    its clock itself (intel_pstate, amd-pstate) calls powersave what others call schedutil."""
     found = set()
     for path in root.glob(GOVERNORS):
         driver = path.with_name("scaling_driver")
