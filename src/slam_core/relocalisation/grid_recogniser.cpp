@@ -107,10 +107,10 @@ Recognition::Verdict GridRecogniser::weigh(const scan_matching::Match& best,
   const auto rival = matcher_.rivalAnywhere(best, map_->view(), scans, box_);
   const bool is_only =
       !rival || best.agreement.surplus() - rival->agreement.surplus() > kBetterThanRival * ends;
-  trials_.lead(best.pose, robot, local_.kept(), isSaved(best.pose));
+  trials_.lead(best, robot, local_.kept(), isSaved(best.pose));
   if (is_only)
     return trials_.isEnoughFor(best.pose, robot) ? Verdict::kConfirmed : Verdict::kLikely;
-  trials_.lead(rival->pose, robot, local_.kept(), isSaved(rival->pose));
+  trials_.lead(*rival, robot, local_.kept(), isSaved(rival->pose));
   return Verdict::kAmbiguous;
 }
 

@@ -19,7 +19,8 @@ constexpr double kPatch = 0.25;
 /// place, where furniture has been moved and people come by, and in one that looks alike up to
 /// there.
 constexpr double kStandsIfRight = 0.9, kStandsIfAlike = 0.5;
-/// Neighbouring patches belong to the same wall: so many tell as much as one alone would.
+/// Neighbouring patches belong to the same wall: so many tell as much as one alone would. What is
+/// seen in one area is limited besides (AreaEvidence).
 constexpr double kPatchesAlike = 2.0;
 /// What the rest of a scan counts: the search has chosen the place by the surfaces that it shows.
 constexpr double kOfSeen = 0.25;
@@ -85,6 +86,10 @@ PlaceTrial::PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen
         for (int dy = -1; dy <= 1; ++dy) seen_.emplace(patch.first + dx, patch.second + dy);
 }
 
+double PlaceTrial::evidenceAgainst(const scan_matching::Agreement& agreement) {
+  return std::min(0.0, ofShare(agreement));
+}
+
 void PlaceTrial::see(const LocalScan& scan, const scan_matching::MapView& map,
                      const scan_matching::ScanToMapMatcher& matcher, double most) {
   constexpr double kSigma = 0.2, kSigmaHeading = 0.1;  // of the local scans, in a step [m], [rad]
@@ -114,11 +119,11 @@ double PlaceTrial::ofNewSurfaces(const grid_map::ScanPoints& scan,
     if (agreement.surplus() < 0)
       missing.insert(patch);
     else if (agreement.known() > 0 && seen_.insert(patch).second)
-      sum += for_right;
+      sum += areas_.add(patch, for_right / kPatchesAlike);
   }
   for (const auto& patch : largerThanFurniture(std::move(missing)))
-    if (seen_.insert(patch).second) sum -= for_alike;
-  return std::clamp(sum / kPatchesAlike, -kMostOfOneScan, kMostOfOneScan);
+    if (seen_.insert(patch).second) sum += areas_.add(patch, -for_alike / kPatchesAlike);
+  return std::clamp(sum, -kMostOfOneScan, kMostOfOneScan);
 }
 
 double PlaceTrial::weightOf(const Pose2& local) const {

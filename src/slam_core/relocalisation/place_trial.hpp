@@ -5,8 +5,8 @@
 
 #include <deque>
 #include <set>
-#include <utility>
 
+#include "slam_core/relocalisation/area_evidence.hpp"
 #include "slam_core/relocalisation/local_scans.hpp"
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
@@ -14,14 +14,19 @@ namespace slam::relocalisation {
 
 /// Tests whether a robot is at a place that a search has found in a grid, or in one that only looks
 /// alike, by the scans after that search (sequential test, Wald 1945). The search has chosen the
-/// place because its own scans fit there, so that they say nothing for it any more. Later scans
-/// show surfaces that none of those had shown: where these stand in the map as well, or are missing
-/// there, tells the two cases apart. What the search has seen already counts little.
+/// place because its own scans fit there, so that they say nothing for it any more, though what of
+/// them contradicts the map speaks against it (evidenceAgainst()). Later scans show surfaces that
+/// none of those had shown: where these stand in the map as well, or are missing there, tells the
+/// two cases apart. What the search has seen already counts little.
 class PlaceTrial {
  public:
   /// @param map_local T_map_local that the search has found @param seen the scans that it has used
   /// @param prior logarithm of how many times likelier the place is by what else is known
   PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen, double prior = 0.0);
+
+  /// A prior: what the scans that a search has used say against a place. @param agreement of all of
+  /// them with the map there @return 0 where no more of them contradicts the map than is usual
+  static double evidenceAgainst(const scan_matching::Agreement& agreement);
 
   /// To be called for each scan that is kept after the search, with the same map.
   /// @param most of the evidence; more is not summed up
@@ -40,7 +45,7 @@ class PlaceTrial {
   }
 
  private:
-  using Patch = std::pair<int, int>;  ///< of the map's plane
+  using Patch = AreaEvidence::Patch;
 
   double ofNewSurfaces(const grid_map::ScanPoints& scan, const scan_matching::MapView& map,
                        const Pose2& place);
@@ -50,6 +55,7 @@ class PlaceTrial {
   Pose2 map_local_;       ///< T_map_local
   Pose2 last_;            ///< T_local_base at the last scan
   std::set<Patch> seen_;  ///< by the search, or counted since
+  AreaEvidence areas_;    ///< what new surfaces have told so far
   double evidence_;
 };
 

@@ -54,12 +54,13 @@ PlaceTrials::Trials::const_iterator PlaceTrials::find(const Pose2& place,
   return const_cast<PlaceTrials*>(this)->find(place, local);
 }
 
-void PlaceTrials::lead(const Pose2& place, const Pose2& local, const std::deque<LocalScan>& seen,
-                       bool is_expected) {
-  if (find(place, local) != trials_.end()) return;
+void PlaceTrials::lead(const scan_matching::Match& found, const Pose2& local,
+                       const std::deque<LocalScan>& seen, bool is_expected) {
+  if (find(found.pose, local) != trials_.end()) return;
   if (trials_.size() >= kMostTrials) dropWorst();
   ++tried_;
-  trials_.emplace_back(place * local.inverse(), seen, is_expected ? enough() : 0.0);
+  const double prior = is_expected ? enough() : PlaceTrial::evidenceAgainst(found.agreement);
+  trials_.emplace_back(found.pose * local.inverse(), seen, prior);
 }
 
 void PlaceTrials::dropWorst() {

@@ -26,11 +26,12 @@ class PlaceTrials {
   /// become one.
   void see(const LocalScan& scan, const scan_matching::MapView& map,
            const scan_matching::ScanToMapMatcher& matcher);
-  /// A search has led to a place, which goes on trial unless it is. @param place T_map_base, where
-  /// the last scan is @param local T_local_base of the last scan @param seen the scans that the
-  /// search has used @param is_expected the place is where the robot is unless it was carried
-  void lead(const Pose2& place, const Pose2& local, const std::deque<LocalScan>& seen,
-            bool is_expected);
+  /// A search has led to a place, which goes on trial unless it is. @param found T_map_base at the
+  /// last scan, and how much of the scans fits there @param local T_local_base of the last scan
+  /// @param seen the scans that the search has used @param is_expected the place is where the robot
+  /// is unless it was carried
+  void lead(const scan_matching::Match& found, const Pose2& local,
+            const std::deque<LocalScan>& seen, bool is_expected);
   /// Whether the evidence for this place is enough, and for no other one on trial nearly as much.
   /// @param local T_local_base, where the robot would be at `place`
   bool isEnoughFor(const Pose2& place, const Pose2& local) const;

@@ -53,6 +53,20 @@ TEST_F(PlaceTrialTest, WhatTheSearchHasUsedSaysNothing) {
   EXPECT_EQ(trial.evidence(), 0.0);
 }
 
+TEST_F(PlaceTrialTest, WhatTheSearchHasUsedSpeaksAgainstAPlaceWhereMuchContradicts) {
+  const auto against = [](int contradicting) {
+    scan_matching::Agreement agreement;
+    agreement.contradicting = contradicting;
+    agreement.agreeing = 200 - contradicting;
+    return PlaceTrial::evidenceAgainst(agreement);
+  };
+  EXPECT_EQ(against(0), 0.0);
+  EXPECT_EQ(against(10), 0.0);
+  EXPECT_LT(against(50), -1.0);
+  EXPECT_LT(against(100), against(50) - 1.0);
+  EXPECT_EQ(PlaceTrial::evidenceAgainst({}), 0.0);
+}
+
 TEST_F(PlaceTrialTest, NewSurfacesThatStandInTheMapSpeakForThePlace) {
   PlaceTrial trial(Pose2(), {next(1)});
   drive(trial, 12);

@@ -34,7 +34,12 @@ class PlaceTrialsTest : public testing::Test {
     last = {scan_matching::pointsOf(step.scan, models, 0.02), step.truth, 0.0};
   }
   void lead(const Pose2& map_local, bool is_expected = false) {
-    trials.lead(map_local * last.pose, last.pose, {last}, is_expected);
+    trials.lead(foundAt(map_local), last.pose, {last}, is_expected);
+  }
+  scan_matching::Match foundAt(const Pose2& map_local) const {
+    scan_matching::Match found;
+    found.pose = map_local * last.pose;
+    return found;
   }
   bool isEnoughFor(const Pose2& map_local) const {
     return trials.isEnoughFor(map_local * last.pose, last.pose);
@@ -92,6 +97,29 @@ TEST_F(PlaceTrialsTest, TheMorePlacesHaveBeenTriedTheMoreEvidenceIsNeeded) {
   EXPECT_FALSE(trials.hasEnough());
   drive(12);
   EXPECT_TRUE(isEnoughFor(kRight));
+}
+
+/// The search has chosen the place all the same, but it is likely to be wrong.
+TEST_F(PlaceTrialsTest, APlaceThatTheSearchedScansContradictNeedsMoreEvidence) {
+  auto doubtful = trials, clear = trials;
+  auto found = foundAt(kRight);
+  found.agreement.agreeing = 300;
+  clear.lead(found, last.pose, {last}, false);
+  found.agreement.contradicting = 100;
+  doubtful.lead(found, last.pose, {last}, false);
+  const auto see = [this](PlaceTrials& some) { some.see(last, map.view(), matcher); };
+  for (int i = 0; i < 20 && !clear.hasEnough(); ++i) {
+    drive(1);
+    see(clear);
+    see(doubtful);
+  }
+  ASSERT_TRUE(clear.hasEnough());
+  EXPECT_FALSE(doubtful.hasEnough());
+  for (int i = 0; i < 20; ++i) {
+    drive(1);
+    see(doubtful);
+  }
+  EXPECT_TRUE(doubtful.hasEnough());
 }
 
 TEST_F(PlaceTrialsTest, TheExpectedPlaceNeedsNoOtherEvidence) {
