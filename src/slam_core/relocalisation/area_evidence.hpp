@@ -23,6 +23,11 @@ class AreaEvidence {
   /// than in one that looks alike has changed
   double add(const Patch& patch, double log_ratio);
 
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(areas_);
+  }
+
  private:
   std::map<Patch, double> areas_;  ///< sums of log_ratio
 };

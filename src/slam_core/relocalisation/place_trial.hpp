@@ -41,7 +41,7 @@ class PlaceTrial {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(map_local_, last_, seen_, evidence_);
+    archive(map_local_, last_, seen_, areas_, evidence_);
   }
 
  private:
