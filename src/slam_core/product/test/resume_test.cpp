@@ -43,7 +43,7 @@ std::string lineOf(const StepReport& report) {
                           report.pose.pose.x(), report.pose.pose.y(), report.pose.pose.theta());
   for (const double each : report.pose.covariance.reshaped()) line += fmt::format(" {:a}", each);
   line += fmt::format(" {:a} {} {}", report.statistics.nis, report.statistics.used,
-                      report.is_lost.value_or(false));
+                      nameOf(report.trust, namesOfTrust()));
   for (const auto& event : report.events) line += " " + event.reason;
   return line + "\n";
 }
