@@ -19,19 +19,20 @@ Eigen::Matrix3d covarianceOf(double position, double heading) {
 
 void PoseDoubt::load(const Pose2& robot) {
   map_start_.reset();
-  last_ = robot;
+  relocate(robot);
 }
 
 void PoseDoubt::predict(const Motion& motion) { way_ = way_ ? joined(*way_, motion) : motion; }
 
 void PoseDoubt::compare(const Pose2& robot) {
-  if (last_ && way_) {
+  if (last_ && way_ && !is_relocated_) {
     const auto increment = last_->between(robot);
     scale_.add(*way_, increment);
     ways_.add(*way_, increment);
   }
   if (!last_) map_start_ = robot.position();
   last_ = robot;
+  is_relocated_ = false;
   way_.reset();
 }
 

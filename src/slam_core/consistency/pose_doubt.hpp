@@ -24,8 +24,11 @@ class PoseDoubt {
   void restart() { *this = PoseDoubt(); }
   /// A map was loaded, which has a scale of its own. @param robot its pose in that map
   void load(const Pose2& robot);
-  /// The robot was put somewhere: how it came there is no motion.
-  void relocate(const Pose2& robot) { last_ = robot; }
+  /// The robot was put somewhere: how it came there is no motion, nor is the first correction.
+  void relocate(const Pose2& robot) {
+    last_ = robot;
+    is_relocated_ = true;
+  }
 
   /// To be called with the motions of a step before the other two, without enlarged noise.
   void predict(const Motion& motion);
@@ -42,7 +45,7 @@ class PoseDoubt {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(scale_, ways_, relapses_, way_, last_, map_start_);
+    archive(scale_, ways_, relapses_, way_, last_, is_relocated_, map_start_);
   }
 
  private:
@@ -53,6 +56,7 @@ class PoseDoubt {
   Relapses relapses_;
   std::optional<Motion> way_;  ///< by odometry since the last step
   std::optional<Pose2> last_;  ///< the robot after the last step
+  bool is_relocated_ = false;  ///< since the last step
   /// The robot was here when the map began; nothing in a map that was loaded [m].
   std::optional<Eigen::Vector2d> map_start_;
 };

@@ -7,10 +7,14 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "slam_core/contract/known_sections.hpp"
+
 namespace slam_ros {
 namespace {
 
 namespace fs = std::filesystem;
+
+const slam::SectionRegistrar<FilesConfig> kFilesSection;
 
 std::string environmentOr(const char* variable, const std::string& otherwise) {
   const char* value = std::getenv(variable);

@@ -20,6 +20,7 @@
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
 #include "slam_ros/known_inputs.hpp"
+#include "slam_ros/map_folder.hpp"
 #include "slam_ros/product_files.hpp"
 
 namespace slam_ros {
@@ -61,6 +62,7 @@ void OfflineRun::configure() {
   TopicsConfig topics;
   slam::FaultCollector faults;
   faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
+  faults.attempt([&] { settings_.read<FilesConfig>(); });
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
   requireKnownInputs(coordinator_.wiring());

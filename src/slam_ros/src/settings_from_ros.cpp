@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_ros/map_folder.hpp"
 
 namespace slam_ros {
 namespace {
@@ -64,7 +65,10 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue& value) {
 }
 
 slam::Settings settingsFromRos(const ros::NodeHandle& handle) {
-  return {document(handle, "product"), document(handle, "robot"), overrides(handle)};
+  slam::Settings settings(document(handle, "product"), document(handle, "robot"),
+                          overrides(handle));
+  settings.read<FilesConfig>();  // of every process of a product, whoever uses it
+  return settings;
 }
 
 }  // namespace slam_ros

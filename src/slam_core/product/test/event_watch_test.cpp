@@ -122,7 +122,9 @@ TEST_F(EventWatchTest, ReportsADoubtAndItsEndOnceEach) {
   for (const auto trust : {well, doubt, doubt, well, well, doubt, lost, lost, doubt, well})
     for (const auto& event : step(0.0, trust).events) {
       kinds.push_back(event.kind);
-      if (event.kind == EventKind::kDoubtful) EXPECT_EQ(event.reason, "something");
+      if (event.kind == EventKind::kDoubtful) {
+        EXPECT_EQ(event.reason, "something");
+      }
     }
   using Kind = EventKind;
   EXPECT_EQ(kinds,

@@ -12,7 +12,6 @@
 #include "slam_core/models/landmark_sensor.hpp"
 #include "slam_core/product/event_watch.hpp"
 #include "slam_core/product/product_config.hpp"
-#include "slam_ros/map_folder.hpp"
 #include "slam_ros/topics_config.hpp"
 
 namespace slam_ros {
@@ -28,7 +27,6 @@ void visitSharedSections(const Visit& visit) {
   visit(slam::ConsistencyConfig());
   visit(slam::LaserConfig());
   visit(TopicsConfig());
-  visit(FilesConfig());
 }
 
 /// Checks a product file's parameters, names, types and values, against the descriptions of all
