@@ -15,10 +15,10 @@ PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
   part_.configure(settings, part);
   auto context = inputContext(handles.product, settings, options);
   topics_ = context.topics;
-  diagnostics_.emplace(handles.product, handles.own, handles.name,
-                       Diagnostics::Sources{[this] { return part_.counters(); },
-                                            [this] { return waiting(); },
-                                            [this] { return figures(); }});
+  diagnostics_.emplace(
+      handles.product, handles.own, handles.name,
+      Diagnostics::Sources{[this] { return part_.counters(); }, [this] { return waiting(); },
+                           [this] { return figures(); }});
   context.pass = pass();
   context.put = [this](const auto& port, auto kind, const auto* value, const auto& topic) {
     take(port, kind, value, topic);

@@ -190,7 +190,8 @@ TEST(OutlierLogLikelihood, IsADensityTogetherWithTheNormalOneInsideTheGate) {
     double outside = 0.0;
     constexpr double kStep = 1e-3;  // of log d
     for (double log_d = std::log(gate) + 0.5 * kStep; log_d < 60.0; log_d += kStep)
-      outside += std::exp(association::outlierLogLikelihood(gate, std::exp(log_d), S) + log_d) * M_PI * root;
+      outside += std::exp(association::outlierLogLikelihood(gate, std::exp(log_d), S) + log_d) *
+                 M_PI * root;
     EXPECT_NEAR(outside * kStep, 1.0 - probability, 1e-5 * (1.0 - probability));
   }
 }

@@ -9,8 +9,6 @@
 
 #include "slam_core/geometry/covariance.hpp"
 
-#include "slam_core/geometry/covariance.hpp"
-
 namespace slam::particle_filter {
 namespace {
 
