@@ -37,7 +37,7 @@ class PoseDoubt {
   /// To be called at the end of each step, when a lost robot may have been found.
   void judgeLoss(bool is_lost, const Pose2& robot, Stamp stamp);
 
-  /// What is added to the covariance of a pose (x, y, heading).
+  /// @return what is added to the covariance of a pose (x, y, heading)
   /// @param is_evident the innovations contradict the odometry: no difference is left to its noise
   Eigen::Matrix3d covarianceAt(const Pose2& robot, bool is_evident) const;
   /// A clause on the gravest doubt; empty where there is none.

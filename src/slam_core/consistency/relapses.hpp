@@ -20,7 +20,7 @@ class Relapses {
   /// Whether the robot was found, and the place is yet to prove right.
   bool isOnProbation() const { return on_probation_until_.has_value(); }
   int count() const { return count_; }
-  /// How far the places lie apart at which it was found, at least half a metre [m].
+  /// @return the largest jump with which the robot was found, at least half a metre [m]
   double extent() const;
 
   template <class Archive>

@@ -26,9 +26,9 @@ class WayContradiction {
 
   /// Whether several pieces in a row were contradictory, and not many have agreed since.
   bool isEvident() const { return ways_.isEvident() || turns_.isEvident(); }
-  /// How far the robot by odometry may be from where the back-end has it, by what both have added
-  /// up to since the contradiction began, and by the odometry's noise: standard deviations. 0 where
-  /// there is no contradiction.
+  /// The robot by odometry may be so far from where the back-end has it (standard deviations): by
+  /// what both have added up to since the contradiction began, and by the odometry's noise. It is 0
+  /// where there is no contradiction.
   struct Distance {
     double position = 0.0;  ///< [m]
     double heading = 0.0;   ///< [rad]

@@ -38,7 +38,7 @@ class RunFolder {
   /// what somebody has written since the run began. @throw std::runtime_error before anything is
   /// changed, where a folder is in the way
   void complete();
-  /// Of a run that is resumed: leaves only these files in unfinished(), beside the checkpoint.
+  /// Leaves only these files of a resumed run in unfinished(), beside the checkpoint.
   /// Those that complete() had moved already when the run was cut off are moved back.
   void restrictTo(const std::set<std::string>& files);
   /// Leaves nothing of the run.

@@ -10,7 +10,7 @@ namespace {
 
 class RelapsesTest : public testing::Test {
  protected:
-  /// So many seconds in steps of 0.1 s.
+  /// Lets so many seconds pass in steps of 0.1 s.
   void pass(double time, bool is_lost, double x = 0.0) {
     for (int i = 0; i < static_cast<int>(time * 10); ++i) {
       stamp_ += std::chrono::milliseconds(100);

@@ -62,7 +62,7 @@ class RunMetrics {
     update_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
   }
   std::size_t updates() const { return update_ms_.size(); }
-  /// How far the pose can be relied on after the step of this stamp.
+  /// Takes in how far the pose can be relied on after the step of this stamp.
   void addTrust(slam::Stamp stamp, slam::Trust trust);
   /// Counts the events of a step and notes how far it moved the pose.
   void addEvents(const slam::StepReport& report);
@@ -80,7 +80,7 @@ class RunMetrics {
   /// @param data_time what the data cover
   std::string toJson(slam::Duration data_time, std::uint64_t dropped_messages) const;
 
-  /// Of a run that is resumed the times are those of all its parts, but for the wall's.
+  /// The times of a resumed run are the sums over its parts; the wall's time is that of the last.
   template <class Archive>
   void persist(Archive& archive) {
     archive(update_ms_, latency_ms_, front_end_, events_, largest_jump_);

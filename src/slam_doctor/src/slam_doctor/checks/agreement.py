@@ -53,7 +53,7 @@ def scale(check_name, what, key, ratio, limits, case):
                      "Exchange the sign of the wheels, or turn the laser's mount by pi.",
                      1.0 / ratio.value, "1")
     told = float(case.robot.value("wheel_odometry", key) or 1.0)
-    # What odometry tells after the robot file's scale, over what the scans show.
+    # The ratio is that of odometry, after the robot file's scale, to the scans.
     measured = told / ratio.value
     sigma = ratio.sigma * measured / ratio.value
     text = (f"odometry tells {measured:.3f} +- {sigma:.3f} times the {what} that the scans show "

@@ -99,7 +99,7 @@ class Reference:
                                     normals[:, 0] * levers[:, 1]])
         weights = 1.0 / (1.0 + (e / LOSS) ** 2)
         weighted = jacobian * weights[:, None]
-        # What the lines do not tell stays as it was guessed.
+        # Parameters that the lines do not determine keep their first guess.
         h = weighted.T @ jacobian + np.diag([0.05, 0.05, 0.05])
         return np.clip(-np.linalg.solve(h, weighted.T @ e), -0.3, 0.3)
 
