@@ -222,7 +222,7 @@ void Estimator::give(const Intake::Step& step) {
   for (const auto& reported : step.motions) {
     const auto motion = noise_.scaled(reported);
     carrier_->set(&motion);
-    doubt_.predict(reported);
+    if (consistency_config_.adapt) doubt_.predict(reported);
     events_.predict(motion);
     relocaliser_.predict(motion);
   }

@@ -80,7 +80,7 @@ class RunMetrics {
   /// @param data_time what the data cover
   std::string toJson(slam::Duration data_time, std::uint64_t dropped_messages) const;
 
-  /// The times of a resumed run are the sums over its parts; the wall's time is that of the last.
+  /// The metrics of a resumed run cover all its parts, but for wall_s and cpu_s.
   template <class Archive>
   void persist(Archive& archive) {
     archive(update_ms_, latency_ms_, front_end_, events_, largest_jump_);
