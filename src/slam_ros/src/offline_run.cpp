@@ -61,8 +61,8 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
 void OfflineRun::configure() {
   TopicsConfig topics;
   slam::FaultCollector faults;
-  faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
   faults.attempt([&] { settings_.read<FilesConfig>(); });
+  faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
   requireKnownInputs(coordinator_.wiring());
