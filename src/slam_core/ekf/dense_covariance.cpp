@@ -18,10 +18,28 @@ Eigen::Matrix3d DenseCovariance::robot() const {
   return P_.topLeftCorner<3, 3>().selfadjointView<Eigen::Lower>();
 }
 
-void DenseCovariance::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q) {
+void DenseCovariance::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q,
+                              const CalibrationJacobian<3>& A) {
+  const Eigen::MatrixXd by_parameters = A * parameterRows(A.cols());  // A P_c,all
   P_.topLeftCorner<3, 3>() = (F * robot() * F.transpose() + Q).eval();
   auto others_robot = P_.block(kRobotSize, 0, size_ - kRobotSize, kRobotSize);
   others_robot = (others_robot * F.transpose()).eval();
+  if (A.cols() == 0) return;
+  const Eigen::Matrix3d cross = by_parameters.leftCols<3>() * F.transpose();
+  P_.topLeftCorner<3, 3>() +=
+      cross + cross.transpose() + by_parameters.middleCols(kParameterRow, A.cols()) * A.transpose();
+  others_robot += by_parameters.rightCols(size_ - kRobotSize).transpose();
+}
+
+Eigen::MatrixXd DenseCovariance::parameterRows(Eigen::Index count) const {
+  Eigen::MatrixXd rows(count, size_);
+  const Eigen::Index below = size_ - kParameterRow - count;
+  if (count == 0) return rows;
+  rows.leftCols(kParameterRow) = P_.block(kParameterRow, 0, count, kParameterRow);
+  rows.middleCols(kParameterRow, count) =
+      P_.block(kParameterRow, kParameterRow, count, count).selfadjointView<Eigen::Lower>();
+  rows.rightCols(below) = P_.block(kParameterRow + count, kParameterRow, below, count).transpose();
+  return rows;
 }
 
 Eigen::MatrixXd DenseCovariance::timesTransposed(const std::vector<Innovation>& innovations) const {

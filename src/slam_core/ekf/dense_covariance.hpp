@@ -7,17 +7,20 @@
 #include <vector>
 
 #include "slam_core/ekf/innovation.hpp"
+#include "slam_core/models/calibration.hpp"
 
 namespace slam::ekf {
 
 /// The joint covariance P of (robot, reference pose, landmark 0, landmark 1, ...) of the
-/// neighbourhood, size 6 + 2 N. Only the lower triangle is kept up to date, which halves the work
+/// neighbourhood, size 6 + 2 N. Where parameters are calibrated, they take the place of the first
+/// landmarks. Only the lower triangle is kept up to date, which halves the work
 /// of an update; storage doubles when it is full, so that growing by a landmark does not copy.
 class DenseCovariance {
  public:
   using Matrix23 = Eigen::Matrix<double, 2, 3>;
 
   static constexpr Eigen::Index kReferenceRow = 3, kHeadingRow = 5, kHeadSize = 6;
+  static constexpr Eigen::Index kParameterRow = kHeadSize;  ///< of the first calibrated parameter
   static Eigen::Index row(Eigen::Index slot) { return kHeadSize + 2 * slot; }
 
   /// There are no landmarks, and the reference is a copy of the robot.
@@ -32,8 +35,10 @@ class DenseCovariance {
     return row >= column ? P_(row, column) : P_(column, row);
   }
 
-  /// P <- F P F^T + Q, where F differs from the identity in the robot's block only.
-  void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q);
+  /// P <- F P F^T + Q, where F differs from the identity in the robot's rows only: in its block,
+  /// and by A where the motion depends on the calibrated parameters.
+  void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q,
+               const CalibrationJacobian<3>& A = {});
   /// P H^T, one pair of columns for each innovation.
   Eigen::MatrixXd timesTransposed(const std::vector<Innovation>& innovations) const;
   /// P <- P - W W^T
@@ -53,6 +58,8 @@ class DenseCovariance {
 
  private:
   static constexpr Eigen::Index kRobotSize = 3;
+  /// The rows of so many calibrated parameters, complete.
+  Eigen::MatrixXd parameterRows(Eigen::Index count) const;
   void reserve(Eigen::Index size);
 
   Eigen::MatrixXd P_;  ///< capacity x capacity, lower triangle

@@ -8,6 +8,7 @@
 #include "slam_core/association/place_config.hpp"
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
+#include "slam_core/models/calibration.hpp"
 
 namespace slam::ekf {
 
@@ -23,6 +24,7 @@ struct EkfConfig {
   UpdateExtent update = UpdateExtent::kCompressed;
   int neighbourhood = 64;
   std::string association = "known_ids";  ///< the product's, see AssociationChooser
+  CalibrationConfig calibration;          ///< a section of its own
   association::PlaceConfig places;
   double gate_probability = 0.9999;
   double initial_sigma_position = 1e-4;

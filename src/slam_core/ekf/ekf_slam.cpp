@@ -18,6 +18,7 @@ namespace {
 
 const Registrar<Backend, EkfSlam> kRegistrar("ekf");
 const SectionRegistrar<EkfConfig> kSectionRegistrar;
+const SectionRegistrar<CalibrationConfig> kCalibrationSection;
 
 /// The reference is renewed before an update where its effect is beyond this share of the
 /// observations' sigmas.
@@ -39,6 +40,11 @@ void EkfSlam::configure(const EkfConfig& config) {
 void EkfSlam::configure(Settings& settings) {
   auto config = settings.read<EkfConfig>();
   config.association = association_;
+  config.calibration = settings.read<CalibrationConfig>();
+  if (config.calibration.isOn() && config.mapIsFixed())
+    throw ConfigError(
+        "calibration.estimate: in a fixed map nothing is calibrated; use ekf.mode=slam, or leave "
+        "the list empty");
   configure(config);
 }
 
@@ -52,12 +58,14 @@ void EkfSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkRemover>(*this);
   capabilities.offer<MapKeeper>(*this);
   capabilities.offer<AssociationChooser>(*this);
+  capabilities.offer<Calibrator>(*this);
 }
 
 void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
-  state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()});
+  state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()},
+                    calibrationPrior());
   associator_.restart({});
   sightings_ = association::Sightings();
   statistics_ = {};
@@ -65,29 +73,69 @@ void EkfSlam::reset() {
   map_.reset();
   initial_pose_.reset();
   motion_.reset();
+  velocity_.setZero();
+  frame_ = SensorFrame();
   observations_.reset();
 }
 
-void EkfSlam::set(const Motion& motion) {
+std::optional<CalibrationEstimate> EkfSlam::calibrationPrior() const {
+  if (!config_.calibration.isOn()) return std::nullopt;
+  return config_.calibration.prior();
+}
+
+Component::Figures EkfSlam::figures() const {
+  Figures figures;
+  if (const auto known = state_.calibration())
+    for (const auto& parameter : config_.calibration.parametersOf(*known)) {
+      figures.emplace_back(parameter.name, parameter.value);
+      figures.emplace_back(parameter.name + "_sigma", parameter.sigma);
+    }
+  return figures;
+}
+
+void EkfSlam::set(const Motion& measured) {
+  const auto parameters = state_.parameters();
+  CalibrationJacobian<3> J(3, 0);
+  const auto motion = parameters ? calibrated(measured, *parameters, &J) : measured;
+  if (parameters) velocity_ = motion.increment.log() / seconds(motion.end - motion.start);
   if (!motion_) {
     motion_ = motion;
+    J_motion_ = J;
     return;
   }
   Eigen::Matrix3d J_before, J_u;
   motion_->increment = motion_->increment.compose(motion.increment, &J_before, &J_u);
   motion_->covariance = J_before * motion_->covariance * J_before.transpose() +
                         J_u * motion.covariance * J_u.transpose();
+  J_motion_ = (J_before * J_motion_ + J_u * J).eval();
+}
+
+/// Where parameters are calibrated the sensor is the filter's robot.
+LandmarkObservationArray EkfSlam::takeObservations() {
+  auto array = *std::exchange(observations_, std::nullopt);
+  if (const auto parameters = state_.parameters()) {
+    move(frame_.look({array.sensor_pose, velocity_}, *parameters));
+    array.sensor_pose = Pose2();
+  }
+  return array;
+}
+
+PoseEstimate EkfSlam::pose() const {
+  return state_.parameters() ? frame_.robot(state_.robotAndParameters()) : state_.pose();
 }
 
 LandmarkMap EkfSlam::landmarks() const {
-  auto map = state_.map();
+  const bool has_own_unit = config_.calibration.estimates(kRangeScale);
+  auto map = has_own_unit ? state().landmarks : state_.map();
   associator_.descriptors().describe(map);
   return map;
 }
 
 MapState EkfSlam::state() const {
   const bool has_joint = state_.inMap() <= static_cast<std::size_t>(config_.joint_limit);
-  auto state = has_joint ? state_.state() : MapState{state_.pose(), state_.map(), {}};
+  const auto parameters = state_.parameters();
+  auto state = has_joint || parameters ? state_.state() : MapState{pose(), state_.map(), {}};
+  if (parameters) state = frame_.map(state, *parameters);
   associator_.descriptors().describe(state.landmarks);
   return state;
 }
@@ -100,7 +148,7 @@ Status EkfSlam::execute() {
   predict();
   statistics_.landmarks = static_cast<int>(state_.inMap());
   if (!observations_) return Status::ok();
-  const auto z = *std::exchange(observations_, std::nullopt);
+  const auto z = takeObservations();
   auto association = associator_.associate(z, state_, model_, counters_);
   const auto updated = update(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);
@@ -118,6 +166,9 @@ Status EkfSlam::execute() {
 Status EkfSlam::summary(const Association& association, const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
+  if (const auto known = state_.calibration())
+    if (const auto fault = config_.calibration.faultOf(*known); !fault.empty())
+      return Status::warning(fault);
   if (config_.mapIsFixed() && state_.inMap() == 0)
     return Status::warning("there is no map to localise in; load one");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
@@ -131,7 +182,10 @@ StretchLimits EkfSlam::limits() const {
 
 void EkfSlam::replaceMap() {
   if (!map_) return;
-  state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation);
+  const auto calibration = state_.calibration();
+  if (calibration) map_ = inRangeUnits(*std::move(map_), calibration->parameters);
+  frame_.forget();
+  state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation, calibration);
   sightings_ = association::Sightings(map_->landmarks);
   associator_.restart(map_->landmarks);
   statistics_.prediction.F.setZero();
@@ -140,7 +194,14 @@ void EkfSlam::replaceMap() {
 
 void EkfSlam::relocate() {
   if (!initial_pose_) return;
-  state_.relocate(bounded(*initial_pose_, largestSigmas()));
+  const auto place = bounded(*initial_pose_, largestSigmas());
+  if (const auto parameters = state_.parameters()) {
+    frame_.forget();
+    state_.relocate(inRangeUnits({place, {}, {}}, *parameters).robot);
+    move(fromMetres(state_.robot()));
+  } else {
+    state_.relocate(place);
+  }
   statistics_.prediction.F.setZero();
   initial_pose_.reset();
 }
@@ -148,9 +209,16 @@ void EkfSlam::relocate() {
 void EkfSlam::predict() {
   if (!motion_) return;
   associator_.move(*motion_);
-  const auto [F, Q] = state_.predict(motion_->increment, motion_->covariance);
-  statistics_.prediction = {F * statistics_.prediction.F, Q};
+  const SensorFrame::Transition motion{motion_->increment, motion_->covariance, J_motion_};
+  const auto parameters = state_.parameters();
+  move(parameters ? frame_.moved(motion, *parameters) : motion);
   motion_.reset();
+}
+
+void EkfSlam::move(const SensorFrame::Transition& transition) {
+  const auto [F, Q] = state_.predict(transition.increment, transition.Q, transition.J);
+  auto& all = statistics_.prediction;
+  all = {F * all.F, F * all.Q * F.transpose() + Q};
 }
 
 Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
@@ -250,15 +318,14 @@ Status EkfSlam::remove(LandmarkId id) {
 }
 
 NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sensor) const {
+  const auto& robot = state_.robot();
+  std::optional<LineModel> line;
+  if (z.isLine()) line.emplace(robot * sensor, z);
+  const auto& of_kind = line ? static_cast<const ObservationModel&>(*line) : model_;
   NewLandmark m;
   Eigen::Matrix2d J_z;
-  if (z.isLine()) {
-    const LineModel line(state_.robot() * sensor, z);
-    m.m_map = line.invert(state_.robot(), sensor, z.vector(), &m.J_robot, &J_z);
-    m.line = MappedLine{line, line.extentOf(state_.robot() * sensor, z, m.m_map)};
-  } else {
-    m.m_map = model_.invert(state_.robot(), sensor, z.vector(), &m.J_robot, &J_z);
-  }
+  m.m_map = of_kind.invert(robot, sensor, z.vector(), &m.J_robot, &J_z);
+  if (line) m.line = MappedLine{*line, line->extentOf(robot * sensor, z, m.m_map)};
   m.R = J_z * z.covariance * J_z.transpose();
   return m;
 }

@@ -10,6 +10,7 @@
 #include "slam_core/association/sightings.hpp"
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/map_keeper.hpp"
@@ -28,7 +29,8 @@ class EkfSlam final : public Backend,
                       LandmarkMapper,
                       LandmarkRemover,
                       MapKeeper,
-                      AssociationChooser {
+                      AssociationChooser,
+                      Calibrator {
  public:
   /// @throw ConfigError
   void configure(const EkfConfig& config);
@@ -42,8 +44,10 @@ class EkfSlam final : public Backend,
 
   Status execute() override;
 
-  PoseEstimate pose() const override { return state_.pose(); }
+  PoseEstimate pose() const override;
   Counters counters() const override { return counters_; }
+  /// The calibrated parameters, each with its standard deviation.
+  Figures figures() const override;
 
   void reset() override;
   bool canResume() const override { return true; }
@@ -53,7 +57,7 @@ class EkfSlam final : public Backend,
   template <class Archive>
   void persist(Archive& archive) {
     archive(associator_, state_, sightings_, statistics_, counters_, map_, initial_pose_, motion_,
-            observations_);
+            observations_, frame_, J_motion_, velocity_);
   }
 
  private:
@@ -65,9 +69,14 @@ class EkfSlam final : public Backend,
   MapState state() const override;
   void set(const MapState& map) override { map_ = map; }
   void useAssociation(const std::string& policy) override { association_ = policy; }
+  std::optional<CalibrationEstimate> calibration() const override { return state_.calibration(); }
+  const CalibrationConfig& calibrationConfig() const override { return config_.calibration; }
 
   NewLandmark initialized(const LandmarkObservation& z, const Pose2& sensor) const;
   StretchLimits limits() const;
+  std::optional<CalibrationEstimate> calibrationPrior() const;
+  void move(const SensorFrame::Transition& transition);
+  LandmarkObservationArray takeObservations();
   void replaceMap();
   void relocate();
   void predict();
@@ -90,7 +99,10 @@ class EkfSlam final : public Backend,
 
   std::optional<MapState> map_;
   std::optional<PoseEstimate> initial_pose_;
-  std::optional<Motion> motion_;  ///< all motions since the last step as one
+  std::optional<Motion> motion_;     ///< all motions since the last step as one, calibrated
+  CalibrationJacobian<3> J_motion_;  ///< of its increment
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< in the last of them [m/s, rad/s]
+  SensorFrame frame_;                                   ///< of the state, where it calibrates
   std::optional<LandmarkObservationArray> observations_;
 };
 

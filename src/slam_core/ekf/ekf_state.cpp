@@ -11,6 +11,23 @@
 namespace slam::ekf {
 namespace {
 
+constexpr Eigen::Index kPoseSize = 3;
+constexpr Eigen::Index kParameterPairs = kCalibrationRows / 2;
+static_assert(kCalibrationRows % 2 == 0);
+
+/// The covariance of (pose, landmarks).
+Eigen::MatrixXd jointOf(const MapState& map, double inflation) {
+  if (map.joint_covariance.size() > 0) return map.joint_covariance;
+  const auto size = kPoseSize + 2 * static_cast<Eigen::Index>(map.landmarks.size());
+  Eigen::MatrixXd joint = Eigen::MatrixXd::Zero(size, size);
+  joint.topLeftCorner<kPoseSize, kPoseSize>() = map.robot.covariance;
+  for (std::size_t i = 0; i < map.landmarks.size(); ++i) {
+    const auto row = kPoseSize + 2 * static_cast<Eigen::Index>(i);
+    joint.block<2, 2>(row, row) = inflation * inflation * map.landmarks[i].covariance;
+  }
+  return joint;
+}
+
 Neighbourhood neighbourhoodOf(const MapState& map, double inflation) {
   if (map.joint_covariance.size() > 0) return Neighbourhood(map.joint_covariance);
   std::vector<Eigen::Matrix2d> marginals;
@@ -19,20 +36,51 @@ Neighbourhood neighbourhoodOf(const MapState& map, double inflation) {
   return {map.robot.covariance, marginals};
 }
 
+/// Of (pose, parameters, landmarks), in the unit of the ranges: what is known in metres depends on
+/// the ranges' scale there.
+Neighbourhood neighbourhoodOf(const MapState& map, double inflation,
+                              const CalibrationEstimate& calibration) {
+  const auto joint = jointOf(map, inflation);
+  const Eigen::Index landmarks = joint.rows() - kPoseSize, size = joint.rows() + kCalibrationRows;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
+  all.topLeftCorner<kPoseSize, kPoseSize>() = joint.topLeftCorner<kPoseSize, kPoseSize>();
+  all.block<kCalibrationRows, kCalibrationRows>(kPoseSize, kPoseSize) = calibration.covariance;
+  all.topRightCorner(kPoseSize, landmarks) = joint.topRightCorner(kPoseSize, landmarks);
+  all.bottomLeftCorner(landmarks, kPoseSize) = joint.bottomLeftCorner(landmarks, kPoseSize);
+  all.bottomRightCorner(landmarks, landmarks) = joint.bottomRightCorner(landmarks, landmarks);
+
+  Eigen::VectorXd growth = Eigen::VectorXd::Zero(size);
+  growth.head<2>() = map.robot.pose.position();
+  for (std::size_t i = 0; i < map.landmarks.size(); ++i)
+    growth.segment<2>(kPoseSize + kCalibrationRows + 2 * static_cast<Eigen::Index>(i)) =
+        growthOf(map.landmarks[i]);
+  constexpr auto kScale = kPoseSize + kRangeScale;
+  all -= (growth * all.row(kScale)).eval();
+  all -= (all.col(kScale) * growth.transpose()).eval();
+  return Neighbourhood(all);
+}
+
 }  // namespace
 
-EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot)
+EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot,
+                   const std::optional<CalibrationEstimate>& calibration)
     : linearization_(std::move(linearization)),
       limits_(limits),
       robot_(robot.pose),
-      neighbourhood_(Eigen::MatrixXd(robot.covariance)) {}
+      neighbourhood_(calibration ? neighbourhoodOf({robot, {}, {}}, 1.0, *calibration)
+                                 : Neighbourhood(Eigen::MatrixXd(robot.covariance))) {
+  add(calibration);
+  takeAlways();
+}
 
 EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const MapState& map,
-                   double inflation)
+                   double inflation, const std::optional<CalibrationEstimate>& calibration)
     : linearization_(std::move(linearization)),
       limits_(limits),
       robot_(map.robot.pose),
-      neighbourhood_(neighbourhoodOf(map, inflation)) {
+      neighbourhood_(calibration ? neighbourhoodOf(map, inflation, *calibration)
+                                 : neighbourhoodOf(map, inflation)) {
+  add(calibration);
   for (const auto& landmark : map.landmarks) {
     index_[landmark.id] = static_cast<Eigen::Index>(ids_.size());
     ids_.push_back(landmark.id);
@@ -45,7 +93,21 @@ EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const M
   firsts_ = starts_;
   born_.assign(ids_.size(), 0.0);
   is_seen_.assign(ids_.size(), false);
-  takeWholeMap();
+  takeAlways();
+}
+
+/// The parameters come before all landmarks.
+void EkfState::add(const std::optional<CalibrationEstimate>& calibration) {
+  if (!calibration) return;
+  parameter_pairs_ = kParameterPairs;
+  for (Eigen::Index pair = 0; pair < parameter_pairs_; ++pair) {
+    ids_.push_back(kUnknownId);
+    starts_.emplace_back(calibration->parameters.segment<2>(2 * pair));
+    lines_.emplace_back();
+  }
+  firsts_ = starts_;
+  born_.assign(ids_.size(), 0.0);
+  is_seen_.assign(ids_.size(), false);
 }
 
 std::optional<std::size_t> EkfState::find(LandmarkId id) const {
@@ -57,6 +119,7 @@ std::optional<std::size_t> EkfState::find(LandmarkId id) const {
 LandmarkPoint EkfState::point(Eigen::Index landmark, const Eigen::Vector2d& correction, double turn,
                               double born) const {
   const auto &start = starts_[at(landmark)], &first = firsts_[at(landmark)];
+  if (isParameter(landmark)) return {start + correction, start, first};
   if (const auto& line = lines_[at(landmark)])
     return {linearization_->moved(line->model, start, correction, turn - born), start, first,
             &line->model};
@@ -81,7 +144,8 @@ std::vector<LandmarkPoint> EkfState::allPoints() const {
 
 Eigen::Matrix2Xd EkfState::transports(const std::vector<LandmarkPoint>& points) const {
   Eigen::Matrix2Xd c(2, static_cast<Eigen::Index>(points.size()));
-  for (Eigen::Index i = 0; i < c.cols(); ++i)
+  c.leftCols(parameter_pairs_).setZero();
+  for (Eigen::Index i = parameter_pairs_; i < c.cols(); ++i)
     c.col(i) = linearization_->landmarkTransport(points[at(i)]);
   return c;
 }
@@ -93,12 +157,12 @@ void EkfState::renew() {
   std::fill(born_.begin(), born_.end(), 0.0);
   std::fill(is_seen_.begin(), is_seen_.end(), false);
   seen_ = 0;
-  takeWholeMap();
+  takeAlways();
 }
 
-void EkfState::takeWholeMap() {
-  if (!limits_.whole_map) return;
-  for (Eigen::Index i = 0; i < neighbourhood_.landmarks(); ++i) neighbourhood_.take(i);
+void EkfState::takeAlways() {
+  const Eigen::Index count = limits_.whole_map ? neighbourhood_.landmarks() : parameter_pairs_;
+  for (Eigen::Index i = 0; i < count; ++i) neighbourhood_.take(i);
 }
 
 void EkfState::take(const LandmarksInView& view) {
@@ -133,11 +197,12 @@ void EkfState::renewReference() {
   seen_ = seen;
 }
 
-PosePrediction EkfState::predict(const Pose2& increment, const Eigen::Matrix3d& Q) {
+PosePrediction EkfState::predict(const Pose2& increment, const Eigen::Matrix3d& Q,
+                                 const CalibrationJacobian<3>& J_increment) {
   Eigen::Matrix3d F, G;
   robot_ = robot_.compose(increment, &F, &G);
   const PosePrediction prediction{F, G * Q * G.transpose()};
-  neighbourhood_.predict(prediction.F, prediction.Q);
+  neighbourhood_.predict(prediction.F, prediction.Q, G * J_increment);
   return prediction;
 }
 
@@ -183,14 +248,42 @@ void EkfState::beginAnew(LandmarkId id, const NewLandmark& m) {
   neighbourhood_.replace(landmark, m.J_robot, m.R);
   starts_[at(landmark)] = firsts_[at(landmark)] = m.m_map;
   lines_[at(landmark)] = m.line;
-  takeWholeMap();
+  takeAlways();
 }
 
 void EkfState::relocate(const PoseEstimate& robot) {
   renew();
   robot_ = robot.pose;
   neighbourhood_.resetRobot(robot.covariance);
-  takeWholeMap();
+  takeAlways();
+}
+
+std::optional<CalibrationVector> EkfState::parameters() const {
+  if (parameter_pairs_ == 0) return std::nullopt;
+  CalibrationVector parameters;
+  for (Eigen::Index pair = 0; pair < parameter_pairs_; ++pair)
+    parameters.segment<2>(2 * pair) = point(pair).now;
+  return parameters;
+}
+
+SensorFrame::Joint EkfState::robotAndParameters() const {
+  SensorFrame::Joint joint;
+  joint.robot = robot_;
+  joint.c = *parameters();
+  const auto row = [](Eigen::Index i) {
+    return i < kPoseSize ? i : DenseCovariance::kParameterRow + i - kPoseSize;
+  };
+  for (Eigen::Index i = 0; i < joint.covariance.rows(); ++i)
+    for (Eigen::Index j = 0; j < joint.covariance.cols(); ++j)
+      joint.covariance(i, j) = covariance()(row(i), row(j));
+  return joint;
+}
+
+std::optional<CalibrationEstimate> EkfState::calibration() const {
+  if (parameter_pairs_ == 0) return std::nullopt;
+  const auto joint = robotAndParameters();
+  return CalibrationEstimate{
+      joint.c, joint.covariance.bottomRightCorner<kCalibrationRows, kCalibrationRows>()};
 }
 
 void EkfState::retire(LandmarkId id) { index_.erase(id); }
@@ -238,10 +331,12 @@ MapState EkfState::state() const {
   const auto points = allPoints();
   Neighbourhood updated = neighbourhood_;
   updated.renew(transports(points));
-  std::vector<Eigen::Index> rows = {0, 1, 2};
+  std::vector<Eigen::Index> rows(at(kPoseSize + 2 * parameter_pairs_));
+  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+  const auto first = static_cast<Eigen::Index>(rows.size());  // of the landmarks
   MapState state{pose(), {}, {}};
   for (const auto i : orderById()) {
-    for (Eigen::Index axis = 0; axis < 2; ++axis) rows.push_back(3 + 2 * i + axis);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) rows.push_back(kPoseSize + 2 * i + axis);
     state.landmarks.push_back(landmark(i, points[at(i)]));
   }
   auto& joint = state.joint_covariance;
@@ -250,7 +345,7 @@ MapState EkfState::state() const {
     for (Eigen::Index row = 0; row < joint.rows(); ++row)
       joint(row, column) = updated.prior(rows[at(row)], rows[at(column)]);
   for (std::size_t i = 0; i < state.landmarks.size(); ++i) {
-    const auto row = 3 + 2 * static_cast<Eigen::Index>(i);
+    const auto row = first + 2 * static_cast<Eigen::Index>(i);
     state.landmarks[i].covariance = joint.block<2, 2>(row, row);
   }
   return state;

@@ -12,6 +12,7 @@
 #include "slam_core/association/existence.hpp"
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/ekf/neighbourhood.hpp"
+#include "slam_core/ekf/sensor_frame.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/line_model.hpp"
 #include "slam_core/models/motion.hpp"
@@ -48,16 +49,20 @@ struct NewLandmark {
 /// The Gaussian over robot and map: estimates, their joint covariance (Neighbourhood), and the ids
 /// of the landmarks in the order in which they were first seen, which is their number. The
 /// linearisation says which error the covariance describes; what comes out is always that of (x, y,
-/// theta) and (x, y). To look at the state does not change it, not by a bit.
+/// theta) and (x, y). To look at the state does not change it, not by a bit. Where parameters are
+/// calibrated, the Gaussian is over them as well: they take the first numbers, are in every
+/// neighbourhood, and are in no map; robot and map are in the coordinates of a SensorFrame.
 class EkfState {
  public:
   using LinearizationPtr = std::shared_ptr<const Linearization>;
 
   EkfState() = default;
-  EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot);
+  /// @param calibration nothing where nothing is calibrated
+  EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot,
+           const std::optional<CalibrationEstimate>& calibration = std::nullopt);
   /// Landmarks without a joint covariance get their marginals times `inflation` squared.
   EkfState(LinearizationPtr linearization, StretchLimits limits, const MapState& map,
-           double inflation);
+           double inflation, const std::optional<CalibrationEstimate>& calibration = std::nullopt);
 
   const Pose2& robot() const { return robot_; }
   /// @return the number of landmarks, retired ones included; each has a number below it
@@ -87,7 +92,9 @@ class EkfState {
 
   /// Takes these into the neighbourhood; where it would grow too large the stretch ends first.
   void take(const LandmarksInView& view);
-  PosePrediction predict(const Pose2& increment, const Eigen::Matrix3d& Q);
+  /// @param J_increment by the calibrated parameters, of (x, y, theta)
+  PosePrediction predict(const Pose2& increment, const Eigen::Matrix3d& Q,
+                         const CalibrationJacobian<3>& J_increment = {});
   /// x <- x + dx and P <- P - W W^T, rows as in covariance().
   void update(const Eigen::VectorXd& dx, const Eigen::MatrixXd& W);
   /// The same for the robot only, the map being known (Schmidt-Kalman update).
@@ -106,15 +113,22 @@ class EkfState {
   /// A new stretch with the same landmarks, unless this one has just begun.
   void renewReference();
 
+  /// The estimated parameters; nothing where nothing is calibrated.
+  std::optional<CalibrationVector> parameters() const;
+  /// The same with their covariance.
+  std::optional<CalibrationEstimate> calibration() const;
+  /// Robot and parameters; only where parameters are calibrated.
+  SensorFrame::Joint robotAndParameters() const;
   PoseEstimate pose() const { return {robot_, covariance().robot()}; }
   std::vector<association::LandmarkPlace> places() const;  ///< of points, sorted by id
   LandmarkMap map() const;                                 ///< sorted by id, with marginals
-  MapState state() const;  ///< sorted by id, with the joint covariance
+  /// Sorted by id, with the joint covariance of (pose, parameters if any, landmarks).
+  MapState state() const;
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(robot_, neighbourhood_, ids_, largest_id_, index_, starts_, firsts_, lines_, born_,
-            is_seen_, seen_);
+    archive(robot_, neighbourhood_, parameter_pairs_, ids_, largest_id_, index_, starts_, firsts_,
+            lines_, born_, is_seen_, seen_);
   }
 
  private:
@@ -126,13 +140,16 @@ class EkfState {
   Landmark landmark(Eigen::Index landmark, const LandmarkPoint& point) const;
   void correctRobot(const Eigen::Vector3d& dx);
   void renew();
-  void takeWholeMap();
+  void add(const std::optional<CalibrationEstimate>& calibration);
+  bool isParameter(Eigen::Index landmark) const { return landmark < parameter_pairs_; }
+  void takeAlways();
   std::vector<Eigen::Index> orderById() const;
 
   LinearizationPtr linearization_;
   StretchLimits limits_;
   Pose2 robot_;
   Neighbourhood neighbourhood_;
+  Eigen::Index parameter_pairs_ = 0;  ///< so many of the first landmarks are parameters
   std::vector<LandmarkId> ids_;
   LandmarkId largest_id_ = kUnknownId;
   std::unordered_map<LandmarkId, Eigen::Index> index_;  // looked up only, never iterated

@@ -99,8 +99,9 @@ void Neighbourhood::append(const DenseCovariance::Matrix23& J_m_robot, const Eig
   slots_.push_back(size() - 1);
 }
 
-void Neighbourhood::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q) {
-  local_.predict(F, Q);
+void Neighbourhood::predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q,
+                            const CalibrationJacobian<3>& A) {
+  local_.predict(F, Q, A);
   is_fresh_ = false;
 }
 

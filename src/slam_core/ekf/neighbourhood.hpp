@@ -19,7 +19,8 @@ namespace slam::ekf {
 /// a: the taken part, b: the rest, 0: at the start,
 ///   P_bb = P_bb0 - W (I - L^-1 P_aa L^-T) W^T,  W = P_ba0 L^-T,  P_aa0 = L L^T,
 /// which renew() brings into the prior: the global update. It also begins a new stretch, with the
-/// robot's pose as the reference.
+/// robot's pose as the reference. Calibrated parameters are the first landmarks; they must have
+/// been taken before all others whenever a Jacobian by them is given.
 class Neighbourhood {
  public:
   /// @param joint of (pose, landmarks), size 3 + 2 N
@@ -44,7 +45,8 @@ class Neighbourhood {
   void take(Eigen::Index landmark);
   /// A new landmark, see DenseCovariance.
   void append(const DenseCovariance::Matrix23& J_m_robot, const Eigen::Matrix2d& R);
-  void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q);
+  void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q,
+               const CalibrationJacobian<3>& A = {});
   void transportRobot(const Eigen::Vector2d& c) { ekf::transportRobot(c, local_); }
   /// P <- P - W W^T after a correction dx = W y.
   void update(const Eigen::MatrixXd& W, const Eigen::VectorXd& dx);

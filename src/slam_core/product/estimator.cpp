@@ -10,6 +10,7 @@
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/association_chooser.hpp"
+#include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/session_merger.hpp"
@@ -23,6 +24,12 @@ namespace {
 /// A warning, or that all is well where the sentence is empty.
 Status statusOf(const std::string& fault) {
   return fault.empty() ? Status::ok() : Status::warning(fault);
+}
+
+/// In the robot's frame (x, y, heading) [m/s, rad/s].
+Eigen::Vector3d velocityOf(const std::optional<Motion>& motion) {
+  if (!motion) return Eigen::Vector3d::Zero();
+  return motion->increment.log() / seconds(motion->end - motion->start);
 }
 
 /// A policy that goes by places gives landmarks ids of its own.
@@ -218,10 +225,19 @@ Status Estimator::execute() {
   return status;
 }
 
+std::optional<CalibrationEstimate> Estimator::calibration() const {
+  const auto* calibrator = capabilities_.find<Calibrator>();
+  return calibrator == nullptr ? std::nullopt : calibrator->calibration();
+}
+
+/// The back-end corrects by itself what it is given.
 void Estimator::give(const Intake::Step& step) {
-  for (const auto& reported : step.motions) {
+  const auto known = calibration();
+  for (const auto& measured : step.motions) {
+    const auto scaled = noise_.scaled(measured);
+    carrier_->set(&scaled);
+    const auto reported = known ? calibrated(measured, known->parameters) : measured;
     const auto motion = noise_.scaled(reported);
-    carrier_->set(&motion);
     if (consistency_config_.adapt) doubt_.predict(reported);
     events_.predict(motion);
     relocaliser_.predict(motion);
@@ -246,8 +262,12 @@ void Estimator::give(const Intake::Trigger& trigger) const {
 
 bool Estimator::isAdmitted(const Intake::Trigger& trigger) {
   const auto* const value = trigger.value.get();
-  if (trigger.port->kind == kindOf<LandmarkObservationArray>())
-    return relocaliser_.see(*static_cast<const LandmarkObservationArray*>(value));
+  if (trigger.port->kind == kindOf<LandmarkObservationArray>()) {
+    const auto& array = *static_cast<const LandmarkObservationArray*>(value);
+    const auto known = calibration();
+    if (!known) return relocaliser_.see(array);
+    return relocaliser_.see(calibrated(array, velocityOf(last_motion_), known->parameters));
+  }
   if (trigger.port->kind == kindOf<LaserScan>())
     return relocaliser_.see(*static_cast<const LaserScan*>(value));
   return true;

@@ -106,6 +106,8 @@ class Estimator final : public Component {
   void give(const Intake::Step& step);
   void give(const Intake::Trigger& trigger) const;
   void adaptNoise();
+  /// The back-end's parameters, if it estimates some.
+  std::optional<CalibrationEstimate> calibration() const;
   PoseEstimate reportedPose() const;
   bool isAdmitted(const Intake::Trigger& trigger);
   /// Puts the robot where it has been recognised, where that is elsewhere.

@@ -18,11 +18,13 @@ bool isInvalid(const LaserBeam& beam) {
 std::optional<HeldDatum> InputScreen::pass(const InputPort& port, const void* value) {
   if (!isFit(port, value)) return std::nullopt;
   auto held = port.traits.hold(value);
-  if (port.kind == kindOf<LandmarkObservationArray>())
-    tell(
-        observations_.screen(*static_cast<LandmarkObservationArray*>(held.value.get()), counters_));
-  else if (port.kind == kindOf<LaserScan>())
+  if (port.kind == kindOf<LandmarkObservationArray>()) {
+    auto& array = *static_cast<LandmarkObservationArray*>(held.value.get());
+    tell(observations_.screen(array, counters_));
+    held.stamp = array.stamp;
+  } else if (port.kind == kindOf<LaserScan>()) {
     screen(*static_cast<LaserScan*>(held.value.get()));
+  }
   return held;
 }
 

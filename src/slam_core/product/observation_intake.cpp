@@ -84,6 +84,7 @@ std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters&
     return "observations with a sensor pose that holds a value that is not a number are left out";
   }
   const auto invalid = leaveOutInvalid(all, counters);
+  correct(sensor_, array);
   const auto descriptors = leaveOutDescriptors(all, descriptor_size_, counters);
   const auto lines = takes_lines_ ? std::string() : leaveOutLines(all, counters);
   std::stable_sort(all.begin(), all.end(),

@@ -30,7 +30,7 @@ class ObservationIntake {
       : sensor_(sensor), takes_lines_(takes_lines), misses_ids_(needs_ids) {}
 
   /// When an array arrives: fills in the sensor's covariances, leaves out what is invalid or beyond
-  /// kMostObservations, and sorts by id.
+  /// kMostObservations, corrects what the robot file says of the sensor, and sorts by id.
   /// @return what was left out and why, or that no observation has an id; empty where all is well
   std::string screen(LandmarkObservationArray& array, Counters& counters);
 

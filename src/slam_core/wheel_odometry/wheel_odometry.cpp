@@ -203,10 +203,11 @@ Status WheelOdometry::reject(const std::string& reason, const std::string& sente
 }
 
 Pose2 WheelOdometry::calibrated(const Pose2& increment) const {
-  if (config_.translation_scale == 1.0 && config_.rotation_scale == 1.0) return increment;
+  if (config_.translation_scale == 1.0 && config_.rotation_scale == 1.0 && config_.drift == 0.0)
+    return increment;
   Eigen::Vector3d twist = increment.log();
   twist.head<2>() *= config_.translation_scale;
-  twist.z() *= config_.rotation_scale;
+  twist.z() = config_.rotation_scale * twist.z() + config_.drift * twist.x();
   return Pose2::exp(twist);
 }
 

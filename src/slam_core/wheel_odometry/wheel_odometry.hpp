@@ -27,6 +27,7 @@ struct WheelOdometryConfig {
   Drive drive = Drive::kDifferential;
   double translation_scale = 1.0;
   double rotation_scale = 1.0;
+  double drift = 0.0;
   double alpha1 = 0.002;
   double alpha2 = 0.0005;
   double alpha3 = 0.002;

@@ -47,6 +47,13 @@ void describeCalibration(WheelOdometryConfig& config, Fields& fields) {
       .unit("1")
       .in(Range::open(0, 10))
       .ofRobot();
+  fields
+      .add("drift", &config.drift,
+           "the robot turns by this on each metre ahead and the wheels do not measure it, from a "
+           "calibration of the wheels")
+      .unit("rad/m")
+      .in(Range::open(-1, 1))
+      .ofRobot();
 }
 
 void describeNoise(WheelOdometryConfig& config, Fields& fields) {

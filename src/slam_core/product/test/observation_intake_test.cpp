@@ -45,6 +45,25 @@ TEST_F(ObservationIntakeTest, LetsAllOfAnOrdinaryArrayThrough) {
   EXPECT_TRUE(counters.all().empty());
 }
 
+/// As ./slam run writes it into the robot file that it has calibrated.
+TEST_F(ObservationIntakeTest, CorrectsWhatTheRobotFileSaysOfTheSensor) {
+  LandmarkSensorConfig sensor;
+  sensor.range_scale = 1.5;
+  sensor.mount_x = 0.1;
+  sensor.mount_yaw = -0.2;
+  sensor.time_offset = 0.25;
+  auto array = arrayOf(0, 1);
+  array.stamp = stampFromNanoseconds(1'000'000'000);
+  array.sensor_pose = Pose2(0.3, 0.0, 0.5);
+  EXPECT_EQ(ObservationIntake(sensor).screen(array, counters), "");
+  EXPECT_NEAR(array.observations[0].range, 3.0, 1e-12);
+  EXPECT_NEAR(array.observations[0].covariance(0, 0), 0.0225, 1e-12);
+  EXPECT_NEAR(array.observations[0].covariance(1, 1), 0.01, 1e-12);
+  EXPECT_NEAR(array.sensor_pose.x(), 0.4, 1e-12);
+  EXPECT_NEAR(array.sensor_pose.theta(), 0.3, 1e-12);
+  EXPECT_EQ(array.stamp, stampFromNanoseconds(1'250'000'000));
+}
+
 TEST_F(ObservationIntakeTest, SaysOnceThatNoObservationHasAnId) {
   const auto warningsOf = [this](ObservationIntake screened, LandmarkId id) {
     int warnings = 0;
