@@ -29,6 +29,7 @@ struct TunedParameter {
   double sigma = 0.0;      ///< standard deviation of value
   std::string why_unseen;  ///< not empty: it keeps its value, and why
   bool is_bound = false;   ///< the data only say that `before` is too far beyond value
+  int digits = 3;          ///< of the value, in the robot file
   std::string name() const { return section + "." + key; }
 };
 

@@ -12,14 +12,19 @@
 #include <sstream>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/nearest_name.hpp"
 
 namespace slam::tuning {
 namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr const char* kRemarkBegin = "Noise tuned by slam_tune";
-constexpr const char* kRemarkEnd = "are no test of it.";
+/// A comment that tells where values are from: its first words and its last.
+struct Remark {
+  const char *begin, *end;
+};
+constexpr Remark kTuned = {"Noise tuned by slam_tune", "are no test of it."};
+constexpr Remark kCalibrated = {"Calibrated by a run", "Other drives may tell more."};
 
 Lines linesOf(const std::string& text) {
   Lines lines;
@@ -44,7 +49,9 @@ bool isKey(const std::string& line) {
   return !line.empty() && line[0] != ' ' && line[0] != '#' && line.find(':') != std::string::npos;
 }
 
-std::string formatted(double value) { return fmt::format("{:.3g}", value); }
+std::string formatted(const TunedParameter& parameter) {
+  return fmt::format("{:.{}g}", parameter.value, parameter.digits);
+}
 
 /// The key of a map and where it stands.
 struct Entry {
@@ -100,27 +107,27 @@ void insertIntoBlock(Lines& lines, const Entry& section, const std::string& entr
 void put(Lines& lines, const TunedParameter& parameter) {
   const auto root = YAML::Load(textOf(lines));
   const auto section = entryOf(root, parameter.section);
-  const auto entry = parameter.key + ": " + formatted(parameter.value);
+  const auto entry = parameter.key + ": " + formatted(parameter);
   if (!section) {
     lines.insert(lines.end(), {"", parameter.section + ":", "  " + entry});
     return;
   }
   if (const auto known = entryOf(section->value, parameter.key))
-    replaceValue(lines, known->value, formatted(parameter.value));
+    replaceValue(lines, known->value, formatted(parameter));
   else if (section->value.IsMap() && section->value.Style() == YAML::EmitterStyle::Flow)
     insertIntoFlow(lines, section->value, entry);
   else
     insertIntoBlock(lines, *section, entry);
 }
 
-/// An earlier remark tells of values that are no longer there.
-void removeRemark(Lines& lines) {
-  const auto begin = std::find_if(lines.begin(), lines.end(), [](const auto& line) {
-    return begins(line, std::string("# ") + kRemarkBegin);
+/// An earlier remark of this kind tells of values that are no longer there.
+void remove(const Remark& remark, Lines& lines) {
+  const auto begin = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
+    return begins(line, std::string("# ") + remark.begin);
   });
   auto end = begin;
-  while (end != lines.end() && begins(*end, "#") && !ends(*end, kRemarkEnd)) ++end;
-  if (end != lines.end() && ends(*end, kRemarkEnd)) lines.erase(begin, end + 1);
+  while (end != lines.end() && begins(*end, "#") && !ends(*end, remark.end)) ++end;
+  if (end != lines.end() && ends(*end, remark.end)) lines.erase(begin, end + 1);
 }
 
 /// All that a file says, by the path of its keys.
@@ -145,15 +152,20 @@ bool saysTheSameBut(const std::string& text, const std::string& before,
                     const std::vector<TunedParameter>& parameters) {
   auto expected = valuesOf(before);
   for (const auto& parameter : parameters)
-    if (parameter.why_unseen.empty()) expected[parameter.name()] = formatted(parameter.value);
+    if (parameter.why_unseen.empty()) expected[parameter.name()] = formatted(parameter);
   return valuesOf(text) == expected;
 }
 
 }  // namespace
 
 std::string tuningRemark(const std::string& product, const std::string& bags) {
-  return fmt::format("{} with the product {} on {}: figures of these bags\n{}", kRemarkBegin,
-                     product, bags, kRemarkEnd);
+  return fmt::format("{} with the product {} on {}: figures of these bags\n{}", kTuned.begin,
+                     product, bags, kTuned.end);
+}
+
+std::string calibrationRemark(const std::vector<std::string>& told) {
+  return fmt::format("{}, which estimated beside pose and map:\n{}\n{}", kCalibrated.begin,
+                     join(told, "\n"), kCalibrated.end);
 }
 
 std::string withTunedValues(const std::string& text, const std::vector<TunedParameter>& parameters,
@@ -161,7 +173,8 @@ std::string withTunedValues(const std::string& text, const std::vector<TunedPara
   Lines lines = linesOf(text);
   for (const auto& parameter : parameters)
     if (parameter.why_unseen.empty()) put(lines, parameter);
-  removeRemark(lines);
+  for (const auto& kind : {kTuned, kCalibrated})
+    if (begins(remark, kind.begin)) remove(kind, lines);
   Lines comment;
   for (const auto& line : linesOf(remark)) comment.push_back(line.empty() ? "#" : "# " + line);
   lines.insert(std::find_if(lines.begin(), lines.end(), isKey), comment.begin(), comment.end());

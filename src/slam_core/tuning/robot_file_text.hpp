@@ -14,10 +14,14 @@ namespace slam::tuning {
 /// @param bags their names
 std::string tuningRemark(const std::string& product, const std::string& bags);
 
+/// What a calibrated robot file says of itself.
+/// @param told a line each
+std::string calibrationRemark(const std::vector<std::string>& told);
+
 /// The text of a robot file with the values that were tuned, everything else as it was, its
 /// comments and indentation included. What the file does not have is added to its section, or with
-/// its section at the end. `remark` becomes a comment above the first key, instead of the
-/// tuningRemark() that is there. The result was read back: it says what `text` says but for the
+/// its section at the end. `remark` becomes a comment above the first key, instead of an earlier
+/// one of its kind. The result was read back: it says what `text` says but for the
 /// tuned values.
 /// @throw ConfigError where the layout does not allow that
 std::string withTunedValues(const std::string& text, const std::vector<TunedParameter>& parameters,

@@ -52,7 +52,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   diagnostics_->report(outputs.load_map + outputs.load_session, start_status);
   if (!outputs.load_map.empty() && makes_grid && !start.grid)
     diagnostics_->warn("no grid found at " + outputs.load_map + "; the grid begins empty");
-  recorder_.emplace(outputs, map_frame_, settings.inForce(), *diagnostics_);
+  recorder_.emplace(outputs, map_frame_, settings, robotFileFromRos(handles.product),
+                    *diagnostics_);
   outputs_.emplace(handles.product, estimator(), map_frame_, outputs,
                    slam::JumpLimit::Limits{frames.jump_limit, frames.jump_limit_heading});
   outputs_->refresh();

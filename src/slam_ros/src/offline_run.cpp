@@ -13,9 +13,11 @@
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/common/input_file.hpp"
+#include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
+#include "slam_core/tuning/calibrated_robot.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
@@ -143,6 +145,9 @@ void OfflineRun::run() {
   slam::writeFileAtomically(writer.unfinished() + "/metrics.json",
                             metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
   if (!options_.save_session.empty()) slam::writeFileAtomically(options_.save_session, session());
+  slam::tuning::saveCalibration(
+      backend, settings_, slam::readInputFile(robotFile(robotOf(options_, bag_)), "the robot file"),
+      writer.unfinished());
   writer.finish(backend, coordinator_.components().frames.map, settings_.inForce());
   printSummary(writer);
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
@@ -335,6 +340,10 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
     counts.push_back(fmt::format("{} {}", reason, count));
   if (!counts.empty()) fmt::print("counted: {}\n", slam::join(counts));
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
+  if (const auto* calibrator = coordinator_.estimator().capabilities().find<slam::Calibrator>())
+    if (const auto known = calibrator->calibration())
+      for (const auto& line : calibrator->calibrationConfig().sentencesOn(*known))
+        fmt::print("{}\n", line);
 }
 
 }  // namespace slam_ros

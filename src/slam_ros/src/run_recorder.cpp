@@ -9,14 +9,16 @@
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
+#include "slam_core/tuning/calibrated_robot.hpp"
 
 namespace slam_ros {
 
-RunRecorder::RunRecorder(OutputsConfig config, std::string map_frame, std::string values_in_force,
-                         Diagnostics& diagnostics)
+RunRecorder::RunRecorder(OutputsConfig config, std::string map_frame, slam::Settings settings,
+                         std::string robot_file, Diagnostics& diagnostics)
     : config_(std::move(config)),
       map_frame_(std::move(map_frame)),
-      values_in_force_(std::move(values_in_force)),
+      settings_(std::move(settings)),
+      robot_file_(std::move(robot_file)),
       diagnostics_(diagnostics) {
   if (!config_.output_dir.empty()) writer_ = std::make_unique<slam::RunWriter>(config_.output_dir);
   if (!config_.save_on_exit.empty()) std::filesystem::create_directories(config_.save_on_exit);
@@ -57,7 +59,8 @@ void RunRecorder::finish(const slam::Capabilities& backend, std::uint64_t droppe
         slam::writeFileAtomically(writer_->unfinished() + "/metrics.json",
                                   metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
       }
-      writer_->finish(backend, map_frame_, values_in_force_);
+      slam::tuning::saveCalibration(backend, settings_, robot_file_, writer_->unfinished());
+      writer_->finish(backend, map_frame_, settings_.inForce());
     });
   if (config_.save_on_exit.empty()) return;
   const auto* keeper = backend.find<slam::MapKeeper>();

@@ -71,4 +71,8 @@ slam::Settings settingsFromRos(const ros::NodeHandle& handle) {
   return settings;
 }
 
+std::string robotFileFromRos(const ros::NodeHandle& handle) {
+  return YAML::Dump(document(handle, "robot").root) + "\n";
+}
+
 }  // namespace slam_ros

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "slam_core/common/settings.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/outputs_config.hpp"
@@ -18,9 +19,11 @@ namespace slam_ros {
 /// (`save_on_exit`). A disk that is full ends the recording, not the robot's run.
 class RunRecorder {
  public:
+  /// @param settings of the run, all sections read
+  /// @param robot_file its text
   /// @throw std::runtime_error when the folder cannot be made
-  RunRecorder(OutputsConfig config, std::string map_frame, std::string values_in_force,
-              Diagnostics& diagnostics);
+  RunRecorder(OutputsConfig config, std::string map_frame, slam::Settings settings,
+              std::string robot_file, Diagnostics& diagnostics);
 
   /// @param time the step took
   void write(const slam::StepReport& report, RunMetrics::Clock::duration time);
@@ -36,7 +39,9 @@ class RunRecorder {
   void attempt(Action&& action);
 
   OutputsConfig config_;
-  std::string map_frame_, values_in_force_;
+  std::string map_frame_;
+  slam::Settings settings_;
+  std::string robot_file_;
   Diagnostics& diagnostics_;
   std::unique_ptr<slam::RunWriter> writer_;
   std::optional<RunMetrics> metrics_;  ///< since the first step

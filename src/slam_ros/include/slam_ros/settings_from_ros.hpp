@@ -7,6 +7,8 @@
 #include <ros/node_handle.h>
 #include <yaml-cpp/yaml.h>
 
+#include <string>
+
 #include "slam_core/common/settings.hpp"
 
 namespace slam_ros {
@@ -19,5 +21,7 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue& value);
 /// "section.key=value") of a namespace.
 /// @throw slam::ConfigError when one is missing or malformed
 slam::Settings settingsFromRos(const ros::NodeHandle& handle);
+/// The text of the robot file, without its comments. @throw as settingsFromRos()
+std::string robotFileFromRos(const ros::NodeHandle& handle);
 
 }  // namespace slam_ros

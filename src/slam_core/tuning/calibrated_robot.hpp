@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "slam_core/common/settings.hpp"
+#include "slam_core/contract/calibrator.hpp"
+#include "slam_core/contract/capabilities.hpp"
+#include "slam_core/tuning/noise_tuner.hpp"
+
+namespace slam::tuning {
+
+/// What a back-end has calibrated, as values of the robot file. Parameters that the drive does not
+/// tell keep their values, and say so.
+/// @param settings of the run, for the values before
+/// @throw ConfigError as Settings::read()
+std::vector<TunedParameter> calibratedParameters(const Calibrator& calibrator, Settings settings);
+
+/// The robot file with these values (withTunedValues()), and in a remark above them what the drive
+/// told of each parameter; nothing where the back-end calibrates nothing.
+/// @param robot_file its text
+/// @throw ConfigError where its layout does not allow that
+std::optional<std::string> calibratedRobot(const Calibrator& calibrator, const Settings& settings,
+                                           const std::string& robot_file);
+
+/// Writes the same as robot.yaml into a folder; nothing where nothing is calibrated.
+/// @throw ConfigError as calibratedRobot(), std::runtime_error where it cannot be written
+void saveCalibration(const Capabilities& backend, const Settings& settings,
+                     const std::string& robot_file, const std::string& folder);
+
+}  // namespace slam::tuning
