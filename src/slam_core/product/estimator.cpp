@@ -20,6 +20,9 @@ using relocalisation::Belief;
 
 namespace {
 
+constexpr const char* kBeforeCheckpoint =
+    "the stamps went back behind those of the checkpoint: time begins anew with its map";
+
 /// A warning, or that all is well where the sentence is empty.
 Status statusOf(const std::string& fault) {
   return fault.empty() ? Status::ok() : Status::warning(fault);
@@ -108,8 +111,31 @@ Status Estimator::resetBackend() {
   return start_map_ ? set(*start_map_) : Status::ok();
 }
 
+void goOnLive(Estimator& estimator, Interruption interruption) {
+  resume(estimator.intake_, interruption);
+  estimator.saved_map_.emplace(estimator.capabilities_);
+}
+
+/// With the map of a checkpoint that no step has followed yet.
+Status Estimator::restart() {
+  const auto saved = std::exchange(saved_map_, std::nullopt);
+  const auto status = resetBackend();
+  if (!saved || saved->isEmpty()) return status;
+  const auto kept = saved->session() ? set(*saved->session()) : set(saved->map());
+  if (kept.level == Status::Level::kError) return kept;
+  return together(together(Status::alarm(kBeforeCheckpoint), kept), saved->doubt(relocaliser_));
+}
+
+/// With what tells first where the robot went since a checkpoint.
+Status Estimator::judgePause() {
+  const auto is_bridged = takeContinuity(intake_);
+  if (is_bridged.value_or(true)) return Status::ok();
+  return SavedMap(capabilities_).doubt(relocaliser_);
+}
+
 void Estimator::reset() {
   fault_ = resetBackend().message;
+  saved_map_.reset();
   intake_.reset();
   last_motion_.reset();
   report_.reset();
@@ -201,7 +227,8 @@ Status Estimator::execute() {
   auto fault = std::exchange(fault_, "");
   if (const auto of_input = intake_.takeFault(); !of_input.empty()) fault = of_input;
   if (!step) return statusOf(fault);
-  const auto start = step->restart ? resetBackend() : Status::ok();
+  const auto start = step->restart ? restart() : judgePause();
+  saved_map_.reset();
   if (step->restart) last_motion_.reset();
   give(*step);
   if (const auto of_step = intake_.takeFault(); fault.empty()) fault = of_step;
