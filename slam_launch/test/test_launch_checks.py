@@ -137,6 +137,26 @@ class LaunchChecks(unittest.TestCase):
         self.check(set="ekf.mode=localization", load_map=os.getcwd())
         self.check(backend="graph", mode="localization", load_session=__file__)
 
+    def test_checkpoints_have_a_folder_an_interval_and_a_choice(self):
+        def asked(checkpoints, autosave="10", resume="false"):
+            return launch_checks.checkpoints_for(
+                {"checkpoints": checkpoints, "autosave": autosave, "resume": resume})
+        self.assertEqual(asked(""), {"folder": "", "autosave": 10.0, "resume": False})
+        self.assertEqual(asked("here", "2.5", "True"),
+                         {"folder": os.path.abspath("here"), "autosave": 2.5, "resume": True})
+        for sentence, arguments in (("checkpoints:=DIR", ("", "10", "true")),
+                                    ("resume:=maybe", ("here", "10", "maybe")),
+                                    ("autosave:=0 is not", ("here", "0")),
+                                    ("autosave:=nan is not", ("here", "nan"))):
+            with self.assertRaisesRegex(ProductError, sentence):
+                asked(*arguments)
+
+    def test_nodes_are_started_again_where_they_have_a_checkpoint_to_go_on_from(self):
+        self.assertFalse(launch_checks.is_kept_alive({"bag": ""}))
+        self.assertFalse(launch_checks.is_kept_alive({"bag": "", "checkpoints": ""}))
+        self.assertTrue(launch_checks.is_kept_alive({"bag": "", "checkpoints": "D"}))
+        self.assertFalse(launch_checks.is_kept_alive({"bag": "x.bag", "checkpoints": "D"}))
+
     def test_a_session_goes_without_a_map_and_to_a_backend_that_keeps_one(self):
         self.expect_refusal("give load_map:= or load_session:=, not both", backend="graph",
                             load_map=__file__, load_session=__file__)

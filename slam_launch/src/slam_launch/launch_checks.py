@@ -104,7 +104,7 @@ def with_plain_paths(arguments):
     """Returns the arguments with each file: URI as the path that it stands for. roslaunch cannot
     pass on a path with a ':=' in it, nor one with a quote to this program."""
     plain = dict(arguments)
-    for key in {*PATHS, "product", "robot"} & arguments.keys():
+    for key in {*PATHS, "checkpoints", "product", "robot"} & arguments.keys():
         if arguments[key].startswith(URI):
             plain[key] = urllib.parse.unquote(arguments[key][len(URI):])
             if "$(" in plain[key]:
@@ -123,11 +123,19 @@ def absolute_paths(arguments):
 
 def common_arguments(product, arguments):
     """Returns the arguments of the parts beyond those of slam.launch itself."""
+    keep_alive = "rosrun slam_launch keep_alive" if is_kept_alive(arguments) else ""
     with_pointmap = product.features.get("pointmap") == "true"
-    return {**absolute_paths(arguments), "transport": arguments["camera_transport"],
+    return {**absolute_paths(arguments), "keep_alive": keep_alive,
+            "transport": arguments["camera_transport"],
             "waits_for_pointmap":
                 "true" if with_pointmap and arguments["composition"] == "pubsub" else "false",
             "publish_tf": arguments["publish_tf"] or publishes_edge(product, arguments)}
+
+
+def is_kept_alive(arguments):
+    """Whether nodes that die are started again: they go on from their checkpoint. Of a replay
+    nothing would be left to go on with."""
+    return bool(arguments.get("checkpoints")) and not arguments["bag"]
 
 
 def publishes_edge(product, arguments):
@@ -171,6 +179,24 @@ def product_for(arguments):
                 machines.launch_file(groups, common_arguments(product, arguments),
                                      arguments["env_loader"]))
     return content
+
+
+def checkpoints_for(arguments):
+    """Returns the parameters of the checkpoints; the folder is seen from where roslaunch is called,
+    nodes start in another one."""
+    folder, resume = arguments["checkpoints"], arguments["resume"].lower()
+    if resume not in ("true", "false"):
+        raise ProductError(f"resume:={arguments['resume']} is not one of: true, false")
+    if resume == "true" and not folder:
+        raise ProductError("resume:=true needs the folder of a checkpoint: checkpoints:=DIR")
+    try:
+        autosave = float(arguments["autosave"])
+        if not 0 < autosave < float("inf"):
+            raise ValueError
+    except ValueError:
+        raise ProductError(f"autosave:={arguments['autosave']} is not a number > 0") from None
+    return {"folder": folder and os.path.abspath(folder), "autosave": autosave,
+            "resume": resume == "true"}
 
 
 def robot_of_bag(path):

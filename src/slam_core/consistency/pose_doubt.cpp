@@ -17,6 +17,8 @@ Eigen::Matrix3d covarianceOf(double position, double heading) {
 
 }  // namespace
 
+void PoseDoubt::restart() { *this = PoseDoubt(); }
+
 void PoseDoubt::load(const Pose2& robot) {
   map_start_.reset();
   relocate(robot);

@@ -21,7 +21,7 @@ namespace slam {
 class PoseDoubt {
  public:
   /// All begins anew, with an empty map.
-  void restart() { *this = PoseDoubt(); }
+  void restart();
   /// A map was loaded, which has a scale of its own. @param robot its pose in that map
   void load(const Pose2& robot);
   /// The robot was put somewhere: how it came there is no motion, nor is the first correction.

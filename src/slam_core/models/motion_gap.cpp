@@ -17,6 +17,10 @@ constexpr double kStep = 0.1;     // [s] of the pieces in which errors of headin
 constexpr int kMostSteps = 1000;  // of longer gaps the pieces are longer
 constexpr Duration kRounding = std::chrono::microseconds(1);  // of stamps in floating point
 constexpr int kMayReturn = 1000;  // motions after which stamps that jumped are those of time
+// A process that is started again takes some seconds.
+constexpr Duration kLongestPause = std::chrono::seconds(60);
+constexpr Duration kLongestCoasting = std::chrono::seconds(10);  // after a resumption
+constexpr double kSamePose = 1e-6;                               // [m], [rad]
 
 /// Older than that by more, it is the first of a new run.
 bool isLate(const Motion& before, const Motion& after) {
@@ -26,6 +30,8 @@ bool isLate(const Motion& before, const Motion& after) {
 bool isGap(const Motion& before, const Motion& after) {
   return after.start > before.end + kRounding && after.base_frame == before.base_frame;
 }
+
+bool mayCoast(Duration pause) { return pause > Duration() && pause <= kLongestCoasting; }
 
 /// What is missing between the two, but for what it was.
 Motion between(const Motion& before, const Motion& after) {
@@ -51,12 +57,21 @@ Eigen::Matrix3d worse(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
 
 MotionGap::Bridge MotionGap::bridge(Motion& motion) {
   if (last_ && isLate(*last_, motion)) return Bridge::kNone;
+  went_on_ = std::nullopt;
+  const auto resumed_after = std::exchange(resumed_after_, std::nullopt);
+  if (resumed_after && last_) went_on_ = wentOn(*last_, motion, *resumed_after);
+  const bool is_unknown = went_on_ == false;
+  if (is_unknown && !mayCoast(motion.end - last_->end)) {
+    reset();
+    went_on_ = false;
+    return Bridge::kUnknown;
+  }
   const auto before = predecessorOf(motion);
   last_ = motion;
   learnRate(motion);
   learnScales(motion);
   const bool is_gap = before && isGap(*before, motion);
-  const bool tells = is_gap && posesTell(*before, motion);
+  const bool tells = is_gap && !is_unknown && posesTell(*before, motion);
   if (is_gap) motion = joined(tells ? across(*before, motion) : coasted(*before, motion), motion);
   coasting_.add(last_->increment, last_->end - last_->start);
   if (!is_gap) return Bridge::kNone;
@@ -84,6 +99,22 @@ bool MotionGap::posesTell(const Motion& before, const Motion& after) const {
   const bool was_restarted = isOrigin(after.odometry_start) && coasting_.isUnusual(step, interval);
   return after.odometry_frame == before.odometry_frame && isPossible(step, interval) &&
          !was_restarted;
+}
+
+/// A driver that was restarted begins at its origin. One that was restarted earlier than this
+/// process has left it already; then the step may look unusual.
+bool MotionGap::wentOn(const Motion& before, const Motion& after, Interruption interruption) const {
+  const auto pause = after.end - before.end;
+  const Pose2 step = before.odometry_end.between(after.odometry_end);
+  const bool is_at_origin = isOrigin(after.odometry_start) || isOrigin(after.odometry_end);
+  const bool was_restarted = is_at_origin && !isOrigin(before.odometry_end);
+  const bool is_missing = after.start > before.end + kRounding;
+  const Pose2 jump = before.odometry_end.between(after.odometry_start);
+  return pause > Duration() && pause <= kLongestPause &&
+         after.odometry_frame == before.odometry_frame && after.base_frame == before.base_frame &&
+         !was_restarted && isPossible(step, pause) &&
+         (interruption == Interruption::kOfThisProcess || !coasting_.isUnusual(step, pause)) &&
+         (is_missing || jump.vector().norm() < kSamePose);
 }
 
 /// Until there is a whole span a part of one must do.

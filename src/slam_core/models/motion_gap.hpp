@@ -10,6 +10,12 @@
 
 namespace slam {
 
+/// What stopped before a state was restored.
+enum class Interruption {
+  kOfThisProcess,  ///< what measures odometry ran on in another one
+  kOfAll,          ///< perhaps the odometry as well, and somebody may have carried the robot
+};
+
 /// Bridges the gaps between an odometry's motions, whatever made them: messages lost, a source that
 /// was restarted. Where the robot went in a gap the odometry's poses tell, which each motion
 /// carries: they are as the wheels measured them, so that they are scaled as increments were so
@@ -18,11 +24,23 @@ namespace slam {
 /// was restarted as well, the robot is taken to have gone on at its last velocity.
 class MotionGap {
  public:
-  enum class Bridge { kNone, kByPoses, kByVelocity };
+  enum class Bridge {
+    kNone,
+    kByPoses,
+    kByVelocity,
+    kUnknown,  ///< only after resume(): the motion belongs to what nobody knows, leave it out
+  };
 
   /// @return how what is missing before this motion was made up for: it now begins where the last
   /// one ended; one that is older than the last one is left alone
   Bridge bridge(Motion& motion);
+
+  /// The motions so far are those of a saved state, and the next one comes from a process that runs
+  /// now. Unless the odometry has evidently gone on meanwhile, its poses tell nothing: a pause of
+  /// up to 10 s is bridged by the last velocity, a longer one is not bridged.
+  void resume(Interruption interruption) { resumed_after_ = interruption; }
+  /// Of the first motion after resume(): whether the odometry seems to have gone on meanwhile.
+  std::optional<bool> wentOn() const { return went_on_; }
 
   void reset() { *this = {}; }
 
@@ -61,6 +79,7 @@ class MotionGap {
   Motion across(const Motion& before, const Motion& after) const;
   Motion coasted(const Motion& before, const Motion& after) const;
   bool posesTell(const Motion& before, const Motion& after) const;
+  bool wentOn(const Motion& before, const Motion& after, Interruption interruption) const;
 
   std::optional<Motion> last_;
   std::optional<Motion> before_jump_;  ///< of the stamps, ahead or back
@@ -71,6 +90,8 @@ class MotionGap {
   bool knows_rate_ = false;
   Scale way_scale_, turn_scale_;
   Coasting coasting_;
+  std::optional<Interruption> resumed_after_;  ///< and no motion has come since
+  std::optional<bool> went_on_;                ///< not part of the state
 };
 
 }  // namespace slam

@@ -29,11 +29,13 @@ class Autosave {
     const auto gone = now > *last_ ? now - *last_ : *last_ - now;
     return isOn() && gone >= durationFromSeconds(interval_);
   }
+  /// A checkpoint is being made; the next interval begins.
+  void begin(Stamp now) { last_ = now; }
   /// @param make returns the checkpoint's bytes, or throws a std::runtime_error
   /// @return a sentence where the checkpoint could not be written, the first time only
   template <class Make>
   std::string save(Stamp now, const std::string& path, const Make& make) {
-    last_ = now;
+    begin(now);
     try {
       writeFileAtomically(path, make());
       has_failed_ = false;

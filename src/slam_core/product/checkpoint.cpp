@@ -53,7 +53,7 @@ std::string stateIn(const std::string& checkpoint, const RunIdentity& run) {
   archive(saved);
   requireSame("product", saved.product, run.product);
   requireSame("robot", saved.robot, run.robot);
-  requireSame("bag", saved.data, run.data);
+  requireSame("bag or composition", saved.data, run.data);
   requireSameValues(saved.configuration, run.configuration);
   archive(state);
   return state;

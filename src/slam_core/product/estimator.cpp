@@ -5,21 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/calibrator.hpp"
-#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
-#include "slam_core/contract/session_merger.hpp"
 
 namespace slam {
 
 using relocalisation::Belief;
 
 namespace {
+
+constexpr const char* kBeforeCheckpoint =
+    "the stamps went back behind those of the checkpoint: time begins anew with its map";
 
 /// A warning, or that all is well where the sentence is empty.
 Status statusOf(const std::string& fault) {
@@ -115,90 +115,37 @@ Status Estimator::resetBackend() {
   return start_map_ ? set(*start_map_) : Status::ok();
 }
 
+void goOnLive(Estimator& estimator, Interruption interruption) {
+  resume(estimator.intake_, interruption);
+  estimator.saved_map_.emplace(estimator.capabilities_);
+}
+
+/// With the map of a checkpoint that no step has followed yet.
+Status Estimator::restart() {
+  const auto saved = std::exchange(saved_map_, std::nullopt);
+  const auto status = resetBackend();
+  if (!saved || saved->isEmpty()) return status;
+  const auto kept = saved->session() ? set(*saved->session()) : set(saved->map());
+  if (kept.level == Status::Level::kError) return kept;
+  return together(together(Status::alarm(kBeforeCheckpoint), kept), saved->doubt(relocaliser_));
+}
+
+/// With what tells first where the robot went since a checkpoint.
+Status Estimator::judgePause() {
+  const auto is_bridged = takeContinuity(intake_);
+  if (is_bridged.value_or(true)) return Status::ok();
+  return SavedMap(capabilities_).doubt(relocaliser_);
+}
+
 void Estimator::reset() {
   fault_ = resetBackend().message;
+  saved_map_.reset();
   intake_.reset();
   last_motion_.reset();
   report_.reset();
   pose_.reset();
   paused_ = false;
   counters_.clear();
-}
-
-Status Estimator::set(const PoseEstimate& initial_pose) {
-  backend_->set(bounded(initial_pose, largestSigmas()));
-  const auto status = backend_->execute();
-  relocaliser_.assume(Belief::kSure);
-  events_.relocate("the robot was put there");
-  doubt_.relocate(backend_->pose().pose);
-  consistency_.add(statistics());
-  return status;
-}
-
-/// What was judged until then was of another map.
-Status Estimator::set(const MapState& map) {
-  auto* keeper = capabilities_.find<MapKeeper>();
-  if (keeper == nullptr) return Status::error("this back-end keeps no map that could be loaded");
-  const auto used = takesLines() ? map : withoutLines(map);
-  keeper->set(used);
-  auto status = backend_->execute();
-  if (status.level == Status::Level::kError) return status;
-  if (used.landmarks.size() < map.landmarks.size())
-    status = together(status, Status::warning("the map's lines are left out, since this back-end "
-                                              "maps points only: use backend=ekf"));
-  status = together(status, expected_.judge(used.landmarks));
-  events_.relocate("a map was loaded");
-  doubt_.load(backend_->pose().pose);
-  consistency_ = ConsistencyMonitor(consistency_config_);
-  intake_.knowOnly(map.landmarks);
-  return together(status, relocaliser_.assume(Belief::kUnconfirmed, &used));
-}
-
-Status Estimator::set(const SavedSession& session) {
-  auto* keeper = capabilities_.find<SessionKeeper>();
-  if (keeper == nullptr) return Status::error("this back-end keeps no session: use the graph");
-  try {
-    keeper->set(session);
-  } catch (const std::runtime_error& error) {
-    return Status::error(error.what());
-  }
-  const auto status = backend_->execute();
-  if (status.level == Status::Level::kError) return status;
-  events_.relocate("a session was loaded");
-  doubt_.load(backend_->pose().pose);
-  relocaliser_.reset();
-  consistency_ = ConsistencyMonitor(consistency_config_);
-  if (const auto* mapper = capabilities_.find<LandmarkMapper>())
-    intake_.knowOnly(mapper->landmarks());
-  return status;
-}
-
-Status merge(const SavedSession& session, const Estimator& estimator) {
-  auto* merger = estimator.capabilities().find<SessionMerger>();
-  if (merger == nullptr) return Status::error("this back-end merges no sessions: use the graph");
-  try {
-    merger->merge(session);
-  } catch (const std::runtime_error& error) {
-    return Status::error(error.what());
-  }
-  return Status::ok();
-}
-
-Status removeLandmark(LandmarkId id, const Estimator& estimator) {
-  auto* remover = estimator.capabilities().find<LandmarkRemover>();
-  if (remover == nullptr)
-    return Status::error("this back-end removes no landmarks: use ekf, pf or graph");
-  return remover->remove(id);
-}
-
-Status Estimator::startWith(SavedSession session) {
-  start_session_ = std::move(session);
-  return resetBackend();
-}
-
-Status Estimator::startWith(MapState map) {
-  start_map_ = std::move(map);
-  return resetBackend();
 }
 
 Status Estimator::execute() {
@@ -208,7 +155,8 @@ Status Estimator::execute() {
   auto fault = std::exchange(fault_, "");
   if (const auto of_input = intake_.takeFault(); !of_input.empty()) fault = of_input;
   if (!step) return statusOf(fault);
-  const auto start = step->restart ? resetBackend() : Status::ok();
+  const auto start = step->restart ? restart() : judgePause();
+  saved_map_.reset();
   if (step->restart) last_motion_.reset();
   give(*step);
   if (const auto of_step = intake_.takeFault(); fault.empty()) fault = of_step;

@@ -18,6 +18,7 @@
 #include "slam_core/product/expected_landmarks.hpp"
 #include "slam_core/product/intake.hpp"
 #include "slam_core/product/map_choice.hpp"
+#include "slam_core/product/saved_map.hpp"
 #include "slam_core/product/step_report.hpp"
 #include "slam_core/relocalisation/relocaliser.hpp"
 
@@ -74,6 +75,11 @@ class Estimator final : public Component {
   friend relocalisation::Relocaliser& relocaliserOf(Estimator& estimator) {
     return estimator.relocaliser_;
   }
+  /// To be called after restoreState() where the robot has gone on without this process. Unless the
+  /// poses of an odometry that ran on bridge the pause, its place has to be recognised in the map
+  /// again. Where the stamps went back, as with a clock that was set anew, time begins anew with
+  /// the saved map.
+  friend void goOnLive(Estimator& estimator, Interruption interruption);
   const Intake& intake() const { return intake_; }
   Intake& intake() { return intake_; }
 
@@ -103,6 +109,8 @@ class Estimator final : public Component {
   Ports usedPorts() const;
   bool takesLines() const;
   Status resetBackend();
+  Status restart();
+  Status judgePause();
   void give(const Intake::Step& step);
   void give(const Intake::Trigger& trigger) const;
   void adaptNoise();
@@ -138,6 +146,7 @@ class Estimator final : public Component {
   relocalisation::Relocaliser relocaliser_;
   std::optional<MapState> start_map_;
   std::optional<SavedSession> start_session_;
+  std::optional<SavedMap> saved_map_;  ///< of a resumed product, until its first step
   std::optional<Motion> last_motion_;
   std::optional<StepReport> report_;
   std::optional<FilterPose> pose_;
@@ -145,6 +154,8 @@ class Estimator final : public Component {
   bool paused_ = false;
   Counters counters_;
 };
+
+void goOnLive(Estimator& estimator, Interruption interruption);
 
 /// Has the estimator's back-end forget a landmark (LandmarkRemover).
 Status removeLandmark(LandmarkId id, const Estimator& estimator);

@@ -64,6 +64,14 @@ void Intake::reset() {
   moved_frame_.clear();
   fault_.clear();
   counters_.clear();
+  continuity_.reset();
+}
+
+/// Without motion nothing tells where the robot has gone.
+void resume(Intake& intake, Interruption interruption) {
+  intake.gap_.resume(interruption);
+  intake.may_go_on_ = interruption == Interruption::kOfThisProcess;
+  intake.continuity_ = intake.has_carrier_ ? std::nullopt : std::optional(false);
 }
 
 void Intake::expectNothing(const std::string& input) {
@@ -102,6 +110,8 @@ void Intake::takeMotion(Motion motion) {
   const auto fault = faultOf(motion);
   if (fault.empty()) {
     const auto bridge = gap_.bridge(motion);
+    if (gap_.wentOn()) continuity_ = may_go_on_ && *gap_.wentOn();
+    if (bridge == MotionGap::Bridge::kUnknown) return collator_.skip(motion.sequence);
     if (bridge == MotionGap::Bridge::kByPoses) counters_.add("bridged");
     if (bridge == MotionGap::Bridge::kByVelocity) {
       counters_.add("coasted");

@@ -80,6 +80,14 @@ class Intake {
   Arrivals arrivals() const;
   static constexpr Duration kPatience = std::chrono::seconds(3);
 
+  /// The state was restored in a process that runs on other data than those which follow it.
+  friend void resume(Intake& intake, Interruption interruption);
+  /// Once, when it is known: whether the odometry has gone on since the state was saved, so that
+  /// the pose has been carried on as surely as ever.
+  friend std::optional<bool> takeContinuity(Intake& intake) {
+    return std::exchange(intake.continuity_, std::nullopt);
+  }
+
   /// What was wrong with an input since the last call, as a sentence; empty where nothing was.
   std::string takeFault() { return std::exchange(fault_, ""); }
   Counters counters() const;
@@ -121,8 +129,11 @@ class Intake {
   std::string moved_frame_;  ///< the base frame of the last motion
   std::string fault_;        ///< of an input since it was asked for
   Counters counters_;
+  bool may_go_on_ = false;          ///< the odometry, while this process was not there
+  std::optional<bool> continuity_;  ///< since resume(), not part of the state
 };
 
 bool canResume(const Intake& intake);
+void resume(Intake& intake, Interruption interruption);
 
 }  // namespace slam

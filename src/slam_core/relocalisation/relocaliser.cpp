@@ -38,6 +38,12 @@ bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
   return e.dot(S.llt().solve(e)) <= kPoseGate;
 }
 
+/// Few of a filter's particles, or none, are near the robot.
+bool isVague(const PoseEstimate& estimate) {
+  constexpr double kSigma = 1.0;  // [m]
+  return estimate.covariance.topLeftCorner<2, 2>().trace() > kSigma * kSigma;
+}
+
 /// A detector of lines sees no points: then nothing can confirm the pose of the loaded map.
 bool seesOnlyLines(const LandmarkObservationArray& array) {
   const auto is_line = [](const LandmarkObservation& z) { return z.isLine(); };
@@ -236,10 +242,10 @@ void Relocaliser::believePlaceOfScans() {
 }
 
 /// A place that agrees with the back-end's pose needs no further confirmation, and the back-end
-/// keeps its state.
+/// keeps its state; but with a vague one every place agrees.
 std::optional<PoseEstimate> Relocaliser::settle(const Recognition& found,
                                                 const PoseEstimate& believed) {
-  if (belief_ != Belief::kAnywhere && agree(found.robot, believed)) {
+  if (belief_ != Belief::kAnywhere && !isVague(believed) && agree(found.robot, believed)) {
     assume(Belief::kSure);
     return std::nullopt;
   }

@@ -9,14 +9,19 @@
 namespace slam_ros {
 
 bool Background::tryRun(std::function<void()> work) {
-  if (work_.valid() && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    return false;
+  if (isBusy()) return false;
   work_ = std::async(std::launch::async, std::move(work));
   return true;
 }
 
-Background::~Background() {
+bool Background::isBusy() const {
+  return work_.valid() && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
+void Background::wait() const {
   if (work_.valid()) work_.wait();
 }
+
+Background::~Background() { wait(); }
 
 }  // namespace slam_ros

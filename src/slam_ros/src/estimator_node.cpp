@@ -27,6 +27,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   topics_ = settings.read<TopicsConfig>();
   coordinator_.configure(settings, part);
   requireKnownInputs(coordinator_.wiring());
+  const bool is_resumed = resume(handles.product, settings, part);
   flow_.emplace(coordinator_.components());
   notes_ = ArrivalNotes(*flow_, slam::portsOf(estimator()));
   silence_.mayPause(topics_.observations);
@@ -35,14 +36,14 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;
   slam::MapState start;
   slam::Status start_status;
-  if (!outputs.load_map.empty()) {
+  if (!outputs.load_map.empty() && !is_resumed) {
     start = slam::loadMap(outputs.load_map, map_frame_, makes_grid).map;
     start_status = estimator().startWith(start);
     if (start_status.level == slam::Status::Level::kError)
       throw std::runtime_error("cannot use the map " + outputs.load_map + ": " +
                                start_status.message);
   }
-  if (!outputs.load_session.empty()) start_status = startWithSession(outputs);
+  if (!outputs.load_session.empty() && !is_resumed) start_status = startWithSession(outputs);
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return coordinator_.counters(); }, [this] { return waiting(); },
@@ -50,10 +51,13 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   diagnostics_->report(outputs.load_map + outputs.load_session, start_status);
-  if (!outputs.load_map.empty() && makes_grid && !start.grid)
+  if (!outputs.load_map.empty() && !is_resumed && makes_grid && !start.grid)
     diagnostics_->warn("no grid found at " + outputs.load_map + "; the grid begins empty");
   recorder_.emplace(outputs, map_frame_, settings, robotFileFromRos(handles.product),
                     *diagnostics_);
+  for (const auto& warning : checkpoints_->news().warnings) diagnostics_->warn(warning);
+  if (const auto& text = checkpoints_->news().text; !text.empty())
+    diagnostics_->tell(ros::console::levels::Info, text);
   outputs_.emplace(handles.product, estimator(), map_frame_, outputs,
                    slam::JumpLimit::Limits{frames.jump_limit, frames.jump_limit_heading});
   outputs_->refresh();
@@ -63,6 +67,19 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   localisation_.emplace(handles.product, map_frame_, localisationActions());
   connect(handles.product, settings, inputs);
   start_.emplace([this, handle = handles.product] { subscribe(handle); });
+}
+
+/// A checkpoint holds the map that its product began with.
+bool EstimatorNode::resume(const ros::NodeHandle& product, slam::Settings& settings,
+                           const slam::ProductPart& part) {
+  const auto& names = coordinator_.components().product;
+  const bool is_whole = part.extent == slam::ProductPart::Extent::kWhole;
+  checkpoints_.emplace(ros::NodeHandle(product, "checkpoints"),
+                       slam::RunIdentity{names.product, names.robot,
+                                         is_whole ? "live data, inprocess" : "live data, pubsub",
+                                         settings.inForce()},
+                       coordinator_);
+  return checkpoints_->resume([&] { coordinator_.configure(settings, part); });
 }
 
 slam::Status EstimatorNode::startWithSession(const OutputsConfig& outputs) {
@@ -102,7 +119,15 @@ EstimatorNode::~EstimatorNode() {
   services_.reset();
   consistency_.reset();
   outputs_.reset();
+  saveLast();
   recorder_->finish(estimator().capabilities(), coordinator_.dropped());
+}
+
+/// Not what a step has left that threw: the last checkpoint is of a state that was whole.
+void EstimatorNode::saveLast() {
+  if (!diagnostics_->isGuardOpen()) return;
+  if (const auto fault = checkpoints_->finish(); !fault.empty())
+    ROS_WARN_STREAM_NAMED("slam", fault);
 }
 
 void EstimatorNode::subscribe(ros::NodeHandle handle) {
@@ -229,13 +254,18 @@ void EstimatorNode::takeSteps(const std::string& topic) {
     const auto time = RunMetrics::Clock::now() - start;
     diagnostics_->report(topic, status);
     if (report) publishStep(*report, time);
+    if (report) last_step_ = report->stamp;
   } while (report);
+  if (last_step_)
+    if (const auto fault = checkpoints_->note(*last_step_); !fault.empty())
+      diagnostics_->warn(fault);
   if (on_idle) on_idle();
   publishProgress();
 }
 
 void EstimatorNode::publishStep(const slam::StepReport& report, RunMetrics::Clock::duration time) {
   if (report.restarted) {
+    checkpoints_->beginAnew();
     outputs_->restart();
     consistency_->restart();
   }
@@ -278,6 +308,7 @@ void EstimatorNode::tellOfReset() {
 
 void EstimatorNode::beginAnew() {
   coordinator_.reset();
+  checkpoints_->beginAnew();
   diagnostics_->recover();
   recorder_->restart();
   outputs_->restart();
@@ -315,6 +346,8 @@ Diagnostics::Values EstimatorNode::figures() const {
   Diagnostics::Values values;
   for (const auto& [name, value] : estimator().figures())
     values.emplace_back(name, fmt::format("{:g}", value));
+  if (const double pause = checkpoints_->longestPause(); pause > 0.0)
+    values.emplace_back("checkpoint_longest_pause_ms", fmt::format("{:.3g}", pause));
   return values;
 }
 

@@ -212,6 +212,101 @@ TEST(MotionGap, IsBridgedByTheLastVelocityWhereAnotherOdometryGoesOn) {
   EXPECT_EQ(next.odometry_frame, "visual_odom");
 }
 
+/// What becomes of all[next] in a process that was resumed after all[0..3].
+struct Resumed {
+  Bridge bridge;
+  std::optional<bool> went_on;
+  Motion motion;
+};
+
+template <class Change>
+Resumed resumed(std::size_t next, const Change& change,
+                Interruption interruption = Interruption::kOfThisProcess) {
+  auto all = drive(700);
+  const Pose2 begin(20, -10, 1);  // of the odometry
+  for (auto& motion : all) {
+    motion.odometry_start = begin * motion.odometry_start;
+    motion.odometry_end = begin * motion.odometry_end;
+  }
+  MotionGap gap;
+  for (int i : {0, 1, 2, 3}) {
+    Motion motion = all[i];
+    gap.bridge(motion);
+  }
+  gap.resume(interruption);
+  Resumed result{Bridge::kNone, std::nullopt, all[next]};
+  change(result.motion);
+  result.bridge = gap.bridge(result.motion);
+  result.went_on = gap.wentOn();
+  auto later = all[next + 1];
+  gap.bridge(later);
+  EXPECT_FALSE(gap.wentOn().has_value()) << "of the first motion only";
+  return result;
+}
+
+/// The odometry's origin is now where it was at the start of the motion.
+void restartOdometry(Motion& motion) {
+  motion.odometry_end = motion.odometry_start.between(motion.odometry_end);
+  motion.odometry_start = Pose2();
+}
+
+TEST(MotionGap, OfAResumedProcessIsBridgedByPosesWhereTheOdometryHasGoneOn) {
+  const auto next = resumed(60, [](Motion&) {});
+  EXPECT_EQ(next.bridge, Bridge::kByPoses);
+  EXPECT_EQ(next.went_on, true);
+}
+
+/// Two metres off the way in half a second; with a driver that ran on it is what the robot did.
+TEST(MotionGap, OfAResumedProcessIsNotBridgedByUnusualPosesWhereTheOdometryMayHaveStopped) {
+  const auto shift = [](Motion& motion) {
+    motion.odometry_start = Pose2(0, 2, 0) * motion.odometry_start;
+    motion.odometry_end = Pose2(0, 2, 0) * motion.odometry_end;
+  };
+  EXPECT_EQ(resumed(6, shift).bridge, Bridge::kByPoses);
+  const auto next = resumed(6, shift, Interruption::kOfAll);
+  EXPECT_EQ(next.bridge, Bridge::kByVelocity);
+  EXPECT_EQ(next.went_on, false);
+}
+
+TEST(MotionGap, OfAResumedProcessIsBridgedByTheVelocityWhereTheOdometryWasRestarted) {
+  const auto next = resumed(60, restartOdometry);
+  EXPECT_EQ(next.bridge, Bridge::kByVelocity);
+  EXPECT_EQ(next.went_on, false);
+  EXPECT_GT(next.motion.covariance(0, 0), 1.0);
+}
+
+/// Ten minutes at the last velocity would lead somewhere far from any truth.
+TEST(MotionGap, OfAProcessThatIsResumedLaterIsNotBridged) {
+  for (const auto pause : {std::chrono::hours(10), std::chrono::hours(-10)}) {
+    const auto next = resumed(20, [&](Motion& motion) {
+      motion.start += pause;
+      motion.end += pause;
+    });
+    EXPECT_EQ(next.bridge, Bridge::kUnknown);
+    EXPECT_EQ(next.went_on, false);
+  }
+  EXPECT_EQ(resumed(620, [](Motion&) {}).bridge, Bridge::kUnknown) << "a minute";
+}
+
+/// As of a source in the same process, which was resumed as well.
+TEST(MotionGap, OfAResumedProcessMayBeInOneMotion) {
+  const auto all = drive(10);
+  const auto span = [](Motion& motion) {
+    const auto first = drive(10)[4];
+    const Pose2 begin(20, -10, 1);
+    motion.start = first.start;
+    motion.odometry_start = begin * first.odometry_start;
+  };
+  const auto next = resumed(8, span);
+  EXPECT_EQ(next.bridge, Bridge::kNone);
+  EXPECT_EQ(next.went_on, true);
+  const auto jumped = resumed(8, [&](Motion& motion) {
+    span(motion);
+    motion.odometry_start = Pose2(0.2, 0, 0) * motion.odometry_start;
+  });
+  EXPECT_EQ(jumped.went_on, false);
+}
+
 TEST(MotionGap, OfAResetOdometryIsNone) {
   const auto all = drive(20);
   MotionGap gap;

@@ -13,7 +13,9 @@ class Background {
  public:
   /// @return false when the last piece is not done yet: this one is not taken
   bool tryRun(std::function<void()> work);
+  bool isBusy() const;
   /// Waits for the last piece.
+  void wait() const;
   ~Background();
 
  private:

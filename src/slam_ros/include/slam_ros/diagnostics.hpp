@@ -57,6 +57,8 @@ class Diagnostics {
   void attempt(const std::string& topic, const Action& action);
   /// The same where it may leave something half done: nothing more is taken in until recover().
   void guard(const std::string& topic, const Action& action);
+  /// Whether it lets callbacks in.
+  bool isGuardOpen() const { return door_.fault().empty(); }
   /// All begins anew.
   void recover() { door_.open(); }
 

@@ -19,6 +19,7 @@
 #include "slam_ros/arrival_notes.hpp"
 #include "slam_ros/backend_outputs.hpp"
 #include "slam_ros/backend_services.hpp"
+#include "slam_ros/checkpoint_keeper.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
 #include "slam_ros/diagnostics.hpp"
@@ -75,6 +76,9 @@ class EstimatorNode {
   void subscribe(ros::NodeHandle handle);
   void connect(const ros::NodeHandle& handle, slam::Settings& settings,
                const InputOptions& options);
+  bool resume(const ros::NodeHandle& product, slam::Settings& settings,
+              const slam::ProductPart& part);
+  void saveLast();
   slam::Status startWithSession(const OutputsConfig& outputs);
   BackendActions actions();
   LocalisationActions localisationActions();
@@ -100,6 +104,7 @@ class EstimatorNode {
   SilenceWatch silence_;
   std::optional<Diagnostics> diagnostics_;
   std::optional<RunRecorder> recorder_;
+  std::optional<CheckpointKeeper> checkpoints_;
   std::optional<BackendOutputs> outputs_;
   std::optional<ConsistencyPublisher> consistency_;
   std::optional<BackendServices> services_;
@@ -111,6 +116,7 @@ class EstimatorNode {
   std::optional<PartInputs> inputs_;
   std::optional<slam::DataFlow> flow_;
   ArrivalNotes notes_;
+  std::optional<slam::Stamp> last_step_;
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
   bool is_starving_ = false;  ///< and that has been told

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_core/common/config_fields.hpp"
+#include "slam_core/product/autosave.hpp"
+#include "slam_core/product/checkpoint.hpp"
+#include "slam_core/product/checkpoint_folder.hpp"
+#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_ros/background.hpp"
+
+namespace slam_ros {
+
+/// Parameters in the namespace `checkpoints` of the product.
+struct CheckpointConfig {
+  static constexpr const char* kSection = "";
+
+  std::string folder;
+  double autosave = 10.0;
+  bool resume = false;
+  bool restarted = false;
+
+  void describe(slam::Fields& fields) {
+    fields.add("folder", &folder, "takes the checkpoints; none is written without");
+    fields.add("autosave", &autosave, "interval of the checkpoints")
+        .unit("s of stamps")
+        .in(slam::Range::above(0));
+    fields.add("resume", &resume, "go on from the folder's checkpoint, where there is one");
+    fields.add("restarted", &restarted,
+               "an earlier process of the same launch has died; the nodelet sets it");
+  }
+};
+
+/// Saves a product, or the part of one that has the back-end, while it drives, and goes on from
+/// what was saved. The state is copied between two steps, in the thread that takes them; another
+/// thread writes it to the disk. Components of other processes begin anew.
+class CheckpointKeeper {
+ public:
+  /// Locks the folder, where there is one. @param handle with the parameters, `restarted` of which
+  /// is set: a nodelet that is started again by this launch goes on @param product outlives this
+  /// @throw std::runtime_error naming the folder and the cause
+  CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run, slam::MetaCoordinator& product);
+  ~CheckpointKeeper();
+
+  /// Goes on from the folder's last checkpoint that can be used, if that is wanted.
+  /// @param configure_anew what has been restored in part
+  /// @return whether the product goes on; it begins anew where it does not
+  bool resume(const std::function<void()>& configure_anew);
+  /// What resume() has to tell: sentences, those of warnings first.
+  struct News {
+    std::vector<std::string> warnings;
+    std::string text;
+  };
+  const News& news() const { return news_; }
+
+  /// Keeps the last checkpoint aside: from here on the product has another map.
+  void beginAnew();
+  /// To be called when all steps that were due have been taken.
+  /// @return a sentence where checkpoints cannot be written any more, or can again; or empty
+  std::string note(slam::Stamp last_step);
+  /// How long steps have waited at most while the state was copied [ms].
+  double longestPause() const { return longest_pause_; }
+  /// Saves once more, at the end. @return as note()
+  std::string finish();
+
+ private:
+  void restore(const std::string& bytes);
+  void describe(const slam::CheckpointFolder::Resumption& resumption);
+  void save();
+  void write(const std::string& state);
+  void tell(const std::string& sentence);
+  std::string takeNews();
+
+  CheckpointConfig config_;
+  slam::RunIdentity run_;
+  slam::MetaCoordinator& product_;
+  slam::Autosave autosave_;
+  std::unique_ptr<slam::CheckpointFolder> folder_;  ///< none where nothing is to be saved
+  News news_;
+  std::optional<slam::Stamp> last_step_, saved_;
+  double longest_pause_ = 0.0;
+  bool has_failed_ = false;  ///< to write the last one; of the thread that writes
+  std::mutex mutex_;
+  std::string news_of_writing_;  ///< guarded by the mutex
+  Background writing_;
+};
+
+}  // namespace slam_ros
