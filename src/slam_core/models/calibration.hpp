@@ -15,7 +15,7 @@ namespace slam {
 
 /// What a robot file may have wrong about wheels and landmark sensor, as parameters that a back-end
 /// can estimate beside pose and map. All are 0 where the robot file is right. The first three are
-/// the systematic errors of two wheels (Borenstein and Feng 1996).
+/// the systematic errors of two wheels (Borenstein and Feng 1996; Martinelli et al. 2007).
 enum CalibrationParameter : Eigen::Index {
   kWheelScale,  ///< logarithm of true over measured way, and angle, of the wheels
   kWheelBase,   ///< logarithm of true over configured distance of the wheels: the angle shrinks

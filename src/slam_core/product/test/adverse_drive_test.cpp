@@ -6,8 +6,10 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/miscalibrated_robot.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 #include "slam_core/product/estimator.hpp"
 
@@ -61,6 +63,58 @@ TEST_P(AdverseDrive, AMapWhoseScaleIsInDoubtIsReportedAsThat) {
 
 TEST_P(AdverseDrive, ARightOneStaysAsItIs) {
   EXPECT_EQ(confidentlyWrong(GetParam(), 1.0, 1.0, true), 0.0);
+}
+
+/// The doubts of a drive on which the wheels measure 0.7 of each motion, in steps after the
+/// first 10.
+int doubtfulSteps(const std::vector<std::string>& overrides) {
+  Settings settings({}, {}, overrides);
+  Estimator estimator;
+  estimator.use(Registry<Backend>::instance().create("ekf"));
+  estimator.configure(settings);
+  CalibrationVector off = CalibrationVector::Zero();
+  off(kWheelScale) = -std::log(0.7);
+  test::MiscalibratedRobot robot(2, off);
+  int doubtful = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto step = robot.next(i > 0);
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    for (estimator.execute(); estimator.report(); estimator.execute())
+      doubtful += i >= 10 && estimator.report()->trust != Trust::kConfident ? 1 : 0;
+  }
+  return doubtful;
+}
+
+TEST(CalibratedDrive, WheelsThatAreCalibratedAreNotDoubted) {
+  EXPECT_GT(doubtfulSteps({}), 100);
+  EXPECT_EQ(doubtfulSteps({"calibration.estimate=[wheel_scale]"}), 0);
+}
+
+/// Put elsewhere in its map without being told, a robot is found again although its ranges are
+/// short.
+TEST(CalibratedDrive, ARobotWithShortRangesIsFoundAgain) {
+  Settings settings({}, {}, {"calibration.estimate=[range_scale]"});
+  Estimator estimator;
+  estimator.use(Registry<Backend>::instance().create("ekf"));
+  estimator.configure(settings);
+  CalibrationVector off = CalibrationVector::Zero();
+  off(kRangeScale) = 0.2;
+  test::MiscalibratedRobot robot(2, off);
+  const auto drive = [&](int steps, bool moves) {
+    Pose2 truth;
+    for (int i = 0; i < steps; ++i) {
+      const auto step = robot.next(moves && i > 0);
+      estimator.set(step.motion);
+      estimator.set(step.observations);
+      for (estimator.execute(); estimator.report(); estimator.execute()) truth = step.truth;
+    }
+    return truth.between(estimator.backend().pose().pose).vector().norm();
+  };
+  EXPECT_LT(drive(150, true), 0.2);
+  estimator.set(PoseEstimate{Pose2(40.0, 40.0, 0.0), 1e-4 * Eigen::Matrix3d::Identity()});
+  relocaliserOf(estimator).assume(relocalisation::Belief::kAnywhere);
+  EXPECT_LT(drive(60, true), 0.3);
 }
 
 TEST(NoiseOfAnEstimator, IsEnlargedWhereASigmaIsThreeTimesTooSmallUntilAReset) {
