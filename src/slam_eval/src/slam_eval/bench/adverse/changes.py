@@ -8,9 +8,9 @@ import random
 import numpy as np
 import rosbag
 
-from slam_eval.bench.harness.bag_edit import OBSERVATIONS, ODOMETRY, POSE, read_place, SCAN
+from slam_eval.bench.harness.bag_edit import OBSERVATIONS, ODOMETRY, SCAN
 from slam_eval.bench.harness.landmark_sensor import place_of, seen_from
-from slam_eval.io.trajectory import interpolate, Trajectory
+from slam_eval.io.trajectory import interpolate
 
 
 class OdometryJump:
@@ -107,17 +107,6 @@ class ConstantLaser:
     def __call__(self, kind, message, time):
         if time >= self._begin:
             message.ranges = [self._distance] * len(message.ranges)
-
-
-def truth_of(bag_file):
-    """The true poses in a bag as a Trajectory."""
-    stamps, poses = [], []
-    with rosbag.Bag(str(bag_file)) as bag:
-        for _, raw, _ in bag.read_messages(raw=True):
-            if raw[0] == POSE:
-                stamps.append(raw[-1]().deserialize(raw[1]).header.stamp.to_nsec())
-                poses.append(read_place(POSE, raw[1]))
-    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses))
 
 
 def ids_in(bag_file):

@@ -7,7 +7,7 @@ import shutil
 
 from slam_eval.bench.adverse import changes
 from slam_eval.bench.harness import bag_edit, miscalibration
-from slam_eval.bench.harness.hall_drives import LANDMARKS, SCANS
+from slam_eval.bench.harness.hall_drives import LANDMARKS, SCANS, truth_of
 
 BEGIN = 20.0     # of faults that are not there from the start [s]
 STUCK = 10.0     # how long the odometry stands still [s]
@@ -51,7 +51,7 @@ def _false_ids(bag, seed):
 
 
 def _moved(bag, seed):
-    return changes.MovedLandmarks(changes.truth_of(bag), MOVED, seed, BEGIN)
+    return changes.MovedLandmarks(truth_of(bag), MOVED, seed, BEGIN)
 
 
 FAULTS = {

@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Drives through random halls as bags, and products that are run on them as they are shipped."""
+import numpy as np
+import rosbag
+
 from slam_eval.bench.harness import bag_edit, process
 from slam_eval.bench.harness.halls import write_hall
 from slam_eval.bench.harness.landmark_sensor import observe
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.bench.harness.runs import simulate
+from slam_eval.io.trajectory import Trajectory
 
 LANDMARKS, SCANS = "landmarks", "scans"  # what a product sees the world by
 
@@ -35,6 +39,17 @@ class Drives:
         self._bags[seed, SCANS] = bag_edit.edit(bag, bag.with_name(f"{name}_scans.bag"), Nothing())
         self._bags[seed, LANDMARKS] = observe(bag, bag.with_name(f"{name}_landmarks.bag"), seed)
         bag.unlink()
+
+
+def truth_of(bag_file):
+    """The true poses in a bag as a Trajectory."""
+    stamps, poses = [], []
+    with rosbag.Bag(str(bag_file)) as bag:
+        for _, raw, _ in bag.read_messages(raw=True):
+            if raw[0] == bag_edit.POSE:
+                stamps.append(raw[-1]().deserialize(raw[1]).header.stamp.to_nsec())
+                poses.append(bag_edit.read_place(bag_edit.POSE, raw[1]))
+    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses))
 
 
 def run_product(folder, product, bag, seed, robot=None, settings=()):

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a robot file has wrong about wheels, ranges and bearings, as changes of messages for
+"""What a robot file has wrong about wheels and sensors, as changes of messages for
 bag_edit.edit(). Each is used for one bag; `begin` and `end` are times since the bag's start [s]."""
 import math
 
+import genpy
 import numpy as np
 
 from slam_eval.bench.harness.bag_edit import (compose, inverse, OBSERVATIONS, ODOMETRY, SCAN)
@@ -90,3 +91,41 @@ class TurnedBearings:
         else:
             message.angle_min += self._angle
             message.angle_max += self._angle
+
+
+class MovedMount:
+    """The messages have the sensor further ahead and further to the left than it stands [m]."""
+
+    kinds = (OBSERVATIONS,)
+
+    def __init__(self, ahead, left):
+        self._ahead, self._left = ahead, left
+
+    def __call__(self, kind, message, time):
+        message.sensor_pose.x += self._ahead
+        message.sensor_pose.y += self._left
+
+
+class LateStamps:
+    """Observations are stamped, and come, so much after they were made [s]."""
+
+    kinds = (OBSERVATIONS,)
+
+    def __init__(self, delay):
+        self._delay = delay
+
+    def __call__(self, kind, message, time):
+        message.header.stamp += genpy.Duration.from_sec(self._delay)
+        return self._delay
+
+
+class Together:
+    """Several changes, one after the other. The message comes later by the sum of their delays."""
+
+    def __init__(self, changes):
+        self._changes = list(changes)
+        self.kinds = tuple({kind for change in self._changes for kind in change.kinds})
+
+    def __call__(self, kind, message, time):
+        return sum(change(kind, message, time) or 0.0
+                   for change in self._changes if kind in change.kinds)
