@@ -15,8 +15,8 @@ import rosbag
 from slam_eval.bench.calibration import drives, results
 from slam_eval.bench.calibration.cases import BOTH_SCALES, CASES, RIGHT, Wrong
 from slam_eval.bench.calibration.drives import Outcome, Seed
+from slam_eval.bench.calibration.reported import Estimate, estimates, Reported, reported
 from slam_eval.bench.calibration.results import CALIBRATING, WRITTEN, WRONG
-from slam_eval.bench.calibration.told import Estimate, estimates, Told, told
 from slam_eval.bench.calibration.true_wheels import measured_by, true_wheels, TrueWheels
 from slam_eval.bench.harness.bag_edit import edit
 from slam_eval.bench.harness.error import Failure
@@ -165,9 +165,9 @@ the drive does not tell sensor_yaw and sensor_x apart: leave one of them out, or
 class Printed(unittest.TestCase):
 
     def test_parameters_are_read_with_both_of_their_sigmas(self):
-        self.assertEqual(told(PRINTED), {"wheel_scale": Told(0.99653, 0.0037, 0.2),
-                                         "sensor_y": Told(-3e-05, 0.008, 0.01)})
-        self.assertEqual(told("/tmp/a: 807 poses, 20 landmarks\n"), {})
+        self.assertEqual(reported(PRINTED), {"wheel_scale": Reported(0.99653, 0.0037, 0.2),
+                                             "sensor_y": Reported(-3e-05, 0.008, 0.01)})
+        self.assertEqual(reported("/tmp/a: 807 poses, 20 landmarks\n"), {})
 
     def test_an_error_counts_in_reported_sigmas(self):
         found = estimates(PRINTED, {"wheel_scale": 0.99283, "sensor_y": 0.0})
@@ -177,7 +177,7 @@ class Printed(unittest.TestCase):
 
 def estimate(sigmas, sigma=0.01, before=0.1):
     """An Estimate that is off by so many sigmas."""
-    return Estimate(Told(1.0 + sigmas * sigma, sigma, before), 1.0)
+    return Estimate(Reported(1.0 + sigmas * sigma, sigma, before), 1.0)
 
 
 def seed(ates, errors=(), nees=3.0):

@@ -17,6 +17,16 @@ def _rows(keys):
     return rows
 
 
+def _page(rows):
+    """Figure and axes for so many rows, with room for names on both sides."""
+    width, left, right, below, above = 7.6, 1.15, 1.15, 0.55, 0.35  # [inch]
+    height = below + above + 0.26 * rows
+    figure = look.plt.figure(figsize=(width, height))
+    axes = figure.add_axes([left / width, below / height, 1.0 - (left + right) / width,
+                            1.0 - (below + above) / height])
+    return figure, axes
+
+
 def _draw(axes, row, errors):
     values = np.array([error for error, _ in errors])
     rows = row + np.linspace(-0.25, 0.25, len(values)) if len(values) > 1 else np.array([row])
@@ -39,8 +49,7 @@ def plot_errors(errors, path):
     rows = _rows(errors)
     cases = list(dict.fromkeys(case for case, _ in errors))
     with look.style():
-        figure, axes = look.plt.subplots(constrained_layout=True,
-                                         figsize=(7.6, 1.3 + 0.26 * max(rows.values())))
+        figure, axes = _page(1.0 + max(rows.values()))
         axes.axvspan(-SIGMAS, SIGMAS, color=look.BAND, alpha=0.10, linewidth=0.0)
         axes.axvline(0.0, color=look.MUTED, linewidth=0.8)
         for key, row in rows.items():
@@ -52,10 +61,9 @@ def plot_errors(errors, path):
             mine = [row for (name, _), row in rows.items() if name == case]
             axes.annotate(case, (1.0, np.mean(mine)), xycoords=("axes fraction", "data"),
                           xytext=(8, 0), textcoords="offset points", va="center", fontsize=9,
-                          color=look.TRUTH).set_in_layout(False)
+                          color=look.TRUTH)
         axes.set_xlabel(
             "error of the parameter [reported standard deviations], a dot for each seed")
         axes.set_title("What a calibration found against what was wrong")
         look.plain(axes)
-        figure.get_layout_engine().set(rect=(0.0, 0.0, 0.86, 1.0))  # beside it stand the cases
         look.save(figure, path)

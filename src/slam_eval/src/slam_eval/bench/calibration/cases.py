@@ -35,9 +35,9 @@ class Wrong:
     def true_values(self, wheels):
         """{parameter: what a calibration should find}. wheels: TrueWheels of the drive."""
         return {"wheel_scale": wheels.scale / self.wheels, "wheel_base": wheels.base,
-                "wheel_drift": wheels.drift, "sensor_yaw": -self.bearings,
-                "sensor_x": -self.mount[0], "sensor_y": -self.mount[1],
-                "range_scale": 1.0 / self.ranges, "time_offset": -self.late}
+                "wheel_drift": wheels.drift, "sensor_yaw": 0.0 - self.bearings,
+                "sensor_x": 0.0 - self.mount[0], "sensor_y": 0.0 - self.mount[1],
+                "range_scale": 1.0 / self.ranges, "time_offset": 0.0 - self.late}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Case:
     title: str
     wrong: Wrong = Wrong()
     estimate: tuple = ()
-    can_be_told: bool = True  # else the drive cannot tell all of it
+    is_observable: bool = True  # else no drive tells all that is estimated
 
 
 WHEELS = ("wheel_scale", "wheel_base", "wheel_drift")

@@ -10,9 +10,9 @@ import time
 import yaml
 
 from slam_eval.bench.calibration.cases import CASES, RIGHT
+from slam_eval.bench.calibration.reported import estimates
 from slam_eval.bench.calibration.results import (CALIBRATING, errors_of, parameter_table, REMARK,
                                                  run_table, verdict_lines, WRITTEN, WRONG)
-from slam_eval.bench.calibration.told import estimates
 from slam_eval.bench.calibration.true_wheels import true_wheels
 from slam_eval.bench.harness.bag_edit import edit
 from slam_eval.bench.harness.error import BenchError, Failure
@@ -83,7 +83,7 @@ class Runner:
             return {CALIBRATING: outcome}, {}
         found = estimates(log_of(folder).read_text(encoding="utf-8"), true_values)
         if not found:
-            return {CALIBRATING: Failure("the run told nothing of its calibration")}, {}
+            return {CALIBRATING: Failure("the run reported nothing of its calibration")}, {}
         again, _ = self._run(bag, WRITTEN, seed, robot=folder / "robot.yaml")
         return {CALIBRATING: outcome, WRITTEN: again}, found
 

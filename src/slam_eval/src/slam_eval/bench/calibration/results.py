@@ -11,7 +11,7 @@ WRONG, CALIBRATING, WRITTEN = "as_it_is", "calibrating", "written"  # runs of a 
 MOST_RATIO = 1.3      # of ATE to that of the right robot file
 SIGMAS = 3.0          # within which a parameter is right
 LEAST_WITHIN = 0.95   # of all parameters
-LEAST_SIGMA = 0.9     # of what scales that cannot be told are known by at best
+LEAST_SIGMA = 0.9     # of the sigma that the priors leave to scales that no drive tells
 
 RUN_HEADER = ["case", "run", "ATE [m]", "to right", "worst", "NEES", "worst NEES", "wrong [s]",
               "worst [s]", "failed"]
@@ -86,9 +86,9 @@ def _within(errors):
 def _parameter_row(name, parameter, seeds, errors):
     found = [seed.estimates[parameter] for seed in seeds if parameter in seed.estimates]
     return [name, parameter, number(_median([e.true for e in found]), ".4f"),
-            number(_median([e.told.value for e in found]), ".4f"),
-            number(_median([e.told.sigma for e in found]), ".2g"),
-            number(found[0].told.before, ".2g"),
+            number(_median([e.reported.value for e in found]), ".4f"),
+            number(_median([e.reported.sigma for e in found]), ".2g"),
+            number(found[0].reported.before, ".2g"),
             number(float(np.sqrt(np.mean([error ** 2 for error, _ in errors]))), ".2f"),
             number(max(errors, key=lambda e: abs(e[0]))[0], "+.2f"),
             f"{_within(errors)} of {len(errors)}"]
@@ -105,9 +105,9 @@ def _word(is_reached):
 
 
 def _ratio_lines(results, run, right, what):
-    """Whether the ATE of these runs keeps to its limit in the cases that a drive can tell."""
+    """Whether the ATE of these runs keeps to its limit where what is wrong is observable."""
     of = {name: ratios(seeds, run, right) for name, seeds in results.items()
-          if CASES[name].estimate and CASES[name].can_be_told}
+          if CASES[name].estimate and CASES[name].is_observable}
     single = [(ratio, name, seed) for name, found in of.items() for ratio, seed in found]
     if not single:
         return []
@@ -116,15 +116,15 @@ def _ratio_lines(results, run, right, what):
     kept = sum(ratio <= MOST_RATIO for ratio, *_ in single)
     worst, name, seed = max(single)
     lines = [f"- ATE {what} at most {MOST_RATIO:g} times that of the right robot file, median of "
-             f"the seeds: {len(of) - len(missed)} of {len(of)} cases ({_word(not missed)}); of single "
-             f"runs {kept} of {len(single)}, the worst {worst:.2f} times: {name}, seed {seed}"]
+             f"the seeds: {len(of) - len(missed)} of {len(of)} cases ({_word(not missed)}); of "
+             f"single runs {kept} of {len(single)}, the worst {worst:.2f} times: {name}, seed {seed}"]
     return lines + [f"- above: {name}: {number(medians[name], '.2f')} times" for name in missed]
 
 
 def _error_text(results, name, parameter, seed):
     estimate = results[name][seed - 1].estimates[parameter]
-    return (f"seed {seed}: {estimate.told.value:.5g} instead of {estimate.true:.5g}, sigma "
-            f"{estimate.told.sigma:.2g}, {estimate.sigmas:+.1f} sigmas")
+    return (f"seed {seed}: {estimate.reported.value:.5g} instead of {estimate.true:.5g}, sigma "
+            f"{estimate.reported.sigma:.2g}, {estimate.sigmas:+.1f} sigmas")
 
 
 def _parameter_lines(results):
@@ -154,12 +154,12 @@ def _scale_lines(results):
     """Observations tell how the scales of ranges and wheels, and the distance of the wheels, go
     together, and no more: all may be off by one factor."""
     tied = ("wheel_scale", "wheel_base", "range_scale")
-    found = [[seed.estimates[name].told for name in tied]
+    found = [[seed.estimates[name].reported for name in tied]
              for seed in results.get(BOTH_SCALES, ()) if seed.estimates]
     if not found:
         return []
-    best = open_share([told.before for told in found[0]])
-    least = min(told.sigma / told.value for of_seed in found for told in of_seed)
+    best = open_share([scale.before for scale in found[0]])
+    least = min(scale.sigma / scale.value for of_seed in found for scale in of_seed)
     return [f"- {BOTH_SCALES}: sigmas of the scales and the base, as shares of them, at least "
             f"{LEAST_SIGMA:g} of {best:.3f}, which their priors together leave open: the smallest "
             f"is {least:.3f} ({_word(least >= LEAST_SIGMA * best)})"]

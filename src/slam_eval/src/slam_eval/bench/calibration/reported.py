@@ -9,17 +9,17 @@ _LINE = re.compile(r"^calibrated (\w+): (\S+) with a standard deviation of (\S+)
 
 
 @dataclasses.dataclass(frozen=True)
-class Told:
-    """A parameter as a run told it, with its standard deviation after and before the drive."""
+class Reported:
+    """A parameter as a run reported it, with its standard deviation after and before the drive."""
 
     value: float
     sigma: float
     before: float
 
 
-def told(text):
-    """{parameter: Told} of what a run has printed."""
-    return {name: Told(float(value), float(sigma), float(before))
+def reported(text):
+    """{parameter: Reported} of what a run has printed."""
+    return {name: Reported(float(value), float(sigma), float(before))
             for name, value, sigma, before in _LINE.findall(text)}
 
 
@@ -27,15 +27,15 @@ def told(text):
 class Estimate:
     """A parameter beside what a calibration should find."""
 
-    told: Told
+    reported: Reported
     true: float
 
     @property
     def sigmas(self):
-        """The error in standard deviations as told."""
-        return (self.told.value - self.true) / self.told.sigma
+        """The error in standard deviations as reported."""
+        return (self.reported.value - self.true) / self.reported.sigma
 
 
 def estimates(text, true_values):
     """{parameter: Estimate} of what a run has printed; true_values: {parameter: value}."""
-    return {name: Estimate(known, true_values[name]) for name, known in told(text).items()}
+    return {name: Estimate(known, true_values[name]) for name, known in reported(text).items()}
