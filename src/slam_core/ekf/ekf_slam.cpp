@@ -4,6 +4,7 @@
 #include "slam_core/ekf/ekf_slam.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "slam_core/association/decision_record.hpp"
@@ -97,7 +98,7 @@ void EkfSlam::set(const Motion& measured) {
   const auto parameters = state_.parameters();
   CalibrationJacobian<3> J(3, 0);
   const auto motion = parameters ? calibrated(measured, *parameters, &J) : measured;
-  if (parameters) velocity_ = motion.increment.log() / seconds(motion.end - motion.start);
+  if (parameters) followVelocity(motion);
   if (!motion_) {
     motion_ = motion;
     J_motion_ = J;
@@ -108,6 +109,14 @@ void EkfSlam::set(const Motion& measured) {
   motion_->covariance = J_before * motion_->covariance * J_before.transpose() +
                         J_u * motion.covariance * J_u.transpose();
   J_motion_ = (J_before * J_motion_ + J_u * J).eval();
+}
+
+/// The velocity of a single message is mostly noise, which the filter would take for motion.
+void EkfSlam::followVelocity(const Motion& motion) {
+  constexpr double kTimeConstant = 0.15;  // [s]
+  const double interval = seconds(motion.end - motion.start);
+  const Eigen::Vector3d now = motion.increment.log() / interval;
+  velocity_ += (1.0 - std::exp(-interval / kTimeConstant)) * (now - velocity_);
 }
 
 /// Where parameters are calibrated the sensor is the filter's robot.

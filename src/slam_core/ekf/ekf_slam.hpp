@@ -75,6 +75,7 @@ class EkfSlam final : public Backend,
   NewLandmark initialized(const LandmarkObservation& z, const Pose2& sensor) const;
   StretchLimits limits() const;
   std::optional<CalibrationEstimate> calibrationPrior() const;
+  void followVelocity(const Motion& motion);
   void move(const SensorFrame::Transition& transition);
   LandmarkObservationArray takeObservations();
   void replaceMap();
@@ -101,7 +102,7 @@ class EkfSlam final : public Backend,
   std::optional<PoseEstimate> initial_pose_;
   std::optional<Motion> motion_;     ///< all motions since the last step as one, calibrated
   CalibrationJacobian<3> J_motion_;  ///< of its increment
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< in the last of them [m/s, rad/s]
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of late [m/s, rad/s]
   SensorFrame frame_;                                   ///< of the state, where it calibrates
   std::optional<LandmarkObservationArray> observations_;
 };

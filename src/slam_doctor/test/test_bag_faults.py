@@ -7,7 +7,7 @@ from drives import diagnose, drive, Edit, edited, faults, FOLDER, ODOMETRY, SCAN
 import genpy
 from geometry_msgs.msg import TransformStamped
 import rosbag
-from slam_eval.bench.adverse import sensor
+from slam_eval.bench.harness import landmark_sensor
 from slam_eval.bench.harness.bag_edit import OBSERVATIONS
 from tf2_msgs.msg import TFMessage
 
@@ -201,7 +201,7 @@ class Landmarks(unittest.TestCase):
     def seen(self, name, change=None):
         path = FOLDER / f"{name}.bag"
         if not path.exists():
-            sensor.observe(drive(), path, 1)
+            landmark_sensor.observe(drive(), path, 1)
         bag = edited(f"{name}_edited", Edit((OBSERVATIONS,), change), path) if change else path
         return diagnose(bag, product="ekf_wheel")
 

@@ -8,6 +8,7 @@ import unittest
 from drives import drive, Edit, edited, diagnose, faults, ODOMETRY, SCAN, simulate
 import genpy
 from slam_eval.bench.adverse import changes
+from slam_eval.bench.harness import miscalibration
 from slam_eval.bench.harness.bag_edit import rewrite, People
 
 
@@ -67,7 +68,7 @@ class Laser(unittest.TestCase):
         self.assertEqual(found["scan.beams"], "ERROR")
 
     def test_turned_mount(self):
-        found = diagnose(edited("turned", changes.TurnedBearings(0.25)))
+        found = diagnose(edited("turned", miscalibration.TurnedBearings(0.25)))
         self.assertEqual(faults(found), {"scan.heading": "ERROR"})
         self.assertAlmostEqual(found["scan.heading"].value, 0.25, delta=0.03)
 
@@ -90,7 +91,7 @@ class Laser(unittest.TestCase):
 class Odometry(unittest.TestCase):
     def ratio(self, check, factor):
         """What is said with scaled increments, over what is said without."""
-        bag = edited(f"scaled_{factor}", changes.ScaledOdometry(factor))
+        bag = edited(f"scaled_{factor}", miscalibration.ScaledOdometry(factor))
         return diagnose(bag)[check].value / diagnose(drive())[check].value
 
     def test_scale_of_ways(self):
@@ -124,7 +125,7 @@ class Odometry(unittest.TestCase):
         self.assertIn("backwards", found["odom.scale"].text)
 
     def test_stuck(self):
-        found = diagnose(edited("stuck", changes.ScaledOdometry(0.0, begin=20.0, end=35.0)))
+        found = diagnose(edited("stuck", miscalibration.ScaledOdometry(0.0, begin=20.0, end=35.0)))
         self.assertEqual(found["odom.stuck"].level.name, "ERROR")
         self.assertGreater(found["odom.stuck"].value, 8.0)
 

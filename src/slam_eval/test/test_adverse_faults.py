@@ -12,8 +12,8 @@ from nav_msgs.msg import Odometry
 import numpy as np
 import rosbag
 from sensor_msgs.msg import LaserScan
-from slam_eval.bench.adverse import sensor
 from slam_eval.bench.adverse.faults import BEGIN, FAULTS
+from slam_eval.bench.harness import landmark_sensor as sensor
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 

@@ -19,6 +19,7 @@ from slam_eval.bench.association import forest as association_forest
 from slam_eval.bench.association import mrclam as association_mrclam
 from slam_eval.bench.association import office as association_office
 from slam_eval.bench.association import time as association_time
+from slam_eval.bench.calibration import drives as calibration_drives
 from slam_eval.bench.ekf import consistency, demo, landmarks
 from slam_eval.bench.ekf import mrclam as ekf_mrclam
 from slam_eval.bench.ekf import update as ekf_update
@@ -92,6 +93,10 @@ BENCHMARKS = {
         "adverse drives", "how long products are confidently wrong where something is wrong that "
         "they do not know: wheels, ranges, ids, a laser, a robot that is carried; a few minutes",
         adverse_drives.PARTS, command_line.add_adverse),
+    "calibration": Benchmark(
+        "self-calibration", "what the EKF finds out of wheels and sensor that the robot file has "
+        "wrong, whether it knows how well, and what its pose is worth then; a few minutes",
+        calibration_drives.PARTS, command_line.add_calibration),
     "relocalisation": Benchmark(
         "relocalisation", "robots that are switched on anywhere in their map: how many are found, "
         "how soon, and how many believe a wrong place; an hour",

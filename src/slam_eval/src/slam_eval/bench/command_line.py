@@ -220,6 +220,12 @@ def add_adverse(parser):
                         help="halls, with a drive through each (%(default)s)")
 
 
+def add_calibration(parser):
+    """Options of `slam_bench calibration`."""
+    parser.add_argument("--seeds", metavar="N", type=count, default=10,
+                        help="halls, with a drive through each (%(default)s)")
+
+
 def add_relocalisation(parser):
     """Options of `slam_bench relocalisation`."""
     parser.add_argument("--starts", metavar="N", type=count, default=100,

@@ -8,54 +8,9 @@ import random
 import numpy as np
 import rosbag
 
-from slam_eval.bench.adverse.sensor import place_of, seen_from
-from slam_eval.bench.harness.bag_edit import (compose, inverse, OBSERVATIONS, ODOMETRY, POSE,
-                                              read_place, SCAN)
-from slam_eval.io.trajectory import interpolate, Trajectory
-
-
-def _place(message):
-    pose = message.pose.pose
-    return pose.position.x, pose.position.y, 2.0 * math.atan2(pose.orientation.z,
-                                                              pose.orientation.w)
-
-
-def _set_place(message, place):
-    pose = message.pose.pose
-    pose.position.x, pose.position.y, theta = place
-    pose.orientation.z, pose.orientation.w = math.sin(theta / 2), math.cos(theta / 2)
-
-
-def _scale_twist(message, factor):
-    twist = message.twist.twist
-    twist.linear.x *= factor
-    twist.linear.y *= factor
-    twist.angular.z *= factor
-
-
-class ScaledOdometry:
-    """Each increment of the odometry from `begin` to `end` is multiplied by a factor. With a factor
-    of 0 the odometry stands still, and what is driven meanwhile is lost."""
-
-    kinds = (ODOMETRY,)
-
-    def __init__(self, factor, begin=0.0, end=math.inf):
-        self._factor, self._begin, self._end = factor, begin, end
-        self._before = self._out = None  # the last pose as it was, and as it was written
-
-    def __call__(self, kind, message, time):
-        place = _place(message)
-        if time < self._begin or self._before is None:
-            self._before = self._out = place
-            if time < self._begin:
-                return
-        factor = self._factor if time < self._end else 1.0
-        step = compose(inverse(self._before), place)
-        step = (*step[:2], math.remainder(step[2], 2.0 * math.pi))
-        self._out = compose(self._out, tuple(factor * x for x in step))
-        self._before = place
-        _set_place(message, self._out)
-        _scale_twist(message, factor)
+from slam_eval.bench.harness.bag_edit import OBSERVATIONS, ODOMETRY, SCAN
+from slam_eval.bench.harness.landmark_sensor import place_of, seen_from
+from slam_eval.io.trajectory import interpolate
 
 
 class OdometryJump:
@@ -70,45 +25,6 @@ class OdometryJump:
         if self._distance is not None and time >= self._begin:
             message.pose.pose.position.x += self._distance
             self._distance = None
-
-
-class ScaledRanges:
-    """All ranges of observations and scans are multiplied by a factor; a laser's limits too."""
-
-    kinds = (OBSERVATIONS, SCAN)
-
-    def __init__(self, factor, begin=0.0):
-        self._factor, self._begin = factor, begin
-
-    def __call__(self, kind, message, time):
-        if time < self._begin:
-            return
-        if kind == OBSERVATIONS:
-            for seen in message.observations:
-                seen.range *= self._factor
-        else:
-            message.ranges = (self._factor * np.array(message.ranges)).tolist()
-            message.range_min *= self._factor
-            message.range_max *= self._factor
-
-
-class TurnedBearings:
-    """All bearings, of observations and of scans, are too large by an angle [rad]."""
-
-    kinds = (OBSERVATIONS, SCAN)
-
-    def __init__(self, angle, begin=0.0):
-        self._angle, self._begin = angle, begin
-
-    def __call__(self, kind, message, time):
-        if time < self._begin:
-            return
-        if kind == OBSERVATIONS:
-            for seen in message.observations:
-                seen.bearing = math.remainder(seen.bearing + self._angle, 2.0 * math.pi)
-        else:
-            message.angle_min += self._angle
-            message.angle_max += self._angle
 
 
 class FalseIds:
@@ -191,17 +107,6 @@ class ConstantLaser:
     def __call__(self, kind, message, time):
         if time >= self._begin:
             message.ranges = [self._distance] * len(message.ranges)
-
-
-def truth_of(bag_file):
-    """The true poses in a bag as a Trajectory."""
-    stamps, poses = [], []
-    with rosbag.Bag(str(bag_file)) as bag:
-        for _, raw, _ in bag.read_messages(raw=True):
-            if raw[0] == POSE:
-                stamps.append(raw[-1]().deserialize(raw[1]).header.stamp.to_nsec())
-                poses.append(read_place(POSE, raw[1]))
-    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses))
 
 
 def ids_in(bag_file):

@@ -10,29 +10,20 @@ import time
 
 import yaml
 
-from slam_eval.bench.adverse.faults import BEGIN, FAULTS, LANDMARKS, SCANS
-from slam_eval.bench.adverse.halls import write_hall
-from slam_eval.bench.adverse.judge import Failure, judge
+from slam_eval.bench.adverse.faults import BEGIN, FAULTS
+from slam_eval.bench.adverse.judge import judge
 from slam_eval.bench.adverse.results import (median_share, REMARK, split, verdict_lines,
                                              whole_table, worst_share)
-from slam_eval.bench.adverse.sensor import observe
-from slam_eval.bench.harness import bag_edit, process
-from slam_eval.bench.harness.error import BenchError
+from slam_eval.bench.harness.error import BenchError, Failure
+from slam_eval.bench.harness.hall_drives import Drives, LANDMARKS, run_product, SCANS
 from slam_eval.bench.harness.products import makes_a_grid
-from slam_eval.bench.harness.programs import package_folder, workspace_program
-from slam_eval.bench.harness.runs import simulate
+from slam_eval.bench.harness.programs import package_folder
 from slam_eval.bench.harness.table import Section
 from slam_eval.io.errors import InputError
 from slam_eval.io.run_folder import read_run
 from slam_eval.plot.adverse import plot_shares
 
 WORKERS = 2  # runs at a time
-
-
-class Nothing:
-    """A change that changes nothing."""
-
-    kinds = ()
 
 
 def sensor_of(product):
@@ -50,34 +41,6 @@ def sensor_of(product):
         return LANDMARKS
     raise BenchError(f"the product {product} does not make its map of landmarks or of scans with "
                      "wheel odometry; give others with --products")
-
-
-class Drives:
-    """The drive of each seed, simulated once, as a bag for each sensor."""
-
-    def __init__(self, context):
-        self._context, self._bags = context, {}
-
-    def bag(self, seed, sensor):
-        """The bag without any fault."""
-        if (seed, sensor) not in self._bags:
-            self._make(seed)
-        return self._bags[seed, sensor]
-
-    def _make(self, seed):
-        name = f"hall_{seed}"
-        world = write_hall(self._context.work / f"{name}.yaml", seed)
-        bag = simulate(self._context, name, world, seed, "odom,scan")
-        self._bags[seed, SCANS] = bag_edit.edit(bag, bag.with_name(f"{name}_scans.bag"), Nothing())
-        self._bags[seed, LANDMARKS] = observe(bag, bag.with_name(f"{name}_landmarks.bag"), seed)
-        bag.unlink()
-
-
-def run_product(folder, product, bag, seed):
-    """Run a product on a bag into a folder; returns its CPU time [s]. Raises BenchError."""
-    command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag, "--out",
-               folder, "--set", "detector=none", "--set", f"seed={seed}"]
-    return process.run(command, folder.with_name(f"{folder.name}.log")).cpu_s
 
 
 class Case:

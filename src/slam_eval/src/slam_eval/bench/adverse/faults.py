@@ -6,9 +6,9 @@ import math
 import shutil
 
 from slam_eval.bench.adverse import changes
-from slam_eval.bench.harness import bag_edit
+from slam_eval.bench.harness import bag_edit, miscalibration
+from slam_eval.bench.harness.hall_drives import LANDMARKS, SCANS, truth_of
 
-LANDMARKS, SCANS = "landmarks", "scans"  # what a product sees the world by
 BEGIN = 20.0     # of faults that are not there from the start [s]
 STUCK = 10.0     # how long the odometry stands still [s]
 CARRIED = 10.0   # the robot is carried as far as it would have driven in that time [s]
@@ -51,24 +51,24 @@ def _false_ids(bag, seed):
 
 
 def _moved(bag, seed):
-    return changes.MovedLandmarks(changes.truth_of(bag), MOVED, seed, BEGIN)
+    return changes.MovedLandmarks(truth_of(bag), MOVED, seed, BEGIN)
 
 
 FAULTS = {
     "clean": Fault("nothing", 0.0, lambda source, target, _: shutil.copy(source, target)),
     "carried": Fault("the robot is carried 10 s of its way further on", BEGIN, _carried),
     "wheels_0.7": Fault("wheels measure 0.7 times each motion", 0.0,
-                        _always(changes.ScaledOdometry, 0.7)),
+                        _always(miscalibration.ScaledOdometry, 0.7)),
     "wheels_1.3": Fault("wheels measure 1.3 times each motion", 0.0,
-                        _always(changes.ScaledOdometry, 1.3)),
+                        _always(miscalibration.ScaledOdometry, 1.3)),
     "ranges_0.8": Fault("ranges are 0.8 times the true ones", 0.0,
-                        _always(changes.ScaledRanges, 0.8)),
+                        _always(miscalibration.ScaledRanges, 0.8)),
     "ranges_1.2": Fault("ranges are 1.2 times the true ones", 0.0,
-                        _always(changes.ScaledRanges, 1.2)),
+                        _always(miscalibration.ScaledRanges, 1.2)),
     "bearings": Fault("bearings are 0.1 rad too large", 0.0,
-                      _always(changes.TurnedBearings, TURNED)),
+                      _always(miscalibration.TurnedBearings, TURNED)),
     "odometry_stuck": Fault("odometry stands still for 10 s", BEGIN,
-                            _always(changes.ScaledOdometry, 0.0, BEGIN, BEGIN + STUCK)),
+                            _always(miscalibration.ScaledOdometry, 0.0, BEGIN, BEGIN + STUCK)),
     "odometry_jump": Fault("one message of odometry is 1e9 m off", BEGIN,
                            _always(changes.OdometryJump, JUMP, BEGIN)),
     "false_ids": Fault("half of the ids are those of other landmarks", BEGIN,

@@ -27,13 +27,6 @@ class Outcome:
     false: int                # how often it said so before
 
 
-@dataclasses.dataclass(frozen=True)
-class Failure:
-    """A run that ended with an error, and what it said."""
-
-    sentence: str
-
-
 def lost_since(intervals, begin):
     """(when the run first said that it is lost, for how long) [s], from `begin` [ns] on."""
     after = [(max(start, begin), end) for start, end in intervals if end > begin]

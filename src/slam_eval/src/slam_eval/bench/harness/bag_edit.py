@@ -181,7 +181,8 @@ def rewrite(source, target, people=None, carried=None):
 
 def edit(source, target, change, left_out=("/tf",)):
     """A bag like another one, in which change(kind, message, seconds since the start) has altered
-    the messages of the types change.kinds; all others are copied byte for byte."""
+    the messages of the types change.kinds; all others are copied byte for byte. A change may return
+    by how much later the message comes [s]."""
     with rosbag.Bag(str(source)) as bag, rosbag.Bag(str(target), "w") as out:
         start = bag.get_start_time()
         for topic, raw, time in bag.read_messages(raw=True):
@@ -191,6 +192,6 @@ def edit(source, target, change, left_out=("/tf",)):
                 out.write(topic, raw, time, raw=True)
                 continue
             message = raw[-1]().deserialize(raw[1])
-            change(raw[0], message, time.to_sec() - start)
-            out.write(topic, message, time)
+            delay = change(raw[0], message, time.to_sec() - start)
+            out.write(topic, message, time + genpy.Duration.from_sec(delay or 0.0))
     return target
