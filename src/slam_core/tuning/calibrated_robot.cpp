@@ -46,6 +46,13 @@ std::vector<RobotValue> valuesOf(Settings& settings) {
   return values;
 }
 
+bool isEstimated(const RobotValue& value, const CalibrationConfig& config) {
+  for (Eigen::Index row = 0; row < kCalibrationRows; ++row)
+    if (value.weights(row) != 0.0 && config.estimates(static_cast<CalibrationParameter>(row)))
+      return true;
+  return false;
+}
+
 TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& before,
                      const CalibrationEstimate& now) {
   constexpr double kKnown = 0.3;  // as CalibratedParameter
@@ -68,9 +75,10 @@ TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& before,
 std::vector<TunedParameter> calibratedParameters(const Calibrator& calibrator, Settings settings) {
   const auto now = calibrator.calibration();
   if (!now) return {};
-  const auto before = calibrator.calibrationConfig().prior();
+  const auto& config = calibrator.calibrationConfig();
   std::vector<TunedParameter> parameters;
-  for (const auto& value : valuesOf(settings)) parameters.push_back(tuned(value, before, *now));
+  for (const auto& value : valuesOf(settings))
+    if (isEstimated(value, config)) parameters.push_back(tuned(value, config.prior(), *now));
   return parameters;
 }
 

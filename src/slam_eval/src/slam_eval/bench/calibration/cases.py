@@ -51,6 +51,8 @@ class Case:
 
 
 WHEELS = ("wheel_scale", "wheel_base", "wheel_drift")
+# Wheels tell the scale of ranges; these two of them are seldom known to a twentieth of their priors.
+RANGES = ("wheel_base", "wheel_drift", "range_scale")
 MOUNT = ("sensor_yaw", "sensor_offset")
 OFF = (0.2, -0.1)  # a mount [m]
 RIGHT, BOTH_SCALES = "right", "both_scales"
@@ -63,8 +65,8 @@ CASES = {
                        ("wheel_scale",)),
     "wheels_1.3": Case("wheels measure 1.3 times each motion", Wrong(wheels=1.3),
                        ("wheel_scale",)),
-    "ranges_0.8": Case("ranges are 0.8 times the true ones", Wrong(ranges=0.8), ("range_scale",)),
-    "ranges_1.2": Case("ranges are 1.2 times the true ones", Wrong(ranges=1.2), ("range_scale",)),
+    "ranges_0.8": Case("ranges are 0.8 times the true ones", Wrong(ranges=0.8), RANGES),
+    "ranges_1.2": Case("ranges are 1.2 times the true ones", Wrong(ranges=1.2), RANGES),
     "bearings_0.1": Case("bearings are 0.1 rad too large", Wrong(bearings=0.1), ("sensor_yaw",)),
     "bearings_-0.2": Case("bearings are 0.2 rad too small", Wrong(bearings=-0.2),
                           ("sensor_yaw",)),
