@@ -4,7 +4,6 @@
 #include "slam_core/ekf/ekf_slam.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "slam_core/association/decision_record.hpp"
@@ -113,10 +112,10 @@ void EkfSlam::set(const Motion& measured) {
 
 /// The velocity of a single message is mostly noise, which the filter would take for motion.
 void EkfSlam::followVelocity(const Motion& motion) {
-  constexpr double kTimeConstant = 0.15;  // [s]
+  constexpr double kWindow = 0.15;  // [s]
   const double interval = seconds(motion.end - motion.start);
   const Eigen::Vector3d now = motion.increment.log() / interval;
-  velocity_ += (1.0 - std::exp(-interval / kTimeConstant)) * (now - velocity_);
+  velocity_ += std::min(1.0, interval / kWindow) * (now - velocity_);
 }
 
 /// Where parameters are calibrated the sensor is the filter's robot.
@@ -143,8 +142,10 @@ LandmarkMap EkfSlam::landmarks() const {
 MapState EkfSlam::state() const {
   const bool has_joint = state_.inMap() <= static_cast<std::size_t>(config_.joint_limit);
   const auto parameters = state_.parameters();
-  auto state = has_joint || parameters ? state_.state() : MapState{pose(), state_.map(), {}};
-  if (parameters) state = frame_.map(state, *parameters);
+  const bool needs_joint = has_joint || config_.calibration.estimates(kRangeScale);
+  auto state = needs_joint ? state_.state() : MapState{pose(), state_.map(), {}};
+  if (parameters && needs_joint) state = frame_.map(state, *parameters);
+  if (!has_joint) state.joint_covariance.resize(0, 0);
   associator_.descriptors().describe(state.landmarks);
   return state;
 }
@@ -152,6 +153,13 @@ MapState EkfSlam::state() const {
 Status EkfSlam::execute() {
   statistics_ = {};
   statistics_.gate_probability = config_.gate_probability;
+  if (map_ && config_.calibration.estimates(kRangeScale)) {
+    map_.reset();
+    return Status::error(
+        "calibration.estimate: range_scale cannot be estimated in a map that is loaded, which is "
+        "in "
+        "metres; leave it out of the list, or begin with an empty map");
+  }
   replaceMap();
   relocate();
   predict();
@@ -175,14 +183,14 @@ Status EkfSlam::execute() {
 Status EkfSlam::summary(const Association& association, const std::vector<Status>& of_steps) const {
   if (association.matches.empty() && association.gated.size() >= kLost)
     return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (const auto known = state_.calibration())
-    if (const auto fault = config_.calibration.faultOf(*known); !fault.empty())
-      return Status::warning(fault);
   if (config_.mapIsFixed() && state_.inMap() == 0)
     return Status::warning("there is no map to localise in; load one");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
-  return fault == of_steps.end() ? Status::ok() : *fault;
+  if (fault != of_steps.end()) return *fault;
+  const auto known = state_.calibration();
+  const auto runs_away = known ? config_.calibration.faultOf(*known) : std::string();
+  return runs_away.empty() ? Status::ok() : Status::warning(runs_away);
 }
 
 StretchLimits EkfSlam::limits() const {
@@ -192,7 +200,6 @@ StretchLimits EkfSlam::limits() const {
 void EkfSlam::replaceMap() {
   if (!map_) return;
   const auto calibration = state_.calibration();
-  if (calibration) map_ = inRangeUnits(*std::move(map_), calibration->parameters);
   frame_.forget();
   state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation, calibration);
   sightings_ = association::Sightings(map_->landmarks);
@@ -206,7 +213,7 @@ void EkfSlam::relocate() {
   const auto place = bounded(*initial_pose_, largestSigmas());
   if (const auto parameters = state_.parameters()) {
     frame_.forget();
-    state_.relocate(inRangeUnits({place, {}, {}}, *parameters).robot);
+    state_.relocate(inRangeUnits(place, *parameters));
     move(fromMetres(state_.robot()));
   } else {
     state_.relocate(place);
@@ -217,7 +224,6 @@ void EkfSlam::relocate() {
 
 void EkfSlam::predict() {
   if (!motion_) return;
-  associator_.move(*motion_);
   const SensorFrame::Transition motion{motion_->increment, motion_->covariance, J_motion_};
   const auto parameters = state_.parameters();
   move(parameters ? frame_.moved(motion, *parameters) : motion);
@@ -225,6 +231,10 @@ void EkfSlam::predict() {
 }
 
 void EkfSlam::move(const SensorFrame::Transition& transition) {
+  Motion motion;
+  motion.increment = transition.increment;
+  motion.covariance = transition.Q;
+  associator_.move(motion);
   const auto [F, Q] = state_.predict(transition.increment, transition.Q, transition.J);
   auto& all = statistics_.prediction;
   all = {F * all.F, F * all.Q * F.transpose() + Q};

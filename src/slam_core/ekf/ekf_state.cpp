@@ -36,8 +36,7 @@ Neighbourhood neighbourhoodOf(const MapState& map, double inflation) {
   return {map.robot.covariance, marginals};
 }
 
-/// Of (pose, parameters, landmarks), in the unit of the ranges: what is known in metres depends on
-/// the ranges' scale there.
+/// Of (pose, parameters, landmarks): the parameters do not depend on the others.
 Neighbourhood neighbourhoodOf(const MapState& map, double inflation,
                               const CalibrationEstimate& calibration) {
   const auto joint = jointOf(map, inflation);
@@ -48,15 +47,6 @@ Neighbourhood neighbourhoodOf(const MapState& map, double inflation,
   all.topRightCorner(kPoseSize, landmarks) = joint.topRightCorner(kPoseSize, landmarks);
   all.bottomLeftCorner(landmarks, kPoseSize) = joint.bottomLeftCorner(landmarks, kPoseSize);
   all.bottomRightCorner(landmarks, landmarks) = joint.bottomRightCorner(landmarks, landmarks);
-
-  Eigen::VectorXd growth = Eigen::VectorXd::Zero(size);
-  growth.head<2>() = map.robot.pose.position();
-  for (std::size_t i = 0; i < map.landmarks.size(); ++i)
-    growth.segment<2>(kPoseSize + kCalibrationRows + 2 * static_cast<Eigen::Index>(i)) =
-        growthOf(map.landmarks[i]);
-  constexpr auto kScale = kPoseSize + kRangeScale;
-  all -= (growth * all.row(kScale)).eval();
-  all -= (all.col(kScale) * growth.transpose()).eval();
   return Neighbourhood(all);
 }
 

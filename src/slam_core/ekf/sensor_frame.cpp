@@ -43,6 +43,13 @@ void scale(Landmark& landmark, double factor) {
   landmark.covariance = scales.asDiagonal() * landmark.covariance * scales.asDiagonal();
 }
 
+/// How a landmark's two numbers grow with s.
+Eigen::Vector2d growthOf(const Landmark& landmark) {
+  if (!landmark.isLine()) return landmark.position;
+  const Eigen::Vector2d normal(std::cos(landmark.direction), std::sin(landmark.direction));
+  return {normal.dot(landmark.position), 0.0};
+}
+
 }  // namespace
 
 SensorFrame::Transition SensorFrame::between(const std::optional<View>& from, const Transition& U,
@@ -136,27 +143,12 @@ SensorFrame::Transition fromMetres(const Pose2& in_range_units) {
   return transition;
 }
 
-MapState inRangeUnits(MapState map, const CalibrationVector& c) {
+PoseEstimate inRangeUnits(PoseEstimate estimate, const CalibrationVector& c) {
   const double factor = std::exp(-c(kRangeScale));
-  if (factor == 1.0) return map;
-  map.robot.pose = scaled(map.robot.pose, factor);
-  const Eigen::Vector3d of_robot = scaling(factor);
-  map.robot.covariance = of_robot.asDiagonal() * map.robot.covariance * of_robot.asDiagonal();
-  Eigen::VectorXd scales = Eigen::VectorXd::Constant(map.joint_covariance.rows(), factor);
-  if (scales.size() > 0) scales(kPoseSize - 1) = 1.0;
-  for (std::size_t i = 0; i < map.landmarks.size(); ++i) {
-    scale(map.landmarks[i], factor);
-    if (map.landmarks[i].isLine() && scales.size() > 0)
-      scales(kPoseSize + 2 * static_cast<Index>(i) + 1) = 1.0;
-  }
-  map.joint_covariance = (scales.asDiagonal() * map.joint_covariance * scales.asDiagonal()).eval();
-  return map;
-}
-
-Eigen::Vector2d growthOf(const Landmark& landmark) {
-  if (!landmark.isLine()) return landmark.position;
-  const Eigen::Vector2d normal(std::cos(landmark.direction), std::sin(landmark.direction));
-  return {normal.dot(landmark.position), 0.0};
+  const Eigen::Vector3d scales = scaling(factor);
+  estimate.pose = scaled(estimate.pose, factor);
+  estimate.covariance = (scales.asDiagonal() * estimate.covariance * scales.asDiagonal()).eval();
+  return estimate;
 }
 
 }  // namespace slam::ekf

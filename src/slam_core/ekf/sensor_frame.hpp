@@ -75,9 +75,7 @@ class SensorFrame {
 /// A pose that is known in metres depends on the ranges' scale in their unit: a transition on the
 /// spot that adds this.
 SensorFrame::Transition fromMetres(const Pose2& in_range_units);
-/// A map [m] in the unit of the ranges.
-MapState inRangeUnits(MapState map, const CalibrationVector& c);
-/// How a landmark's two numbers grow with s.
-Eigen::Vector2d growthOf(const Landmark& landmark);
+/// A pose [m] in the unit of the ranges.
+PoseEstimate inRangeUnits(PoseEstimate estimate, const CalibrationVector& c);
 
 }  // namespace slam::ekf

@@ -138,24 +138,19 @@ std::vector<CalibratedParameter> CalibrationConfig::parametersOf(
 }
 
 std::vector<std::string> CalibrationConfig::sentencesOn(const CalibrationEstimate& known) const {
-  constexpr double kLikeOne = 0.95;  // of two parameters: the correlation
+  constexpr double kLikeOne = 0.95;  // of the correlation of two scales
   std::vector<std::string> sentences;
   for (const auto& parameter : parametersOf(known))
     sentences.push_back(fmt::format(
         "calibrated {}: {:.5g} with a standard deviation of {:.2g} [{}], {:.2g} before{}",
         parameter.name, parameter.value, parameter.sigma, parameter.unit, parameter.sigma_before,
         parameter.isKnown() ? "" : "; the drive does not tell it"));
-  const auto rows = estimatedRows();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = i + 1; j < rows.size(); ++j) {
-      const auto& P = known.covariance;
-      const double correlation =
-          P(rows[i], rows[j]) / std::sqrt(P(rows[i], rows[i]) * P(rows[j], rows[j]));
-      if (std::abs(correlation) > kLikeOne)
-        sentences.push_back(fmt::format(
-            "the drive does not tell {} and {} apart: leave one of them out, or measure it",
-            textOf(rows[i]).name, textOf(rows[j]).name));
-    }
+  const auto& P = known.covariance;
+  const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
+  if (std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
+    sentences.emplace_back(
+        "the drive does not tell wheel_scale and range_scale apart: leave one of them out, or "
+        "measure it");
   return sentences;
 }
 

@@ -76,8 +76,8 @@ struct CalibrationConfig {
   CalibrationEstimate prior() const;
   /// Those that are estimated.
   std::vector<CalibratedParameter> parametersOf(const CalibrationEstimate& known) const;
-  /// What people should know of the result, a sentence each: every estimated parameter, those that
-  /// the drive does not tell, and pairs that it does not tell apart.
+  /// What people should know of the result, a sentence each: every estimated parameter, whether
+  /// the drive tells it, and whether it tells the two scales apart.
   std::vector<std::string> sentencesOn(const CalibrationEstimate& known) const;
   /// Empty, or that a parameter is where its prior hardly allows it to be.
   std::string faultOf(const CalibrationEstimate& known) const;

@@ -14,59 +14,69 @@
 namespace slam::tuning {
 namespace {
 
-/// A value of the robot file: before times the exponential of these parameters, or plus them.
+/// A value of the robot file: before * exp(scale . c) + sum . c, with c the parameters.
 struct RobotValue {
   std::string section, key;
   double before;
-  CalibrationVector weights;
-  bool is_scale;
+  CalibrationVector scale, sum;
 };
 
-CalibrationVector weightsOf(CalibrationParameter row) {
+CalibrationVector only(CalibrationParameter row) {
   return CalibrationVector::Unit(kCalibrationRows, row);
 }
 
 std::vector<RobotValue> valuesOf(Settings& settings) {
+  const CalibrationVector none = CalibrationVector::Zero();
   const auto sensor = settings.read<LandmarkSensorConfig>();
   const std::string of_sensor = LandmarkSensorConfig::kSection;
   std::vector<RobotValue> values = {
-      {of_sensor, "range_scale", sensor.range_scale, weightsOf(kRangeScale), true},
-      {of_sensor, "mount_x", sensor.mount_x, weightsOf(kSensorX), false},
-      {of_sensor, "mount_y", sensor.mount_y, weightsOf(kSensorY), false},
-      {of_sensor, "mount_yaw", sensor.mount_yaw, weightsOf(kSensorYaw), false},
-      {of_sensor, "time_offset", sensor.time_offset, weightsOf(kTimeOffset), false}};
+      {of_sensor, "range_scale", sensor.range_scale, only(kRangeScale), none},
+      {of_sensor, "mount_x", sensor.mount_x, none, only(kSensorX)},
+      {of_sensor, "mount_y", sensor.mount_y, none, only(kSensorY)},
+      {of_sensor, "mount_yaw", sensor.mount_yaw, none, only(kSensorYaw)},
+      {of_sensor, "time_offset", sensor.time_offset, none, only(kTimeOffset)}};
   if (settings.read<ProductConfig>().odometry != "wheel") return values;
   const auto wheels = settings.read<wheel_odometry::WheelOdometryConfig>();
   const std::string of_wheels = wheel_odometry::WheelOdometryConfig::kSection;
-  const CalibrationVector turn = weightsOf(kWheelScale) - weightsOf(kWheelBase);
+  const CalibrationVector turn = only(kWheelScale) - only(kWheelBase);
   values.push_back(
-      {of_wheels, "translation_scale", wheels.translation_scale, weightsOf(kWheelScale), true});
-  values.push_back({of_wheels, "rotation_scale", wheels.rotation_scale, turn, true});
-  values.push_back({of_wheels, "drift", wheels.drift, weightsOf(kWheelDrift), false});
+      {of_wheels, "translation_scale", wheels.translation_scale, only(kWheelScale), none});
+  values.push_back({of_wheels, "rotation_scale", wheels.rotation_scale, turn, none});
+  values.push_back({of_wheels, "drift", wheels.drift, -only(kWheelBase), only(kWheelDrift)});
   return values;
 }
 
-bool isEstimated(const RobotValue& value, const CalibrationConfig& config) {
+/// 1 for each parameter that the drive has told, 0 for the others.
+CalibrationVector toldOf(const CalibrationConfig& config, const CalibrationEstimate& now) {
+  constexpr double kKnown = 0.3;     // as CalibratedParameter
+  constexpr double kLikeOne = 0.95;  // of the correlation of the two scales
+  const auto before = config.prior().covariance;
+  const auto& P = now.covariance;
+  CalibrationVector told = CalibrationVector::Zero();
   for (Eigen::Index row = 0; row < kCalibrationRows; ++row)
-    if (value.weights(row) != 0.0 && config.estimates(static_cast<CalibrationParameter>(row)))
-      return true;
-  return false;
+    if (config.estimates(static_cast<CalibrationParameter>(row)) &&
+        P(row, row) < kKnown * kKnown * before(row, row))
+      told(row) = 1.0;
+  const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
+  if (std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
+    told(kWheelScale) = told(kRangeScale) = 0.0;
+  return told;
 }
 
-TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& before,
-                     const CalibrationEstimate& now) {
-  constexpr double kKnown = 0.3;  // as CalibratedParameter
-  const auto& w = value.weights;
-  const double change = w.dot(now.parameters), sigma = std::sqrt(w.dot(now.covariance * w));
+TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& now,
+                     const CalibrationVector& told) {
+  const CalibrationVector scale = value.scale.cwiseProduct(told);
+  const CalibrationVector sum = value.sum.cwiseProduct(told);
+  const double scaled = value.before * std::exp(scale.dot(now.parameters));
+  const CalibrationVector J = scaled * scale + sum;
   TunedParameter parameter;
   parameter.section = value.section;
   parameter.key = value.key;
   parameter.before = value.before;
-  parameter.value = value.is_scale ? value.before * std::exp(change) : value.before + change;
+  parameter.value = scaled + sum.dot(now.parameters);
   parameter.digits = 6;
-  parameter.sigma = value.is_scale ? parameter.value * sigma : sigma;
-  if (sigma > kKnown * std::sqrt(w.dot(before.covariance * w)))
-    parameter.why_unseen = "the drive does not tell it";
+  parameter.sigma = std::sqrt(J.dot(now.covariance * J));
+  if (J.isZero(0.0)) parameter.why_unseen = "the drive does not tell it";
   return parameter;
 }
 
@@ -75,10 +85,9 @@ TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& before,
 std::vector<TunedParameter> calibratedParameters(const Calibrator& calibrator, Settings settings) {
   const auto now = calibrator.calibration();
   if (!now) return {};
-  const auto& config = calibrator.calibrationConfig();
+  const auto told = toldOf(calibrator.calibrationConfig(), *now);
   std::vector<TunedParameter> parameters;
-  for (const auto& value : valuesOf(settings))
-    if (isEstimated(value, config)) parameters.push_back(tuned(value, config.prior(), *now));
+  for (const auto& value : valuesOf(settings)) parameters.push_back(tuned(value, *now, told));
   return parameters;
 }
 
@@ -91,12 +100,18 @@ std::optional<std::string> calibratedRobot(const Calibrator& calibrator, const S
                          calibrationRemark(told));
 }
 
-void saveCalibration(const Capabilities& backend, const Settings& settings,
-                     const std::string& robot_file, const std::string& folder) {
+std::string saveCalibration(const Capabilities& backend, const Settings& settings,
+                            const std::function<std::string()>& robotFile,
+                            const std::string& folder) {
   const auto* calibrator = backend.find<Calibrator>();
-  if (calibrator == nullptr) return;
-  if (const auto text = calibratedRobot(*calibrator, settings, robot_file))
-    writeFileAtomically(folder + "/robot.yaml", *text);
+  if (calibrator == nullptr || !calibrator->calibration()) return "";
+  try {
+    if (const auto text = calibratedRobot(*calibrator, settings, robotFile()))
+      writeFileAtomically(folder + "/robot.yaml", *text);
+    return "";
+  } catch (const std::exception& error) {
+    return std::string("no robot file with what was calibrated is written: ") + error.what();
+  }
 }
 
 }  // namespace slam::tuning

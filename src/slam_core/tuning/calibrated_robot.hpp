@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -26,9 +27,11 @@ std::vector<TunedParameter> calibratedParameters(const Calibrator& calibrator, S
 std::optional<std::string> calibratedRobot(const Calibrator& calibrator, const Settings& settings,
                                            const std::string& robot_file);
 
-/// Writes the same as robot.yaml into a folder; nothing where nothing is calibrated.
-/// @throw ConfigError as calibratedRobot(), std::runtime_error where it cannot be written
-void saveCalibration(const Capabilities& backend, const Settings& settings,
-                     const std::string& robot_file, const std::string& folder);
+/// Writes calibratedRobot() into a folder as robot.yaml; does nothing where nothing is calibrated.
+/// @param robotFile gives the robot file's text; called only where something is calibrated
+/// @return empty, or why it could not be written: the run itself is not spoilt by that
+std::string saveCalibration(const Capabilities& backend, const Settings& settings,
+                            const std::function<std::string()>& robotFile,
+                            const std::string& folder);
 
 }  // namespace slam::tuning

@@ -89,11 +89,6 @@ class Laser(unittest.TestCase):
 
 
 class Odometry(unittest.TestCase):
-    def ratio(self, check, factor):
-        """What is said with scaled increments, over what is said without."""
-        bag = edited(f"scaled_{factor}", miscalibration.ScaledOdometry(factor))
-        return diagnose(bag)[check].value / diagnose(drive())[check].value
-
     def test_scale_of_ways(self):
         def change(kind, message, time):
             message.pose.pose.position.x *= 1.3
@@ -104,9 +99,12 @@ class Odometry(unittest.TestCase):
         self.assertIn("translation_scale: 0.7", found["odom.scale"].advice)
 
     def test_scale_of_ways_and_turns(self):
+        clean = diagnose(drive())
         for factor in (0.7, 1.3):
-            self.assertAlmostEqual(self.ratio("odom.turn_scale", factor), factor, delta=0.05)
-            self.assertAlmostEqual(self.ratio("odom.scale", factor), factor, delta=0.05)
+            scaled = diagnose(edited(f"scaled_{factor}", miscalibration.ScaledOdometry(factor)))
+            for check in ("odom.turn_scale", "odom.scale"):
+                ratio = scaled[check].value / clean[check].value
+                self.assertAlmostEqual(ratio, factor, delta=0.05, msg=check)
 
     def test_a_scale_that_the_robot_file_knows_is_no_fault(self):
         def change(kind, message, time):

@@ -145,9 +145,13 @@ void OfflineRun::run() {
   slam::writeFileAtomically(writer.unfinished() + "/metrics.json",
                             metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
   if (!options_.save_session.empty()) slam::writeFileAtomically(options_.save_session, session());
-  slam::tuning::saveCalibration(
-      backend, settings_, slam::readInputFile(robotFile(robotOf(options_, bag_)), "the robot file"),
-      writer.unfinished());
+  const auto robot_text = [this] {
+    return slam::readInputFile(robotFile(robotOf(options_, bag_)), "the robot file");
+  };
+  if (const auto fault =
+          slam::tuning::saveCalibration(backend, settings_, robot_text, writer.unfinished());
+      !fault.empty())
+    warn(fault);
   writer.finish(backend, coordinator_.components().frames.map, settings_.inForce());
   printSummary(writer);
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");

@@ -59,7 +59,9 @@ void RunRecorder::finish(const slam::Capabilities& backend, std::uint64_t droppe
         slam::writeFileAtomically(writer_->unfinished() + "/metrics.json",
                                   metrics_->toJson(last_stamp_ - first_stamp_, dropped_messages));
       }
-      slam::tuning::saveCalibration(backend, settings_, robot_file_, writer_->unfinished());
+      const auto fault = slam::tuning::saveCalibration(
+          backend, settings_, [this] { return robot_file_; }, writer_->unfinished());
+      if (!fault.empty()) diagnostics_.warn(fault);
       writer_->finish(backend, map_frame_, settings_.inForce());
     });
   if (config_.save_on_exit.empty()) return;

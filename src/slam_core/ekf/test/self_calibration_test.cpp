@@ -165,27 +165,35 @@ TEST(SelfCalibration, StandingStillTellsNothingOfTheWheels) {
   EXPECT_NEAR(std::sqrt(known.covariance(kSensorYaw, kSensorYaw)), 0.1, 0.01);
 }
 
-/// In a map of before the ranges have a scale of their own to be compared with.
-TEST(SelfCalibration, ALoadedMapTellsTheScaleOfTheRanges) {
+TEST(SelfCalibration, GoesOnInALoadedMap) {
   EkfSlam first;
   first.configure(EkfConfig());
   driven(first, MiscalibratedRobot(3, CalibrationVector::Zero()));
-  const auto map = as<MapKeeper>(first).state();
+  auto map = as<MapKeeper>(first).state();
+  map.robot = {Pose2(), 1e-6 * Eigen::Matrix3d::Identity()};
+  map.joint_covariance.resize(0, 0);
 
   EkfSlam second;
-  second.configure(estimating({"wheel_scale", "range_scale"}));
-  auto start = map;
-  start.robot = {Pose2(), 1e-6 * Eigen::Matrix3d::Identity()};
-  start.joint_covariance.resize(0, 0);
-  as<MapKeeper>(second).set(start);
-  const auto off = offBy(kRangeScale, 0.15);
+  second.configure(estimating({"wheel_scale", "sensor_yaw"}));
+  as<MapKeeper>(second).set(map);
+  auto off = offBy(kWheelScale, 0.25);
+  off(kSensorYaw) = 0.1;
   const auto result = driven(second, MiscalibratedRobot(3, off));
-  EXPECT_NEAR(result.known.parameters(kRangeScale), 0.15, 0.02);
+  EXPECT_NEAR(result.known.parameters(kWheelScale), 0.25, 0.01);
+  EXPECT_NEAR(result.known.parameters(kSensorYaw), 0.1, 0.01);
   EXPECT_LT(result.rms(), 0.1);
-  const auto in_metres = as<LandmarkMapper>(second).landmarks();
-  ASSERT_EQ(in_metres.size(), map.landmarks.size());
-  for (std::size_t i = 0; i < in_metres.size(); ++i)
-    EXPECT_LT((in_metres[i].position - map.landmarks[i].position).norm(), 0.15) << i;
+}
+
+TEST(SelfCalibration, RefusesALoadedMapWhereTheUnitOfLengthIsEstimated) {
+  EkfSlam ekf;
+  ekf.configure(estimating({"range_scale"}));
+  as<MapKeeper>(ekf).set(MapState{{}, {{1, {2.0, 1.0}, Eigen::Matrix2d::Identity()}}, {}});
+  const auto status = ekf.execute();
+  EXPECT_EQ(status.level, Status::Level::kError);
+  EXPECT_NE(status.message.find("range_scale cannot be estimated in a map that is loaded"),
+            std::string::npos)
+      << status.message;
+  EXPECT_TRUE(as<LandmarkMapper>(ekf).landmarks().empty());
 }
 
 TEST(SelfCalibration, StaysWithTheRobotWhenItIsPutElsewhere) {

@@ -70,7 +70,7 @@ TEST(SensorFrame, GivesTheRobotBack) {
   SensorFrame::Joint joint;
   joint.c = c;
   joint.covariance.setZero();
-  joint.robot = inRangeUnits({{robot, Eigen::Matrix3d::Zero()}, {}, {}}, c).robot.pose;
+  joint.robot = inRangeUnits({robot, Eigen::Matrix3d::Zero()}, c).pose;
   EXPECT_LT(robot.between(frame.robot(joint).pose).vector().norm(), 1e-12);
   joint.robot = joint.robot * frame.look(kFirst, c).increment;
   EXPECT_LT(robot.between(frame.robot(joint).pose).vector().norm(), 1e-12);
@@ -83,8 +83,7 @@ TEST(SensorFrame, WhatIsKnownInMetresStaysKnownInMetres) {
   Eigen::Matrix<double, 11, 11> P = Eigen::Matrix<double, 11, 11>::Zero();
   P.bottomRightCorner<8, 8>() = 0.01 * Eigen::Matrix<double, 8, 8>::Identity();
   SensorFrame frame;
-  SensorFrame::Joint joint{inRangeUnits({{robot, Eigen::Matrix3d::Zero()}, {}, {}}, c).robot.pose,
-                           c, P};
+  SensorFrame::Joint joint{inRangeUnits({robot, Eigen::Matrix3d::Zero()}, c).pose, c, P};
   const auto advance = [&](const SensorFrame::Transition& transition) {
     Eigen::Matrix3d F, G;
     joint.robot = joint.robot.compose(transition.increment, &F, &G);
@@ -101,22 +100,22 @@ TEST(SensorFrame, WhatIsKnownInMetresStaysKnownInMetres) {
   EXPECT_LT(frame.robot(joint).covariance.norm(), 1e-12);
 }
 
-TEST(SensorFrame, AMapInMetresComesBackFromTheUnitOfTheRanges) {
+TEST(SensorFrame, AMapInTheUnitOfTheRangesComesOutInMetres) {
   const auto c = someParameters();
-  MapState map;
-  map.robot.pose = Pose2(1.0, 2.0, 0.5);
-  map.landmarks = {{1, {4.0, 3.0}, Eigen::Matrix2d::Identity()}};
-  Landmark wall{2, {2.0, 0.0}, Eigen::Matrix2d::Identity()};
+  const double unit = std::exp(-c(kRangeScale));
+  MapState inside;
+  inside.robot.pose = Pose2(unit * 1.0, unit * 2.0, 0.5);
+  inside.landmarks = {{1, {unit * 4.0, unit * 3.0}, Eigen::Matrix2d::Identity()}};
+  Landmark wall{2, {unit * 2.0, 0.0}, Eigen::Matrix2d::Identity()};
   wall.kind = LandmarkKind::kLine;
-  wall.extent = {-1.0, 1.5};
-  map.landmarks.push_back(wall);
-  auto inside = inRangeUnits(map, c);
-  EXPECT_NEAR(inside.landmarks[0].position.x(), 4.0 * std::exp(0.2), 1e-12);
+  wall.extent = {unit * -1.0, unit * 1.5};
+  inside.landmarks.push_back(wall);
   const Eigen::Index size = 3 + kCalibrationRows + 4;
   inside.joint_covariance = Eigen::MatrixXd::Zero(size, size);
   inside.joint_covariance(3 + kRangeScale, 3 + kRangeScale) = 0.01;
   const auto back = SensorFrame().map(inside, c);
-  EXPECT_LT((back.landmarks[0].position - map.landmarks[0].position).norm(), 1e-12);
+  EXPECT_LT((back.robot.pose.vector() - Eigen::Vector3d(1.0, 2.0, 0.5)).norm(), 1e-12);
+  EXPECT_LT((back.landmarks[0].position - Eigen::Vector2d(4.0, 3.0)).norm(), 1e-12);
   EXPECT_NEAR(back.landmarks[1].extent.end, 1.5, 1e-12);
   // all that the scale's doubt leaves: each coordinate is in doubt by a tenth of itself
   EXPECT_NEAR(back.landmarks[0].covariance(0, 0), 0.16, 1e-12);
