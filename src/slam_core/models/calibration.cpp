@@ -147,7 +147,8 @@ std::vector<std::string> CalibrationConfig::sentencesOn(const CalibrationEstimat
         parameter.isKnown() ? "" : "; the drive does not tell it"));
   const auto& P = known.covariance;
   const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
-  if (std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
+  if (estimates(kWheelScale) && estimates(kRangeScale) &&
+      std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
     sentences.emplace_back(
         "the drive does not tell wheel_scale and range_scale apart: leave one of them out, or "
         "measure it");

@@ -58,7 +58,8 @@ CalibrationVector toldOf(const CalibrationConfig& config, const CalibrationEstim
         P(row, row) < kKnown * kKnown * before(row, row))
       told(row) = 1.0;
   const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
-  if (std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
+  if (config.estimates(kWheelScale) && config.estimates(kRangeScale) &&
+      std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
     told(kWheelScale) = told(kRangeScale) = 0.0;
   return told;
 }

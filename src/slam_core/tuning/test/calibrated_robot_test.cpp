@@ -21,6 +21,9 @@ class Known final : public Calibrator {
     known_.parameters(parameter) = value;
     known_.covariance(parameter, parameter) = sigma * sigma;
   }
+  void correlate(CalibrationParameter a, CalibrationParameter b, double covariance) {
+    known_.covariance(a, b) = known_.covariance(b, a) = covariance;
+  }
   std::optional<CalibrationEstimate> calibration() const override {
     if (config_.isOn()) return known_;
     return std::nullopt;
@@ -73,6 +76,19 @@ TEST(CalibratedRobot, SaysWhatTheDriveToldAndReplacesThatTheNextTime) {
   const auto twice = *calibratedRobot(known, settings(once), once);
   EXPECT_EQ(twice.find("1.1052"), std::string::npos) << twice;
   EXPECT_NE(twice.find("calibrated wheel_scale: 1 with"), std::string::npos) << twice;
+}
+
+/// Ranges are correlated with wheels that are not estimated: these tell their scale.
+TEST(CalibratedRobot, HasTheScaleOfTheRangesUnlessBothScalesAreEstimated) {
+  for (const bool are_both : {false, true}) {
+    Known known(are_both ? std::vector<std::string>{"wheel_scale", "range_scale"}
+                         : std::vector<std::string>{"range_scale"});
+    known.learn(kWheelScale, 0.0, 0.01);
+    known.learn(kRangeScale, 0.1, 0.01);
+    known.correlate(kWheelScale, kRangeScale, 0.99e-4);
+    const auto text = *calibratedRobot(known, settings(), kRobot);
+    EXPECT_EQ(text.find("  range_scale: 1.1") != std::string::npos, !are_both) << text;
+  }
 }
 
 TEST(CalibratedRobot, IsNotWrittenWhereNothingIsEstimated) {
