@@ -16,10 +16,12 @@ namespace slam {
 class Calibrator {
  public:
   virtual ~Calibrator() = default;
-  /// What the drive has told so far; nothing where nothing is calibrated.
+  /// @return the parameters as the drive has told them so far; nothing where nothing is calibrated
   virtual std::optional<CalibrationEstimate> calibration() const = 0;
-  /// What it estimates, from which priors.
+  /// @return the names of what is estimated, and the priors
   virtual const CalibrationConfig& calibrationConfig() const = 0;
+  /// @return the observations as they are with these parameters; only where something is calibrated
+  virtual LandmarkObservationArray corrected(const LandmarkObservationArray& array) const = 0;
 };
 
 }  // namespace slam

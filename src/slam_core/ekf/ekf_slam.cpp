@@ -156,9 +156,8 @@ Status EkfSlam::execute() {
   if (map_ && config_.calibration.estimates(kRangeScale)) {
     map_.reset();
     return Status::error(
-        "calibration.estimate: range_scale cannot be estimated in a map that is loaded, which is "
-        "in "
-        "metres; leave it out of the list, or begin with an empty map");
+        "calibration.estimate: range_scale cannot be estimated in a map that is loaded, since that "
+        "is in metres; leave it out of the list, or begin with an empty map");
   }
   replaceMap();
   relocate();

@@ -71,6 +71,9 @@ class EkfSlam final : public Backend,
   void useAssociation(const std::string& policy) override { association_ = policy; }
   std::optional<CalibrationEstimate> calibration() const override { return state_.calibration(); }
   const CalibrationConfig& calibrationConfig() const override { return config_.calibration; }
+  LandmarkObservationArray corrected(const LandmarkObservationArray& array) const override {
+    return calibrated(array, velocity_, *state_.parameters());
+  }
 
   NewLandmark initialized(const LandmarkObservation& z, const Pose2& sensor) const;
   StretchLimits limits() const;

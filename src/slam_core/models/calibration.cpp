@@ -102,7 +102,8 @@ CalibrationEstimate CalibrationConfig::prior() const {
   CalibrationEstimate prior;
   for (const auto& parameter : parameters())
     for (const auto row : parameter.rows) {
-      const double share = estimates(row) ? 1.0 : row == kRangeScale ? 0.0 : kTolerance;
+      const bool is_right = row == kRangeScale || row == kTimeOffset;
+      const double share = estimates(row) ? 1.0 : is_right ? 0.0 : kTolerance;
       const double sigma = share * this->*parameter.sigma;
       prior.covariance(row, row) = sigma * sigma;
     }
@@ -122,6 +123,26 @@ bool CalibrationConfig::estimates(CalibrationParameter row) const {
   return std::find(rows.begin(), rows.end(), row) != rows.end();
 }
 
+bool CalibrationConfig::isTold(CalibrationParameter row, const CalibrationEstimate& known) const {
+  constexpr double kTold = 0.3;
+  return known.covariance(row, row) < kTold * kTold * prior().covariance(row, row);
+}
+
+bool CalibrationConfig::mixesScales(const CalibrationEstimate& known) const {
+  constexpr double kLikeOne = 0.95;  // of the correlation
+  const auto& P = known.covariance;
+  const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
+  return estimates(kWheelScale) && estimates(kRangeScale) &&
+         std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both;
+}
+
+CalibrationVector CalibrationConfig::told(const CalibrationEstimate& known) const {
+  CalibrationVector told = CalibrationVector::Zero();
+  for (const auto row : estimatedRows()) told(row) = isTold(row, known) ? 1.0 : 0.0;
+  if (mixesScales(known)) told(kWheelScale) = told(kRangeScale) = 0.0;
+  return told;
+}
+
 std::vector<CalibratedParameter> CalibrationConfig::parametersOf(
     const CalibrationEstimate& known) const {
   std::vector<CalibratedParameter> result;
@@ -132,23 +153,19 @@ std::vector<CalibratedParameter> CalibrationConfig::parametersOf(
     const double scale = text.is_scale ? std::exp(value) : 1.0;
     result.push_back({text.name, text.unit, text.is_scale ? scale : value,
                       scale * std::sqrt(known.covariance(row, row)),
-                      std::sqrt(before.covariance(row, row))});
+                      std::sqrt(before.covariance(row, row)), isTold(row, known)});
   }
   return result;
 }
 
 std::vector<std::string> CalibrationConfig::sentencesOn(const CalibrationEstimate& known) const {
-  constexpr double kLikeOne = 0.95;  // of the correlation of two scales
   std::vector<std::string> sentences;
   for (const auto& parameter : parametersOf(known))
     sentences.push_back(fmt::format(
         "calibrated {}: {:.5g} with a standard deviation of {:.2g} [{}], {:.2g} before{}",
         parameter.name, parameter.value, parameter.sigma, parameter.unit, parameter.sigma_before,
-        parameter.isKnown() ? "" : "; the drive does not tell it"));
-  const auto& P = known.covariance;
-  const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
-  if (estimates(kWheelScale) && estimates(kRangeScale) &&
-      std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
+        parameter.is_told ? "" : "; the drive does not tell it"));
+  if (mixesScales(known))
     sentences.emplace_back(
         "the drive does not tell wheel_scale and range_scale apart: leave one of them out, or "
         "measure it");

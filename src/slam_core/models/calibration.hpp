@@ -49,14 +49,14 @@ struct CalibrationEstimate {
 struct CalibratedParameter {
   std::string name, unit;
   double value = 0.0, sigma = 0.0, sigma_before = 0.0;
-  /// Whether the drive tells so much more of it than the robot file does.
-  bool isKnown() const { return sigma < 0.3 * sigma_before; }
+  bool is_told = false;  ///< by the drive: the standard deviation is below 0.3 of the prior's
 };
 
 /// Which parameters are estimated, and how wrong the robot file may be: the priors. What is not
 /// estimated is not known exactly either: it is taken to be right within a twentieth of its prior,
 /// so that the estimates of the others are no surer than that allows. Ranges that are not estimated
-/// are the unit of length, and right by definition.
+/// are the unit of length, and right by definition. Stamps that are not estimated are taken to be
+/// right as well: the noise of the velocity would pass for a delay.
 struct CalibrationConfig {
   static constexpr const char* kSection = "calibration";
 
@@ -76,14 +76,19 @@ struct CalibrationConfig {
   CalibrationEstimate prior() const;
   /// Those that are estimated.
   std::vector<CalibratedParameter> parametersOf(const CalibrationEstimate& known) const;
-  /// What people should know of the result, a sentence each: every estimated parameter, whether
-  /// the drive tells it, and whether it tells the two scales apart.
+  /// 1 for each parameter that the drive tells, 0 for the others: for both scales where they are
+  /// estimated and the drive tells their ratio only.
+  CalibrationVector told(const CalibrationEstimate& known) const;
+  /// @return a sentence for each estimated parameter, which says whether the drive tells it, and
+  /// one where the drive does not tell the two scales apart
   std::vector<std::string> sentencesOn(const CalibrationEstimate& known) const;
   /// Empty, or that a parameter is where its prior hardly allows it to be.
   std::string faultOf(const CalibrationEstimate& known) const;
 
  private:
   std::vector<CalibrationParameter> estimatedRows() const;
+  bool isTold(CalibrationParameter row, const CalibrationEstimate& known) const;
+  bool mixesScales(const CalibrationEstimate& known) const;
 };
 
 /// A motion by wheels as it is with these parameters.
@@ -103,4 +108,5 @@ Pose2 calibrated(const Pose2& mount, const Eigen::Vector3d& velocity,
 /// All of the above of a sensor's observations.
 LandmarkObservationArray calibrated(LandmarkObservationArray array, const Eigen::Vector3d& velocity,
                                     const CalibrationVector& parameters);
+
 }  // namespace slam

@@ -39,7 +39,8 @@ class MotionGap {
   /// now. Unless the odometry has evidently gone on meanwhile, its poses tell nothing: a pause of
   /// up to 10 s is bridged by the last velocity, a longer one is not bridged.
   void resume(Interruption interruption) { resumed_after_ = interruption; }
-  /// Of the first motion after resume(): whether the odometry seems to have gone on meanwhile.
+  /// @return whether the odometry seems to have gone on, as the first motion after resume() shows;
+  /// nothing for all other motions
   std::optional<bool> wentOn() const { return went_on_; }
 
   void reset() { *this = {}; }

@@ -26,12 +26,6 @@ Status statusOf(const std::string& fault) {
   return fault.empty() ? Status::ok() : Status::warning(fault);
 }
 
-/// In the robot's frame (x, y, heading) [m/s, rad/s].
-Eigen::Vector3d velocityOf(const std::optional<Motion>& motion) {
-  if (!motion) return Eigen::Vector3d::Zero();
-  return motion->increment.log() / seconds(motion->end - motion->start);
-}
-
 /// A policy that goes by places gives landmarks ids of its own.
 relocalisation::LocalLandmarks::Ids idsOf(Settings& settings) {
   using Ids = relocalisation::LocalLandmarks::Ids;
@@ -212,9 +206,9 @@ bool Estimator::isAdmitted(const Intake::Trigger& trigger) {
   const auto* const value = trigger.value.get();
   if (trigger.port->kind == kindOf<LandmarkObservationArray>()) {
     const auto& array = *static_cast<const LandmarkObservationArray*>(value);
-    const auto known = calibration();
-    if (!known) return relocaliser_.see(array);
-    return relocaliser_.see(calibrated(array, velocityOf(last_motion_), known->parameters));
+    const auto* calibrator = capabilities_.find<Calibrator>();
+    const bool calibrates = calibrator != nullptr && calibrator->calibration();
+    return relocaliser_.see(calibrates ? calibrator->corrected(array) : array);
   }
   if (trigger.port->kind == kindOf<LaserScan>())
     return relocaliser_.see(*static_cast<const LaserScan*>(value));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What an estimator is given to start with or to go on from: a pose, a map, a session.
+// This file has what gives an estimator a place: a pose, a map or a session, at the start or later.
 
 #include <stdexcept>
 #include <utility>

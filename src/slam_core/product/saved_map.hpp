@@ -21,7 +21,7 @@ class SavedMap {
 
   bool isEmpty() const { return map_.landmarks.empty() && !hasGrid() && !session_; }
   const MapState& map() const { return map_; }
-  /// Where the back-end keeps one, it holds the map as well.
+  /// The session of a back-end that keeps sessions holds the map as well.
   const std::optional<SavedSession>& session() const { return session_; }
   /// The pose is not believed until the robot's place has been recognised in this map, unless the
   /// robot is searched for already.

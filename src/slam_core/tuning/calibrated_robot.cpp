@@ -46,24 +46,6 @@ std::vector<RobotValue> valuesOf(Settings& settings) {
   return values;
 }
 
-/// 1 for each parameter that the drive has told, 0 for the others.
-CalibrationVector toldOf(const CalibrationConfig& config, const CalibrationEstimate& now) {
-  constexpr double kKnown = 0.3;     // as CalibratedParameter
-  constexpr double kLikeOne = 0.95;  // of the correlation of the two scales
-  const auto before = config.prior().covariance;
-  const auto& P = now.covariance;
-  CalibrationVector told = CalibrationVector::Zero();
-  for (Eigen::Index row = 0; row < kCalibrationRows; ++row)
-    if (config.estimates(static_cast<CalibrationParameter>(row)) &&
-        P(row, row) < kKnown * kKnown * before(row, row))
-      told(row) = 1.0;
-  const double both = std::sqrt(P(kWheelScale, kWheelScale) * P(kRangeScale, kRangeScale));
-  if (config.estimates(kWheelScale) && config.estimates(kRangeScale) &&
-      std::abs(P(kWheelScale, kRangeScale)) > kLikeOne * both)
-    told(kWheelScale) = told(kRangeScale) = 0.0;
-  return told;
-}
-
 TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& now,
                      const CalibrationVector& told) {
   const CalibrationVector scale = value.scale.cwiseProduct(told);
@@ -86,7 +68,7 @@ TunedParameter tuned(const RobotValue& value, const CalibrationEstimate& now,
 std::vector<TunedParameter> calibratedParameters(const Calibrator& calibrator, Settings settings) {
   const auto now = calibrator.calibration();
   if (!now) return {};
-  const auto told = toldOf(calibrator.calibrationConfig(), *now);
+  const auto told = calibrator.calibrationConfig().told(*now);
   std::vector<TunedParameter> parameters;
   for (const auto& value : valuesOf(settings)) parameters.push_back(tuned(value, *now, told));
   return parameters;

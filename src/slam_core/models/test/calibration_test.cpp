@@ -99,6 +99,7 @@ TEST(CalibrationConfig, WhatIsNotEstimatedIsNearlyKnown) {
   EXPECT_NEAR(std::sqrt(prior.covariance(kSensorY, kSensorY)), 0.1, 1e-12);
   EXPECT_NEAR(std::sqrt(prior.covariance(kSensorYaw, kSensorYaw)), 0.005, 1e-12);
   EXPECT_EQ(prior.covariance(kRangeScale, kRangeScale), 0.0) << "ranges are the unit of length";
+  EXPECT_EQ(prior.covariance(kTimeOffset, kTimeOffset), 0.0) << "noise would pass for a delay";
 }
 
 TEST(CalibrationConfig, SaysWhatADriveDoesNotTell) {

@@ -64,7 +64,7 @@ class MiscalibratedRobot {
     return {0.2 + 0.1 * std::sin(static_cast<double>(count_) / 7.0), 0.0, turn};
   }
 
-  /// What the wheels measure of it.
+  /// @return the twist as the wheels measure it
   Eigen::Vector3d measured(const Eigen::Vector3d& twist) const {
     const double scale = std::exp(off_(kWheelScale));
     const double turn = twist.z() - off_(kWheelDrift) * twist.x();

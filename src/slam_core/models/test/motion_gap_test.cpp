@@ -163,20 +163,32 @@ TEST(MotionGap, NeedsNoLossToBeBridged) {
   EXPECT_EQ(next.start, all[3].end);
 }
 
-/// What is told of all[13] after all[0..3], with the odometry's poses changed.
-template <class Change>
-Motion bridgedByVelocity(const Change& change) {
-  auto all = drive(20);
-  const Pose2 begin(20, -10, 1);  // of the odometry
+/// A drive whose odometry has begun elsewhere than at its origin.
+std::vector<Motion> driveFromElsewhere(int steps) {
+  const Pose2 begin(20, -10, 1);
+  auto all = drive(steps);
   for (auto& motion : all) {
     motion.odometry_start = begin * motion.odometry_start;
     motion.odometry_end = begin * motion.odometry_end;
   }
+  return all;
+}
+
+/// It has seen all[0..3].
+MotionGap gapAfterFour(const std::vector<Motion>& all) {
   MotionGap gap;
   for (int i : {0, 1, 2, 3}) {
     Motion motion = all[i];
     gap.bridge(motion);
   }
+  return gap;
+}
+
+/// What is told of all[13] after all[0..3], with the odometry's poses changed.
+template <class Change>
+Motion bridgedByVelocity(const Change& change) {
+  const auto all = driveFromElsewhere(20);
+  auto gap = gapAfterFour(all);
   Motion next = all[13], expected = all[4];
   change(next);
   EXPECT_EQ(gap.bridge(next), Bridge::kByVelocity);
@@ -222,17 +234,8 @@ struct Resumed {
 template <class Change>
 Resumed resumed(std::size_t next, const Change& change,
                 Interruption interruption = Interruption::kOfThisProcess) {
-  auto all = drive(700);
-  const Pose2 begin(20, -10, 1);  // of the odometry
-  for (auto& motion : all) {
-    motion.odometry_start = begin * motion.odometry_start;
-    motion.odometry_end = begin * motion.odometry_end;
-  }
-  MotionGap gap;
-  for (int i : {0, 1, 2, 3}) {
-    Motion motion = all[i];
-    gap.bridge(motion);
-  }
+  const auto all = driveFromElsewhere(700);
+  auto gap = gapAfterFour(all);
   gap.resume(interruption);
   Resumed result{Bridge::kNone, std::nullopt, all[next]};
   change(result.motion);

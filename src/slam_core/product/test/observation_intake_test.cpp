@@ -45,7 +45,7 @@ TEST_F(ObservationIntakeTest, LetsAllOfAnOrdinaryArrayThrough) {
   EXPECT_TRUE(counters.all().empty());
 }
 
-/// As ./slam run writes it into the robot file that it has calibrated.
+/// ./slam run writes such corrections into a robot file that it has calibrated.
 TEST_F(ObservationIntakeTest, CorrectsWhatTheRobotFileSaysOfTheSensor) {
   LandmarkSensorConfig sensor;
   sensor.range_scale = 1.5;

@@ -29,6 +29,9 @@ class Known final : public Calibrator {
     return std::nullopt;
   }
   const CalibrationConfig& calibrationConfig() const override { return config_; }
+  LandmarkObservationArray corrected(const LandmarkObservationArray& array) const override {
+    return array;
+  }
 
  private:
   CalibrationConfig config_;

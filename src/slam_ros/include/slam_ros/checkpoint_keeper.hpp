@@ -56,7 +56,7 @@ class CheckpointKeeper {
   /// @param configure_anew what has been restored in part
   /// @return whether the product goes on; it begins anew where it does not
   bool resume(const std::function<void()>& configure_anew);
-  /// What resume() has to tell: sentences, those of warnings first.
+  /// resume() leaves these sentences for the log.
   struct News {
     std::vector<std::string> warnings;
     std::string text;
@@ -68,7 +68,7 @@ class CheckpointKeeper {
   /// To be called when all steps that were due have been taken.
   /// @return a sentence where checkpoints cannot be written any more, or can again; or empty
   std::string note(slam::Stamp last_step);
-  /// How long steps have waited at most while the state was copied [ms].
+  /// @return the longest time that steps have waited while the state was copied [ms]
   double longestPause() const { return longest_pause_; }
   /// Saves once more, at the end. @return as note()
   std::string finish();
