@@ -4,6 +4,7 @@
 #include "slam_core/relocalisation/relocaliser.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,6 +26,8 @@ constexpr const char* kTooLarge =
 constexpr const char* kTooFewPoints =
     "the map has fewer than two landmarks that are points, by which the robot is searched for, so "
     "that its pose is believed as it is: set an initial pose where the robot is elsewhere";
+constexpr const char* kLostUnsearched =
+    "the robot is lost: what is seen contradicts the map around it; it is not looked for, since ";
 constexpr const char* kOnlyLines =
     "the robot sees only lines, and the loaded map is searched by points, so that its pose is "
     "believed as it is: set an initial pose where the robot is elsewhere";
@@ -81,6 +84,7 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   belief_ = belief;
   gating_ = GatingRate(kWindow);
   is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = sees_only_lines_ = false;
+  unsearched_radius_.reset();
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
   doubt_.relocate();
@@ -97,6 +101,13 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
 /// @return a warning where a map that is not searched has landmarks
 Status Relocaliser::unsearched(const MapState& loaded) const {
   return loaded.landmarks.empty() ? Status::ok() : Status::warning(kTooFewPoints);
+}
+
+std::string Relocaliser::whyUnsearched() const {
+  const std::string why = !config_.enabled     ? "relocalisation.enabled is false"
+                          : is_grid_too_large_ ? "the grid is larger than 500 m"
+                                               : "the map has too little to be searched by";
+  return why + ": set an initial pose";
 }
 
 /// Forgets what was seen before: the robot may have been carried, so that it was seen from
@@ -174,6 +185,17 @@ bool Relocaliser::isLostByScans() const {
   return reporter != nullptr && reporter->lostSince().has_value();
 }
 
+/// Whether enough observations fit the map since a loss that nobody looked for.
+bool Relocaliser::isAgreedAgain() const {
+  constexpr int kAgreeing = 10;  // observations
+  return !isContradicted() && gating_.observations() >= kAgreeing &&
+         2 * gating_.gated() < gating_.observations();
+}
+
+bool Relocaliser::isContradicted() const {
+  return gating_.isExcessive() || doubt_.isLost() || isLostByScans();
+}
+
 void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
   if (is_lost_by_scans_ && !isLostByScans()) assume(Belief::kSure);
   if (belief_ != Belief::kSure) return;
@@ -182,16 +204,38 @@ void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
     gating_.add(statistics);
     doubt_.judge(statistics, believed, stamp);
   }
-  if (gating_.isExcessive() || doubt_.isLost()) {
-    assume(Belief::kLost);
-  } else if (isLostByScans() && !is_lost_by_scans_) {
-    assume(Belief::kLost);
-    is_lost_by_scans_ = true;
+  if (!unsearched_radius_) {
+    if (isContradicted()) lose(believed);
+  } else if (isAgreedAgain()) {
+    assume(Belief::kSure);
   }
 }
 
+/// Looks for the robot, or reports that it is lost where its map is not searched.
+void Relocaliser::lose(const Pose2& believed) {
+  const bool by_landmarks = gating_.isExcessive() || doubt_.isLost();
+  assume(Belief::kLost);
+  is_lost_by_scans_ = !by_landmarks;
+  if (belief_ == Belief::kSure) unsearched_radius_ = radiusOfMap(believed);
+}
+
+/// @return the radius of a circle that holds the landmarks, the grid and the robot, from which the
+/// outermost landmarks may be seen from outside [m]
+double Relocaliser::radiusOfMap(const Pose2& believed) const {
+  constexpr double kReach = 3.0;  // [m]
+  Eigen::AlignedBox2d box(believed.position());
+  if (const auto* mapper = capabilities_.find<LandmarkMapper>())
+    for (const auto& landmark : mapper->landmarks()) box.extend(landmark.position);
+  const auto* gridder = capabilities_.find<GridMapper>();
+  const auto grid = gridder == nullptr ? std::nullopt : gridder->grid();
+  if (grid && !grid->cells.empty()) {
+    box.extend(grid->origin);
+    box.extend(grid->origin + grid->resolution * Eigen::Vector2d(grid->width, grid->height));
+  }
+  return 0.5 * box.diagonal().norm() + kReach;
+}
+
 std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Stamp stamp) {
-  if (!config_.enabled) return std::nullopt;
   watch(believed.pose, stamp);
   if (std::exchange(has_new_scan_, false)) testPlace(believed.pose);
   std::optional<Recognition> found;
@@ -256,14 +300,16 @@ std::optional<PoseEstimate> Relocaliser::settle(const Recognition& found,
 }
 
 PoseEstimate Relocaliser::told(PoseEstimate believed) const {
-  if (belief_ == Belief::kSure) return believed;
-  const double radius = std::max(landmarks_.radius(), grid_ ? radiusOf(*grid_) : 0.0);
+  if (belief() == Belief::kSure) return believed;
+  const double searched = std::max(landmarks_.radius(), grid_ ? radiusOf(*grid_) : 0.0);
+  const double radius = unsearched_radius_.value_or(searched);
   believed.covariance.diagonal() +=
       Eigen::Vector3d(radius * radius, radius * radius, M_PI * M_PI / 3.0);
   return believed;
 }
 
 Status Relocaliser::status() const {
+  if (unsearched_radius_) return Status::alarm(kLostUnsearched + whyUnsearched());
   if (belief_ == Belief::kSure)
     return sees_only_lines_ ? Status::warning(kOnlyLines) : Status::ok();
   const std::string how = searches_grid_ ? "drive on until the laser has seen more"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/settings.hpp"
@@ -56,7 +57,9 @@ class Relocaliser {
 
   /// @return the pose of the robot, if it was found at another one than the back-end's
   std::optional<PoseEstimate> judge(const PoseEstimate& believed, Stamp stamp);
-  Belief belief() const { return belief_; }
+  /// Also kLost where the robot is lost in a map that is not searched: it is too large or has too
+  /// few landmarks, or relocalisation.enabled is false.
+  Belief belief() const { return unsearched_radius_ ? Belief::kLost : belief_; }
   /// The pose to be reported: while it is not trusted, its covariance covers the whole map.
   PoseEstimate told(PoseEstimate believed) const;
   /// While the pose is not trusted, a warning that says what the search is waiting for; one that it
@@ -67,15 +70,20 @@ class Relocaliser {
   template <class Archive>
   void persist(Archive& archive) {
     archive(belief_, landmarks_, searches_landmarks_, searches_grid_, has_new_scan_,
-            is_lost_by_scans_, is_grid_too_large_, sees_only_lines_, is_ambiguous_, gating_, doubt_,
-            counters_);
+            is_lost_by_scans_, is_grid_too_large_, sees_only_lines_, is_ambiguous_,
+            unsearched_radius_, gating_, doubt_, counters_);
     if (grid_) archive(*grid_);
   }
 
  private:
   Status unsearched(const MapState& loaded) const;
+  std::string whyUnsearched() const;
   void watch(const Pose2& believed, Stamp stamp);
+  bool isContradicted() const;
+  bool isAgreedAgain() const;
+  void lose(const Pose2& believed);
   bool isLostByScans() const;
+  double radiusOfMap(const Pose2& believed) const;
   bool usesScans() const;
   bool begin(const MapState* loaded);
   LandmarkMap landmarksToSearch(const MapState* loaded) const;
@@ -97,8 +105,10 @@ class Relocaliser {
   bool is_grid_too_large_ = false;
   bool sees_only_lines_ = false;  ///< nothing can confirm a loaded pose
   bool is_ambiguous_ = false;     ///< the last search found several places
-  GatingRate gating_{kWindow};    ///< of observations that are associated by id
-  LandmarkDoubt doubt_;           ///< of observations that are associated by place
+  /// Of a circle that holds the map in which the robot is lost and not searched for [m].
+  std::optional<double> unsearched_radius_;
+  GatingRate gating_{kWindow};  ///< of observations that are associated by id
+  LandmarkDoubt doubt_;         ///< of observations that are associated by place
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

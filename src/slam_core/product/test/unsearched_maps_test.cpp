@@ -8,10 +8,11 @@
 
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
 #include "slam_core/product/estimator.hpp"
 
 // Maps in which no robot can be searched for: the pose that comes with them is believed, and a
-// warning says so.
+// warning says so. A robot that gets lost in one is reported to be anywhere in it.
 
 namespace slam {
 namespace {
@@ -97,6 +98,56 @@ TEST(UnsearchedMap, OfPointsIsNotWaitedForByARobotThatSeesLinesOnly) {
   }
   EXPECT_TRUE(is_told);
   EXPECT_EQ(estimator.counters()["withheld"], 0u);
+}
+
+class UnsearchedRobot : public testing::Test {
+ protected:
+  void SetUp() override { configure(estimator, "ekf", {"relocalisation.enabled=false"}); }
+  void take(const test::SimulatedStep& step) {
+    estimator.set(step.motion);
+    estimator.set(step.observations);
+    for (auto of_step = estimator.execute(); estimator.report(); of_step = estimator.execute()) {
+      status = of_step;
+      report = *estimator.report();
+    }
+    truth = step.truth;
+  }
+
+  Estimator estimator;
+  StepReport report;
+  Status status;  ///< of the last step
+  Pose2 truth;
+};
+
+TEST_F(UnsearchedRobot, IsReportedLostWithACovarianceThatCoversTheMap) {
+  for (const std::uint64_t seed : {3, 9, 14}) {
+    SetUp();
+    test::SimulatedWorld world(seed);
+    for (int i = 0; i < 80; ++i) take(world.next());
+    EXPECT_EQ(report.trust, Trust::kConfident);
+    auto carried = world.next();
+    carried.motion.increment = carried.motion.increment * Pose2(2.0, 1.0, 0.7);
+    take(carried);
+    for (int i = 0; i < 30; ++i) take(world.next());
+    EXPECT_EQ(report.trust, Trust::kLost) << "seed " << seed;
+    EXPECT_GT(std::sqrt(report.pose.covariance(0, 0)), 3.0);
+    EXPECT_NE(status.message.find("relocalisation.enabled is false"), std::string::npos)
+        << status.message;
+  }
+}
+
+TEST_F(UnsearchedRobot, IsBelievedAgainWhereItIsPut) {
+  test::SimulatedWorld world(9);
+  for (int i = 0; i < 80; ++i) take(world.next());
+  auto carried = world.next();
+  carried.motion.increment = carried.motion.increment * Pose2(2.0, 1.0, 0.7);
+  take(carried);
+  for (int i = 0; i < 30; ++i) take(world.next());
+  ASSERT_EQ(report.trust, Trust::kLost);
+  const Eigen::Matrix3d P = Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal();
+  ASSERT_TRUE(estimator.set(PoseEstimate{truth, P}).isOk());
+  for (int i = 0; i < 30; ++i) take(world.next());
+  EXPECT_EQ(report.trust, Trust::kConfident) << report.doubt;
 }
 
 }  // namespace
