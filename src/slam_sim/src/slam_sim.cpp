@@ -61,7 +61,7 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("OUT.bag", options.bag, "the bag to write")->required();
   app.add_option("--world", options.world, "office, corridor, hall, depot, forest or a file.yaml")
       ->capture_default_str();
-  app.add_option("--robot", options.robot, "segway, omni, car or a file.yaml")
+  app.add_option("--robot", options.robot, "segway, omni, car, turtlebot3 or a file.yaml")
       ->capture_default_str();
   app.add_option("--seed", recording.seed, "of all noise")
       ->check(faultOfSeed)
