@@ -29,6 +29,7 @@ table.compare{font-variant-numeric:tabular-nums}table.compare th{text-align:righ
 font-weight:600;font-size:13px;color:#4a4f57;padding:6px 0 6px 10px;vertical-align:bottom}
 table.compare td{text-align:right;padding:7px 0 7px 10px;white-space:nowrap}
 table.compare th:first-child,table.compare td:first-child{text-align:left;padding-left:0}
+.scroll{overflow-x:auto}table.compare th[colspan]{text-align:left;color:#1f5fa8;padding-top:14px}
 .note{color:#8a5a12;background:#fdf5e6;border-radius:8px;padding:10px 14px;margin:0 0 8px}
 """
 
