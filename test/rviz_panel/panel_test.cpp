@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rviz/config.h>
+#include <rviz/panel.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+#include <filesystem>
+#include <memory>
+#include <pluginlib/class_loader.hpp>
+#include <string>
+
+// The panel as rviz loads it, beside a simulated robot and ekf_wheel.
+
+namespace {
+
+class SlamPanelTest : public testing::Test {
+ protected:
+  SlamPanelTest()
+      : loader_("rviz", "rviz::Panel"),
+        panel_(loader_.createUnmanagedInstance("slam_rviz_plugins/SlamPanel")) {}
+
+  template <class Widget>
+  Widget& find(const char* name) const {
+    auto* widget = panel_->findChild<Widget*>(name);
+    if (widget == nullptr) throw std::logic_error(std::string("no widget ") + name);
+    return *widget;
+  }
+  std::string text(const char* label) const { return find<QLabel>(label).text().toStdString(); }
+
+  /// Works as rviz does until a label holds these words.
+  bool shows(const char* label, const std::string& words, int seconds = 30) const {
+    QElapsedTimer timer;
+    timer.start();
+    while (text(label).find(words) == std::string::npos) {
+      if (timer.elapsed() > 1000 * seconds) return false;
+      ros::spinOnce();
+      QApplication::processEvents(QEventLoop::AllEvents, 20);
+    }
+    return true;
+  }
+
+  pluginlib::ClassLoader<rviz::Panel> loader_;
+  std::unique_ptr<rviz::Panel> panel_;
+};
+
+TEST_F(SlamPanelTest, ShowsTheStateOfTheProduct) {
+  EXPECT_TRUE(shows("trust", "confident")) << text("trust");
+  EXPECT_TRUE(shows("pose", "heading")) << text("pose");
+  EXPECT_TRUE(shows("product", "ekf · wheel")) << text("product");
+}
+
+TEST_F(SlamPanelTest, CallsTheServices) {
+  ASSERT_TRUE(shows("trust", "confident"));
+  find<QPushButton>("pause").click();
+  EXPECT_TRUE(shows("answer", "Pause: observations are ignored")) << text("answer");
+  EXPECT_EQ(find<QPushButton>("pause").text(), "Go on");
+  find<QPushButton>("pause").click();
+  EXPECT_TRUE(shows("answer", "Go on: observations are used again")) << text("answer");
+  find<QLineEdit>("path").setText("panel.yaml");
+  find<QPushButton>("save").click();
+  EXPECT_TRUE(shows("answer", "Save: ")) << text("answer");
+  EXPECT_TRUE(shows("answer", "panel.yaml")) << text("answer");
+  find<QPushButton>("load").click();
+  EXPECT_TRUE(shows("answer", "Load: ")) << text("answer");
+  find<QLineEdit>("path").setText("no/such/map.yaml");
+  find<QPushButton>("load").click();
+  EXPECT_TRUE(shows("answer", "no/such/map.yaml")) << text("answer");
+}
+
+TEST_F(SlamPanelTest, AsksBeforeItForgetsTheMap) {
+  ASSERT_TRUE(shows("trust", "confident"));
+  for (const auto choice : {QMessageBox::No, QMessageBox::Yes}) {
+    QTimer::singleShot(200, [choice] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(question, nullptr);
+      question->button(choice)->click();
+    });
+    find<QPushButton>("reset").click();
+    EXPECT_EQ(shows("answer", "Reset: ", 2), choice == QMessageBox::Yes) << text("answer");
+  }
+}
+
+TEST_F(SlamPanelTest, KeepsItsNamespaceAndSaysThatNoProductRunsThere) {
+  rviz::Config config;
+  config.mapSetValue("Namespace", "elsewhere");
+  panel_->load(config);
+  EXPECT_TRUE(shows("trust", "no product runs here")) << text("trust");
+  EXPECT_TRUE(shows("product", "no product is running"));
+  find<QPushButton>("relocalise").click();
+  EXPECT_TRUE(shows("answer", "no product")) << text("answer");
+  rviz::Config saved;
+  panel_->save(saved);
+  QString name_space;
+  EXPECT_TRUE(saved.mapGetString("Namespace", &name_space));
+  EXPECT_EQ(name_space, "elsewhere");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "slam_rviz_plugins_panel_test");
+  testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle handle;
+  QApplication application(argc, argv);
+  const int code = RUN_ALL_TESTS();
+  if (argc > 1) std::filesystem::remove_all(argv[1]);  // the maps that were saved
+  return code;
+}
