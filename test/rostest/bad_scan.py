@@ -151,7 +151,7 @@ class BadScanTest(StillRobot):
             time.sleep(0.005)
 
         def told():
-            return any("nothing steps: landmarks since" in status.message
+            return any("no update: landmarks since" in status.message
                        and "wait for motion on" in status.message and status.level > 0
                        for array in self.get("/diagnostics") for status in array.status)
         self.assertTrue(wait_for(told, 6))

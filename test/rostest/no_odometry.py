@@ -11,6 +11,7 @@ import unittest
 
 from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
 from player import wait_for
+from rosgraph_msgs.msg import Log
 import rospy
 import rostest
 from sensor_msgs.msg import LaserScan
@@ -48,14 +49,15 @@ class NoOdometryTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.lock = threading.Lock()
-        cls.edges, cls.first, cls.poses = [], {}, 0
+        cls.edges, cls.first, cls.poses, cls.lines = [], {}, 0, []
         cls.stamp = rospy.Time(1000)
         cls.scan = rospy.Publisher("scan", LaserScan, queue_size=100)
         cls.driver = rospy.Publisher("/tf", TFMessage, queue_size=100)
         cls.mount = rospy.Publisher("/tf_static", TFMessage, queue_size=10, latch=True)
         cls.mount.publish(TFMessage([mount("laser")]))
         cls.subscribers = [rospy.Subscriber("/tf", TFMessage, cls.keep, queue_size=1000),
-                           rospy.Subscriber("pose", PoseWithCovarianceStamped, cls.count)]
+                           rospy.Subscriber("pose", PoseWithCovarianceStamped, cls.count),
+                           rospy.Subscriber("/rosout_agg", Log, cls.read)]
         cls.connected = wait_for(lambda: all(p.get_num_connections() > 0
                                              for p in (cls.scan, cls.mount)), 30)
 
@@ -71,6 +73,10 @@ class NoOdometryTest(unittest.TestCase):
     @classmethod
     def count(cls, _):
         cls.poses += 1
+
+    @classmethod
+    def read(cls, line):
+        cls.lines.append(line.msg)
 
     def newest(self, parent, child):
         with self.lock:
@@ -89,8 +95,12 @@ class NoOdometryTest(unittest.TestCase):
             time.sleep(0.05)
         self.assertTrue(wait_for(lambda: self.poses >= before + scans), "a pose for each scan")
 
-    def test_1_without_a_driver_odometry_and_robot_are_one(self):
+    def test_0_the_console_names_an_input_that_never_comes(self):
         self.assertTrue(self.connected)
+        self.assertTrue(wait_for(lambda: any("waiting for scans on" in line for line in self.lines),
+                                 20), self.lines)
+
+    def test_1_without_a_driver_odometry_and_robot_are_one(self):
         self.play(5)
         self.assertTrue(wait_for(lambda: self.newest("odom", "base_link") or self.play(1), 20))
         self.assertEqual(self.newest("odom", "base_link").transform.translation.x, 0.0)

@@ -128,7 +128,7 @@ class ReplayTest(unittest.TestCase):
 
     def test_diagnostics_say_that_the_noise_is_as_believed(self):
         last = self.last_status("consistency")
-        self.assertEqual((last.level, last.message), (0, "as wrong as it says"))
+        self.assertEqual((last.level, last.message), (0, "errors match the reported covariance"))
 
     def test_each_step_tells_how_far_its_innovations_are_off(self):
         told = self.full["consistency"]

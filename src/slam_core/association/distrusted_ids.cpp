@@ -33,7 +33,7 @@ bool DistrustedIds::has(LandmarkId id) const {
 
 Status DistrustedIds::warningOf(LandmarkId id) {
   return Status::warning("landmark " + std::to_string(id) +
-                         " was found elsewhere again and again: do several markers have this id, "
+                         " was repeatedly found elsewhere: do several markers have this id, "
                          "or none? It is not used any more");
 }
 

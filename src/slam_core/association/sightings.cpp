@@ -52,14 +52,13 @@ std::vector<Sightings::Verdict> Sightings::judge(const std::vector<LandmarkId>& 
 Status Sightings::warningOf(const Verdict& verdict, bool is_reinitialized) {
   const auto name = "landmark " + std::to_string(verdict.z.id);
   if (!verdict.was_confirmed)
-    return is_reinitialized ? Status::warning(name +
-                                              " was hardly ever where the map had it: it is "
-                                              "begun anew")
-                            : Status::ok();
+    return is_reinitialized
+               ? Status::warning(name + " repeatedly failed its gate: it is re-initialised")
+               : Status::ok();
   if (is_reinitialized)
     return Status::warning(name +
-                           " was seen elsewhere again and again: it was moved, and is begun "
-                           "anew where it is now");
+                           " was repeatedly seen elsewhere: it was moved, and is re-initialised "
+                           "where it is now");
   return Status::warning(name + " was not where the map has it " + std::to_string(kMoved) +
                          " times in a row: was it moved?");
 }

@@ -180,7 +180,7 @@ void ConsistencyMonitor::judge() {
     sum.slope += score.slope;
     sum.information += score.information;
   }
-  // What is hardly to be seen is pulled towards "as believed" instead of anywhere.
+  // The prior keeps a factor that the innovations hardly determine near 1.
   constexpr double kPrior = 1.0;
   const Eigen::Matrix3d covariance = (sum.information + kPrior * Eigen::Matrix3d::Identity())
                                          .llt()

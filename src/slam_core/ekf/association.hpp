@@ -17,7 +17,7 @@
 
 namespace slam::ekf {
 
-/// What the observations of one stamp are to the map.
+/// How the observations of one stamp are associated with the map.
 struct Association {
   std::vector<Match> matches;                      ///< of known landmarks, within the gate
   std::vector<LandmarkObservation> unseen;         ///< of landmarks that are not in the map yet
@@ -26,7 +26,7 @@ struct Association {
   double gated_log_likelihood = 0.0;               ///< of the gated ones
   /// One for each observation, where places decide; those of new landmarks have no landmark yet.
   std::vector<AssociatedObservation> taken;
-  int unknown = 0;  ///< it is not told of which landmark, or of one that is not in a fixed map
+  int unknown = 0;  ///< without an id, or of a landmark that is not in a fixed map
 };
 
 /// Brings the landmarks that may have been observed into the neighbourhood, asks the policy once

@@ -18,7 +18,8 @@ using Eigen::MatrixXd;
 
 constexpr Index kHeading = DenseCovariance::kHeadingRow;
 
-/// The pivot of a variable that the ones before determine wholly must not be 0.
+/// The pivot of a variable that is fully determined by those before it would be 0, and the division
+/// by it fail.
 double pivotRoot(double pivot, double variance) {
   constexpr double kSmallestShare = 1e-15, kSmallest = 1e-300;
   return std::sqrt(std::max({pivot, kSmallestShare * variance, kSmallest}));

@@ -17,8 +17,9 @@ class LoopWatch {
  public:
   /// Another scan has come.
   void begin() { events_.clear(); }
-  /// @param now of all loops so far @param before @param after the robot as the graph had it before
-  /// and after the loops were judged
+  /// @param now of all loops so far
+  /// @param before the robot as the graph had it before the loops were judged
+  /// @param after the same afterwards
   void note(const graph::RobustLoops::Changes& now, const Pose2& before, const Pose2& after);
   const std::vector<Event>& events() const { return events_; }
 

@@ -17,11 +17,11 @@ enum class Interruption {
 };
 
 /// Bridges the gaps between an odometry's motions, whatever made them: messages lost, a source that
-/// was restarted. Where the robot went in a gap the odometry's poses tell, which each motion
-/// carries: they are as the wheels measured them, so that they are scaled as increments were so
-/// far. How surely they do not tell: the odometry is taken to have erred all the while as in its
+/// was restarted. Each motion carries the odometry's poses, whose difference is the motion in the
+/// gap. They are as the wheels measured them, and are scaled as the increments were so far. They
+/// have no covariance: the noise is assumed to have been, all the while, that of the odometry's
 /// worst tenth of a second so far. Where the poses do not belong together, as of an odometry that
-/// was restarted as well, the robot is taken to have gone on at its last velocity.
+/// was restarted as well, the robot is assumed to have gone on at its last velocity.
 class MotionGap {
  public:
   enum class Bridge {

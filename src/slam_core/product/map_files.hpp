@@ -18,7 +18,7 @@ struct MapFiles {
 /// The files that a path stands for: in a folder `landmarks.yaml` and `map.yaml`. Without a grid a
 /// file is that of the landmarks. With one it is the grid's: `NAME.yaml` has `NAME.landmarks.yaml`
 /// beside it, so that maps in one folder stay apart, and `map.yaml` the folder's `landmarks.yaml`.
-/// Who names the landmarks' file means the same two.
+/// The path of the landmarks' file stands for the same two files.
 MapFiles mapFilesAt(const std::string& path, bool has_grid);
 
 /// Writes the landmarks and, of a map that has one, the grid, as soon as something is known of it.

@@ -61,7 +61,7 @@ class RunWriter {
   /// @throw std::runtime_error naming the file that could not be written
   void finish(const Capabilities& backend, const std::string& map_frame, const std::string& config);
 
-  /// @return what a writer needs to go on from here; all that has been written is on the disk then
+  /// Saves what a writer needs to go on from here; all that has been written is on the disk then.
   /// @throw std::runtime_error naming the file and the cause
   void saveState(ArchiveWriter& archive);
   /// Goes on from there: what was written later is cut off.

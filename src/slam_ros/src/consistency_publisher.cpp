@@ -89,7 +89,7 @@ void ConsistencyPublisher::fill(diagnostic_updater::DiagnosticStatusWrapper& sta
     status.summary(is_faulty ? DiagnosticStatus::WARN : DiagnosticStatus::OK, finding);
   else
     status.summary(DiagnosticStatus::OK,
-                   monitor_.updates() == 0 ? "nothing to judge by" : "as wrong as it says");
+                   monitor_.updates() == 0 ? "nothing to judge by" : "errors match the reported covariance");
   status.add("trust", slam::nameOf(trust_, slam::namesOfTrust()));
   status.add("updates", monitor_.updates());
   status.add("NIS per degree of freedom", monitor_.nisMean());

@@ -41,7 +41,7 @@ const std::map<std::string, std::string>& sentences() {
       {"on_trial", "observations of what may be a new landmark were not enough yet"},
       {"ghost", "landmarks were removed, since they were not seen where they should have been"},
       {"begun_anew",
-       "landmarks that were seen elsewhere again and again were re-initialised there"},
+       "landmarks that were repeatedly seen elsewhere were re-initialised there"},
       {"distrusted", "landmarks were removed, since what has their id was found in several places"},
       {"distrusted_id", "observations of ids that are found in several places were left out"},
       {"odometry_stamp_jump",
@@ -116,6 +116,7 @@ void Diagnostics::guard(const std::string& topic, const Action& action) {
 
 void Diagnostics::tick() {
   warnOfCounters();
+  warnOfMissing();
   try {
     updater_.force_update();
   } catch (const std::runtime_error&) {
@@ -132,6 +133,20 @@ void Diagnostics::warnOfCounters() {
       warn(std::to_string(count - before) + " x " + reason + ": " + sentence->second);
   }
   counted_ = counters;
+}
+
+/// Else an input that never comes shows in /diagnostics alone, and the console stays silent.
+void Diagnostics::warnOfMissing() {
+  const auto now = ros::WallTime::now();
+  if (const auto missing = sources_.missing(); missing != missing_) {
+    missing_ = missing;
+    missing_since_ = now;
+    is_missing_told_ = false;
+  }
+  const bool is_due = now - missing_since_ >= ros::WallDuration(kQuietTime);
+  if (missing_.empty() || is_missing_told_ || !is_due) return;
+  is_missing_told_ = true;
+  tell(ros::console::levels::Warn, missing_);
 }
 
 void Diagnostics::fill(diagnostic_updater::DiagnosticStatusWrapper& status) {

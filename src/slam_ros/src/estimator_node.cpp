@@ -47,7 +47,7 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return coordinator_.counters(); }, [this] { return waiting(); },
-                           [this] { return figures(); }});
+                           [this] { return missing(); }, [this] { return figures(); }});
   if (!start.landmarks.empty() && start.joint_covariance.size() == 0)
     diagnostics_->warn(outputs.load_map + " has no joint covariance; its marginals are inflated");
   diagnostics_->report(outputs.load_map + outputs.load_session, start_status);
@@ -240,7 +240,7 @@ void EstimatorNode::tellOfSilence() {
 
 std::string EstimatorNode::starving() const {
   const auto what = estimator().intake().arrivals().starving;
-  return what.empty() ? "" : "nothing steps: " + what + " on " + notes_.motionTopic();
+  return what.empty() ? "" : "no update: " + what + " on " + notes_.motionTopic();
 }
 
 void EstimatorNode::takeSteps(const std::string& topic) {
@@ -317,9 +317,12 @@ void EstimatorNode::beginAnew() {
   notes_.forget();
 }
 
+std::string EstimatorNode::missing() const {
+  return inputs_ ? inputs_->waiting(needlessInputs()) : "";
+}
+
 std::string EstimatorNode::waiting() const {
-  if (!inputs_) return "";
-  if (const auto wait = inputs_->waiting(needlessInputs()); !wait.empty()) return wait;
+  if (const auto wait = missing(); !wait.empty()) return wait;
   if (const auto starving = this->starving(); !starving.empty()) return starving;
   return silence_.sentence(SilenceWatch::Clock::now());
 }

@@ -18,7 +18,7 @@ PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return part_.counters(); }, [this] { return waiting(); },
-                           [this] { return figures(); }});
+                           [this] { return missing(); }, [this] { return figures(); }});
   context.pass = pass();
   context.put = [this](const auto& port, auto kind, const auto* value, const auto& topic) {
     take(port, kind, value, topic);
@@ -53,9 +53,10 @@ void PartNode::take(const std::string& port, slam::Kind kind, const void* value,
   if (on_taken) on_taken(kind, value);
 }
 
+std::string PartNode::missing() const { return inputs_ ? inputs_->waiting() : ""; }
+
 std::string PartNode::waiting() const {
-  if (!inputs_) return "";
-  const auto wait = inputs_->waiting();
+  const auto wait = missing();
   return wait.empty() ? silence_.sentence(SilenceWatch::Clock::now()) : wait;
 }
 

@@ -52,7 +52,7 @@ TEST_F(SightingsTest, ALandmarkSeenOnceByChanceFarAwayIsBegunAnewWhereItIs) {
   }
   EXPECT_LT((placeOfOdd() - kPlace).norm(), 0.01);
   EXPECT_EQ(begunAnew(), 1u);
-  EXPECT_TRUE(test::oneSays({warning}, {"landmark 77", "begun anew"})) << warning;
+  EXPECT_TRUE(test::oneSays({warning}, {"landmark 77", "re-initialised"})) << warning;
   EXPECT_EQ(as<LandmarkMapper>(ekf).statistics().used, 4);
   EXPECT_EQ(as<LandmarkMapper>(ekf).landmarks().size(), 4u);
   EXPECT_EQ(as<MapKeeper>(ekf).state().joint_covariance.llt().info(), Eigen::Success);

@@ -302,7 +302,7 @@ TEST_F(GraphSlamTest, BeginsALandmarkAnewThatIsNeverWhereTheMapHasIt) {
     const auto status = graph.execute();
     if (!status.isOk()) warning += status.message;
   }
-  EXPECT_TRUE(test::oneSays({warning}, {"landmark 77", "begun anew"})) << warning;
+  EXPECT_TRUE(test::oneSays({warning}, {"landmark 77", "re-initialised"})) << warning;
   EXPECT_EQ(graph.counters()["begun_anew"], 1u);
   EXPECT_NEAR(landmarks().back().position.norm(), 4, 0.01);
   EXPECT_EQ(as<LandmarkMapper>(graph).statistics().used, 4);

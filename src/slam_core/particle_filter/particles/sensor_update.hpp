@@ -36,7 +36,7 @@ using Ancestors = std::vector<std::uint32_t>;
 
 /// What is known of the pose beside the particles.
 struct PoseBelief {
-  PoseEstimate estimate;  ///< of all particles, before the last resampling, and what they forgot
+  PoseEstimate estimate;  ///< of all particles before the last resampling, and of those it dropped
   KnowledgeBound bound;
   /// Where the robot was told to be, until it sees something of its map. So long it is every
   /// particle's prior as a whole: of the poses drawn from it none may lie close enough to the true
@@ -85,9 +85,9 @@ class SensorUpdate {
   /// @param motion since the particles were moved last
   virtual Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                          const PoseBelief& belief, const Execution& execution) = 0;
-  /// How well the particles together foresaw what was seen.
+  /// How well the particles together predicted what was seen.
   /// @param weights before the step
-  virtual void judge(const Weights& /*weights*/, Account& /*account*/) {}
+  virtual void judge([[maybe_unused]] const Weights& weights, [[maybe_unused]] Account& account) {}
   /// What can be known now of pose and landmarks at best.
   /// @param moments of the pose, from all proposals by the new weights
   virtual void inform(const PoseEstimate& moments, const ParticleSet& particles,

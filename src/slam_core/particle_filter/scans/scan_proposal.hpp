@@ -37,8 +37,8 @@ class ScanProposal {
   /// To be called once a scan, for the most likely particle.
   /// @param prior where motion alone puts it
   /// @return where else the others should look, seen from where motion puts them
-  virtual std::optional<Pose2> search(const ScanInMap& /*scan*/,
-                                      const PoseGaussian& /*prior*/) const {
+  virtual std::optional<Pose2> search([[maybe_unused]] const ScanInMap& scan,
+                                      [[maybe_unused]] const PoseGaussian& prior) const {
     return std::nullopt;
   }
   /// For several threads at once.

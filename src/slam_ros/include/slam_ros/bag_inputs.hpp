@@ -43,14 +43,15 @@ class BagInputs {
   bool isSupplied(const slam::InputPort& input) const;
 
   /// Handlers for BagReader::read() that give the sinks of each input what its messages hold.
-  /// @param sinksOf(const Found&) of an input
+  /// @param sinksOf called with the Found of each input
   template <class SinksOf>
   BagHandlers readers(SinksOf sinksOf) const {
     BagHandlers handlers;
     for (const auto& found : found_) add(found.input->readers(sinksOf(found)), handlers);
     return handlers;
   }
-  /// Handlers that publish the messages of each input. @param gateOf(const Found&) of an input
+  /// Handlers that publish the messages of each input.
+  /// @param gateOf called with the Found of each input
   template <class GateOf>
   BagHandlers senders(const ros::NodeHandle& handle, GateOf gateOf) const {
     BagHandlers handlers;

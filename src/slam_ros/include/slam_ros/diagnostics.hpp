@@ -20,7 +20,8 @@
 namespace slam_ros {
 
 /// Tells how a nodelet is doing: once a second on /diagnostics, with level, message and all
-/// counters; and each kind of warning on the console, at most once in five seconds of the wall.
+/// counters; and each kind of warning on the console, at most once in five seconds of the wall. An
+/// input that has not come for the first five seconds is named there as well, once.
 class Diagnostics {
  public:
   using Values = std::vector<std::pair<std::string, std::string>>;
@@ -28,6 +29,8 @@ class Diagnostics {
     std::function<slam::Counters()> counters;
     /// "waiting for ...", or empty when all inputs have come
     std::function<std::string()> waiting;
+    /// as that, of inputs of which nothing has ever come
+    std::function<std::string()> missing;
     /// further lines of name and value; may be empty
     std::function<Values()> values = {};
   };
@@ -65,6 +68,7 @@ class Diagnostics {
  private:
   void tick();
   void warnOfCounters();
+  void warnOfMissing();
   void fill(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   std::string name_;
@@ -74,6 +78,9 @@ class Diagnostics {
   slam::Counters counted_;                     ///< what has been told of
   std::string last_warning_, failure_;
   Door door_;
+  std::string missing_;  ///< what has never come, as of the last second
+  ros::WallTime missing_since_;
+  bool is_missing_told_ = false;
   ros::WallTime last_warning_time_;
   bool is_last_an_error_ = false;
   ros::WallTimer timer_;

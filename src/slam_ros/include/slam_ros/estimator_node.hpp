@@ -85,6 +85,7 @@ class EstimatorNode {
   slam::Status tellingOfMap(slam::Status status);
   void tellOfSilence();
   std::string waiting() const;
+  std::string missing() const;
   std::vector<slam::InputPort> needlessInputs() const;
   std::string starving() const;
   Diagnostics::Values figures() const;

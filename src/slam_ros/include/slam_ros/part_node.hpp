@@ -55,6 +55,7 @@ class PartNode {
  private:
   void take(const std::string& port, slam::Kind kind, const void* value, const std::string& topic);
   std::string waiting() const;
+  std::string missing() const;
   Diagnostics::Values figures() const;
 
   slam::MetaCoordinator part_;

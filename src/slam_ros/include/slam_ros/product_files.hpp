@@ -16,8 +16,8 @@ class UnknownName : public std::runtime_error {
 };
 
 /// The file of a product, given as a path or by its name: in slam_launch's products/, in the
-/// folders that other packages export (<slam_launch products="..."/>), or in the user's own,
-/// ~/.config/slam/products. @throw UnknownName
+/// folders that other packages export (an element `slam_launch` with the attribute `products` in
+/// their package.xml), or in the user's own, ~/.config/slam/products. @throw UnknownName
 std::string productFile(const std::string& name_or_path);
 
 /// The same for a robot, in slam_launch's robots/.

@@ -146,7 +146,7 @@ TEST_F(Offline, AWarningThatComesWithManyNumbersLeavesRoomForThatThePoseMayBeLos
                      " --out " + (folder / "run")),
             0);
   const auto said = folder.read("stderr"), counted = folder.read("stdout");
-  EXPECT_TRUE(contains(said, "landmark 0 was seen elsewhere again and again")) << said;
+  EXPECT_TRUE(contains(said, "landmark 0 was repeatedly seen elsewhere")) << said;
   EXPECT_FALSE(contains(said, "landmark 2 was seen elsewhere")) << "the same with another number";
   EXPECT_TRUE(contains(said, "the pose may be lost")) << said;
   EXPECT_TRUE(contains(counted, "times: no observation fits the map")) << counted;
