@@ -18,9 +18,8 @@ namespace slam::graph_slam {
 /// clique has more.
 class ParameterVariables {
  public:
-  /// Adds them to a graph, with what is known of them.
-  /// @param prior parameters of variance 0 but for time_offset and range_scale are none that it
-  /// takes
+  /// Adds them to a graph, with what is known of them. Of those in `prior` only range_scale and
+  /// time_offset may have no variance; without a variance of range_scale both are left out.
   ParameterVariables(graph::Optimizer& graph, const CalibrationEstimate& prior);
   ParameterVariables() = default;  ///< to be read from an archive
 
@@ -41,7 +40,7 @@ class ParameterVariables {
   }
 
  private:
-  std::vector<graph::Key> keys_;  ///< in the order of kPairs, the last one only where it is known
+  std::vector<graph::Key> keys_;  ///< in the order of their pairs (parameter_variables.cpp)
 };
 
 /// The parameters on which a sighting depends.
