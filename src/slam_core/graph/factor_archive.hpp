@@ -8,12 +8,39 @@
 #include <stdexcept>
 #include <vector>
 
+#include "slam_core/graph/calibrated_factors.hpp"
 #include "slam_core/graph/factors.hpp"
 
 namespace slam::graph {
 
 /// The numbers of the kinds in an archive.
-enum class FactorKind : std::uint8_t { kPosePrior, kPointPrior, kJointPrior, kBetween, kSighting };
+enum class FactorKind : std::uint8_t {
+  kPosePrior,
+  kPointPrior,
+  kJointPrior,
+  kBetween,
+  kSighting,
+  kParameterPrior,
+  kCalibratedBetween,
+  kCalibratedSighting
+};
+
+/// @return whether it was a factor that depends on parameters, or says what is known of them
+template <class Archive>
+bool writeCalibrated(const Factor& factor, Archive& archive) {
+  if (const auto* prior = dynamic_cast<const ParameterPrior*>(&factor)) {
+    archive(FactorKind::kParameterPrior, prior->known(), prior->weight());
+  } else if (const auto* between = dynamic_cast<const CalibratedBetween*>(&factor)) {
+    archive(FactorKind::kCalibratedBetween, between->motion(), between->weight());
+  } else if (const auto* sighting = dynamic_cast<const CalibratedSighting*>(&factor)) {
+    const auto& seen = sighting->seen();
+    archive(FactorKind::kCalibratedSighting, seen.sensor(), seen.measured(), seen.weight(),
+            sighting->then());
+  } else {
+    return false;
+  }
+  return true;
+}
 
 /// Writes a factor with its kind. @throw std::logic_error of a kind that is not listed here
 template <class Archive>
@@ -29,8 +56,37 @@ void write(const Factor& factor, Archive& archive) {
     archive(FactorKind::kBetween, between->measured(), between->weight());
   else if (const auto* sighting = dynamic_cast<const RangeBearing*>(&factor))
     archive(FactorKind::kSighting, sighting->sensor(), sighting->measured(), sighting->weight());
-  else
+  else if (!writeCalibrated(factor, archive))
     throw std::logic_error("this kind of factor cannot be written");
+}
+
+/// @return null where it is of another kind
+template <class Archive>
+std::shared_ptr<const Factor> readCalibrated(Archive& archive, FactorKind kind,
+                                             const std::vector<Key>& keys) {
+  const std::size_t size = keys.size();
+  if (kind == FactorKind::kParameterPrior) {
+    Eigen::VectorXd known;
+    Eigen::MatrixXd W;
+    archive(known, W);
+    return std::make_shared<ParameterPrior>(keys, known, W);
+  }
+  if (kind == FactorKind::kCalibratedBetween && size == 4) {
+    WheelMotion motion;
+    Eigen::Matrix3d W;
+    archive(motion, W);
+    return std::make_shared<CalibratedBetween>(keys[0], keys[1], parametersOf(keys), motion, W);
+  }
+  if (kind == FactorKind::kCalibratedSighting && (size == 4 || size == 5)) {
+    Pose2 sensor;
+    Eigen::Vector2d z;
+    Eigen::Matrix2d W;
+    CalibratedSighting::At then;
+    archive(sensor, z, W, then);
+    return std::make_shared<CalibratedSighting>(keys[0], keys[1], parametersOf(keys),
+                                                RangeBearing(keys[0], keys[1], sensor, z, W), then);
+  }
+  return nullptr;
 }
 
 /// @throw std::runtime_error where the archive holds no factor
@@ -57,6 +113,7 @@ std::shared_ptr<const Factor> readFactor(Archive& archive) {
   if (kind == FactorKind::kSighting && size == 2)
     return archive(pose, point, W2),
            std::make_shared<RangeBearing>(keys[0], keys[1], pose, point, W2);
+  if (auto calibrated = readCalibrated(archive, kind, keys)) return calibrated;
   throw std::runtime_error("it holds a factor of unknown kind: save it again");
 }
 

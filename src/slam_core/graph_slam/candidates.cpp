@@ -11,24 +11,25 @@ PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const La
                                  const association::DescriptorMap& descriptors, double gate,
                                  const Viewpoint& from)
     : IdCandidates(graph), descriptors_(descriptors) {
-  findNear(array, gate, graph.robot(from));
+  findNear(array, gate, graph.sensor(array.sensor_pose, from));
   prediction_.emplace(graph, array.sensor_pose, matches_, from);
 }
 
-/// Robot and landmark may both be in doubt: relative to one another no more than both together.
+/// Sensor and landmark may both be in doubt: relative to one another no more than both together.
 void PlaceCandidates::findNear(const LandmarkObservationArray& array, double gate,
-                               const PoseEstimate& robot) {
+                               const PoseEstimate& sensor) {
+  const double scale_variance = graph_.rangeScaleVariance();
   const RangeBearingModel model;
   const auto map = graph_.map();
   const auto order = graph_.ids().order();
   for (const auto& z : array.observations) {
     first_.push_back(matches_.size());
-    ObservationModel::Jacobian23 J_robot;
+    ObservationModel::Jacobian23 J_sensor;
     Eigen::Matrix2d J_z;
-    const Eigen::Vector2d place =
-        model.invert(robot.pose, array.sensor_pose, z.vector(), &J_robot, &J_z);
-    const double variance = (J_robot * robot.covariance * J_robot.transpose()).trace() +
-                            (J_z * z.covariance * J_z.transpose()).trace();
+    const Eigen::Vector2d place = model.invert(sensor.pose, Pose2(), z.vector(), &J_sensor, &J_z);
+    const double variance = (J_sensor * sensor.covariance * J_sensor.transpose()).trace() +
+                            (J_z * z.covariance * J_z.transpose()).trace() +
+                            z.range * z.range * scale_variance;
     for (std::size_t k = 0; k < map.size(); ++k) {
       const double sigma = std::sqrt(variance) + std::sqrt(map[k].covariance.trace());
       if ((map[k].position - place).squaredNorm() <= gate * sigma * sigma)

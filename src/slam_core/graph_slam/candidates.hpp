@@ -46,7 +46,7 @@ class PlaceCandidates final : public IdCandidates {
                                   const association::Pairing& second) const override;
 
  private:
-  void findNear(const LandmarkObservationArray& array, double gate, const PoseEstimate& robot);
+  void findNear(const LandmarkObservationArray& array, double gate, const PoseEstimate& sensor);
   std::size_t matchOf(const association::Pairing& pairing) const;
 
   const association::DescriptorMap& descriptors_;

@@ -132,6 +132,7 @@ std::vector<association::Pairing> DelayedDecisions::pairingsOf(
 void DelayedDecisions::decide(Node& node, const association::DescriptorMap& descriptors,
                               LandmarkGraph& landmarks) {
   for (auto& [seen, readings] : node.waiting) {
+    seen = renewed(landmarks, std::move(seen));
     auto pairings = pairingsOf(seen, descriptors, landmarks);
     std::reverse(pairings.begin(), pairings.end());  // the last one is erased first
     for (const auto& [observation, landmark] : pairings) {

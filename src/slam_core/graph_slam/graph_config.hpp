@@ -9,6 +9,7 @@
 #include "slam_core/association/place_config.hpp"
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
+#include "slam_core/models/calibration.hpp"
 
 namespace slam::graph_slam {
 
@@ -18,6 +19,7 @@ struct GraphConfig {
   BackendMode mode = BackendMode::kSlam;
   std::string association = "known_ids";  ///< the product's, see AssociationChooser
   association::PlaceConfig places;
+  CalibrationConfig calibration;  ///< a section of its own
   double gate_probability = 0.9999;
   double initial_sigma_position = 1e-4;
   double initial_sigma_heading = 1e-4;

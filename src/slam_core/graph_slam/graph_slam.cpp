@@ -18,6 +18,7 @@ namespace {
 
 const Registrar<Backend, GraphSlam> kRegistrar("graph");
 const SectionRegistrar<GraphConfig> kSectionRegistrar;
+const SectionRegistrar<CalibrationConfig> kCalibrationSection;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
@@ -36,6 +37,7 @@ void GraphSlam::configure(const GraphConfig& config, const grid_map::GridMapConf
   faults.attempt([&] { validate(config); });
   faults.attempt([&] { validate(grid); });
   faults.attempt([&] { validate(matcher); });
+  faults.attempt([&] { checkCalibration(config); });
   faults.raise();
   config_ = config;
   grid_config_ = grid;
@@ -51,6 +53,7 @@ void GraphSlam::configure(Settings& settings) {
   FaultCollector faults;
   faults.attempt([&] { settings.read(config); });
   config.association = association_;
+  faults.attempt([&] { settings.read(config.calibration); });
   if (uses_grid_) {
     faults.attempt([&] { settings.read(grid); });
     faults.attempt([&] { settings.read(matcher); });
@@ -81,6 +84,7 @@ void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<SessionMerger>(*this);
   capabilities.offer<PathReviser>(*this);
   capabilities.offer<AssociationChooser>(*this);
+  capabilities.offer<Calibrator>(*this);
 }
 
 Component::Figures GraphSlam::figures() const {
@@ -91,6 +95,7 @@ Component::Figures GraphSlam::figures() const {
       {"removed_nodes", static_cast<double>(graph_->reduction.removed())},
       {"factor_megabytes", static_cast<double>(cost.bytes) / kMegabyte},
       {"eliminated_rows", cost.eliminated_rows}};
+  for (const auto& figure : calibrationFigures()) figures.push_back(figure);
   if (!graph_->scans) return figures;
   const auto& scans = *graph_->scans;
   figures.emplace_back("contradicting_ends", scans.doubt().agreement().contradictingShare());
@@ -102,10 +107,13 @@ Component::Figures GraphSlam::figures() const {
   return figures;
 }
 
-std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(const PoseEstimate& start) const {
+std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(
+    const PoseEstimate& start, const std::optional<CalibrationEstimate>& known) const {
   auto graph = std::make_unique<Graph>(config_, start);
   auto& delayed = graph->delayed;
   graph->reduction.announceTo([&delayed](graph::Key node) { delayed.forget(node); });
+  if (config_.calibration.isOn())
+    graph->path.calibrate(known.value_or(config_.calibration.prior()));
   if (!uses_grid_) return graph;
   auto& scans = graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
   graph->reduction.keepWhile([&scans](graph::Key node) { return reductionOf(scans).holds(node); });
@@ -134,6 +142,7 @@ void GraphSlam::reset() {
   map_.reset();
   initial_pose_.reset();
   motion_.reset();
+  J_wheels_.setZero();
   observations_.reset();
   scan_.reset();
 }
@@ -185,7 +194,7 @@ Status GraphSlam::execute() {
 
 Status GraphSlam::takeObservations() {
   if (!observations_) return Status::ok();
-  const auto z = *std::exchange(observations_, std::nullopt);
+  const auto z = corrected(*std::exchange(observations_, std::nullopt));
   auto& [path, landmarks, delayed, scans, record, reduction] = *graph_;
   auto association = associator_.associate(z, landmarks, statistics_, counters_);
   if (association.is_solved) landmarks.observe(association.matches, z.sensor_pose);
@@ -231,7 +240,10 @@ Status GraphSlam::summary(const Association& association,
         "there covariances that differ by too many orders of magnitude?");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
-  return fault == of_steps.end() ? Status::ok() : *fault;
+  if (fault != of_steps.end()) return *fault;
+  const auto known = calibration();
+  const auto runs_away = known ? config_.calibration.faultOf(*known) : std::string();
+  return runs_away.empty() ? Status::ok() : Status::warning(runs_away);
 }
 
 Status GraphSlam::replaceMap() {
@@ -240,7 +252,7 @@ Status GraphSlam::replaceMap() {
   if (uses_grid_ && !map.grid)
     return Status::error(
         "the map holds no occupancy grid, without which this back-end cannot take it");
-  auto graph = emptyGraph(map.robot);
+  auto graph = emptyGraph(map.robot, calibration());
   graph->landmarks.load(map, config_.load_inflation);
   Status status;
   if (graph->scans) {
@@ -269,7 +281,7 @@ void GraphSlam::predict() {
   if (!motion_) return;
   const auto motion = *std::exchange(motion_, std::nullopt);
   associator_.move(motion);
-  const auto [F, Q] = graph_->path.predict(motion);
+  const auto [F, Q] = graph_->path.predict(motion, J_wheels_);
   if (graph_->scans) graph_->scans->predict(motion);
   statistics_.prediction = {F * statistics_.prediction.F, Q};
   if (!observations_ && !scan_) graph_->record.add(motion.end, graph_->path);

@@ -11,6 +11,7 @@
 #include "slam_core/association/sightings.hpp"
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
@@ -51,7 +52,8 @@ class GraphSlam final : public Backend,
                         SessionKeeper,
                         SessionMerger,
                         PathReviser,
-                        AssociationChooser {
+                        AssociationChooser,
+                        Calibrator {
  public:
   /// @throw ConfigError
   void configure(const GraphConfig& config, const grid_map::GridMapConfig& grid = {},
@@ -81,8 +83,8 @@ class GraphSlam final : public Backend,
   void persist(Archive& archive) {
     if constexpr (Archive::kReads) graph_ = emptyGraph({});
     archive(*graph_, associator_, revision_, sightings_, statistics_, events_, counters_,
-            fixed_map_, last_motion_, has_moved_, map_, initial_pose_, motion_, observations_,
-            scan_);
+            fixed_map_, last_motion_, has_moved_, map_, initial_pose_, motion_, J_wheels_,
+            observations_, scan_);
   }
 
  private:
@@ -107,14 +109,17 @@ class GraphSlam final : public Backend,
   std::vector<MapKind> maps() const override { return {MapKind::kLandmarks, MapKind::kGrid}; }
   void useMap(MapKind map) override { uses_grid_ = map == MapKind::kGrid; }
   void useAssociation(const std::string& policy) override { association_ = policy; }
+  std::optional<CalibrationEstimate> calibration() const override;
+  const CalibrationConfig& calibrationConfig() const override { return config_.calibration; }
+  LandmarkObservationArray corrected(const LandmarkObservationArray& array) const override;
 
+  static std::size_t nodesPerPlace(const GraphConfig& config);
   /// The path and what hangs on it.
   struct Graph {
     Graph(const GraphConfig& config, const PoseEstimate& start)
         : path({config.node_distance, config.node_angle}, start),
           delayed(config),
-          reduction({static_cast<std::size_t>(config.nodes_per_place), config.mapIsFixed()}, path,
-                    landmarks, record) {}
+          reduction({nodesPerPlace(config), config.mapIsFixed()}, path, landmarks, record) {}
     PathGraph path;
     LandmarkGraph landmarks{path};
     DelayedDecisions delayed;
@@ -135,7 +140,13 @@ class GraphSlam final : public Backend,
     LandmarkMap known;  ///< its landmarks with their descriptors, without covariances
     std::optional<Motion> last_motion;
   };
-  std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start) const;
+  /// @param known of the parameters, where they are calibrated; else what the robot file says
+  std::unique_ptr<Graph> emptyGraph(const PoseEstimate& start,
+                                    const std::optional<CalibrationEstimate>& known = {}) const;
+  /// @throw ConfigError where something cannot be calibrated
+  void checkCalibration(const GraphConfig& config) const;
+  Figures calibrationFigures() const;
+  void add(const Motion& motion);
   Session snapshot() const;
   Resumed resumed(const Session& session) const;
   void resume();
@@ -171,7 +182,9 @@ class GraphSlam final : public Backend,
   bool has_moved_ = false;             ///< since a session was taken up
   std::optional<MapState> map_;
   std::optional<PoseEstimate> initial_pose_;
-  std::optional<Motion> motion_;  ///< all motions since the last step as one
+  std::optional<Motion> motion_;  ///< all motions since the last step as one, calibrated
+  /// Its Jacobian by the wheels' parameters.
+  Eigen::Matrix3d J_wheels_ = Eigen::Matrix3d::Zero();
   std::optional<LandmarkObservationArray> observations_;
   std::optional<LaserScan> scan_;
 };

@@ -60,7 +60,7 @@ void GraphSlam::set(const Motion& motion) {
   const auto whole = has_moved_ || !last_motion_ ? motion : withPause(*last_motion_, motion);
   has_moved_ = true;
   last_motion_ = motion;
-  motion_ = motion_ ? joined(*motion_, whole) : whole;
+  add(whole);
 }
 
 SavedSession GraphSlam::session() const {
@@ -113,7 +113,10 @@ GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
   }
   try {
     const auto& last = path.tail().node;
-    eliminate(path.graph(), last ? std::vector{*last} : std::vector<graph::Key>());
+    if (config_.calibration.isOn())
+      path.calibrate(config_.calibration.prior());
+    else
+      eliminate(path.graph(), last ? std::vector{*last} : std::vector<graph::Key>());
   } catch (const std::domain_error&) {
     throw std::runtime_error("its values are too large to compute with: save the session again");
   }
@@ -141,6 +144,10 @@ void GraphSlam::merge(const SavedSession& saved) {
   if (config_.mapIsFixed())
     throw std::runtime_error(
         "with graph.mode: localization nothing is added to the map: merge while mapping");
+  if (config_.calibration.isOn())
+    throw std::runtime_error(
+        "while parameters are calibrated no session is merged: put what was calibrated into the "
+        "robot file, and leave calibration.estimate empty");
   auto session = sessionOf(saved.bytes);
   requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
   requireUsableIds(session.kind, associator_.goesByPlace());

@@ -5,12 +5,18 @@
 
 #include <set>
 
+#include "slam_core/graph/calibrated_factors.hpp"
 #include "slam_core/graph/factors.hpp"
 
 namespace slam::graph_slam {
 namespace {
 
 using graph::Factor;
+
+template <class Kind>
+bool is(const Factor& factor) {
+  return dynamic_cast<const Kind*>(&factor) != nullptr;
+}
 
 /// Collects what the factors join.
 class GraphPicture {
@@ -24,11 +30,12 @@ class GraphPicture {
   }
   /// Loops are known before.
   void addFactor(const Factor& factor, double weight) {
-    const bool is_between = dynamic_cast<const graph::Between*>(&factor) != nullptr;
-    const bool is_sighting = dynamic_cast<const graph::RangeBearing*>(&factor) != nullptr;
-    const bool is_prior = dynamic_cast<const graph::PosePrior*>(&factor) != nullptr;
+    const bool is_between = is<graph::Between>(factor) || is<graph::CalibratedBetween>(factor);
+    const bool is_sighting =
+        is<graph::RangeBearing>(factor) || is<graph::CalibratedSighting>(factor);
+    const bool is_prior = is<graph::PosePrior>(factor);
     if (is_between || is_sighting || is_prior) nodes_.insert(factor.keys().front());
-    if (is_between) nodes_.insert(factor.keys().back());
+    if (is_between) nodes_.insert(factor.keys()[1]);
     if (is_between && loops_.count(&factor) == 0) addEdge(GraphEdge::Kind::kMotion, factor, weight);
     if (is_sighting) addEdge(GraphEdge::Kind::kSighting, factor, weight);
   }
@@ -42,7 +49,7 @@ class GraphPicture {
 
  private:
   void addEdge(GraphEdge::Kind kind, const Factor& factor, double weight) {
-    const auto from = graph_.pose(factor.keys().front()), to = graph_.pose(factor.keys().back());
+    const auto from = graph_.pose(factor.keys()[0]), to = graph_.pose(factor.keys()[1]);
     view_.edges.push_back({kind, from.position(), to.position(), weight});
   }
 

@@ -82,6 +82,43 @@ Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landma
   return path_.covariance(keys, from);
 }
 
+Eigen::MatrixXd LandmarkGraph::covarianceFrom(const Pose2& sensor,
+                                              const std::vector<std::size_t>& landmarks,
+                                              const Viewpoint& from) const {
+  const auto& parameters = *path_.parameters();
+  auto keys = parameters.keys();
+  for (const auto landmark : landmarks) keys.push_back(keys_[landmark]);
+  const Eigen::MatrixXd P = path_.covariance(keys, from);
+  const auto size = 2 * static_cast<Eigen::Index>(landmarks.size());
+  const auto column = [&](CalibrationParameter row) { return 3 + parameters.row(row); };
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(3 + size, P.cols());
+  T.topLeftCorner<3, 3>() = sensor.inverse().adjoint();
+  T.block<2, 1>(0, column(kSensorX)) = sensor.rotation().transpose().col(0);
+  T.block<2, 1>(0, column(kSensorY)) = sensor.rotation().transpose().col(1);
+  T(2, column(kSensorYaw)) = 1.0;
+  T.bottomRightCorner(size, size).setIdentity();
+  const Pose2 place = path_.robot(from).pose * sensor;
+  if (parameters.row(kRangeScale) >= 0)
+    for (std::size_t i = 0; i < landmarks.size(); ++i)
+      T.block<2, 1>(3 + 2 * static_cast<Eigen::Index>(i), column(kRangeScale)) =
+          place.position() - point(landmarks[i]);
+  return T * P * T.transpose();
+}
+
+PoseEstimate LandmarkGraph::sensor(const Pose2& on_robot, const Viewpoint& from) const {
+  const auto robot = path_.robot(from);
+  Eigen::Matrix3d J_robot;
+  const Pose2 pose = robot.pose.compose(on_robot, &J_robot);
+  if (!calibrates()) return {pose, J_robot * robot.covariance * J_robot.transpose()};
+  return {pose, coordinateCovariance(pose, covarianceFrom(on_robot, {}, from))};
+}
+
+double LandmarkGraph::rangeScaleVariance() const {
+  const auto* parameters = path_.parameters();
+  if (parameters == nullptr || parameters->row(kRangeScale) < 0) return 0.0;
+  return parameters->estimate(path_.graph()).covariance(kRangeScale, kRangeScale);
+}
+
 /// The observation as if made from the last node: with the noise of the motion since then.
 LandmarkObservation LandmarkGraph::carriedBack(const LandmarkObservation& z,
                                                const Pose2& sensor) const {
@@ -92,7 +129,7 @@ LandmarkObservation LandmarkGraph::carriedBack(const LandmarkObservation& z,
   const auto place = model.invert(motion->increment, sensor, z.vector());
   model.predict(motion->increment, sensor, place, &J);
   LandmarkObservation carried = z;
-  carried.covariance += J * motion->covariance * J.transpose();
+  carried.covariance += J * path_.tailCovariance() * J.transpose();
   return carried;
 }
 
@@ -108,11 +145,13 @@ void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, cons
   const auto node = isBlurred(z, sensor) ? path_.addNode() : path_.nodeNearby();
   startNode(node);
   const auto& motion = path_.tail().motion;
-  Sighting sighting{carriedBack(z, sensor), motion ? motion->increment * sensor : sensor};
+  Sighting sighting{carriedBack(z, sensor), motion ? motion->increment * sensor : sensor,
+                    sensorPart(path_.calibration())};
   auto& graph = path_.graph();
   const auto known = sightings_.find(landmark);
   if (known != sightings_.end()) {
-    const auto both = fused(known->second.z, known->second.sensor, sighting.z, sighting.sensor);
+    const auto before = renewed(known->second);
+    const auto both = fused(before.z, before.sensor, sighting.z, sighting.sensor);
     if (!both) return;
     sighting.z = *both;
     graph.remove(index_.remove(landmark, node));
@@ -122,10 +161,43 @@ void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, cons
 }
 
 void LandmarkGraph::addSighting(std::size_t landmark, const Sighting& sighting, graph::Key node) {
-  index_.add(landmark, node,
-             path_.graph().add(std::make_unique<graph::RangeBearing>(
-                 node, keys_[landmark], sighting.sensor, sighting.z.vector(),
-                 graph::weightOfCovariance(sighting.z.covariance))));
+  const auto factor = std::make_shared<graph::RangeBearing>(
+      node, keys_[landmark], sighting.sensor, sighting.z.vector(),
+      graph::weightOfCovariance(sighting.z.covariance));
+  auto& graph = path_.graph();
+  if (const auto* parameters = path_.parameters())
+    index_.add(landmark, node,
+               graph.add(std::make_shared<graph::CalibratedSighting>(
+                   node, keys_[landmark], parameters->ofSensor(), *factor, sighting.then)));
+  else
+    index_.add(landmark, node, graph.add(factor));
+}
+
+LandmarkGraph::Sighting LandmarkGraph::renewed(Sighting sighting) const {
+  if (path_.parameters() == nullptr) return sighting;
+  const auto now = sensorPart(path_.calibration());
+  const auto& then = sighting.then;
+  const Eigen::Vector2d moved = now.offset - then.offset;
+  sighting.sensor = {sighting.sensor.x() + moved.x(), sighting.sensor.y() + moved.y(),
+                     sighting.sensor.theta() + now.yaw - then.yaw};
+  CalibrationVector scale = CalibrationVector::Zero();
+  scale(kRangeScale) = now.range_scale - then.range_scale;
+  sighting.z = calibrated(std::move(sighting.z), scale);
+  sighting.then = now;
+  return sighting;
+}
+
+NodeObservations renewed(const LandmarkGraph& landmarks, NodeObservations seen) {
+  auto& array = seen.array;
+  LandmarkGraph::Sighting at{{}, array.sensor_pose, seen.then};
+  for (auto& z : array.observations) {
+    at.z = z;
+    z = landmarks.renewed(at).z;
+  }
+  const auto now = landmarks.renewed(at);
+  array.sensor_pose = now.sensor;
+  seen.then = now.then;
+  return seen;
 }
 
 void LandmarkGraph::startNode(graph::Key node) {
@@ -134,14 +206,17 @@ void LandmarkGraph::startNode(graph::Key node) {
 
 /// What the factor of a node says.
 LandmarkGraph::Sighting LandmarkGraph::sightingOf(std::size_t landmark, graph::Key node) const {
-  const auto& factor = dynamic_cast<const graph::RangeBearing&>(
-      factorOf(path_.graph(), index_.factor(landmark, node)));
+  const auto& any = factorOf(path_.graph(), index_.factor(landmark, node));
+  const auto* calibrated = dynamic_cast<const graph::CalibratedSighting*>(&any);
+  const auto& factor =
+      calibrated != nullptr ? calibrated->seen() : dynamic_cast<const graph::RangeBearing&>(any);
   Sighting sighting;
+  if (calibrated != nullptr) sighting.then = calibrated->then();
   sighting.sensor = factor.sensor();
   sighting.z.range = factor.measured().x();
   sighting.z.bearing = factor.measured().y();
   sighting.z.covariance = (factor.weight().transpose() * factor.weight()).inverse();
-  return sighting;
+  return renewed(sighting);
 }
 
 NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArray& array) {
@@ -150,7 +225,8 @@ NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArr
   const bool is_blurred = std::any_of(seen.begin(), seen.end(), [&](const auto& z) {
     return landmarks.isBlurred(z, array.sensor_pose);
   });
-  NodeObservations from_node{is_blurred ? path.addNode() : path.nodeNearby(), array};
+  NodeObservations from_node{is_blurred ? path.addNode() : path.nodeNearby(), array,
+                             sensorPart(path.calibration())};
   landmarks.startNode(from_node.node);
   for (auto& z : from_node.array.observations) z = landmarks.carriedBack(z, array.sensor_pose);
   if (const auto& motion = path.tail().motion)
@@ -159,13 +235,13 @@ NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArr
 }
 
 void LandmarkGraph::observe(const Match& match, const Pose2& sensor, graph::Key node) {
-  Sighting sighting{match.z, sensor};
+  Sighting sighting{match.z, sensor, sensorPart(path_.calibration())};
   const auto& seen = index_.seenFrom(node);
   if (std::find(seen.begin(), seen.end(), match.landmark) != seen.end()) {
     const auto known = sightingOf(match.landmark, node);
     const auto both = fused(sighting.z, sensor, known.z, known.sensor);
     if (!both) return;
-    sighting = {*both, known.sensor};
+    sighting = {*both, known.sensor, known.then};
     path_.graph().remove(index_.remove(match.landmark, node));
   }
   addSighting(match.landmark, sighting, node);
@@ -186,7 +262,7 @@ NodeObservations withdraw(LandmarkGraph& landmarks, std::size_t landmark, graph:
   const auto sighting = landmarks.sightingOf(landmark, node);
   landmarks.path_.graph().remove(landmarks.index_.remove(landmark, node));
   if (node == landmarks.sightings_node_) landmarks.sightings_.erase(landmark);
-  NodeObservations withdrawn{node, {}};
+  NodeObservations withdrawn{node, {}, sighting.then};
   withdrawn.array.sensor_pose = sighting.sensor;
   withdrawn.array.observations = {sighting.z};
   return withdrawn;

@@ -28,11 +28,12 @@ using Viewpoint = std::optional<graph::Key>;
 /// Observations of one stamp as if they had been made from a node of the path.
 struct NodeObservations {
   graph::Key node = -1;
-  LandmarkObservationArray array;  ///< its sensor pose is T_node_sensor
+  LandmarkObservationArray array;           ///< its sensor pose is T_node_sensor
+  graph::CalibratedSighting::At then = {};  ///< the parameters by which the array was corrected
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(node, array);
+    archive(node, array, then);
   }
 };
 
@@ -50,6 +51,13 @@ class LandmarkGraph {
   void load(const MapState& map, double inflation);
 
   PoseEstimate robot(const Viewpoint& from = {}) const { return path_.robot(from); }
+  /// Whether parameters of the sensor are estimated: then observations are given as they are with
+  /// the parameters now.
+  bool calibrates() const { return path_.parameters() != nullptr; }
+  /// The sensor's pose in the map. @param on_robot its pose on the robot, or T_node_sensor
+  PoseEstimate sensor(const Pose2& on_robot, const Viewpoint& from = {}) const;
+  /// The variance of the logarithm of the ranges' scale.
+  double rangeScaleVariance() const;
   const LandmarkIds& ids() const { return ids_; }
   /// To retire one: the graph keeps what was seen of it.
   friend LandmarkIds& idsOf(LandmarkGraph& landmarks) { return landmarks.ids_; }
@@ -65,6 +73,12 @@ class LandmarkGraph {
   /// another.
   Eigen::MatrixXd covariance(const std::vector<std::size_t>& landmarks,
                              const Viewpoint& from = {}) const;
+  /// The same with the sensor's pose, as a twist in its frame, in the place of the robot's: with
+  /// what is in doubt of the sensor's place, and of the scale of its ranges as if the landmarks
+  /// were nearer. Only where parameters are estimated.
+  /// @param sensor on the robot, or T_node_sensor
+  Eigen::MatrixXd covarianceFrom(const Pose2& sensor, const std::vector<std::size_t>& landmarks,
+                                 const Viewpoint& from = {}) const;
   Eigen::Matrix2d covariance(std::size_t landmark) const {
     return path_.graph().covariance({keys_[landmark]});
   }
@@ -75,6 +89,8 @@ class LandmarkGraph {
   /// An observation of an earlier node, which may have seen the landmark before.
   /// @param sensor T_node_sensor
   void observe(const Match& match, const Pose2& sensor, graph::Key node);
+  /// Observations of a node as they are with the parameters now.
+  friend NodeObservations renewed(const LandmarkGraph& landmarks, NodeObservations seen);
   /// A landmark at a place [m] where an observation puts it; where its id is unknown or another
   /// one's, it gets one that is free.
   void append(LandmarkId id, const Eigen::Vector2d& place, const LandmarkObservation& z,
@@ -102,11 +118,12 @@ class LandmarkGraph {
   /// What the last node knows of a landmark.
   struct Sighting {
     LandmarkObservation z;
-    Pose2 sensor;  ///< T_node_sensor
+    Pose2 sensor;                             ///< T_node_sensor
+    graph::CalibratedSighting::At then = {};  ///< the parameters by which both were corrected
 
     template <class Archive>
     void persist(Archive& archive) {
-      archive(z, sensor);
+      archive(z, sensor, then);
     }
   };
 
@@ -115,6 +132,8 @@ class LandmarkGraph {
   bool isBlurred(const LandmarkObservation& z, const Pose2& sensor) const;
   void see(std::size_t landmark, const LandmarkObservation& z, const Pose2& sensor);
   void addSighting(std::size_t landmark, const Sighting& sighting, graph::Key node);
+  /// The sighting as it is with the parameters now.
+  Sighting renewed(Sighting sighting) const;
   Sighting sightingOf(std::size_t landmark, graph::Key node) const;
   void startNode(graph::Key node);
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <utility>
 
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/graph_slam/twist_covariance.hpp"
@@ -18,7 +18,10 @@ namespace {
 NodeChain::Link composed(const NodeChain::Link& first, const NodeChain::Link& second) {
   Eigen::Matrix3d J_first, J_second;
   NodeChain::Link both;
-  both.increment = first.increment.compose(second.increment, &J_first, &J_second);
+  both.motion.increment =
+      first.motion.increment.compose(second.motion.increment, &J_first, &J_second);
+  both.motion.J = J_first * first.motion.J + J_second * second.motion.J;
+  both.motion.at = second.motion.at;
   both.covariance = J_first * first.covariance * J_first.transpose() +
                     J_second * second.covariance * J_second.transpose();
   both.way = first.way + second.way;
@@ -39,9 +42,11 @@ void NodeChain::start(graph::Key node) {
   new_.push_back(node);
 }
 
-void NodeChain::append(graph::Key before, graph::Key node, const Motion& motion) {
+void NodeChain::append(graph::Key before, graph::Key node, const Motion& motion,
+                       const graph::WheelMotion& by_wheels) {
   Link link;
-  link.increment = motion.increment;
+  link.motion = by_wheels;
+  link.motion.increment = motion.increment;
   link.covariance = motion.covariance;
   link.way = motion.increment.position().norm();
   join(before, node, link);
@@ -49,14 +54,31 @@ void NodeChain::append(graph::Key before, graph::Key node, const Motion& motion)
 }
 
 void NodeChain::join(graph::Key before, graph::Key node, const Link& link) {
-  const Eigen::Matrix3d P = link.covariance + ofSecondOrder(link);
-  const auto W = graph::weightOfCovariance(twistCovariance(link.increment, P));
   auto& joined = nodes_[node];
   joined.before = before;
   joined.link = link;
-  joined.link.factor =
-      graph_.add(std::make_unique<graph::Between>(before, node, link.increment, W));
+  joined.link.factor = graph_.add(factorOf(before, node, link));
   nodes_[before].after = node;
+}
+
+std::shared_ptr<const graph::Factor> NodeChain::factorOf(graph::Key before, graph::Key node,
+                                                         const Link& link) const {
+  const Eigen::Matrix3d P = link.covariance + ofSecondOrder(link);
+  const auto W = graph::weightOfCovariance(twistCovariance(link.motion.increment, P));
+  if (link.motion.J.isZero(0.0))
+    return std::make_shared<graph::Between>(before, node, link.motion.increment, W);
+  return std::make_shared<graph::CalibratedBetween>(before, node, wheels_, link.motion, W);
+}
+
+NodeChain::Link NodeChain::renewed(Link link) const {
+  if (wheels_.empty()) return link;
+  const Pose2 first = graph_.pose(wheels_[0]), second = graph_.pose(wheels_[1]);
+  const Eigen::Vector3d now(first.x(), first.y(), second.x());
+  const Eigen::DiagonalMatrix<double, 3> growth(link.motion.growth(now));
+  if (!link.motion.J.isZero(0.0)) link.covariance = growth * link.covariance * growth;
+  link.motion.increment = link.motion.with(now);
+  link.motion.at = now;
+  return link;
 }
 
 void NodeChain::addChord(graph::Key from, graph::Key node, const Pose2& motion,
@@ -71,7 +93,7 @@ void NodeChain::loosen(graph::Key key, const Eigen::Matrix3d& more) {
   if (node.before < 0) return;
   Link link = node.link;
   graph_.remove(link.factor);
-  link.covariance += coordinateCovariance(link.increment, more);
+  link.covariance += coordinateCovariance(link.motion.increment, more);
   join(node.before, key, link);
 }
 
@@ -82,7 +104,8 @@ void NodeChain::remove(graph::Key key) {
   if (node.after >= 0) {
     const Link next = nodes_.at(node.after).link;
     cut(node.after);
-    if (node.before >= 0) join(node.before, node.after, composed(node.link, next));
+    if (node.before >= 0)
+      join(node.before, node.after, composed(renewed(node.link), renewed(next)));
   }
   nodes_.erase(key);
   removeVariable(graph_, key);

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "slam_core/graph/calibrated_factors.hpp"
 #include "slam_core/graph/optimizer.hpp"
 #include "slam_core/models/motion.hpp"
 
@@ -21,13 +23,13 @@ class NodeChain {
   /// A link is the motion to a node from the one before.
   struct Link {
     graph::FactorId factor = -1;
-    Pose2 increment;
+    graph::WheelMotion motion;  ///< depends on the wheels' parameters where they are calibrated
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the increment, to the first order
     double way = 0.0;                                      ///< driven, along all nodes between [m]
 
     template <class Archive>
     void persist(Archive& archive) {
-      archive(factor, increment, covariance, way);
+      archive(factor, motion, covariance, way);
     }
   };
   struct Chord {
@@ -54,10 +56,15 @@ class NodeChain {
   /// @param graph outlives this
   explicit NodeChain(graph::Optimizer& graph) : graph_(graph) {}
 
+  /// From now on motions depend on parameters.
+  /// @param wheels the keys of (kWheelScale, kWheelBase) and (kWheelDrift, kSensorYaw)
+  void calibrate(const std::vector<graph::Key>& wheels) { wheels_ = wheels; }
   /// The path goes on from a node that has a prior of its own.
   void start(graph::Key node);
   /// Adds the factor of the motion from one node to a new one.
-  void append(graph::Key before, graph::Key node, const Motion& motion);
+  /// @param by_wheels the same motion, with its Jacobian where the wheels are calibrated
+  void append(graph::Key before, graph::Key node, const Motion& motion,
+              const graph::WheelMotion& by_wheels = {});
   /// Adds a second motion to a node. @param W its weight, as of graph::Between
   void addChord(graph::Key from, graph::Key node, const Pose2& motion, const Eigen::Matrix3d& W);
   /// Makes the motion to a node from the one before less certain.
@@ -73,13 +80,17 @@ class NodeChain {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(nodes_, new_);
+    archive(nodes_, new_, wheels_);
   }
 
  private:
   friend struct SessionParts;  // takes up the nodes of a session as if they had just come
 
   void join(graph::Key before, graph::Key node, const Link& link);
+  std::shared_ptr<const graph::Factor> factorOf(graph::Key before, graph::Key node,
+                                                const Link& link) const;
+  /// The motion at the parameters as they are now.
+  Link renewed(Link link) const;
   /// Removes the motion between a node and the one before.
   void cut(graph::Key node);
   void removeChords(graph::Key node);
@@ -87,6 +98,8 @@ class NodeChain {
   graph::Optimizer& graph_;
   std::unordered_map<graph::Key, Node> nodes_;  // looked up only, never iterated
   std::vector<graph::Key> new_;
+  std::vector<graph::Key>
+      wheels_;  ///< the keys of the parameters; empty where nothing is calibrated
 };
 
 }  // namespace slam::graph_slam

@@ -10,6 +10,7 @@
 
 #include "slam_core/graph/optimizer.hpp"
 #include "slam_core/graph_slam/node_chain.hpp"
+#include "slam_core/graph_slam/parameter_variables.hpp"
 #include "slam_core/graph_slam/twist_covariance.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
@@ -43,6 +44,14 @@ class PathGraph {
   PathGraph(const PathGraph&) = delete;  // its chain holds its graph
   PathGraph& operator=(const PathGraph&) = delete;
 
+  /// Parameters of wheels and sensor are estimated with the path from now on. Nothing else is in
+  /// the graph, or what is there was loaded and depends on no parameter.
+  void calibrate(const CalibrationEstimate& prior);
+  /// Null where nothing is calibrated.
+  const ParameterVariables* parameters() const { return parameters_ ? &*parameters_ : nullptr; }
+  /// The parameters as they are estimated; 0 where nothing is calibrated.
+  CalibrationVector calibration() const;
+
   /// The robot is there, or was there at a node.
   PoseEstimate robot(const std::optional<graph::Key>& at = {}) const;
   /// The covariance of the robot, as a twist in its frame, and of some variables of the graph.
@@ -50,8 +59,11 @@ class PathGraph {
   Eigen::MatrixXd covariance(const std::vector<graph::Key>& keys,
                              const std::optional<graph::Key>& at = {}) const;
 
+  /// @param J_wheels of the increment by (kWheelScale, kWheelBase, kWheelDrift), where these are
+  /// calibrated; the motion is as it is with calibration()
   /// @return what it makes of an error of the pose
-  PosePrediction predict(const Motion& motion);
+  PosePrediction predict(const Motion& motion,
+                         const Eigen::Matrix3d& J_wheels = Eigen::Matrix3d::Zero());
   /// The motion since the last node as something better tells it than odometry.
   void correct(const Pose2& increment, const Eigen::Matrix3d& covariance);
   /// The robot is redrawn there; what is in the graph does not move.
@@ -60,6 +72,8 @@ class PathGraph {
   void relocate(graph::Key node);
 
   const Tail& tail() const { return tail_; }
+  /// The covariance of the motion since the last node, as far as the parameters are in doubt, too.
+  Eigen::Matrix3d tailCovariance() const;
   /// The last node; where the robot has moved beyond the limits it is a new one.
   graph::Key nodeNearby();
   graph::Key addNode();
@@ -73,17 +87,22 @@ class PathGraph {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(graph_, chain_, start_, tail_);
+    archive(graph_, chain_, start_, tail_, parameters_, by_wheels_);
   }
 
  private:
   friend struct SessionParts;  // writes and reads its members
+
+  Eigen::MatrixXd withTail(const Eigen::MatrixXd& P) const;
+  void renewTail();
 
   NodeLimits limits_;
   graph::Optimizer graph_;
   NodeChain chain_{graph_};
   PoseEstimate start_;  ///< of the robot, while there is no node
   Tail tail_;
+  std::optional<ParameterVariables> parameters_;
+  graph::WheelMotion by_wheels_;  ///< the motion of the tail, where parameters are estimated
 };
 
 }  // namespace slam::graph_slam

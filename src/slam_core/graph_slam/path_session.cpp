@@ -60,7 +60,9 @@ void SessionParts::read(const Session& session, NodeChain& chain) {
     before.after = keyOfNode(motion->to);
     node.before = keyOfNode(motion->from);
     const Eigen::Matrix3d H = motion->weight.transpose() * motion->weight;
-    node.link = {id, motion->motion, coordinateCovariance(motion->motion, H.inverse()),
+    node.link = {id,
+                 {motion->motion},
+                 coordinateCovariance(motion->motion, H.inverse()),
                  motion->motion.position().norm()};
   }
   for (std::size_t i = 0; i < session.nodes.size(); ++i)
@@ -78,9 +80,9 @@ void SessionParts::write(const LandmarkGraph& from, const SessionNumbers& number
   for (std::size_t i = 0; i < from.ids_.size(); ++i) {
     const auto known = from.sightings_.find(i);
     if (known == from.sightings_.end()) continue;
-    const auto& [z, sensor] = known->second;
+    const auto seen = from.renewed(known->second);
     const auto factor = from.index_.factor(i, from.sightings_node_);
-    session.sightings.push_back({numbers.factor(factor), z, sensor});
+    session.sightings.push_back({numbers.factor(factor), seen.z, seen.sensor});
   }
 }
 
@@ -101,7 +103,7 @@ void SessionParts::read(const Session& session, LandmarkGraph& to) {
   if (session.sightings_node) to.sightings_node_ = keyOfNode(*session.sightings_node);
   for (const auto& [factor, z, sensor] : session.sightings) {
     const auto& seen = std::get<Session::RangeBearing>(session.factors[factor]);
-    to.sightings_[seen.landmark] = {z, sensor};
+    to.sightings_[seen.landmark] = {z, sensor, {}};
   }
 }
 

@@ -15,7 +15,10 @@ namespace slam::graph_slam {
 
 Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
                        const std::vector<Match>& matches, const Viewpoint& from)
-    : robot_(graph.robot(from).pose), sensor_(sensor), matches_(matches) {
+    : robot_(graph.robot(from).pose),
+      sensor_(sensor),
+      J_robot_(robot_.twistJacobian().transpose()),
+      matches_(matches) {
   std::vector<std::size_t> landmarks;
   for (const auto& match : matches) {
     const auto known = std::find(landmarks.begin(), landmarks.end(), match.landmark);
@@ -23,7 +26,14 @@ Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
     if (known == landmarks.end()) landmarks.push_back(match.landmark);
     points_.push_back(graph.point(match.landmark));
   }
-  P_ = graph.covariance(landmarks, from);
+  if (graph.calibrates()) {
+    P_ = graph.covarianceFrom(sensor, landmarks, from);
+    of_robot_ = sensor.inverse().adjoint();
+    robot_ = robot_ * sensor;
+    sensor_ = Pose2();
+  } else {
+    P_ = graph.covariance(landmarks, from);
+  }
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const RangeBearingModel model;
     is_singular_.push_back(model.isSingular(model.predict(robot_, sensor_, points_[i])) ? 1 : 0);
@@ -192,7 +202,7 @@ JointInnovation Prediction::tellable(const Used& used, const Joint& joint) const
                        Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd(size, 3)};
   for (std::size_t i = 0; i < count; ++i) {
     told.R.block<2, 2>(row(i), row(i)) = matches_[used[i]].z.covariance;
-    told.H.middleRows<2>(row(i)) = joint.H[i].leftCols<3>() * robot_.twistJacobian().transpose();
+    told.H.middleRows<2>(row(i)) = joint.H[i].leftCols<3>() * of_robot_ * J_robot_;
   }
   return told;
 }

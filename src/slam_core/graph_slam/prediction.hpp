@@ -69,7 +69,9 @@ class Prediction {
   Joint iterated(const Used& used, Joint joint) const;
   JointInnovation tellable(const Used& used, const Joint& joint) const;
 
-  Pose2 robot_, sensor_;
+  Pose2 robot_, sensor_;  ///< where parameters are estimated the sensor takes the robot's place
+  Eigen::Matrix3d of_robot_ = Eigen::Matrix3d::Identity();  ///< robot_'s twist by the robot's
+  Eigen::Matrix3d J_robot_;                                 ///< the robot's twist by (x, y, theta)
   const std::vector<Match>& matches_;
   std::vector<Eigen::Vector2d> points_;  ///< by match
   std::vector<Eigen::Index> rows_;       ///< of each match's landmark in P

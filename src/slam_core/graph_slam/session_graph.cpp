@@ -7,13 +7,16 @@
 #include <string>
 #include <unordered_set>
 
+#include "slam_core/graph/calibrated_factors.hpp"
+
 namespace slam::graph_slam {
 namespace {
 
 /// Builds the record of a factor, whichever kind it is.
 class FactorRecorder {
  public:
-  explicit FactorRecorder(const SessionNumbers& numbers) : numbers_(numbers) {}
+  FactorRecorder(const SessionNumbers& numbers, const graph::Optimizer& graph)
+      : numbers_(numbers), graph_(graph) {}
 
   Session::Factor operator()(const graph::Factor& factor) const {
     if (const auto* is = dynamic_cast<const graph::Between*>(&factor))
@@ -26,12 +29,21 @@ class FactorRecorder {
     if (const auto* is = dynamic_cast<const graph::PointPrior*>(&factor))
       return Session::PointPrior{variable(*is, 0), is->known(), is->weight()};
     if (const auto* is = dynamic_cast<const graph::JointPrior*>(&factor)) return joint(*is);
+    if (const auto* is = dynamic_cast<const graph::CalibratedBetween*>(&factor))
+      return (*this)(is->with(estimates(factor)));
+    if (const auto* is = dynamic_cast<const graph::CalibratedSighting*>(&factor))
+      return (*this)(is->with(estimates(factor)));
     throw std::logic_error("a session has no record for a kind of factor that is in the graph");
   }
 
  private:
   Session::Index variable(const graph::Factor& factor, std::size_t i) const {
     return numbers_.variable(factor.keys()[i]);
+  }
+  std::vector<Pose2> estimates(const graph::Factor& factor) const {
+    std::vector<Pose2> estimates;
+    for (const auto key : factor.keys()) estimates.push_back(graph_.pose(key));
+    return estimates;
   }
   Session::JointPrior joint(const graph::JointPrior& factor) const {
     Session::JointPrior record{
@@ -42,6 +54,7 @@ class FactorRecorder {
   }
 
   const SessionNumbers& numbers_;
+  const graph::Optimizer& graph_;
 };
 
 /// Builds a factor of its record.
@@ -90,7 +103,10 @@ SessionNumbers::SessionNumbers(const graph::Optimizer& graph,
     factors_.push_back(static_cast<Session::Index>(in_order_.size()));
     if (!factor) continue;
     for (const auto key : factor->keys()) is_used[static_cast<std::size_t>(key)] = 1;
-    if (left_out.count(factor.get()) == 0) in_order_.push_back(factor);
+    // a session is as it is with the parameters that were calibrated, and holds none
+    const bool is_of_parameters =
+        dynamic_cast<const graph::ParameterPrior*>(factor.get()) != nullptr;
+    if (left_out.count(factor.get()) == 0 && !is_of_parameters) in_order_.push_back(factor);
   }
   for (std::size_t i = 0; i < landmarks.size(); ++i)
     variables_[static_cast<std::size_t>(landmarks[i])] = static_cast<Session::Index>(i);
@@ -114,7 +130,7 @@ std::optional<Session::Index> SessionNumbers::variable(const std::optional<graph
 
 void write(const graph::Optimizer& graph, const SessionNumbers& numbers, Session& session) {
   for (const auto key : numbers.nodes()) session.nodes.push_back(graph.pose(key));
-  const FactorRecorder record(numbers);
+  const FactorRecorder record(numbers, graph);
   for (const auto& factor : numbers.in_order_) session.factors.push_back(record(*factor));
 }
 

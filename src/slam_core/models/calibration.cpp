@@ -118,6 +118,13 @@ std::vector<CalibrationParameter> CalibrationConfig::estimatedRows() const {
   return rows;
 }
 
+std::vector<std::string> CalibrationConfig::namesOfWheels() const {
+  std::vector<std::string> names;
+  for (const auto row : {kWheelScale, kWheelBase, kWheelDrift})
+    if (estimates(row)) names.emplace_back(textOf(row).name);
+  return names;
+}
+
 bool CalibrationConfig::estimates(CalibrationParameter row) const {
   const auto rows = estimatedRows();
   return std::find(rows.begin(), rows.end(), row) != rows.end();

@@ -72,6 +72,8 @@ struct CalibrationConfig {
   void describe(Fields& fields);
   bool isOn() const { return !estimate.empty(); }
   bool estimates(CalibrationParameter row) const;
+  /// The names of what is estimated of the wheels.
+  std::vector<std::string> namesOfWheels() const;
   /// The priors.
   CalibrationEstimate prior() const;
   /// Those that are estimated.

@@ -11,6 +11,7 @@
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
+#include "slam_core/product/calibration_check.hpp"
 
 namespace slam {
 
@@ -72,6 +73,8 @@ void Estimator::configure(Settings& settings) {
   carrier_ = carrier == inputs.end() ? nullptr : &*carrier;
   capabilities_ = capabilitiesOf(*backend_);
   faults.attempt([&] { backend_->configure(settings); });
+  faults.attempt(
+      [&] { checkCalibration(settings.read<ProductConfig>(), capabilities_, settings); });
   faults.attempt([&] { consistency_config_ = settings.read<ConsistencyConfig>(); });
   faults.attempt([&] { events_config_ = settings.read<EventsConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });

@@ -21,6 +21,7 @@ from slam_eval.bench.calibration.true_wheels import measured_by, true_wheels, Tr
 from slam_eval.bench.harness.bag_edit import edit
 from slam_eval.bench.harness.error import Failure
 from slam_eval.bench.harness.landmark_sensor import Sensor
+from slam_eval.bench.harness.products import EKF_WHEEL, GRAPH_WHEEL
 from slam_eval.plot.calibration import plot_errors
 
 SEGWAY = {"lever": 0.5, "wheel_scales": [0.99, 1.01], "lever_scale": 0.98}
@@ -203,6 +204,14 @@ class Tables(unittest.TestCase):
         columns = dict(zip(cells[0], cells[3]))
         self.assertEqual((columns["run"], columns["to right"]), (CALIBRATING, "1.80"))
 
+    def test_revised_paths_are_compared_with_one_another(self):
+        of = [Seed({CALIBRATING: Outcome(0.1, 3.0, 0.0, 0.06)}, {})]
+        self.assertEqual(results.revised_ratios(of, CALIBRATING, [Outcome(0.1, 3.0, 0.0, 0.03)]),
+                         [(2.0, 1)])
+        text = results.run_table({"late": of}, [Outcome(0.1, 3.0, 0.0, 0.03)])
+        self.assertIn("revised to right", text)
+        self.assertNotIn("revised", results.run_table({"late": [seed([1.0, 0.1])]}, self.right))
+
     def test_the_median_of_the_seeds_keeps_to_the_limit_or_is_named(self):
         found = {"wheels_0.7": [seed([1.0, 0.1, 0.1]), seed([1.0, 0.2, 0.2])],
                  "wheels_1.3": [seed([1.0, 0.1, 0.1]), seed([1.0, 0.4, 0.2])]}
@@ -281,16 +290,28 @@ class Cases(unittest.TestCase):
                 return seed([0.1, 0.1, 0.1] if CASES[name].estimate else [0.1])
 
         with tempfile.TemporaryDirectory() as name:
-            recorder = Recorder()
+            ekf, graph = Recorder(), Recorder()
             context = types.SimpleNamespace(
-                options=types.SimpleNamespace(seeds=2, only=["clean", "late"]),
-                made={"runner": recorder}, out=pathlib.Path(name),
+                options=types.SimpleNamespace(seeds=2, only=["clean", "late"],
+                                              products=[EKF_WHEEL, GRAPH_WHEEL]),
+                made={"runners": {EKF_WHEEL: ekf, GRAPH_WHEEL: graph}}, out=pathlib.Path(name),
                 progress=types.SimpleNamespace(begin=lambda task: None))
             self.assertEqual(drives.PARTS["clean"](context), [])
-            section, = drives.PARTS["late"](context)
-            self.assertEqual(recorder.runs, [(case, number) for case in (RIGHT, "clean", "late")
-                                             for number in (1, 2)])
-            self.assertIn("2 of 2 cases (reached)", section.markdown())
+            of_ekf, of_graph = drives.PARTS["late"](context)
+            self.assertEqual(ekf.runs, [(case, number) for case in (RIGHT, "clean", "late")
+                                        for number in (1, 2)])
+            self.assertEqual(graph.runs, [(case, number) for case in (RIGHT, "clean")
+                                          for number in (1, 2)])
+            self.assertIn("2 of 2 cases (reached)", of_ekf.markdown())
+            self.assertIn("1 of 1 cases (reached)", of_graph.markdown())
+            self.assertIn(GRAPH_WHEEL, of_graph.title)
+
+    def test_the_graph_estimates_all_but_the_stamps(self):
+        self.assertEqual(CASES["clean"].estimated_by(EKF_WHEEL), CASES["clean"].estimate)
+        self.assertEqual(CASES["clean"].estimated_by(GRAPH_WHEEL),
+                         tuple(name for name in CASES["clean"].estimate if name != "time_offset"))
+        self.assertFalse(CASES["late"].is_for(GRAPH_WHEEL))
+        self.assertTrue(CASES[RIGHT].is_for(GRAPH_WHEEL))
 
 
 if __name__ == "__main__":

@@ -94,7 +94,7 @@ BENCHMARKS = {
         "they do not know: wheels, ranges, ids, a laser, a robot that is carried; a few minutes",
         adverse_drives.PARTS, command_line.add_adverse),
     "calibration": Benchmark(
-        "self-calibration", "what the EKF finds out of wheels and sensor that the robot file has "
+        "self-calibration", "what EKF and graph find out of wheels and sensor that the robot file has "
         "wrong, whether it knows how well, and what its pose is worth then; a few minutes",
         calibration_drives.PARTS, command_line.add_calibration),
     "relocalisation": Benchmark(

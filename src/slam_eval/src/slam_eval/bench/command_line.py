@@ -220,10 +220,15 @@ def add_adverse(parser):
                         help="halls, with a drive through each (%(default)s)")
 
 
+CALIBRATING = ("ekf_wheel", "graph_wheel")
+
+
 def add_calibration(parser):
     """Options of `slam_bench calibration`."""
     parser.add_argument("--seeds", metavar="N", type=count, default=10,
                         help="halls, with a drive through each (%(default)s)")
+    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
+                        default=list(CALIBRATING), help=f"instead of {','.join(CALIBRATING)}")
 
 
 def add_relocalisation(parser):

@@ -5,6 +5,7 @@ and what is estimated then."""
 import dataclasses
 
 from slam_eval.bench.harness import miscalibration
+from slam_eval.bench.harness.products import GRAPH_WHEEL
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,7 +50,17 @@ class Case:
     estimate: tuple = ()
     is_observable: bool = True  # else no drive tells all that is estimated
 
+    def estimated_by(self, product):
+        """What of it the product can estimate."""
+        left_out = LEFT_OUT.get(product, ())
+        return tuple(name for name in self.estimate if name not in left_out)
 
+    def is_for(self, product):
+        """Whether the product can estimate anything of it, or nothing is to be estimated."""
+        return not self.estimate or bool(self.estimated_by(product))
+
+
+LEFT_OUT = {GRAPH_WHEEL: ("time_offset",)}  # what a product cannot estimate
 WHEELS = ("wheel_scale", "wheel_base", "wheel_drift")
 # Wheels tell the scale of ranges; these two of them are seldom known to a twentieth of their priors.
 RANGES = ("wheel_base", "wheel_drift", "range_scale")

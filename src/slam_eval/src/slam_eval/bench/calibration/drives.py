@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drives through random halls with a robot file that is wrong: what the EKF finds out, what its
+"""Drives through random halls with a robot file that is wrong: what a product finds out, what its
 pose is worth meanwhile, and what the robot file that it writes is worth."""
 import dataclasses
 import functools
 import shutil
-import time
 
 import yaml
 
@@ -17,7 +16,6 @@ from slam_eval.bench.calibration.true_wheels import true_wheels
 from slam_eval.bench.harness.bag_edit import edit
 from slam_eval.bench.harness.error import BenchError, Failure
 from slam_eval.bench.harness.hall_drives import Drives, LANDMARKS, log_of, run_product, truth_of
-from slam_eval.bench.harness.products import EKF_WHEEL
 from slam_eval.bench.harness.programs import simulation_file
 from slam_eval.bench.harness.table import Section
 from slam_eval.io.errors import InputError
@@ -28,11 +26,13 @@ from slam_eval.plot.calibration import plot_errors
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """Of one run: ATE after alignment [m], mean NEES [1], time confidently wrong [s]."""
+    """Of one run: ATE after alignment [m], mean NEES [1], time confidently wrong [s], ATE of the
+    revised path [m] where the product has one."""
 
     ate: float
     nees: float
     wrong: float
+    revised: float | None = None
 
 
 @dataclasses.dataclass
@@ -48,16 +48,17 @@ def _outcome(folder):
     metrics = evaluate(read_run(folder)).metrics
     try:
         return Outcome(*(metrics[key] for key in ("ate_rmse_m", "nees_mean",
-                                                  "confidently_wrong_s")))
+                                                  "confidently_wrong_s")),
+                       metrics.get("ate_final_rmse_m"))
     except KeyError as key:
         raise BenchError(f"the run {folder.name} has no {key.args[0]}; look at its log") from None
 
 
 class Runner:
-    """Runs the cases; keeps the drives, and what their wheels are."""
+    """Runs the cases with a product; keeps the drives, and what their wheels are."""
 
-    def __init__(self, context):
-        self._context, self._drives, self._wheels = context, Drives(context), {}
+    def __init__(self, context, product, drives):
+        self._context, self._product, self._drives, self._wheels = context, product, drives, {}
         self.cpu_s = 0.0
 
     def _true_wheels(self, seed, drive):
@@ -68,17 +69,18 @@ class Runner:
 
     def _run(self, bag, name, seed, robot=None, estimate=()):
         """(Outcome or Failure, folder)."""
-        folder = bag.with_name(f"{bag.stem}_{name}_run")
+        folder = bag.with_name(f"{bag.stem}_{self._product}_{name}_run")
         settings = [f"calibration.estimate=[{', '.join(estimate)}]"] if estimate else []
         try:
-            self.cpu_s += run_product(folder, EKF_WHEEL, bag, seed, robot, settings)
+            self.cpu_s += run_product(folder, self._product, bag, seed, robot, settings)
             return _outcome(folder), folder
         except (BenchError, InputError) as error:
             return Failure(str(error)), folder
 
     def _calibrate(self, bag, seed, case, true_values):
         """The runs with calibration, and what it found."""
-        outcome, folder = self._run(bag, CALIBRATING, seed, estimate=case.estimate)
+        estimate = case.estimated_by(self._product)
+        outcome, folder = self._run(bag, CALIBRATING, seed, estimate=estimate)
         if isinstance(outcome, Failure):
             return {CALIBRATING: outcome}, {}
         found = estimates(log_of(folder).read_text(encoding="utf-8"), true_values)
@@ -104,39 +106,42 @@ class Runner:
         return Seed(runs, found)
 
 
-def _section(context, results, right, cpu_s, seconds):
+def _section(context, product, results, right, cpu_s):
     options = context.options
     halls = f"{options.seeds} halls" if options.seeds > 1 else "one hall"
-    section = Section(f"A robot file that is wrong, {halls}")
+    section = Section(f"{product} with a robot file that is wrong, {halls}")
     cases = "; ".join(f"`{name}`: {CASES[name].title}" for name in results)
     section.paragraphs += [run_table(results, right), parameter_table(results),
                            verdict_lines(results, right), REMARK, f"Cases: {cases}.",
-                           f"CPU time of all runs {cpu_s:.0f} s, wall time {seconds:.0f} s."]
+                           f"CPU time of all runs {cpu_s:.0f} s."]
     errors = errors_of(results)
     if errors:
-        path = context.out / "calibration_errors.png"
+        path = context.out / f"calibration_errors_{product}.png"
         plot_errors(errors, path)
         section.pictures["errors of the calibrated parameters, a dot for each hall"] = path
     return section
 
 
 def measure(context, name):
-    """Nothing but with the last of the cases that were asked for: then the section of all. The case
-    `right`, which the others are compared with, is always run."""
+    """Nothing but with the last of the cases that were asked for: then the sections of all, one for
+    each product. The case `right`, which the others are compared with, is always run."""
     options, made = context.options, context.made
-    runner = made.setdefault("runner", Runner(context))
-    results = made.setdefault("results", {})
-    start = made.setdefault("start", time.monotonic())
-    for case in dict.fromkeys((RIGHT, name)):
-        if case not in results:
-            results[case] = []
+    if "runners" not in made:
+        drives = Drives(context)
+        made["runners"] = {each: Runner(context, each, drives) for each in options.products}
+    results = made.setdefault("results", {product: {} for product in options.products})
+    for product, runner in made["runners"].items():
+        for case in dict.fromkeys((RIGHT, name)):
+            if case in results[product] or not CASES[case].is_for(product):
+                continue
+            results[product][case] = []
             for seed in range(1, options.seeds + 1):
-                context.progress.begin(f"{case}: seed {seed} of {options.seeds}")
-                results[case].append(runner.seed(case, seed))
+                context.progress.begin(f"{product}, {case}: seed {seed} of {options.seeds}")
+                results[product][case].append(runner.seed(case, seed))
     if name != options.only[-1]:
         return []
-    right = [seed.runs[WRONG] for seed in results[RIGHT]]
-    return [_section(context, results, right, runner.cpu_s, time.monotonic() - start)]
+    return [_section(context, product, of, [seed.runs[WRONG] for seed in of[RIGHT]],
+                     made["runners"][product].cpu_s) for product, of in results.items()]
 
 
 PARTS = {name: functools.partial(measure, name=name) for name in CASES}

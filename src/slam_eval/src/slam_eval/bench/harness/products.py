@@ -7,6 +7,7 @@ import yaml
 from slam_eval.bench.harness.programs import package_folder
 
 EKF_WHEEL = "ekf_wheel"
+GRAPH_WHEEL = "graph_wheel"
 PF_WHEEL_GRID = "pf_wheel_grid"
 SENSORS = "odom,camera"
 ODOMETRY_OF_LOGS = ("none", "wheel", "laser", "laser_wheel")

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/graph_slam/graph_slam.hpp"
+
+// This file holds how the back-end calibrates wheels and landmark sensor.
+
+namespace slam::graph_slam {
+
+void GraphSlam::checkCalibration(const GraphConfig& config) const {
+  const auto& calibration = config.calibration;
+  if (!calibration.isOn()) return;
+  if (uses_grid_)
+    throw ConfigError(
+        "calibration.estimate: with map=grid nothing is calibrated, since scans tell the motion; "
+        "use map=landmarks, or leave the list empty");
+  if (config.mapIsFixed())
+    throw ConfigError(
+        "calibration.estimate: in a fixed map nothing is calibrated; use graph.mode=slam, or leave "
+        "the list empty");
+  if (calibration.estimates(kTimeOffset))
+    throw ConfigError(
+        "calibration.estimate: backend=graph does not calibrate time_offset; use backend=ekf, or "
+        "leave it out of the list");
+}
+
+/// What is removed with a node has told the parameters something.
+std::size_t GraphSlam::nodesPerPlace(const GraphConfig& config) {
+  constexpr int kMoreWhileCalibrating = 10;
+  const int factor = config.calibration.isOn() ? kMoreWhileCalibrating : 1;
+  return static_cast<std::size_t>(factor) * static_cast<std::size_t>(config.nodes_per_place);
+}
+
+std::optional<CalibrationEstimate> GraphSlam::calibration() const {
+  const auto* parameters = graph_ ? graph_->path.parameters() : nullptr;
+  if (parameters == nullptr) return std::nullopt;
+  return parameters->estimate(graph_->path.graph());
+}
+
+LandmarkObservationArray GraphSlam::corrected(const LandmarkObservationArray& array) const {
+  if (graph_->path.parameters() == nullptr) return array;
+  return calibrated(array, Eigen::Vector3d::Zero(), graph_->path.calibration());
+}
+
+Component::Figures GraphSlam::calibrationFigures() const {
+  Figures figures;
+  if (const auto known = calibration())
+    for (const auto& parameter : config_.calibration.parametersOf(*known)) {
+      figures.emplace_back(parameter.name, parameter.value);
+      figures.emplace_back(parameter.name + "_sigma", parameter.sigma);
+    }
+  return figures;
+}
+
+/// Adds a measured motion to those that wait for the next step.
+void GraphSlam::add(const Motion& measured) {
+  Motion motion = measured;
+  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+  if (graph_->path.parameters() != nullptr) {
+    const auto parameters = graph_->path.calibration();
+    CalibrationJacobian<3> J_parameters;
+    motion = calibrated(measured, parameters, &J_parameters);
+    J = J_parameters.leftCols<3>();
+    const Eigen::DiagonalMatrix<double, 3> growth(
+        graph::WheelMotion().growth(parameters.head<3>()));
+    motion.covariance = growth * motion.covariance * growth;
+  }
+  Eigen::Matrix3d J_before, J_u;
+  const Pose2 before = motion_ ? motion_->increment : Pose2();
+  before.compose(motion.increment, &J_before, &J_u);
+  J_wheels_ = motion_ ? Eigen::Matrix3d(J_before * J_wheels_ + J_u * J) : J;
+  motion_ = motion_ ? joined(*motion_, motion) : motion;
+}
+
+}  // namespace slam::graph_slam

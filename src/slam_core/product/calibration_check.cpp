@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/product/calibration_check.hpp"
+
+#include <string>
+
+#include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/calibrator.hpp"
+
+namespace slam {
+namespace {
+
+/// The odometry source whose motion is that of wheels alone.
+constexpr const char* kWheels = "wheel";
+
+/// What is listed. Where the section has faults, who reads it says so.
+CalibrationConfig listed(Settings settings) {
+  CalibrationConfig config;
+  try {
+    settings.read(config);
+  } catch (const ConfigError&) {
+    config.estimate.clear();
+  }
+  return config;
+}
+
+}  // namespace
+
+void checkCalibration(const ProductConfig& product, const Capabilities& backend,
+                      Settings& settings) {
+  const auto config = listed(settings);
+  if (!config.isOn()) return;
+  if (backend.find<Calibrator>() == nullptr) {
+    settings.read<CalibrationConfig>();  // so that nobody calls the section unknown
+    throw ConfigError("calibration.estimate: backend=" + product.backend +
+                      " does not calibrate, backend=ekf and backend=graph do; use one of them, or "
+                      "leave the list empty");
+  }
+  if (product.odometry == kWheels || product.odometry == "none") return;
+  for (const auto& name : config.namesOfWheels())
+    throw ConfigError("calibration.estimate: with odometry=" + product.odometry +
+                      " wheels do not tell the motion, so that " + name +
+                      " cannot be estimated; use odometry=wheel, or leave it out of the list");
+}
+
+}  // namespace slam
