@@ -51,9 +51,11 @@ class StampJump {
   std::optional<Stamp> believed() const {
     return jump_ && jump_->is_doubtful && !isConfirmed() ? jump_->before : last_;
   }
-  /// Whether a message of this stamp tells that the last one, which alone jumped ahead, was wrong.
+  /// Whether a message of this stamp tells that the last one, which alone jumped ahead, was wrong:
+  /// one that has not jumped itself. Behind a pause messages may come in another order.
   bool isRefutedBy(Stamp stamp) const {
-    return before() && jump_->messages == 1 && *before() < stamp && stamp < *last_;
+    return before() && jump_->messages == 1 && *before() < stamp && stamp < *last_ &&
+           stamp <= *before() + kStampJump;
   }
 
   template <class Archive>

@@ -20,6 +20,7 @@ namespace slam::relocalisation {
 /// two cases apart. What the search has seen already counts little.
 class PlaceTrial {
  public:
+  PlaceTrial() = default;  ///< to be read from an archive
   /// @param map_local T_map_local that the search has found @param seen the scans that it has used
   /// @param prior logarithm of how many times likelier the place is by what else is known
   PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen, double prior = 0.0);
@@ -56,7 +57,7 @@ class PlaceTrial {
   Pose2 last_;            ///< T_local_base at the last scan
   std::set<Patch> seen_;  ///< by the search, or counted since
   AreaEvidence areas_;    ///< what new surfaces have told so far
-  double evidence_;
+  double evidence_ = 0.0;
 };
 
 }  // namespace slam::relocalisation

@@ -45,8 +45,7 @@ class PlaceTrials {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive.list(trials_, [] { return PlaceTrial(Pose2(), {}); });
-    archive(tried_);
+    archive(trials_, tried_);
   }
 
  private:

@@ -77,6 +77,17 @@ TEST_F(StampedQueueTest, DropsTheOneThatWasStampedFarAhead) {
   EXPECT_EQ(drain(), (std::vector<int>{0, 2, 3}));
 }
 
+/// Both have jumped, so that the older one does not tell that the newer one is wrong.
+TEST_F(StampedQueueTest, KeepsTheNewerOfTwoMessagesThatChangedPlacesBehindAPause) {
+  push(1, 0);
+  push(21, 2);
+  push(20.9, 1);
+  push(21.1, 3);
+  EXPECT_EQ(drain(), (std::vector<int>{0, 2, 3}));
+  EXPECT_EQ(counters["late"], 1u);
+  EXPECT_EQ(counters["stamp_jump"], 0u);
+}
+
 TEST_F(StampedQueueTest, BelievesAJumpAheadThatLasts) {
   push(1, 0);
   push(4000, 1);

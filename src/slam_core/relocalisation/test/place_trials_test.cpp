@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "slam_core/common/archive.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 
 namespace slam::relocalisation {
@@ -58,6 +59,32 @@ class PlaceTrialsTest : public testing::Test {
   LocalScan last;
   PlaceTrials trials{kOdds};
 };
+
+TEST_F(PlaceTrialsTest, GoOnWithPlacesOnTrialAfterACheckpoint) {
+  lead(kRight);
+  lead(kWrong);
+  drive(2);
+  ArchiveWriter writer;
+  writer(trials);
+  const auto saved = writer.take();
+  PlaceTrials resumed(kOdds);
+  ArchiveReader reader(saved);
+  reader(resumed);
+  for (auto* each : {&trials, &resumed}) {
+    auto drive = robot;
+    for (int i = 0; i < 40; ++i) {
+      const auto step = drive.next();
+      if (i % 3 != 2) continue;
+      last = {scan_matching::pointsOf(step.scan, models, 0.02), step.truth, 0.0};
+      each->see(last, map.view(), matcher);
+    }
+  }
+  EXPECT_TRUE(resumed.hasEnough());
+  ArchiveWriter first, second;
+  first(trials);
+  second(resumed);
+  EXPECT_TRUE(first.take() == second.take());
+}
 
 TEST_F(PlaceTrialsTest, APlaceIsNotBelievedForTheSearchThatLedThere) {
   lead(kRight);
