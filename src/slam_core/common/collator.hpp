@@ -28,7 +28,9 @@ namespace slam {
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
-/// "source_timeout", "restart".
+/// "source_timeout", "restart", "abandoned" (triggers that waited when time
+/// began anew), "in_gap"
+/// (see skipBetween()).
 template <class Motion, class Trigger>
 class Collator {
  public:
@@ -73,6 +75,10 @@ class Collator {
   /// A motion, or a trigger, that is no use: it was not lost on the way.
   void skip(std::uint64_t motion) { motions_.skip(motion); }
   void skip(std::size_t source, std::uint64_t trigger) { triggers_[source].skip(trigger); }
+
+  /// Where the robot was meanwhile is not known, only where it came out: triggers from between are
+  /// left out.
+  void skipBetween(Stamp begin, Stamp end) { gaps_.push_back({begin, end}); }
 
   /// Nothing is expected of the source: it holds nobody back before it has sent something.
   void expectNothing(std::size_t source) { silent_[source] = true; }
@@ -123,17 +129,37 @@ class Collator {
   void persist(Archive& archive, const std::vector<Trigger>& alike) {
     for (std::size_t source = 0; source < triggers_.size(); ++source)
       triggers_[source].persist(archive, alike[source]);
-    archive(motions_, silent_, position_, stepped_, restart_, counters_);
+    archive(motions_, gaps_, silent_, position_, stepped_, restart_, counters_);
   }
 
  private:
-  /// Triggers from before the first motion, and those of a timed-out source that come too late.
+  /// Triggers from before the first motion, those of a timed-out source that come too late, and
+  /// those in gaps.
   void dropStale() {
+    while (!gaps_.empty() && gaps_.front().second <= *position_) gaps_.pop_front();
     for (auto& source : triggers_)
-      while (!source.items().empty() && source.items().front().stamp < *position_) {
-        counters_.add(stepped_ ? "late" : "before_start");
+      while (!source.items().empty()) {
+        const auto stamp = source.items().front().stamp;
+        const bool is_stale = stamp < *position_;
+        if (!is_stale && !isInGap(stamp)) break;
+        counters_.add(!is_stale ? "in_gap" : stepped_ ? "late" : "before_start");
         source.pop();
       }
+  }
+
+  bool isInGap(Stamp stamp) const {
+    return std::any_of(gaps_.begin(), gaps_.end(), [&](const auto& gap) {
+      return gap.first < stamp && stamp < gap.second && covered() && gap.second <= *covered() &&
+             isCrossed(gap);
+    });
+  }
+
+  /// Not by motion whose stamps have proved wrong; those in doubt are not covered().
+  bool isCrossed(const std::pair<Stamp, Stamp>& gap) const {
+    const auto& held = motions_.items();
+    return std::any_of(held.begin(), held.end(), [&gap](const auto& item) {
+      return item.value.start <= gap.first && gap.second <= item.value.end;
+    });
   }
 
   StampedQueue<Trigger>* earliestSource() {
@@ -230,7 +256,8 @@ class Collator {
   void restartWhenAllWentBack() {
     if (!allBeganAnew()) return;
     motions_.restart();
-    for (auto& source : triggers_) source.restart();
+    for (auto& source : triggers_) counters_.add("abandoned", source.restart());
+    gaps_.clear();
     position_.reset();
     stepped_ = false;
     restart_ = true;
@@ -240,8 +267,9 @@ class Collator {
   Limits limits_;
   StampedQueue<Motion> motions_;
   std::vector<StampedQueue<Trigger>> triggers_;
-  std::vector<bool> silent_;       ///< of each source: for too long
-  std::optional<Stamp> position_;  ///< up to where motion has been handed out
+  std::deque<std::pair<Stamp, Stamp>> gaps_;  ///< of skipBetween(), that are not behind us yet
+  std::vector<bool> silent_;                  ///< of each source: for too long
+  std::optional<Stamp> position_;             ///< up to where motion has been handed out
   bool stepped_ = false;
   bool restart_ = false;
   Counters counters_;

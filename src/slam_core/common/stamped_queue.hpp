@@ -90,11 +90,14 @@ class StampedQueue {
   bool beganAnew() const { return !aside_.empty() && !(stamps_.before() && returnsFromJump()); }
 
   /// Forgets the old run and goes on with what was kept aside.
-  void restart() {
+  /// @return how many messages of the old run were held
+  std::size_t restart() {
+    const auto held = items_.size();
     items_ = std::exchange(aside_, {});
     stamps_.forget(items_.empty() ? std::nullopt : std::optional(items_.back().stamp));
     gone_to_.reset();
     sequence_ = aside_sequence_;
+    return held;
   }
 
   template <class Archive>

@@ -24,6 +24,10 @@ class OdometrySource : public Component {
   /// Of a source that has an odometry frame of its own, such as "visual": it is shown on the topic
   /// `NAME_odometry/odom`. Empty: it moves along another frame and is not shown.
   virtual std::string name() const { return ""; }
+  /// To be called after restoreState() where the robot has gone on without this process. A source
+  /// that measures motion by what it saw itself begins anew, since what it sees now is of another
+  /// place. Wheels have counted on.
+  virtual void goOnLive() {}
   /// What the last execute() made: nothing after the first input or a bad one.
   virtual const std::optional<Motion>& motion() const = 0;
 };

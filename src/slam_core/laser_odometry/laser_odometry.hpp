@@ -41,6 +41,7 @@ class LaserOdometry final : public OdometrySource {
   Counters counters() const override { return counters_; }
   Figures figures() const override;
   void reset() override;
+  void goOnLive() override { reset(); }
   bool canResume() const override { return true; }
   void saveState(ArchiveWriter& archive) const override { archive(*this); }
   void restoreState(ArchiveReader& archive) override { archive(*this); }

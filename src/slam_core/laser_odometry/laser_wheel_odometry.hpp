@@ -27,6 +27,7 @@ class LaserWheelOdometry final : public OdometrySource {
   std::uint64_t dropped() const override { return wheels_.dropped(); }
   Figures figures() const override { return laser_.figures(); }
   void reset() override;
+  void goOnLive() override { reset(); }
   bool canResume() const override { return wheels_.canResume(); }
   void saveState(ArchiveWriter& archive) const override {
     archive(wheels_, laser_, is_handing_over_);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
@@ -13,6 +14,17 @@
 
 namespace slam {
 namespace {
+
+/// Whether nobody knows which way the robot took: motion that came more often is missing, and the
+/// robot has moved meanwhile. @param usual duration of a motion
+bool hidesWay(const Motion& motion, Duration usual) {
+  constexpr Duration kLongestGuess = std::chrono::seconds(1);
+  constexpr double kStands = 0.05;  // [m], [rad]
+  const auto interval = motion.end - motion.start;
+  const bool has_moved =
+      motion.increment.position().norm() > kStands || std::abs(motion.increment.theta()) > kStands;
+  return interval > kLongestGuess && interval > 3 * usual && has_moved;
+}
 
 constexpr const char* kCoasted =
     "motion is missing and the odometry's poses do not tell it: the robot is taken to have gone on "
@@ -61,6 +73,7 @@ void Intake::reset() {
       collator_.expectNothing(source);
   screen_.reset();
   gap_.reset();
+  last_interval_.reset();
   moved_frame_.clear();
   fault_.clear();
   counters_.clear();
@@ -109,6 +122,7 @@ void Intake::takeMotion(Motion motion) {
   warnOfBaseFrame(motion.base_frame);
   const auto fault = faultOf(motion);
   if (fault.empty()) {
+    const auto start = motion.start, end = motion.end;
     const auto bridge = gap_.bridge(motion);
     if (gap_.wentOn()) continuity_ = may_go_on_ && *gap_.wentOn();
     if (bridge == MotionGap::Bridge::kUnknown) return collator_.skip(motion.sequence);
@@ -117,6 +131,9 @@ void Intake::takeMotion(Motion motion) {
       counters_.add("coasted");
       fault_ = kCoasted;
     }
+    if (last_interval_ && hidesWay(motion, *last_interval_))
+      collator_.skipBetween(motion.start, bridge == MotionGap::Bridge::kNone ? end : start);
+    last_interval_ = end - start;
     collator_.push(std::move(motion));
     return;
   }
@@ -198,7 +215,8 @@ Counters Intake::counters() const {
 std::uint64_t Intake::dropped() const {
   const auto& collated = collator_.counters();
   return collated["late"] + collated["lost"] + collated["overflow"] + collated["stamp_jump"] +
-         collator_.setAside() + counters_["invalid_motion"];
+         collated["abandoned"] + collated["in_gap"] + collator_.setAside() +
+         counters_["invalid_motion"];
 }
 
 }  // namespace slam

@@ -22,8 +22,9 @@ namespace slam {
 ///
 /// Counted: the reasons of the collator and of the screen, "invalid_motion", "bridged" (missing
 /// motion, made up for by the odometry's poses), "coasted" (by the last velocity, where those do
-/// not tell), "set_aside" (messages that went back in time and wait for the other sources to do
-/// so).
+/// not tell), "in_gap" (triggers from where motion is missing for more than a
+/// second, in which nobody knows which way the robot took), "set_aside" (messages that went back in
+/// time and wait for the other sources to do so).
 class Intake {
  public:
   struct Trigger {
@@ -106,7 +107,7 @@ class Intake {
     std::vector<Trigger> alike;
     for (const auto* port : triggers_) alike.push_back({port, nullptr});
     collator_.persist(archive, alike);
-    archive(screen_, gap_, moved_frame_, fault_, counters_);
+    archive(screen_, gap_, last_interval_, moved_frame_, fault_, counters_);
   }
 
  private:
@@ -125,6 +126,7 @@ class Intake {
   std::vector<std::string> not_expected_;   ///< inputs without data
   InputScreen screen_;
   MotionGap gap_;
+  std::optional<Duration> last_interval_;  ///< that a motion has measured
   Collator<Motion, Trigger> collator_;
   std::string moved_frame_;  ///< the base frame of the last motion
   std::string fault_;        ///< of an input since it was asked for

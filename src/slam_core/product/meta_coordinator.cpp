@@ -83,4 +83,10 @@ void restore(const std::string& state, MetaCoordinator& product) {
     throw std::runtime_error("it goes on behind its last record: save it again");
 }
 
+void goOnLive(MetaCoordinator& product, Interruption interruption) {
+  const auto& parts = product.components();
+  if (parts.odometry) parts.odometry->goOnLive();
+  if (parts.estimator) goOnLive(*parts.estimator, interruption);
+}
+
 }  // namespace slam

@@ -82,5 +82,8 @@ std::string stateOf(const MetaCoordinator& product);
 /// @throw std::runtime_error where it is no state of this product, which has to be configured anew
 /// then
 void restore(const std::string& state, MetaCoordinator& product);
+/// To be called after restore() where the robot has gone on without this process, as
+/// goOnLive(Estimator&) of which the product may have one.
+void goOnLive(MetaCoordinator& product, Interruption interruption);
 
 }  // namespace slam

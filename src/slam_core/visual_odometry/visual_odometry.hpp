@@ -46,6 +46,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   cv::Mat drawing() const override;
   Figures figures() const override;
   void reset() override;
+  void goOnLive() override { reset(); }
   bool canResume() const override { return true; }
   void saveState(ArchiveWriter& archive) const override { archive(*this); }
   void restoreState(ArchiveReader& archive) override { archive(*this); }

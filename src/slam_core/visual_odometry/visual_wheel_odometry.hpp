@@ -29,6 +29,7 @@ class VisualWheelOdometry final : public OdometrySource, public ViewDrawer {
   cv::Mat drawing() const override { return visual_.drawing(); }
   Figures figures() const override { return visual_.figures(); }
   void reset() override;
+  void goOnLive() override { reset(); }
   bool canResume() const override { return wheels_.canResume(); }
   void saveState(ArchiveWriter& archive) const override {
     archive(wheels_, visual_, is_handing_over_);

@@ -82,8 +82,8 @@ void CheckpointKeeper::restore(const std::string& bytes) {
   std::string of_product;
   archive(stamp, of_product);
   slam::restore(of_product, product_);
-  slam::goOnLive(product_.estimator(), config_.restarted ? slam::Interruption::kOfThisProcess
-                                                         : slam::Interruption::kOfAll);
+  slam::goOnLive(product_, config_.restarted ? slam::Interruption::kOfThisProcess
+                                             : slam::Interruption::kOfAll);
   saved_ = last_step_ = stamp;
 }
 

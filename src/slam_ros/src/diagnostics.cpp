@@ -32,6 +32,8 @@ const std::map<std::string, std::string>& sentences() {
       {"overflow", "messages were dropped because nothing came to go with them"},
       {"before_start", "observation arrays were older than the first motion and were left out"},
       {"stamp_jump", "messages were stamped far ahead of those around them; they were dropped"},
+      {"abandoned", "messages waited when time began anew and were left out"},
+      {"in_gap", "messages came from a time of which the motion is missing and were left out"},
       {"restart", "time began anew: map and pose were reset"},
       {"unknown_id", "observations without a known id were left out"},
       {"duplicate", "observations repeated an id of their own array and were left out"},

@@ -106,6 +106,7 @@ TEST(CollatorRestart, BeginsAnewOnceWhenAllSourcesGoBack) {
   EXPECT_FALSE(run.steps[2].restart);
   EXPECT_DOUBLE_EQ(run.wayOf(1), 0.5);
   EXPECT_EQ(run.collator.counters()["late"], 0u);
+  EXPECT_EQ(run.collator.counters()["abandoned"], 1u) << "x";
 }
 
 TEST(CollatorRestart, DoesNotNeedASourceThatIsSilent) {

@@ -114,13 +114,15 @@ class RoomDrive {
     step.motion.odometry_start = odometry_;
     step.motion.odometry_end = odometry_ = odometry_ * step.motion.increment;
     truth_ = truth_ * way;  // stays on its circle: it is the odometry that errs
-    step.scan = scanOf(room_, truth_, Pose2(0.1, 0.0, 0.05), beams, 0.01, random_);
+    step.scan = scanOf(room_, truth_, sensorPose(), beams, 0.01, random_);
     step.scan.stamp = stamp();
     step.truth = start().between(truth_);
     return step;
   }
 
   const Room& room() const { return room_; }
+  /// The laser in the robot's frame.
+  static Pose2 sensorPose() { return {0.1, 0.0, 0.05}; }
   /// In the room's frame.
   static Pose2 start() { return {0.1, -2.2, 0.0}; }
   /// What the robot has seen, from its first pose, with the noise of a camera.

@@ -11,13 +11,16 @@
 #include <vector>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/odometry_sample.hpp"
 
 namespace slam::test {
 
-using Message = std::variant<Motion, LandmarkObservationArray, LaserScan>;
+using Message =
+    std::variant<Motion, LandmarkObservationArray, LaserScan, OdometrySample, LaserSweep>;
 
 /// How likely each fault is for a message.
 struct LinkFaults {
@@ -30,6 +33,8 @@ struct LinkFaults {
     };
     return {draw(0.3), draw(0.3), draw(0.5), draw(0.2), draw(0.02)};
   }
+  /// Whether each message that arrives is one that a sensor has sent.
+  bool areOfArrivalOnly() const { return corrupted == 0.0 && stamp_jumps == 0.0; }
 };
 
 /// Between sensors and a product, what can happen to messages: they are lost, doubled, come late
@@ -135,6 +140,38 @@ class FaultyLink {
     if (isChosen(0.3)) scan.beams.clear();
   }
 
+  void corrupt(OdometrySample& sample) {
+    switch (random_.bits() % 4) {
+      case 0:
+        return corruptOne(sample.twist);
+      case 1:
+        return corruptOne(sample.twist_covariance);
+      case 2:
+        return sample.pose.reset();
+      default:
+        if (sample.pose) corruptOne(*sample.pose);
+    }
+  }
+  void corrupt(LaserSweep& sweep) {
+    switch (random_.bits() % 5) {
+      case 0:
+        sweep.angle_increment = static_cast<float>(nonsense());
+        break;
+      case 1:
+        sweep.range_max = static_cast<float>(nonsense());
+        break;
+      case 2:
+        sweep.ranges.resize(random_.bits() % 400, 1.0f);
+        break;
+      case 3:
+        sweep.frame = isChosen(0.5) ? "" : "another";
+        break;
+      default:
+        for (auto& range : sweep.ranges)
+          if (isChosen(0.2)) range = static_cast<float>(nonsense());
+    }
+  }
+
   Duration jump() { return std::chrono::seconds(isChosen(0.5) ? 100 : -100); }
   void jump(Motion& motion) {
     const auto by = jump();
@@ -143,6 +180,8 @@ class FaultyLink {
   }
   void jump(LandmarkObservationArray& array) { array.stamp += jump(); }
   void jump(LaserScan& scan) { scan.stamp += jump(); }
+  void jump(OdometrySample& sample) { sample.stamp += jump(); }
+  void jump(LaserSweep& sweep) { sweep.stamp += jump(); }
 
   RandomStream random_;
   LinkFaults faults_;

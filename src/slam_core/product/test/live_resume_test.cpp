@@ -8,7 +8,8 @@
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
-#include "slam_core/product/estimator.hpp"
+#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/fault_world.hpp"
 
 namespace slam {
 namespace {
@@ -110,6 +111,28 @@ TEST_P(LiveResume, BridgesWhatItMissedByAnOdometryThatWentOn) {
   expectFound();
 }
 
+TEST_P(LiveResume, BridgesWhatItMissedWhereTheFirstMessagesChangePlaces) {
+  resumeAfter(Interruption::kOfThisProcess);
+  miss(80);
+  const auto first = world.next(), second = world.next();
+  take(second);
+  take(first);
+  goOn();
+  expectFound();
+}
+
+/// Which way the robot took in a pause nobody knows.
+TEST_P(LiveResume, LeavesOutWhatWasSeenInThePause) {
+  resumeAfter(Interruption::kOfThisProcess);
+  miss(40);
+  const auto seen = world.next().observations;
+  miss(40);
+  estimator->set(seen);
+  goOn();
+  EXPECT_EQ(estimator->counters()["in_gap"], 1u);
+  expectFound();
+}
+
 TEST_P(LiveResume, DoubtsThePoseWhereTheOdometryWasRestarted) {
   resumeAfter(Interruption::kOfThisProcess);
   miss(60);
@@ -161,6 +184,30 @@ TEST_P(LiveResume, ForgetsTheMapWhereTheClockIsSetBackLater) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, LiveResume, testing::Values("ekf", "pf", "graph"));
+
+/// What a laser saw before a pause is of another place than what it sees afterwards.
+TEST(LiveResumeOfAProduct, BeginsAnewWithAnOdometryThatGoesByWhatItSaw) {
+  constexpr int kBefore = 60, kMissed = 48, kAfter = 20;
+  Settings settings({}, {}, {"backend=grid", "map=grid", "odometry=laser"});
+  MetaCoordinator saved, resumed;
+  for (auto* product : {&saved, &resumed}) product->configure(settings);
+  test::FaultWorld world(3, true, true);
+  for (const auto& input : world.begin()) input(saved);
+  const auto take = [&world](MetaCoordinator& product) {
+    for (const auto& message : world.next())
+      std::visit([&product](const auto& value) { product.set(value); }, message);
+    while (product.execute().level != Status::Level::kError && product.estimator().report()) {
+      const auto& [pose, P] = product.estimator().report()->pose;
+      const double error = (pose.position() - world.truth().position()).norm();
+      EXPECT_LT(error, std::max(0.2, 3.0 * std::sqrt(P(0, 0) + P(1, 1))));
+    }
+  };
+  for (int i = 0; i < kBefore; ++i) take(saved);
+  restore(stateOf(saved), resumed);
+  goOnLive(resumed, Interruption::kOfThisProcess);
+  for (int i = 0; i < kMissed; ++i) world.next();
+  for (int i = 0; i < kAfter; ++i) take(resumed);
+}
 
 }  // namespace
 }  // namespace slam

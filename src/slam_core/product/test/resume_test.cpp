@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,10 +15,12 @@
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/test/ceiling_drive.hpp"
 #include "slam_core/product/test/product_drives.hpp"
+#include "slam_core/product/test/report_line.hpp"
 
 namespace slam {
 namespace {
 
+using test::lineOf;
 using test::ProductInput;
 
 /// A product and the drive that it is resumed on.
@@ -35,17 +36,6 @@ std::unique_ptr<MetaCoordinator> made(const ResumedProduct& product) {
   auto coordinator = std::make_unique<MetaCoordinator>();
   coordinator->configure(settings);
   return coordinator;
-}
-
-/// All that is told of a step, to the last bit.
-std::string lineOf(const StepReport& report) {
-  auto line = fmt::format("{} {} {:a} {:a} {:a}", nanoseconds(report.stamp), report.trigger,
-                          report.pose.pose.x(), report.pose.pose.y(), report.pose.pose.theta());
-  for (const double each : report.pose.covariance.reshaped()) line += fmt::format(" {:a}", each);
-  line += fmt::format(" {:a} {} {}", report.statistics.nis, report.statistics.used,
-                      nameOf(report.trust, namesOfTrust()));
-  for (const auto& event : report.events) line += " " + event.reason;
-  return line + "\n";
 }
 
 std::string executed(MetaCoordinator& coordinator) {

@@ -11,7 +11,7 @@ import signal
 import sys
 import tempfile
 
-from slam_eval.bench import (command_line, fiducial, office, online, pointmap, threads,
+from slam_eval.bench import (command_line, days, fiducial, office, online, pointmap, threads,
                              vo)
 from slam_eval.bench.adverse import drives as adverse_drives
 from slam_eval.bench.association import circles as association_circles
@@ -93,6 +93,9 @@ BENCHMARKS = {
         "adverse drives", "how long products are confidently wrong where something is wrong that "
         "they do not know: wheels, ranges, ids, a laser, a robot that is carried; a few minutes",
         adverse_drives.PARTS, command_line.add_adverse),
+    "days": Benchmark(
+        "runs of days", "whether the memory of products grows over days of stamps, beyond their "
+        "map; a few minutes", {"memory": days.measure}, command_line.add_days),
     "calibration": Benchmark(
         "self-calibration", "what EKF and graph find out of wheels and sensor that the robot file has "
         "wrong, whether it knows how well, and what its pose is worth then; a few minutes",

@@ -220,6 +220,20 @@ def add_adverse(parser):
                         help="halls, with a drive through each (%(default)s)")
 
 
+DAYS = ("ekf_wheel", "pf_wheel", "graph_wheel", "scan_grid_wheel", "graph_wheel_grid",
+        "pf_wheel_grid")
+
+
+def add_days(parser):
+    """Options of `slam_bench days`."""
+    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
+                        default=list(DAYS), help=f"instead of {','.join(DAYS)}")
+    parser.add_argument("--hours", metavar="H", type=count, default=24,
+                        help="of stamps (%(default)s)")
+    parser.add_argument("--interval", metavar="SECONDS", type=float, default=2.0,
+                        help="between two messages of a sensor (%(default)s)")
+
+
 CALIBRATING = ("ekf_wheel", "graph_wheel")
 
 
