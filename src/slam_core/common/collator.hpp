@@ -28,9 +28,8 @@ namespace slam {
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
-/// "source_timeout", "restart", "abandoned" (triggers that waited when time
-/// began anew), "in_gap"
-/// (see skipBetween()).
+/// "source_timeout", "restart", "abandoned" (triggers that waited when time was reset), "in_gap" (see
+/// skipBetween()).
 template <class Motion, class Trigger>
 class Collator {
  public:

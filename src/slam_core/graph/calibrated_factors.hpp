@@ -84,7 +84,7 @@ class CalibratedSighting final : public Factor {
   };
   /// @param parameters the keys of (kWheelDrift, kSensorYaw) and (kSensorX, kSensorY), and that of
   /// (kRangeScale, kTimeOffset) where the scale of ranges is not known
-  /// @param base_sensor, z, W as of RangeBearing, with the parameters `then`
+  /// @param seen the observation, corrected by the parameters `then`
   CalibratedSighting(Key pose, Key point, const std::vector<Key>& parameters,
                      const RangeBearing& seen, const At& then);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
