@@ -78,17 +78,17 @@ class Tables(unittest.TestCase):
         cells = self.cells([outcome(0.0), outcome(0.02, 4.0, 1), outcome(0.5, 6.0)])
         self.assertEqual(cells["wrong [%]"], "2.0")
         self.assertEqual(cells["worst [%]"], "50.0")
-        self.assertEqual(cells["lost told"], "2 of 3")
+        self.assertEqual(cells["lost reported"], "2 of 3")
         self.assertEqual(cells["after [s]"], "5.0")
         self.assertEqual(cells["lost [s]"], "3.0")
-        self.assertEqual(cells["told before"], "1")
+        self.assertEqual(cells["reported before"], "1")
         self.assertEqual(cells["failed"], "-")
 
     def test_runs_that_failed_count_as_such_alone(self):
         cells = self.cells([outcome(0.0), Failure("no pose")])
         self.assertEqual((cells["worst [%]"], cells["failed"]), ("0.0", "1"))
         cells = self.cells([Failure("no pose")])
-        self.assertEqual((cells["worst [%]"], cells["lost told"], cells["failed"]), ("-", "-", "1"))
+        self.assertEqual((cells["worst [%]"], cells["lost reported"], cells["failed"]), ("-", "-", "1"))
 
     def test_what_is_above_the_limit_is_named_the_worst_first(self):
         lines = results.verdict_lines({

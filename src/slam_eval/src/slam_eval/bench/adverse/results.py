@@ -11,7 +11,7 @@ from slam_eval.metrics.honesty import CONFIDENT, WRONG
 MOST_WRONG = 0.01  # share of the time, of each seed
 
 HEADER = ["product", "fault", "ATE [m]", "largest error [m]", "NEES", "wrong [%]", "worst [%]",
-          "lost told", "after [s]", "lost [s]", "told before", "failed"]
+          "lost reported", "after [s]", "lost [s]", "reported before", "failed"]
 REMARK = (
     "Medians over the seeds, but for the worst. ATE and largest error: of the whole drive, not "
     "aligned. NEES: its median over time; 3 is expected. Wrong: share of the time in which the "
