@@ -22,6 +22,18 @@ const SectionRegistrar<GridSlamConfig> kSectionRegistrar;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
+double positionVariance(const Eigen::Matrix3d& covariance) {
+  return covariance.topLeftCorner<2, 2>().trace();
+}
+
+/// Whether the robot knows less of its place among the parts of the map around it than is known of
+/// theirs, and so little that what it draws may be out of place.
+bool isVaguer(const PoseEstimate& robot, const MapDrift& parts) {
+  constexpr double kVague = 0.2;  // [m]
+  const double variance = positionVariance(robot.covariance);
+  return variance > kVague * kVague && variance > positionVariance(parts.covarianceAt(robot.pose));
+}
+
 }  // namespace
 
 void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapConfig& grid,
@@ -146,7 +158,9 @@ Status GridSlam::learn(const ScanLevels& scan, const Match& found) {
 }
 
 /// A scan that fits nothing shows what the map does not have yet: the robot goes on from there,
-/// less sure of where that is.
+/// less sure of where that is. So does one that fits in some directions only, as along a corridor:
+/// what it shows at the end of the corridor is drawn where the robot guesses to be. The scans after
+/// it fit that end well, and would be sure of a place that nobody knows.
 Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
   if (!grid_map::isWithinMemory(
           static_cast<double>(map_->bytes()) + scan_matching::mostBytesFor(scan), map_config_)) {
@@ -158,11 +172,13 @@ Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
   const auto& pose = tracker_.robot().pose;
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);
-  if (found.is_determined) {
-    drift_.add(pose);
-  } else {
+  if (!found.is_determined) {
     drift_.restart(this->pose());
     tracker_.anchor();
+  } else if (isVaguer(tracker_.robot(), drift_)) {
+    drift_.restart(tracker_.robot());
+  } else {
+    drift_.add(pose);
   }
   ++revision_;
   if (beyond == 0) return Status::ok();
