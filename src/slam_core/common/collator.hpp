@@ -28,8 +28,8 @@ namespace slam {
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
-/// "source_timeout", "restart", "abandoned" (triggers that waited when time was reset), "in_gap" (see
-/// skipBetween()).
+/// "source_timeout", "restart", "abandoned" (triggers that waited when time was reset), "in_gap"
+/// (see skipBetween()).
 template <class Motion, class Trigger>
 class Collator {
  public:
@@ -77,7 +77,9 @@ class Collator {
 
   /// Where the robot was meanwhile is not known, only where it came out: triggers from between are
   /// left out.
-  void skipBetween(Stamp begin, Stamp end) { gaps_.push_back({begin, end}); }
+  friend void skipBetween(Collator& collator, Stamp begin, Stamp end) {
+    collator.gaps_.push_back({begin, end});
+  }
 
   /// Nothing is expected of the source: it holds nobody back before it has sent something.
   void expectNothing(std::size_t source) { silent_[source] = true; }

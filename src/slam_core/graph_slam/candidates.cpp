@@ -11,14 +11,14 @@ PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const La
                                  const association::DescriptorMap& descriptors, double gate,
                                  const Viewpoint& from)
     : IdCandidates(graph), descriptors_(descriptors) {
-  findNear(array, gate, graph.sensor(array.sensor_pose, from));
+  findNear(array, gate, sensorOf(graph, array.sensor_pose, from));
   prediction_.emplace(graph, array.sensor_pose, matches_, from);
 }
 
 /// Sensor and landmark may both be in doubt: relative to one another no more than both together.
 void PlaceCandidates::findNear(const LandmarkObservationArray& array, double gate,
                                const PoseEstimate& sensor) {
-  const double scale_variance = graph_.rangeScaleVariance();
+  const double scale_variance = rangeScaleVarianceOf(graph_);
   const RangeBearingModel model;
   const auto map = graph_.map();
   const auto order = graph_.ids().order();

@@ -113,7 +113,7 @@ std::unique_ptr<GraphSlam::Graph> GraphSlam::emptyGraph(
   auto& delayed = graph->delayed;
   graph->reduction.announceTo([&delayed](graph::Key node) { delayed.forget(node); });
   if (config_.calibration.isOn())
-    graph->path.calibrate(known.value_or(config_.calibration.prior()));
+    calibrate(graph->path, known.value_or(config_.calibration.prior()));
   if (!uses_grid_) return graph;
   auto& scans = graph->scans.emplace(graph->path, config_, grid_config_, matcher_config_);
   graph->reduction.keepWhile([&scans](graph::Key node) { return reductionOf(scans).holds(node); });

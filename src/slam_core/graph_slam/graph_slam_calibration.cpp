@@ -32,14 +32,14 @@ std::size_t GraphSlam::nodesPerPlace(const GraphConfig& config) {
 }
 
 std::optional<CalibrationEstimate> GraphSlam::calibration() const {
-  const auto* parameters = graph_ ? graph_->path.parameters() : nullptr;
+  const auto* parameters = graph_ ? parametersOf(graph_->path) : nullptr;
   if (parameters == nullptr) return std::nullopt;
   return parameters->estimate(graph_->path.graph());
 }
 
 LandmarkObservationArray GraphSlam::corrected(const LandmarkObservationArray& array) const {
-  if (graph_->path.parameters() == nullptr) return array;
-  return calibrated(array, Eigen::Vector3d::Zero(), graph_->path.calibration());
+  if (parametersOf(graph_->path) == nullptr) return array;
+  return calibrated(array, Eigen::Vector3d::Zero(), calibrationOf(graph_->path));
 }
 
 Component::Figures GraphSlam::calibrationFigures() const {
@@ -56,8 +56,8 @@ Component::Figures GraphSlam::calibrationFigures() const {
 void GraphSlam::add(const Motion& measured) {
   Motion motion = measured;
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-  if (graph_->path.parameters() != nullptr) {
-    const auto parameters = graph_->path.calibration();
+  if (parametersOf(graph_->path) != nullptr) {
+    const auto parameters = calibrationOf(graph_->path);
     CalibrationJacobian<3> J_parameters;
     motion = calibrated(measured, parameters, &J_parameters);
     J = J_parameters.leftCols<3>();

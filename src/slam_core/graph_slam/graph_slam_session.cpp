@@ -114,7 +114,7 @@ GraphSlam::Resumed GraphSlam::resumed(const Session& session) const {
   try {
     const auto& last = path.tail().node;
     if (config_.calibration.isOn())
-      path.calibrate(config_.calibration.prior());
+      calibrate(path, config_.calibration.prior());
     else
       eliminate(path.graph(), last ? std::vector{*last} : std::vector<graph::Key>());
   } catch (const std::domain_error&) {

@@ -82,13 +82,12 @@ Eigen::MatrixXd LandmarkGraph::covariance(const std::vector<std::size_t>& landma
   return path_.covariance(keys, from);
 }
 
-Eigen::MatrixXd LandmarkGraph::covarianceFrom(const Pose2& sensor,
-                                              const std::vector<std::size_t>& landmarks,
-                                              const Viewpoint& from) const {
-  const auto& parameters = *path_.parameters();
+Eigen::MatrixXd covarianceFrom(const LandmarkGraph& graph, const Pose2& sensor,
+                               const std::vector<std::size_t>& landmarks, const Viewpoint& from) {
+  const auto& parameters = *parametersOf(graph.path_);
   auto keys = parameters.keys();
-  for (const auto landmark : landmarks) keys.push_back(keys_[landmark]);
-  const Eigen::MatrixXd P = path_.covariance(keys, from);
+  for (const auto landmark : landmarks) keys.push_back(graph.keys_[landmark]);
+  const Eigen::MatrixXd P = graph.path_.covariance(keys, from);
   const auto size = 2 * static_cast<Eigen::Index>(landmarks.size());
   const auto column = [&](CalibrationParameter row) { return 3 + parameters.row(row); };
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(3 + size, P.cols());
@@ -97,26 +96,27 @@ Eigen::MatrixXd LandmarkGraph::covarianceFrom(const Pose2& sensor,
   T.block<2, 1>(0, column(kSensorY)) = sensor.rotation().transpose().col(1);
   T(2, column(kSensorYaw)) = 1.0;
   T.bottomRightCorner(size, size).setIdentity();
-  const Pose2 place = path_.robot(from).pose * sensor;
+  const Pose2 place = graph.path_.robot(from).pose * sensor;
   if (parameters.row(kRangeScale) >= 0)
     for (std::size_t i = 0; i < landmarks.size(); ++i)
       T.block<2, 1>(3 + 2 * static_cast<Eigen::Index>(i), column(kRangeScale)) =
-          place.position() - point(landmarks[i]);
+          place.position() - graph.point(landmarks[i]);
   return T * P * T.transpose();
 }
 
-PoseEstimate LandmarkGraph::sensor(const Pose2& on_robot, const Viewpoint& from) const {
-  const auto robot = path_.robot(from);
+PoseEstimate sensorOf(const LandmarkGraph& landmarks, const Pose2& on_robot,
+                      const Viewpoint& from) {
+  const auto robot = landmarks.robot(from);
   Eigen::Matrix3d J_robot;
   const Pose2 pose = robot.pose.compose(on_robot, &J_robot);
-  if (!calibrates()) return {pose, J_robot * robot.covariance * J_robot.transpose()};
-  return {pose, coordinateCovariance(pose, covarianceFrom(on_robot, {}, from))};
+  if (!calibrates(landmarks)) return {pose, J_robot * robot.covariance * J_robot.transpose()};
+  return {pose, coordinateCovariance(pose, covarianceFrom(landmarks, on_robot, {}, from))};
 }
 
-double LandmarkGraph::rangeScaleVariance() const {
-  const auto* parameters = path_.parameters();
+double rangeScaleVarianceOf(const LandmarkGraph& landmarks) {
+  const auto* parameters = parametersOf(landmarks.path_);
   if (parameters == nullptr || parameters->row(kRangeScale) < 0) return 0.0;
-  return parameters->estimate(path_.graph()).covariance(kRangeScale, kRangeScale);
+  return parameters->estimate(landmarks.path_.graph()).covariance(kRangeScale, kRangeScale);
 }
 
 /// The observation as if made from the last node: with the noise of the motion since then.
@@ -129,7 +129,7 @@ LandmarkObservation LandmarkGraph::carriedBack(const LandmarkObservation& z,
   const auto place = model.invert(motion->increment, sensor, z.vector());
   model.predict(motion->increment, sensor, place, &J);
   LandmarkObservation carried = z;
-  carried.covariance += J * path_.tailCovariance() * J.transpose();
+  carried.covariance += J * tailCovarianceOf(path_) * J.transpose();
   return carried;
 }
 
@@ -146,7 +146,7 @@ void LandmarkGraph::see(std::size_t landmark, const LandmarkObservation& z, cons
   startNode(node);
   const auto& motion = path_.tail().motion;
   Sighting sighting{carriedBack(z, sensor), motion ? motion->increment * sensor : sensor,
-                    sensorPart(path_.calibration())};
+                    sensorPart(calibrationOf(path_))};
   auto& graph = path_.graph();
   const auto known = sightings_.find(landmark);
   if (known != sightings_.end()) {
@@ -165,7 +165,7 @@ void LandmarkGraph::addSighting(std::size_t landmark, const Sighting& sighting, 
       node, keys_[landmark], sighting.sensor, sighting.z.vector(),
       graph::weightOfCovariance(sighting.z.covariance));
   auto& graph = path_.graph();
-  if (const auto* parameters = path_.parameters())
+  if (const auto* parameters = parametersOf(path_))
     index_.add(landmark, node,
                graph.add(std::make_shared<graph::CalibratedSighting>(
                    node, keys_[landmark], parameters->ofSensor(), *factor, sighting.then)));
@@ -174,8 +174,8 @@ void LandmarkGraph::addSighting(std::size_t landmark, const Sighting& sighting, 
 }
 
 LandmarkGraph::Sighting LandmarkGraph::renewed(Sighting sighting) const {
-  if (path_.parameters() == nullptr) return sighting;
-  const auto now = sensorPart(path_.calibration());
+  if (parametersOf(path_) == nullptr) return sighting;
+  const auto now = sensorPart(calibrationOf(path_));
   const auto& then = sighting.then;
   const Eigen::Vector2d moved = now.offset - then.offset;
   sighting.sensor = {sighting.sensor.x() + moved.x(), sighting.sensor.y() + moved.y(),
@@ -226,7 +226,7 @@ NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArr
     return landmarks.isBlurred(z, array.sensor_pose);
   });
   NodeObservations from_node{is_blurred ? path.addNode() : path.nodeNearby(), array,
-                             sensorPart(path.calibration())};
+                             sensorPart(calibrationOf(path))};
   landmarks.startNode(from_node.node);
   for (auto& z : from_node.array.observations) z = landmarks.carriedBack(z, array.sensor_pose);
   if (const auto& motion = path.tail().motion)
@@ -235,7 +235,7 @@ NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArr
 }
 
 void LandmarkGraph::observe(const Match& match, const Pose2& sensor, graph::Key node) {
-  Sighting sighting{match.z, sensor, sensorPart(path_.calibration())};
+  Sighting sighting{match.z, sensor, sensorPart(calibrationOf(path_))};
   const auto& seen = index_.seenFrom(node);
   if (std::find(seen.begin(), seen.end(), match.landmark) != seen.end()) {
     const auto known = sightingOf(match.landmark, node);

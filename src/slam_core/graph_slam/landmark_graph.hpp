@@ -53,11 +53,14 @@ class LandmarkGraph {
   PoseEstimate robot(const Viewpoint& from = {}) const { return path_.robot(from); }
   /// Whether parameters of the sensor are estimated: then observations are given as they are with
   /// the parameters now.
-  bool calibrates() const { return path_.parameters() != nullptr; }
+  friend bool calibrates(const LandmarkGraph& landmarks) {
+    return parametersOf(landmarks.path_) != nullptr;
+  }
   /// The sensor's pose in the map. @param on_robot its pose on the robot, or T_node_sensor
-  PoseEstimate sensor(const Pose2& on_robot, const Viewpoint& from = {}) const;
+  friend PoseEstimate sensorOf(const LandmarkGraph& landmarks, const Pose2& on_robot,
+                               const Viewpoint& from);
   /// The variance of the logarithm of the ranges' scale.
-  double rangeScaleVariance() const;
+  friend double rangeScaleVarianceOf(const LandmarkGraph& landmarks);
   const LandmarkIds& ids() const { return ids_; }
   /// To retire one: the graph keeps what was seen of it.
   friend LandmarkIds& idsOf(LandmarkGraph& landmarks) { return landmarks.ids_; }
@@ -77,8 +80,9 @@ class LandmarkGraph {
   /// what is in doubt of the sensor's place, and of the scale of its ranges as if the landmarks
   /// were nearer. Only where parameters are estimated.
   /// @param sensor on the robot, or T_node_sensor
-  Eigen::MatrixXd covarianceFrom(const Pose2& sensor, const std::vector<std::size_t>& landmarks,
-                                 const Viewpoint& from = {}) const;
+  friend Eigen::MatrixXd covarianceFrom(const LandmarkGraph& graph, const Pose2& sensor,
+                                        const std::vector<std::size_t>& landmarks,
+                                        const Viewpoint& from);
   Eigen::Matrix2d covariance(std::size_t landmark) const {
     return path_.graph().covariance({keys_[landmark]});
   }

@@ -14,16 +14,16 @@
 
 namespace slam::graph_slam {
 
-void PathGraph::calibrate(const CalibrationEstimate& prior) {
-  parameters_.emplace(graph_, prior);
-  chain_.calibrate(parameters_->ofWheels());
-  eliminate(graph_, parameters_->keys());
-  by_wheels_ = {};
-  by_wheels_.at = calibration().head<3>();
+void calibrate(PathGraph& path, const CalibrationEstimate& prior) {
+  path.parameters_.emplace(path.graph_, prior);
+  path.chain_.calibrate(path.parameters_->ofWheels());
+  eliminate(path.graph_, path.parameters_->keys());
+  path.by_wheels_ = {};
+  path.by_wheels_.at = calibrationOf(path).head<3>();
 }
 
-CalibrationVector PathGraph::calibration() const {
-  return parameters_ ? parameters_->values(graph_) : CalibrationVector::Zero();
+CalibrationVector calibrationOf(const PathGraph& path) {
+  return path.parameters_ ? path.parameters_->values(path.graph_) : CalibrationVector::Zero();
 }
 
 PoseEstimate PathGraph::robot(const std::optional<graph::Key>& at) const {
@@ -80,12 +80,13 @@ Eigen::MatrixXd PathGraph::withTail(const Eigen::MatrixXd& P) const {
   return 0.5 * (result + result.transpose());
 }
 
-Eigen::Matrix3d PathGraph::tailCovariance() const {
-  if (!tail_.motion) return Eigen::Matrix3d::Zero();
-  if (!parameters_) return tail_.motion->covariance;
-  const Eigen::MatrixXd P = graph_.covariance(parameters_->ofWheels());
-  const auto& J = by_wheels_.J;
-  return tail_.motion->covariance + symmetric(J * P.topLeftCorner<3, 3>() * J.transpose());
+Eigen::Matrix3d tailCovarianceOf(const PathGraph& path) {
+  const auto& motion = path.tail_.motion;
+  if (!motion) return Eigen::Matrix3d::Zero();
+  if (!path.parameters_) return motion->covariance;
+  const Eigen::MatrixXd P = path.graph_.covariance(path.parameters_->ofWheels());
+  const auto& J = path.by_wheels_.J;
+  return motion->covariance + symmetric(J * P.topLeftCorner<3, 3>() * J.transpose());
 }
 
 PosePrediction PathGraph::predict(const Motion& motion, const Eigen::Matrix3d& J_wheels) {
@@ -161,7 +162,7 @@ void PathGraph::optimize(int most_iterations) {
 /// The motion since the last node as it is with the parameters now.
 void PathGraph::renewTail() {
   if (!parameters_) return;
-  const Eigen::Vector3d now = calibration().head<3>();
+  const Eigen::Vector3d now = calibrationOf(*this).head<3>();
   if (tail_.motion) {
     const Eigen::DiagonalMatrix<double, 3> growth(by_wheels_.growth(now));
     tail_.motion->increment = by_wheels_.with(now);

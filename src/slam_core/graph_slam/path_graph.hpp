@@ -46,11 +46,13 @@ class PathGraph {
 
   /// Parameters of wheels and sensor are estimated with the path from now on. Nothing else is in
   /// the graph, or what is there was loaded and depends on no parameter.
-  void calibrate(const CalibrationEstimate& prior);
+  friend void calibrate(PathGraph& path, const CalibrationEstimate& prior);
   /// Null where nothing is calibrated.
-  const ParameterVariables* parameters() const { return parameters_ ? &*parameters_ : nullptr; }
+  friend const ParameterVariables* parametersOf(const PathGraph& path) {
+    return path.parameters_ ? &*path.parameters_ : nullptr;
+  }
   /// The parameters as they are estimated; 0 where nothing is calibrated.
-  CalibrationVector calibration() const;
+  friend CalibrationVector calibrationOf(const PathGraph& path);
 
   /// The robot is there, or was there at a node.
   PoseEstimate robot(const std::optional<graph::Key>& at = {}) const;
@@ -60,7 +62,7 @@ class PathGraph {
                              const std::optional<graph::Key>& at = {}) const;
 
   /// @param J_wheels of the increment by (kWheelScale, kWheelBase, kWheelDrift), where these are
-  /// calibrated; the motion is as it is with calibration()
+  /// calibrated; the motion is as it is with calibrationOf()
   /// @return what it makes of an error of the pose
   PosePrediction predict(const Motion& motion,
                          const Eigen::Matrix3d& J_wheels = Eigen::Matrix3d::Zero());
@@ -73,7 +75,7 @@ class PathGraph {
 
   const Tail& tail() const { return tail_; }
   /// The covariance of the motion since the last node, as far as the parameters are in doubt, too.
-  Eigen::Matrix3d tailCovariance() const;
+  friend Eigen::Matrix3d tailCovarianceOf(const PathGraph& path);
   /// The last node; where the robot has moved beyond the limits it is a new one.
   graph::Key nodeNearby();
   graph::Key addNode();

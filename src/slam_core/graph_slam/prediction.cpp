@@ -26,8 +26,8 @@ Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
     if (known == landmarks.end()) landmarks.push_back(match.landmark);
     points_.push_back(graph.point(match.landmark));
   }
-  if (graph.calibrates()) {
-    P_ = graph.covarianceFrom(sensor, landmarks, from);
+  if (calibrates(graph)) {
+    P_ = covarianceFrom(graph, sensor, landmarks, from);
     of_robot_ = sensor.inverse().adjoint();
     robot_ = robot_ * sensor;
     sensor_ = Pose2();

@@ -132,7 +132,7 @@ void Intake::takeMotion(Motion motion) {
       fault_ = kCoasted;
     }
     if (last_interval_ && hidesWay(motion, *last_interval_))
-      collator_.skipBetween(motion.start, bridge == MotionGap::Bridge::kNone ? end : start);
+      skipBetween(collator_, motion.start, bridge == MotionGap::Bridge::kNone ? end : start);
     last_interval_ = end - start;
     collator_.push(std::move(motion));
     return;
