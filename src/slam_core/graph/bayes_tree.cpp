@@ -187,6 +187,14 @@ const std::vector<Key>& BayesTree::solve(double threshold) {
   return moved_;
 }
 
+/// A solution that no graph can mean holds variables where they are.
+void BayesTree::holdWhereAbsurd(Eigen::VectorXd& x) {
+  constexpr double kFarthest = 1e9;  // [m], [rad]
+  if ((x.array().abs() <= kFarthest).all()) return;
+  x.setZero();
+  ++undetermined_;
+}
+
 /// @return whether what the clique depends on has moved
 bool BayesTree::solve(Clique& c, double threshold) {
   bool is_due = std::exchange(c.is_due, false);
@@ -204,6 +212,7 @@ bool BayesTree::solve(Clique& c, double threshold) {
   Eigen::VectorXd x = c.rhs;
   x.noalias() -= c.columns.bottomRows(c.rows - f).transpose() * separator;
   c.columns.topRows(f).triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+  holdWhereAbsurd(x);
   row = 0;
   for (std::size_t i = 0; i < index(c.frontals); ++i) {
     const auto k = index(c.keys[i]);

@@ -55,7 +55,8 @@ class BayesTree {
   struct Cost {
     std::size_t bytes;    ///< of the numbers it holds
     int eliminated_rows;  ///< by the last update()
-    int undetermined;     ///< cliques of those with variables that no factor determines
+    int undetermined;     ///< cliques of those whose variables are held where they are, since no
+                          ///< factor determines them or their solution is absurd
   };
   Cost cost() const;
 
@@ -117,6 +118,7 @@ class BayesTree {
   void giveMemoryBack();
   void substitute(Clique& clique);
   bool solve(Clique& clique, double threshold);
+  void holdWhereAbsurd(Eigen::VectorXd& x);
   std::vector<ForwardRows> forward(Key key) const;
 
   std::vector<int> rows_, offsets_;  ///< of each variable

@@ -14,6 +14,21 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Puts the Cholesky factor into the lower triangle. @return whether there is one that can be
+/// divided by
+bool isFactorized(Eigen::Ref<Eigen::MatrixXd> matrix) {
+  constexpr double kLeastPivot = 1e-15;  // far below the weight of what is held
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(matrix);
+  return llt.info() == Eigen::Success && matrix.diagonal().minCoeff() > kLeastPivot;
+}
+
+/// @param lower lower triangle of a symmetric matrix
+/// @return the largest sum of the absolute values of a row, which no eigenvalue exceeds
+double largestRow(const Eigen::MatrixXd& lower) {
+  const Eigen::MatrixXd whole = lower.selfadjointView<Eigen::Lower>();
+  return whole.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
 }  // namespace
 
 Elimination::Elimination(BayesTree& tree, const std::vector<Key>& last)
@@ -134,7 +149,8 @@ void Elimination::eliminate(std::size_t last) {
 }
 
 /// Puts the Cholesky factor into the lower triangle. Where the factors of the graph do not
-/// determine the variables, they are held where they are with a little weight.
+/// determine the variables, they are held where they are with a little weight, or with more than
+/// the sum of each row where rounding has left less than nothing of what determined them.
 void Elimination::factorize(Eigen::Ref<Eigen::MatrixXd> matrix) {
   constexpr double kLeast = 1e-12, kStep = 100.0;
   constexpr int kTries = 8;
@@ -144,14 +160,15 @@ void Elimination::factorize(Eigen::Ref<Eigen::MatrixXd> matrix) {
   const double largest = H.diagonal().cwiseAbs().maxCoeff();
   double weight = kLeast * std::max(1.0, largest);
   for (int i = 0; i < kTries; ++i) {
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(matrix);
-    if (llt.info() == Eigen::Success) return;
+    if (isFactorized(matrix)) return;
     if (i == 0) ++tree_.undetermined_;
     matrix = H;
     matrix.diagonal().array() += weight;
     weight *= kStep;
   }
-  fail();
+  matrix = H;
+  matrix.diagonal().array() += std::max(1.0, 2.0 * largestRow(H));
+  if (!isFactorized(matrix)) fail();
 }
 
 /// The clique of some columns, the last of which is given.

@@ -4,6 +4,7 @@
 #include "slam_core/graph/factors.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <utility>
 
 #include "slam_core/models/observation_model.hpp"
@@ -17,9 +18,15 @@ Eigen::MatrixXd weightOfInformation(const Eigen::MatrixXd& information) {
 }
 
 Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance) {
-  return Eigen::LLT<Eigen::MatrixXd>(covariance)
-      .matrixL()
-      .solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
+  constexpr double kLeastVariance = 1e-12;
+  const auto size = covariance.rows();
+  const Eigen::MatrixXd P = covariance + kLeastVariance * Eigen::MatrixXd::Identity(size, size);
+  const Eigen::LLT<Eigen::MatrixXd> llt(P);
+  if (llt.info() == Eigen::Success)
+    return llt.matrixL().solve(Eigen::MatrixXd::Identity(size, size));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(P);
+  return axes.eigenvalues().cwiseMax(kLeastVariance).cwiseSqrt().cwiseInverse().asDiagonal() *
+         axes.eigenvectors().transpose();
 }
 
 PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)

@@ -21,7 +21,9 @@ std::optional<LandmarkObservation> fused(const LandmarkObservation& a, const Pos
   const Eigen::Matrix2d P = J * a.covariance * J.transpose();
   const Eigen::Matrix2d K = P * (P + b.covariance).inverse();
   const Eigen::Vector2d z = predicted + K * model.innovation(b.vector(), predicted);
-  const Eigen::Matrix2d covariance = P - K * P;
+  // in Joseph's form, which stays positive where P - K P is nothing but rounding
+  const Eigen::Matrix2d left = Eigen::Matrix2d::Identity() - K;
+  const Eigen::Matrix2d covariance = left * P * left.transpose() + K * b.covariance * K.transpose();
   LandmarkObservation both = b;
   both.range = z.x();
   both.bearing = wrapAngle(z.y());

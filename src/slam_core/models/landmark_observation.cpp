@@ -18,6 +18,22 @@ constexpr double kLargestRange = 1e15;
 constexpr double kSmallestRange = 1e-3;
 /// [rad]; a driver counts turns, but not so many.
 constexpr double kLargestBearing = 1e3;
+/// [m], [rad]; no sensor is as sure. Information far beyond it leaves, by rounding, nothing of what
+/// else is known.
+constexpr double kSmallestSigma = 1e-9;
+
+std::string faultOfSigmas(const Eigen::Vector2d& sigma) {
+  std::string why;
+  if (sigma.minCoeff() < kSmallestSigma)
+    why = fmt::format("of which one is less than {:g}", kSmallestSigma);
+  if (sigma.x() > kLargestInputSigmaLength || sigma.y() > kLargestInputSigmaAngle)
+    why = fmt::format("more than {:g} m or {:g} rad", kLargestInputSigmaLength,
+                      kLargestInputSigmaAngle);
+  if (why.empty()) return why;
+  return fmt::format(" has standard deviations of {:.3g} m and {:.3g} rad, ", sigma.x(),
+                     sigma.y()) +
+         why;
+}
 
 std::string faultOfKind(const LandmarkObservation& observation) {
   const auto& [begin, end] = observation.extent;
@@ -45,14 +61,8 @@ std::string faultOf(const LandmarkObservation& observation) {
   if (!isCovariance(observation.covariance))
     return name + " has a covariance that is not positive definite";
   if (const auto fault = faultOfKind(observation); !fault.empty()) return name + fault;
-  const Eigen::Vector2d sigma = observation.covariance.diagonal().cwiseSqrt();
-  if (sigma.x() > kLargestInputSigmaLength || sigma.y() > kLargestInputSigmaAngle)
-    return name +
-           fmt::format(
-               " has standard deviations of {:.3g} m and {:.3g} rad, more than {:g} m or {:g} "
-               "rad",
-               sigma.x(), sigma.y(), kLargestInputSigmaLength, kLargestInputSigmaAngle);
-  return "";
+  const auto fault = faultOfSigmas(observation.covariance.diagonal().cwiseSqrt());
+  return fault.empty() ? fault : name + fault;
 }
 
 }  // namespace slam

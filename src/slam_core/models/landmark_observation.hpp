@@ -68,8 +68,8 @@ struct LandmarkObservationArray {
 };
 
 /// Empty, or what makes the observation unusable (NaN, a range that is not positive or absurd, a
-/// covariance that is not positive definite or absurdly large, a line without a length). Of the
-/// descriptor faultOf(Descriptor) says the same.
+/// covariance that is not positive definite, absurdly large or absurdly small, a line without a
+/// length). Of the descriptor faultOf(Descriptor) says the same.
 std::string faultOf(const LandmarkObservation& observation);
 
 }  // namespace slam

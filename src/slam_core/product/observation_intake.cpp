@@ -13,6 +13,18 @@ namespace {
 
 using Observations = std::vector<LandmarkObservation>;
 
+/// Empty, or why nothing can be done with what such a sensor sees. @param pose T_base_sensor
+std::string faultOfSensorPose(const Pose2& pose) {
+  constexpr double kFarthest = 1000.0;  // from the robot [m]; squares of far more are no numbers
+  if (!pose.isFinite())
+    return "observations with a sensor pose that holds a value that is not a number are left out";
+  if (pose.position().cwiseAbs().maxCoeff() > kFarthest)
+    return fmt::format(
+        "observations with a sensor pose that is more than {:g} m from the robot are left out",
+        kFarthest);
+  return "";
+}
+
 std::string leaveOutInvalid(Observations& all, Counters& counters) {
   std::string told;
   const auto is_invalid = [&](const LandmarkObservation& observation) {
@@ -78,10 +90,10 @@ std::string leaveOutBeyond(std::size_t most, Observations& sorted, Counters& cou
 std::string ObservationIntake::screen(LandmarkObservationArray& array, Counters& counters) {
   completeCovariances(sensor_, array);
   auto& all = array.observations;
-  if (!array.sensor_pose.isFinite()) {
+  if (auto fault = faultOfSensorPose(array.sensor_pose); !fault.empty()) {
     counters.add("invalid_observation", all.size());
     all.clear();
-    return "observations with a sensor pose that holds a value that is not a number are left out";
+    return fault;
   }
   const auto invalid = leaveOutInvalid(all, counters);
   correct(sensor_, array);

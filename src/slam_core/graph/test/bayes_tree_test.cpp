@@ -197,6 +197,35 @@ TEST(BayesTree, HoldsAVariableThatNothingDetermines) {
   EXPECT_GT(tree.covariance({key})(1, 1), 1e9);
 }
 
+/// What rounding leaves of a very large element may be negative and as large as anything else.
+TEST(BayesTree, HoldsWhatRoundingLeavesWithLessThanNothing) {
+  for (const double left : {-1e283, -1e4, -1.0, -1e-20}) {
+    BayesTree tree;
+    const std::vector<Key> keys = {tree.addVariable(3), tree.addVariable(1)};
+    Eigen::Matrix4d H = Eigen::Matrix4d::Constant(0.9 * left);
+    H.diagonal().setConstant(left);
+    tree.addFactor({keys, H, Eigen::Vector4d::Ones()});
+    ASSERT_NO_THROW(tree.update({keys[1]})) << left;
+    tree.solve();
+    EXPECT_GT(tree.cost().undetermined, 0) << left;
+    EXPECT_TRUE(tree.covariance(keys).allFinite()) << left;
+    for (const Key key : keys) EXPECT_TRUE(tree.solution(key).allFinite()) << left;
+  }
+}
+
+TEST(BayesTree, HoldsVariablesWhoseSolutionIsAbsurd) {
+  BayesTree tree;
+  const Key key = tree.addVariable(1), other = tree.addVariable(1);
+  const auto one = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
+  tree.addFactor({{key}, one(1e-9), Eigen::VectorXd::Constant(1, 1e300)});
+  tree.addFactor({{other}, one(1.0), Eigen::VectorXd::Constant(1, 2.0)});
+  tree.update({});
+  tree.solve();
+  EXPECT_EQ(tree.solution(key)[0], 0.0);
+  EXPECT_EQ(tree.solution(other)[0], 2.0);
+  EXPECT_EQ(tree.cost().undetermined, 1);
+}
+
 TEST(BayesTree, RefusesValuesThatAreNotFinite) {
   BayesTree tree;
   const Key key = tree.addVariable(1);

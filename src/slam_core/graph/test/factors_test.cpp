@@ -104,5 +104,21 @@ TEST(Weights, AreSquareRootsOfInformation) {
   EXPECT_TRUE((V.transpose() * V).isApprox(information, 1e-9));
 }
 
+/// No sensor is surer, and what is a million times surer would erase all else by rounding.
+TEST(Weights, AreOfAtLeastAMicrometre) {
+  const auto W = weightOfCovariance(Eigen::Vector2d(1e-300, 1e-4).asDiagonal());
+  EXPECT_NEAR(W(0, 0), 1e6, 1.0);
+  EXPECT_NEAR(W(1, 1), 1e2, 1e-2);
+}
+
+TEST(Weights, TakeACovarianceThatRoundingHasMadeIndefinite) {
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 2) / 3;
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
+  const auto W = weightOfCovariance(100.0 * across - 1e-10 * axis * axis.transpose());
+  EXPECT_NEAR((W * axis).norm(), 1e6, 1e4);
+  const Eigen::Vector3d other = Eigen::Vector3d(2, 1, -2) / 3;  // across the axis
+  EXPECT_NEAR((W * other).norm(), 0.1, 1e-2);
+}
+
 }  // namespace
 }  // namespace slam::graph

@@ -129,6 +129,31 @@ TEST(LandmarkGraph, GetsANodeWhereTheMotionIsLessCertainThanWhatIsSeen) {
 
 /// Where nothing errs, the Jacobians of both are those at the truth, so that the covariances are
 /// the same.
+/// What is infinitely sure must not erase, by rounding, what else is known.
+TEST(LandmarkGraph, KeepsWhatItKnowsWhereAnObservationIsAbsurdlySure) {
+  for (const double variance : {1e-18, 1e-100, 1e-300}) {
+    Graph graph({0.05, 0.05}, start());
+    Pose2 robot;
+    appendAll(graph, robot);
+    for (int i = 0; i < 20; ++i) {
+      const Pose2 step(0.1, 0.0, 0.05);
+      robot = robot * step;
+      graph.path.predict(moved(step, 1e-4));
+      std::vector<Match> matches;
+      for (std::size_t k = 0; k < kPlaces.size(); ++k)
+        matches.push_back({k, seen(robot, kPlaces[k])});
+      matches[std::size_t(i) % kPlaces.size()].z.covariance(i / 4 % 2, i / 4 % 2) = variance;
+      graph.landmarks.observe(matches, kSensor);
+      ASSERT_NO_THROW(graph.path.optimize(3)) << variance << " step " << i;
+      EXPECT_EQ(graph.path.graph().cost().undetermined, 0) << variance << " step " << i;
+      const auto at = graph.path.robot();
+      EXPECT_LT((at.pose.position() - robot.position()).norm(), 1e-3);
+      EXPECT_EQ(at.covariance.llt().info(), Eigen::Success);
+      EXPECT_LT(at.covariance(0, 0), 1e-2);
+    }
+  }
+}
+
 TEST(LandmarkGraph, HasTheCovarianceOfAFilterWhereNothingErrs) {
   const double variance = 1e-2 * 1e-2;
   Graph graph({0.05, 0.05}, start(0.01));

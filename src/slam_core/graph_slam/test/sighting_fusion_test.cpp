@@ -72,6 +72,19 @@ TEST(SightingFusion, EqualsAKalmanUpdateInTheSecondSensor) {
   EXPECT_EQ(both->covariance, both->covariance.transpose());
 }
 
+TEST(SightingFusion, OfWhatIsUnsureWithWhatIsSureStaysPositiveDefinite) {
+  const Pose2 sensor_a(0.2, 0, 0.1), sensor_b(0.7, 0.4, 0.9);
+  for (const double sure : {1e-4, 1e-10, 1e-17}) {
+    const auto vague = observation(2.0, 0.9, covariance(1e6, 0, 100));
+    const auto exact = observation(1.98, 0.8, covariance(sure, 0, sure));
+    for (const auto& both :
+         {fused(vague, sensor_a, exact, sensor_b), fused(exact, sensor_a, vague, sensor_b)}) {
+      ASSERT_TRUE(both);
+      EXPECT_EQ(both->covariance.llt().info(), Eigen::Success) << sure;
+    }
+  }
+}
+
 /// Also behind the sensor, where bearings jump between pi and -pi.
 TEST(SightingFusion, OfManyNoisyOnesFromOnePlaceIsUnbiasedAndAsSureAsItMayBe) {
   constexpr int kSeeds = 200, kSightings = 300;

@@ -93,6 +93,19 @@ TEST(LandmarkObservationFault, FindsACovarianceThatIsAbsurdlyLarge) {
     }
 }
 
+TEST(LandmarkObservationFault, FindsACovarianceThatIsAbsurdlySmall) {
+  auto z = goodObservation();
+  z.covariance = 1e-17 * Eigen::Matrix2d::Identity();
+  EXPECT_EQ(faultOf(z), "");
+  for (const int axis : {0, 1})
+    for (const double variance : {1e-19, 1e-100, 1e-300}) {
+      z = goodObservation();
+      z.covariance = Eigen::Vector2d(0.01, 0.0004).asDiagonal();
+      z.covariance(axis, axis) = variance;
+      EXPECT_TRUE(test::oneSays({faultOf(z)}, {"landmark 7", "standard deviations", "1e-09"}));
+    }
+}
+
 TEST(LandmarkSensor, GivesItsNoiseToObservationsThatBringNone) {
   LandmarkObservationArray array;
   array.observations = {goodObservation(), goodObservation()};

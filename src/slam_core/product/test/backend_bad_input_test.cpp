@@ -105,6 +105,19 @@ TEST_P(BackendBadInput, ObservationsFromASensorThatIsNowhere) {
   EXPECT_TRUE(test::oneSays(sentences, {"sensor pose", "not a number"}));
 }
 
+/// What it sees is new, and would lie where squares of coordinates are no numbers.
+TEST_P(BackendBadInput, ObservationsFromASensorThatIsFarFromTheRobot) {
+  for (const double distance : {1e4, 1e12, 1e155, 1e300}) {
+    SetUp();
+    runSpoilt([&](SimulatedStep& step) {
+      step.observations.sensor_pose = Pose2(0, -distance, 0);
+      for (auto& z : step.observations.observations) z.id += 1000;
+    });
+    EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
+  }
+  EXPECT_TRUE(test::oneSays(sentences, {"sensor pose", "more than 1000 m", "left out"}));
+}
+
 TEST_P(BackendBadInput, TwoObservationsOfOneId) {
   runSpoilt([](SimulatedStep& step) {
     auto twin = step.observations.observations.front();
@@ -157,6 +170,21 @@ TEST_P(BackendBadInput, ObservationsWhoseCovarianceIsAbsurdlyLarge) {
   EXPECT_TRUE(test::oneSays(sentences, {"observation of landmark", "standard deviation"}));
 }
 
+TEST_P(BackendBadInput, ObservationsWhoseCovarianceIsAbsurdlySmall) {
+  for (const double variance : {1e-300, 1e-100, 1e-20})
+    for (const int axis : {0, 1}) {
+      SetUp();
+      runSpoilt([&](SimulatedStep& step) {
+        for (auto& z : step.observations.observations) {
+          z.covariance = 1e-4 * Eigen::Matrix2d::Identity();
+          z.covariance(axis, axis) = variance;
+        }
+      });
+      EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
+    }
+  EXPECT_TRUE(test::oneSays(sentences, {"observation of landmark", "less than 1e-09"}));
+}
+
 TEST_P(BackendBadInput, MotionWhoseCovarianceIsAbsurdlyLarge) {
   for (const double variance : {1e12, 1e100, 1.7e308})
     for (const int axis : {0, 1, 2}) {
@@ -173,6 +201,12 @@ TEST_P(BackendBadInput, TheLargestCovariancesThatAreAccepted) {
     for (auto& z : step.observations.observations)
       z.covariance = Eigen::Vector2d(1e6, 100.0).asDiagonal();
   });
+  EXPECT_EQ(estimator.counters()["invalid_observation"], 0u);
+}
+
+TEST_P(BackendBadInput, TheSmallestCovariancesThatAreAccepted) {
+  runWithObservation(
+      [](LandmarkObservation& z) { z.covariance = 1.1e-18 * Eigen::Matrix2d::Identity(); });
   EXPECT_EQ(estimator.counters()["invalid_observation"], 0u);
 }
 
