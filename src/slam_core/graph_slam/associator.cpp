@@ -3,6 +3,7 @@
 
 #include "slam_core/graph_slam/associator.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "slam_core/association/decision_record.hpp"
@@ -115,7 +116,8 @@ void Associator::gate(const std::vector<Match>& known, const Pose2& sensor,
   const Prediction prediction(graph, sensor, known);
   std::vector<std::size_t> used;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    if (prediction.isSingular(i)) {
+    // rounding leaves no covariance of a landmark that is 1e9 m away
+    if (prediction.isSingular(i) || prediction.covariance(i).llt().info() != Eigen::Success) {
       association.gated.push_back(known[i]);
       continue;
     }

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <chrono>
 #include <cmath>
+#include <vector>
 
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
@@ -284,6 +286,33 @@ TEST_F(GraphSlamTest, HasAGridWithoutCellsBeforeTheFirstScan) {
   ASSERT_TRUE(grid);
   EXPECT_TRUE(grid->cells.empty());
   EXPECT_GT(grid->resolution, 0.0);
+}
+
+/// A landmark that a false range has put where rounding is larger than what sensors tell.
+TEST_F(GraphSlamTest, GatesAndReinitialisesALandmarkThatIsTooFarAwayToComputeWith) {
+  for (int drive = 0; drive < 40; ++drive) {
+    const double range = std::vector{1e8, 1e9, 3e9, 1e10}[std::size_t(drive) % 4];
+    SetUp();
+    auto first = arrayOf(1, range, 0.3 * drive);
+    first.observations[0].covariance = Eigen::Vector2d(25e-4, 1e-4).asDiagonal();
+    graph.set(first);
+    graph.execute();
+    for (int i = 0; i < 60; ++i) {
+      Motion motion;
+      motion.start = Stamp(std::chrono::milliseconds(100 * i));
+      motion.end = motion.start + std::chrono::milliseconds(100);
+      motion.increment = Pose2(0.02, 0.0, 0.01);
+      motion.covariance = Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal();
+      graph.set(motion);
+      auto array = arrayOf(1, 4.0, 0.5);
+      array.observations[0].covariance = Eigen::Vector2d(25e-4, 1e-4).asDiagonal();
+      array.observations.push_back(arrayOf(2, 2.0, -0.5).observations.front());
+      graph.set(array);
+      const auto status = graph.execute();
+      ASSERT_NE(status.level, Status::Level::kError) << range << " " << i << status.message;
+    }
+    EXPECT_LT(landmarks()[0].position.norm(), 10.0) << range;
+  }
 }
 
 /// A false first observation: as in sightings_test.cpp, and the map is sound afterwards.
