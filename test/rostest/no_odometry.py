@@ -57,7 +57,7 @@ class NoOdometryTest(unittest.TestCase):
         cls.mount.publish(TFMessage([mount("laser")]))
         cls.subscribers = [rospy.Subscriber("/tf", TFMessage, cls.keep, queue_size=1000),
                            rospy.Subscriber("pose", PoseWithCovarianceStamped, cls.count),
-                           rospy.Subscriber("/rosout_agg", Log, cls.read)]
+                           rospy.Subscriber("/rosout", Log, cls.read)]
         cls.connected = wait_for(lambda: all(p.get_num_connections() > 0
                                              for p in (cls.scan, cls.mount)), 30)
 
