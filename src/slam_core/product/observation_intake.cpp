@@ -15,13 +15,14 @@ using Observations = std::vector<LandmarkObservation>;
 
 /// Empty, or why nothing can be done with what such a sensor sees. @param pose T_base_sensor
 std::string faultOfSensorPose(const Pose2& pose) {
-  constexpr double kFarthest = 1000.0;  // from the robot [m]; squares of far more are no numbers
+  constexpr double kFarthestSensor =
+      1000.0;  // from the robot [m]; squares of far more are no numbers
   if (!pose.isFinite())
     return "observations with a sensor pose that holds a value that is not a number are left out";
-  if (pose.position().cwiseAbs().maxCoeff() > kFarthest)
+  if (pose.position().cwiseAbs().maxCoeff() > kFarthestSensor)
     return fmt::format(
         "observations with a sensor pose that is more than {:g} m from the robot are left out",
-        kFarthest);
+        kFarthestSensor);
   return "";
 }
 
