@@ -20,7 +20,6 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
   relocaliser_.assume(Belief::kSure);
   events_.relocate("the robot was put there");
   doubt_.relocate(backend_->pose().pose);
-  consistency_ = ConsistencyMonitor(consistency_config_);
   consistency_.add(statistics());
   return status;
 }

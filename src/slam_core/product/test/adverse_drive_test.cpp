@@ -57,8 +57,9 @@ TEST_P(AdverseDrive, WheelsOfAWrongRadiusAreNotBelieved) {
 }
 
 TEST_P(AdverseDrive, AMapWhoseScaleIsInDoubtIsReportedAsThat) {
-  EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.2, false), 0.2);
-  EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.2, true), 0.1);
+  // from where most observations are gated the pose is reported as lost, with and without
+  EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.2, false), 0.05);
+  EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.2, true), 0.01);
 }
 
 TEST_P(AdverseDrive, ARightOneStaysAsItIs) {
