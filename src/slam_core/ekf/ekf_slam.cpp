@@ -83,16 +83,6 @@ std::optional<CalibrationEstimate> EkfSlam::calibrationPrior() const {
   return config_.calibration.prior();
 }
 
-Component::Figures EkfSlam::figures() const {
-  Figures figures;
-  if (const auto known = state_.calibration())
-    for (const auto& parameter : config_.calibration.parametersOf(*known)) {
-      figures.emplace_back(parameter.name, parameter.value);
-      figures.emplace_back(parameter.name + "_sigma", parameter.sigma);
-    }
-  return figures;
-}
-
 void EkfSlam::set(const Motion& measured) {
   const auto parameters = state_.parameters();
   CalibrationJacobian<3> J(3, 0);
@@ -186,10 +176,7 @@ Status EkfSlam::summary(const Association& association, const std::vector<Status
     return Status::warning("there is no map to localise in; load one");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
-  if (fault != of_steps.end()) return *fault;
-  const auto known = state_.calibration();
-  const auto runs_away = known ? config_.calibration.faultOf(*known) : std::string();
-  return runs_away.empty() ? Status::ok() : Status::warning(runs_away);
+  return fault == of_steps.end() ? Status::ok() : *fault;
 }
 
 StretchLimits EkfSlam::limits() const {

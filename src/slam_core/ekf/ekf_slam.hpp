@@ -47,7 +47,6 @@ class EkfSlam final : public Backend,
   PoseEstimate pose() const override;
   Counters counters() const override { return counters_; }
   /// The calibrated parameters, each with its standard deviation.
-  Figures figures() const override;
 
   void reset() override;
   bool canResume() const override { return true; }

@@ -25,8 +25,8 @@ struct WheelMotion {
 
   /// The motion with other parameters.
   Pose2 with(const Eigen::Vector3d& parameters) const;
-  /// By how much an error (x, y, theta) of what the wheels measured is larger with other
-  /// parameters.
+  /// Other parameters multiply an error (x, y, theta) of what the wheels measured. @return the
+  /// factors
   Eigen::Vector3d growth(const Eigen::Vector3d& parameters) const;
 
   template <class Archive>

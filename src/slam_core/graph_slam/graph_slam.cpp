@@ -95,7 +95,6 @@ Component::Figures GraphSlam::figures() const {
       {"removed_nodes", static_cast<double>(graph_->reduction.removed())},
       {"factor_megabytes", static_cast<double>(cost.bytes) / kMegabyte},
       {"eliminated_rows", cost.eliminated_rows}};
-  for (const auto& figure : calibrationFigures()) figures.push_back(figure);
   if (!graph_->scans) return figures;
   const auto& scans = *graph_->scans;
   figures.emplace_back("contradicting_ends", scans.doubt().agreement().contradictingShare());
@@ -240,10 +239,7 @@ Status GraphSlam::summary(const Association& association,
         "there covariances that differ by too many orders of magnitude?");
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
-  if (fault != of_steps.end()) return *fault;
-  const auto known = calibration();
-  const auto runs_away = known ? config_.calibration.faultOf(*known) : std::string();
-  return runs_away.empty() ? Status::ok() : Status::warning(runs_away);
+  return fault == of_steps.end() ? Status::ok() : *fault;
 }
 
 Status GraphSlam::replaceMap() {

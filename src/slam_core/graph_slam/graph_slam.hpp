@@ -145,7 +145,6 @@ class GraphSlam final : public Backend,
                                     const std::optional<CalibrationEstimate>& known = {}) const;
   /// @throw ConfigError where something cannot be calibrated
   void checkCalibration(const GraphConfig& config) const;
-  Figures calibrationFigures() const;
   void add(const Motion& motion);
   Session snapshot() const;
   Resumed resumed(const Session& session) const;

@@ -42,16 +42,6 @@ LandmarkObservationArray GraphSlam::corrected(const LandmarkObservationArray& ar
   return calibrated(array, Eigen::Vector3d::Zero(), calibrationOf(graph_->path));
 }
 
-Component::Figures GraphSlam::calibrationFigures() const {
-  Figures figures;
-  if (const auto known = calibration())
-    for (const auto& parameter : config_.calibration.parametersOf(*known)) {
-      figures.emplace_back(parameter.name, parameter.value);
-      figures.emplace_back(parameter.name + "_sigma", parameter.sigma);
-    }
-  return figures;
-}
-
 /// Adds a measured motion to those that wait for the next step.
 void GraphSlam::add(const Motion& measured) {
   Motion motion = measured;

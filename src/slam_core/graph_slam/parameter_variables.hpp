@@ -24,7 +24,7 @@ class ParameterVariables {
   ParameterVariables() = default;  ///< to be read from an archive
 
   const std::vector<graph::Key>& keys() const { return keys_; }
-  /// How many rows they have in a covariance.
+  /// @return the number of their rows in a covariance
   Eigen::Index rows() const { return 2 * static_cast<Eigen::Index>(keys_.size()); }
   std::vector<graph::Key> ofWheels() const { return {keys_[0], keys_[1]}; }
   std::vector<graph::Key> ofSensor() const { return {keys_.begin() + 1, keys_.end()}; }

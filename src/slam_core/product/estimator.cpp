@@ -164,7 +164,7 @@ Status Estimator::execute() {
   if (consistency_config_.adapt) doubt_.compare(backend_->pose().pose);
   const auto place_status = relocate(step->stamp);
   // what the monitor finds is said once only
-  for (const auto& other : {step_status, place_status, consistency_status})
+  for (const auto& other : {step_status, place_status, consistency_status, watchCalibration()})
     status = moreUrgent(status, other);
   reportStep(*step);
   return status;
@@ -254,6 +254,12 @@ Status Estimator::watchConsistency() {
   return now == Fault::kLost ? Status::alarm(finding) : Status::warning(finding);
 }
 
+Status Estimator::watchCalibration() const {
+  const auto known = calibration();
+  if (!known) return Status::ok();
+  return statusOf(capabilities_.find<Calibrator>()->calibrationConfig().faultOf(*known));
+}
+
 PoseEstimate Estimator::reportedPose() const {
   auto pose = backend_->pose();
   const bool contradicts_odometry = noise_.scale(ConsistencyMonitor::kMotion) > 1.0;
@@ -267,6 +273,13 @@ Component::Figures Estimator::figures() const {
        {ConsistencyMonitor::kRange, ConsistencyMonitor::kBearing, ConsistencyMonitor::kMotion})
     figures.emplace_back(std::string(ConsistencyMonitor::name(source)) + "_noise_factor",
                          noise_.scale(source));
+  const auto known = calibration();
+  if (!known) return figures;
+  const auto& config = capabilities_.find<Calibrator>()->calibrationConfig();
+  for (const auto& parameter : config.parametersOf(*known)) {
+    figures.emplace_back(parameter.name, parameter.value);
+    figures.emplace_back(parameter.name + "_sigma", parameter.sigma);
+  }
   return figures;
 }
 

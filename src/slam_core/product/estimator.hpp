@@ -85,7 +85,8 @@ class Estimator final : public Component {
 
   Counters counters() const override;
   std::uint64_t dropped() const override { return intake_.dropped(); }
-  /// Beside the back-end's: the factors on the reported noise (NoiseAdaptation).
+  /// Beside the back-end's: the factors on the reported noise (NoiseAdaptation), and the parameters
+  /// that it calibrates, with their standard deviations.
   Figures figures() const override;
   void reset() override;
 
@@ -128,6 +129,8 @@ class Estimator final : public Component {
   /// An error where the back-end's pose is not finite.
   Status faultOfState();
   Status watchConsistency();
+  /// A warning where a calibrated parameter is further off than it can be.
+  Status watchCalibration() const;
 
   std::unique_ptr<Backend> backend_;
   bool has_odometry_ = true;            ///< the product has an odometry source

@@ -105,7 +105,8 @@ class Relocaliser {
   bool is_grid_too_large_ = false;
   bool sees_only_lines_ = false;  ///< nothing can confirm a loaded pose
   bool is_ambiguous_ = false;     ///< the last search found several places
-  /// Of a circle that holds the map in which the robot is lost and not searched for [m].
+  /// The robot is lost and is not searched for: it is in a circle of this radius, which holds the
+  /// map [m].
   std::optional<double> unsearched_radius_;
   GatingRate gating_{kWindow};  ///< of observations that are associated by id
   LandmarkDoubt doubt_;         ///< of observations that are associated by place

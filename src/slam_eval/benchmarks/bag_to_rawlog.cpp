@@ -16,11 +16,11 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
+#include "benchmark_program.hpp"
 #include "slam_core/geometry/pose2.hpp"
 
 // The laser and the odometry of a bag as a rawlog of actions and sensory frames, for MRPT's
@@ -189,14 +189,5 @@ int main(int argc, char** argv) {
   app.add_option("RAWLOG", options.rawlog)->required();
   app.add_option("--distance", options.distance, "between frames [m]")->capture_default_str();
   app.add_option("--angle", options.angle, "or so much [rad]")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-    slam::eval::convert(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << std::endl;
-    return 1;
-  }
-  return 0;
+  return slam::eval::runProgram(app, argc, argv, [&] { slam::eval::convert(options); });
 }

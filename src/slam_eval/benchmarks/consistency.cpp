@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "benchmark_program.hpp"
 #include "loop_world.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/contract/backend.hpp"
@@ -110,17 +111,10 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", seeds, "number of runs")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
+  return slam::eval::runProgram(app, argc, argv, [&] {
     for (auto* sigma :
          {&world.sigma_range, &world.sigma_bearing, &world.sigma_position, &world.sigma_heading})
       *sigma *= noise;
     slam::eval::run(backend, overrides, world, first, seeds);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "slam_core/common/settings.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
@@ -61,7 +62,7 @@ class SlowDrive {
     for (auto& message : last_) std::visit([this](auto& value) { date(value); }, message);
     return last_;
   }
-  /// Of each sensor so far.
+  /// @return how many messages each sensor has sent so far
   std::size_t messages() const { return static_cast<std::size_t>(count_); }
   Stamp now() const { return begin_ + count_ * interval_; }
 
@@ -160,14 +161,5 @@ int main(int argc, char** argv) {
   app.add_option("--seed", config.seed, "of the world")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-    slam::eval::run(config);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return slam::eval::runProgram(app, argc, argv, [&] { slam::eval::run(config); });
 }

@@ -9,6 +9,7 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "benchmark_program.hpp"
 #include "fiducial_detection.hpp"
 #include "fiducial_timing.hpp"
 #include "slam_core/common/progress.hpp"
@@ -61,17 +62,10 @@ int main(int argc, char** argv) {
   app.add_option("--trials", options.trials, "images for each distance and obliqueness")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
+  return slam::eval::runProgram(app, argc, argv, [&] {
     cv::setNumThreads(1);
     const nlohmann::json result = {{"timing", slam::eval::times(options)},
                                    {"detection", slam::eval::detections(options)}};
     std::puts(result.dump(1).c_str());
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/common/progress.hpp"
@@ -164,14 +165,6 @@ int main(int argc, char** argv) {
   app.add_option("--rate", options.rate, "of the laser [Hz]")->capture_default_str();
   app.add_option("--duration", options.duration, "at most [s]");
   app.add_option("--set", options.overrides, "SECTION.KEY=VALUE");
-  try {
-    app.parse(argc, argv);
-    std::puts(slam::eval::run(options).dump(1).c_str());
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return slam::eval::runProgram(app, argc, argv,
+                                [&] { std::puts(slam::eval::run(options).dump(1).c_str()); });
 }

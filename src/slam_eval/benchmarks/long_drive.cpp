@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "loop_world.hpp"
 #include "slam_core/geometry/angle.hpp"
@@ -100,15 +101,8 @@ int main(int argc, char** argv) {
   app.add_option("--seed", seed, "seed of the world")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
+  return slam::eval::runProgram(app, argc, argv, [&] {
     world.laps = std::max(1, static_cast<int>(std::lround(metres / world.loop_length)));
     slam::eval::run(overrides, world, seed, rows);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

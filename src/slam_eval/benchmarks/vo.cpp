@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/camera/camera_gate.hpp"
@@ -164,15 +165,8 @@ int main(int argc, char** argv) {
   app.add_option("--images", options.images, "no more than these; 0: all")->capture_default_str();
   app.add_flag("--track", options.track, "the paths as well");
   app.add_option("--set", options.overrides, "SECTION.KEY=VALUE");
-  try {
-    app.parse(argc, argv);
+  return slam::eval::runProgram(app, argc, argv, [&] {
     cv::setNumThreads(1);
     std::puts(slam::eval::run(options).dump(1).c_str());
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -85,7 +85,7 @@ class SensorUpdate {
   /// @param motion since the particles were moved last
   virtual Drafts propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                          const PoseBelief& belief, const Execution& execution) = 0;
-  /// How well the particles together predicted what was seen.
+  /// Judges how well the particles together have predicted what was seen.
   /// @param weights before the step
   virtual void judge([[maybe_unused]] const Weights& weights, [[maybe_unused]] Account& account) {}
   /// What can be known now of pose and landmarks at best.

@@ -60,6 +60,21 @@ class BackendBadInput : public testing::TestWithParam<std::string> {
     runSpoilt([&](SimulatedStep& step) { spoil(step.observations.observations.front()); });
   }
 
+  /// One variance of each observation is this, of the range and then of the bearing.
+  void runWithVariances(const std::vector<double>& variances) {
+    for (const double variance : variances)
+      for (const int axis : {0, 1}) {
+        SetUp();
+        runSpoilt([&](SimulatedStep& step) {
+          for (auto& z : step.observations.observations) {
+            z.covariance = 1e-4 * Eigen::Matrix2d::Identity();
+            z.covariance(axis, axis) = variance;
+          }
+        });
+        EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
+      }
+  }
+
   Estimator estimator;
   std::vector<std::string> sentences;
 };
@@ -156,32 +171,12 @@ TEST_P(BackendBadInput, ARangeFarOutsideTheWorld) {
 }
 
 TEST_P(BackendBadInput, ObservationsWhoseCovarianceIsAbsurdlyLarge) {
-  for (const double variance : {1e12, 1e100, 1.7e308})
-    for (const int axis : {0, 1}) {
-      SetUp();
-      runSpoilt([&](SimulatedStep& step) {
-        for (auto& z : step.observations.observations) {
-          z.covariance = 1e-4 * Eigen::Matrix2d::Identity();
-          z.covariance(axis, axis) = variance;
-        }
-      });
-      EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
-    }
+  runWithVariances({1e12, 1e100, 1.7e308});
   EXPECT_TRUE(test::oneSays(sentences, {"observation of landmark", "standard deviation"}));
 }
 
 TEST_P(BackendBadInput, ObservationsWhoseCovarianceIsAbsurdlySmall) {
-  for (const double variance : {1e-300, 1e-100, 1e-20})
-    for (const int axis : {0, 1}) {
-      SetUp();
-      runSpoilt([&](SimulatedStep& step) {
-        for (auto& z : step.observations.observations) {
-          z.covariance = 1e-4 * Eigen::Matrix2d::Identity();
-          z.covariance(axis, axis) = variance;
-        }
-      });
-      EXPECT_GE(estimator.counters()["invalid_observation"], 3u);
-    }
+  runWithVariances({1e-300, 1e-100, 1e-20});
   EXPECT_TRUE(test::oneSays(sentences, {"observation of landmark", "less than 1e-09"}));
 }
 

@@ -157,8 +157,8 @@ class FaultDrive {
     running_ = std::move(resumed);
   }
 
-  /// What came since the checkpoint is lost, as for a robot that drove on. What the pause means is
-  /// no part of a checkpoint: a process that goes on from one is told again.
+  /// The messages since the checkpoint are lost, as for a robot that drove on. A checkpoint does not
+  /// hold how the process was interrupted: each process that resumes from it is told that anew.
   void goOnWithoutWhatWasMissed(std::unique_ptr<MetaCoordinator> resumed, int step) {
     constexpr int kUntilJudged = 50;
     saves_from_ = step + kUntilJudged;

@@ -39,7 +39,7 @@ class FaultDrives : public testing::TestWithParam<FaultyProduct> {
     largest_ = std::max(largest_, drive.largestCheckpoint());
     if (!broken.empty()) ADD_FAILURE() << broken << "\n" << repeating(seed);
   }
-  /// So that a long run says what it has covered.
+  /// A long run says what it has covered.
   void TearDown() override {
     std::cout << fmt::format("{:.1f} h of {} in {:.0f} s of CPU, checkpoints of up to {:.2f} MB\n",
                              hours_, GetParam().name, double(std::clock()) / CLOCKS_PER_SEC - cpu_,

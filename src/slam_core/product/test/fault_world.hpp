@@ -23,7 +23,7 @@ class FaultWorld {
   FaultWorld(std::uint64_t seed, bool has_scans, bool is_whole)
       : world_(seed, landmarks(seed)), room_(seed), has_scans_(has_scans), is_whole_(is_whole) {}
 
-  /// What comes before the drive: the laser's mount, and where the odometry begins.
+  /// @return the messages before the drive: the laser's mount, and where the odometry begins
   std::vector<ProductInput> begin() const {
     if (!is_whole_) return {};
     auto first = world_;
@@ -52,7 +52,7 @@ class FaultWorld {
   }
 
   const Pose2& truth() const { return truths_.rbegin()->second; }
-  /// Of the last minutes.
+  /// @return the true poses of the last minutes
   const Truths& truths() const { return truths_; }
 
  private:

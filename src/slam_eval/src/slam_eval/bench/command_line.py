@@ -208,14 +208,19 @@ def add_lost(parser):
                         help="seed of the first building (%(default)s)")
 
 
+def add_products(parser, default):
+    """The option that names the products to be measured."""
+    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
+                        default=list(default), help=f"instead of {','.join(default)}")
+
+
 ADVERSE = ("ekf_wheel", "pf_wheel", "graph_wheel", "pf_wheel_grid", "scan_grid_wheel",
            "graph_wheel_grid")
 
 
 def add_adverse(parser):
     """Options of `slam_bench adverse`."""
-    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
-                        default=list(ADVERSE), help=f"instead of {','.join(ADVERSE)}")
+    add_products(parser, ADVERSE)
     parser.add_argument("--seeds", metavar="N", type=count, default=2,
                         help="halls, with a drive through each (%(default)s)")
 
@@ -226,8 +231,7 @@ DAYS = ("ekf_wheel", "pf_wheel", "graph_wheel", "scan_grid_wheel", "graph_wheel_
 
 def add_days(parser):
     """Options of `slam_bench days`."""
-    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
-                        default=list(DAYS), help=f"instead of {','.join(DAYS)}")
+    add_products(parser, DAYS)
     parser.add_argument("--hours", metavar="H", type=count, default=24,
                         help="of stamps (%(default)s)")
     parser.add_argument("--interval", metavar="SECONDS", type=float, default=2.0,
@@ -241,8 +245,7 @@ def add_calibration(parser):
     """Options of `slam_bench calibration`."""
     parser.add_argument("--seeds", metavar="N", type=count, default=10,
                         help="halls, with a drive through each (%(default)s)")
-    parser.add_argument("--products", metavar="NAME,...", type=lambda text: text.split(","),
-                        default=list(CALIBRATING), help=f"instead of {','.join(CALIBRATING)}")
+    add_products(parser, CALIBRATING)
 
 
 def add_relocalisation(parser):

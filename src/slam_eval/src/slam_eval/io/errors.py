@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The one error type of this package."""
+"""The one error type of this package, and how programs report it."""
+import sys
 
 
 class InputError(Exception):
@@ -22,3 +23,20 @@ def read_text(path):
     if not text.strip():
         raise InputError(f"{path}: the file is empty; run the product again") from None
     return text
+
+
+def exit_code_of(program, action, output):
+    """Calls `action`, and reports in one sentence what it could not read or write.
+
+    output: what is written, for errors that do not name it. Returns 0, or 1 where it failed.
+    """
+    try:
+        action()
+    except InputError as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"{program}: {error.filename or output}: cannot be written "
+              f"({error.strerror}); check space and permissions", file=sys.stderr)
+        return 1
+    return 0

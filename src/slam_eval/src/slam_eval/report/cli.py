@@ -4,10 +4,9 @@
 import argparse
 import json
 import pathlib
-import sys
 
 from slam_eval.io.atomic_file import write_atomically
-from slam_eval.io.errors import InputError
+from slam_eval.io.errors import exit_code_of
 from slam_eval.io.run_folder import read_run
 from slam_eval.io.trajectory import NANOSECONDS
 from slam_eval.io.world_plan import read_world
@@ -134,14 +133,6 @@ def main(arguments=None):
     for option in ("stamps", "tolerance"):
         if getattr(options, option) and not options.relations:
             parser.error(f"--{option} goes with --relations")
-    try:
-        evaluate_folder(options.folder, options.reference_title, options.world,
-                        relation_judge(options) if options.relations else None)
-    except InputError as error:
-        print(f"slam_eval: {error}", file=sys.stderr)
-        return 1
-    except OSError as error:
-        print(f"slam_eval: {error.filename or options.folder}: cannot be written "
-              f"({error.strerror}); check space and permissions", file=sys.stderr)
-        return 1
-    return 0
+    judge = relation_judge(options) if options.relations else None
+    return exit_code_of("slam_eval", lambda: evaluate_folder(
+        options.folder, options.reference_title, options.world, judge), options.folder)

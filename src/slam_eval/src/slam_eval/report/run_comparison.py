@@ -6,10 +6,9 @@ import contextlib
 import html
 import os
 import pathlib
-import sys
 
 from slam_eval.io.atomic_file import write_atomically
-from slam_eval.io.errors import InputError
+from slam_eval.io.errors import exit_code_of, InputError
 from slam_eval.io.run_folder import read_run
 from slam_eval.report.cli import evaluate_folder
 from slam_eval.report.metric_table import format_value, GROUPS, KEYS
@@ -140,13 +139,4 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     if not LEAST <= len(options.folders) <= MOST:
         parser.error(f"give {LEAST} to {MOST} folders of runs")
-    try:
-        compare(options.folders, options.out)
-    except InputError as error:
-        print(f"slam_compare: {error}", file=sys.stderr)
-        return 1
-    except OSError as error:
-        print(f"slam_compare: {error.filename or options.out}: cannot be written "
-              f"({error.strerror}); check space and permissions", file=sys.stderr)
-        return 1
-    return 0
+    return exit_code_of("slam_compare", lambda: compare(options.folders, options.out), options.out)
