@@ -70,8 +70,8 @@ class Menu(unittest.TestCase):
 
     def test_writes_nothing_when_it_is_left_without_saving(self):
         terminal = Terminal("mine", self.home)
-        terminal.press("Q")
-        terminal.end()
+        terminal.press("Q", "n")  # no, it shall not be saved
+        self.assertEqual(terminal.end(), 1, terminal.said)
         self.assertFalse(self.product.exists(), terminal.said)
 
     def test_needs_a_terminal(self):

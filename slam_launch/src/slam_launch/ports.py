@@ -61,7 +61,26 @@ class ProductPorts:
 
 def of_product(product):
     """Returns the ProductPorts of a product."""
-    told = json.loads(ask(product))
+    return read(ask(product))
+
+
+def of_products(products):
+    """Returns the ProductPorts of each product, several times as fast as one after the other. Of
+    products that bring libraries those of the same ones are asked for together."""
+    found = [None] * len(products)
+    groups = {}
+    for i, product in enumerate(products):
+        groups.setdefault(tuple(library_words(product)), []).append(i)
+    for libraries, members in groups.items():
+        lines = "".join(" ".join(feature_words(products[i])) + "\n" for i in members)
+        for i, line in zip(members, call(["-", *libraries], lines).splitlines(), strict=True):
+            found[i] = read(line)
+    return found
+
+
+def read(text):
+    """Returns what the program says of a product as ProductPorts."""
+    told = json.loads(text)
     return ProductPorts(tuple(map(component, told["components"])),
                         tuple(map(component, told["gates"])), told["owns_odometry_edge"])
 
@@ -79,11 +98,22 @@ def require_joined(product):
 
 def ask(product, *options):
     """Returns what the program says of a product with these features and libraries."""
-    libraries = [word for name in product.content.get("libraries") or []
-                 for word in ("--library", name)]
-    features = [f"{key}={value}" for key, value in product.features.items()]
-    done = subprocess.run([packages.program("slam_ros", PROGRAM), *features, *libraries, *options],
-                          text=True, capture_output=True, check=False)
+    return call([*feature_words(product), *library_words(product), *options])
+
+
+def feature_words(product):
+    return [f"{key}={value}" for key, value in product.features.items()]
+
+
+def library_words(product):
+    return [word for name in product.content.get("libraries") or []
+            for word in ("--library", name)]
+
+
+def call(words, lines=""):
+    """Returns what the program prints, to which lines are given. Raises ProductError."""
+    done = subprocess.run([packages.program("slam_ros", PROGRAM), *words], input=lines, text=True,
+                          capture_output=True, check=False)
     if done.returncode != 0:
         faults = done.stderr.strip().replace(f"{PROGRAM}: ", "", 1).splitlines()
         raise ProductError("; ".join(faults) or f"{PROGRAM} ended with exit code {done.returncode}")

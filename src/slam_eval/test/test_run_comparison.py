@@ -3,6 +3,7 @@
 """./slam compare: runs side by side."""
 import contextlib
 import io
+import json
 import pathlib
 import sys
 import tempfile
@@ -50,6 +51,17 @@ class RunComparison(unittest.TestCase):
         self.assertNotIn("pf.adapt", text, "it is the same in both")
         self.assertEqual(text.count('alt="Path and map of '), 2)
         self.assertEqual(text.count('alt="Landmark errors of '), 1)
+
+    def test_where_runs_come_from_is_shown_and_is_no_setting(self):
+        run = {"version": "0.1.0", "commit": "abc", "bag": {"name": "x.bag", "bytes": 2500000}}
+        metrics = (self.folder / "a" / "metrics.json")
+        self.addCleanup(metrics.write_text, metrics.read_text())
+        metrics.write_text(json.dumps({**json.loads(metrics.read_text()), "run": run}))
+        page = self.folder / "page.html"
+        code, printed = self.call(self.folder / "a", self.folder / "b", "--out", page)
+        self.assertEqual(code, 0, printed)
+        self.assertIn("<td>Bag</td><td>x.bag, 2.5 MB</td><td>–</td>", page.read_text("utf-8"))
+        self.assertEqual(run_comparison.differences([{"run": run}, {"run": {}}]), {})
 
     def test_names_are_as_long_as_it_takes_to_tell_runs_apart(self):
         paths = [pathlib.Path("/runs/one/ekf"), pathlib.Path("/runs/two/ekf")]

@@ -98,6 +98,20 @@ class SlamEval(unittest.TestCase):
         self.assertIn("3 is expected", report)
         self.assertIn('Steps with landmarks</td><td class="v">', report)
 
+    def test_the_report_names_bag_version_date_and_command(self):
+        run_maker.make_run(self.run_folder, count=60)
+        metrics = self.run_folder / "metrics.json"
+        run = {"version": "0.1.0", "commit": "0123", "date": "2026-11-26 09:00:00 UTC",
+               "command": "./slam run a --bag '<b>'",
+               "bag": {"name": "b.bag", "bytes": 12_345_678, "sha256": "0123456789abcdef"}}
+        metrics.write_text(json.dumps({"updates": 1, "run": run}), encoding="utf-8")
+        self.assertEqual(self.evaluate(self.run_folder).returncode, 0)
+        report = (self.run_folder / "report.html").read_text(encoding="utf-8")
+        for text in ("b.bag, 12.3 MB, sha256 0123456789ab…", "0.1.0 (commit 0123)",
+                     "2026-11-26 09:00:00 UTC", "./slam run a --bag &#x27;&lt;b&gt;&#x27;"):
+            self.assertIn(text, report)
+        self.assertEqual(json.loads(metrics.read_text(encoding="utf-8"))["run"], run)
+
     def test_wheels_that_the_run_did_not_use_are_drawn_beside_its_odometry(self):
         run_maker.make_run(self.run_folder, count=300)
         truth = (self.run_folder / "ground_truth.tum").read_text()

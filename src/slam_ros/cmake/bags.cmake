@@ -25,6 +25,7 @@ add_library(slam_ros_bags
   src/flow_window.cpp
   src/ground_truth.cpp
   src/offline_run.cpp
+  src/run_origin.cpp
   src/product_files.cpp
   src/tune_run.cpp
   src/warning_log.cpp
@@ -32,7 +33,7 @@ add_library(slam_ros_bags
 slam_ros_bag_target(slam_ros_bags)
 target_link_libraries(slam_ros_bags
   PUBLIC slam_ros slam_core::tuning ${rosbag_storage_LIBRARIES}
-  PRIVATE fmt::fmt ${roslib_LIBRARIES})
+  PRIVATE fmt::fmt nlohmann_json::nlohmann_json ${roslib_LIBRARIES})
 
 add_library(slam_ros_bag_source src/bag_source_nodelet.cpp)
 slam_ros_bag_target(slam_ros_bag_source)
@@ -54,10 +55,7 @@ foreach(target
         slam_ros_offline slam_ros_ground_truth slam_ros_merge slam_ros_parameters slam_ros_ports
         slam_ros_tune)
   slam_ros_bag_target(${target})
-  target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt)
-endforeach()
-foreach(target slam_ros_offline slam_ros_merge slam_ros_parameters slam_ros_ports slam_ros_tune)
-  target_link_libraries(${target} PRIVATE CLI11::CLI11)
+  target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt CLI11::CLI11)
 endforeach()
 target_link_libraries(slam_ros_ports PRIVATE nlohmann_json::nlohmann_json)
 
@@ -77,6 +75,7 @@ if(CATKIN_ENABLE_TESTING)
     test/bags/test_damaged_bags.cpp
     test/bags/test_flow_and_metrics.cpp
     test/bags/test_offline_run.cpp
+    test/bags/test_run_origin.cpp
     test/bags/test_scan_bags.cpp
     test/bags/test_carried_data.cpp
     test/bags/test_topic_matching.cpp

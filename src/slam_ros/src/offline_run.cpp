@@ -143,7 +143,8 @@ void OfflineRun::run() {
     module->save(writer.unfinished());
   metrics_.setGrid(backend);
   slam::writeFileAtomically(writer.unfinished() + "/metrics.json",
-                            metrics_.toJson(bag_.end() - bag_.begin(), coordinator_.dropped()));
+                            options_.origin.addedToMetrics(metrics_.toJson(
+                                bag_.end() - bag_.begin(), coordinator_.dropped())));
   if (!options_.save_session.empty()) slam::writeFileAtomically(options_.save_session, session());
   const auto robot_text = [this] {
     return slam::readInputFile(robotFile(robotOf(options_, bag_)), "the robot file");
@@ -152,7 +153,8 @@ void OfflineRun::run() {
           slam::tuning::saveCalibration(backend, settings_, robot_text, writer.unfinished());
       !fault.empty())
     warn(fault);
-  writer.finish(backend, coordinator_.components().frames.map, settings_.inForce());
+  writer.finish(backend, coordinator_.components().frames.map,
+                options_.origin.addedToConfig(settings_.inForce()));
   printSummary(writer);
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
 }

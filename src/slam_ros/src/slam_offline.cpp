@@ -20,7 +20,8 @@ void stopOnSignals() {
     });
 }
 
-void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& seed) {
+void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& seed,
+                std::string& origin) {
   app.add_option("PRODUCT", options.product, "a product's name, or its file")->required();
   app.add_option("--bag", options.bag, "the recorded data")->required();
   auto* out = app.add_option("--out", options.folder, "the folder that takes the run's files");
@@ -41,6 +42,9 @@ void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& s
                  "the file that takes the session at the end, to go on from");
   app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");
   app.add_option("--remap", options.remaps, "input:=topic of the bag");
+  app.add_option(
+      "--origin", origin,
+      "JSON that metrics.json and config.yaml get as `run`: version, bag, date, command");
 }
 
 }  // namespace
@@ -50,10 +54,11 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Runs a SLAM product on a bag as fast as it goes.", "slam_offline");
   slam_ros::OfflineOptions options;
-  std::string seed;
-  addOptions(app, options, seed);
+  std::string seed, origin;
+  addOptions(app, options, seed, origin);
   return slam_ros::runProgram(app, argc, argv, [&] {
     if (!seed.empty()) options.overrides.push_back("seed=" + seed);
+    options.origin = slam_ros::RunOrigin(origin);
     options.resumes = app.count("--resume") > 0;
     if (options.folder.empty()) throw CLI::RequiredError("--out or --resume");
     if (options.autosave.value_or(0.0) > 0.0 || options.resumes) {

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <iterator>
+#include <sstream>
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/common/settings.hpp"
@@ -29,6 +31,24 @@ slam::ProductConfig productOf(const std::vector<std::string>& words) {
   return product;
 }
 
+/// @throw std::exception with a sentence; also where the components cannot be joined
+nlohmann::ordered_json portsOf(const std::vector<std::string>& words) {
+  const auto product = productOf(words);
+  slam_ros::checkPorts(product);
+  return slam_ros::describePorts(product);
+}
+
+/// Answers each line of words with a line: loading the components takes longer than asking them.
+void answerLines(std::istream& lines) {
+  std::string answers;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream stream(line);
+    const std::vector<std::string> words(std::istream_iterator<std::string>(stream), {});
+    answers += portsOf(words).dump() + "\n";
+  }
+  std::cout << answers << std::flush;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -36,7 +56,9 @@ int main(int argc, char** argv) {
                "slam_ports");
   std::vector<std::string> words, libraries;
   bool check = false;
-  app.add_option("PRODUCT", words, "a product's name, its file, or features as KEY=VALUE")
+  app.add_option("PRODUCT", words,
+                 "a product's name, its file, or features as KEY=VALUE; -: a line of "
+                 "them for each product on the standard input, answered by a line each")
       ->required();
   app.add_option("--library", libraries, "also knows the components in this shared library")
       ->allow_extra_args(false);
@@ -44,8 +66,8 @@ int main(int argc, char** argv) {
                "prints nothing and refuses components that cannot be joined by their ports");
   return slam_ros::runProgram(app, argc, argv, [&] {
     slam::loadLibraries(libraries);
-    const auto product = productOf(words);
-    slam_ros::checkPorts(product);
-    if (!check) std::cout << slam_ros::describePorts(product).dump(2) << std::endl;
+    if (words == std::vector<std::string>{"-"}) return answerLines(std::cin);
+    const auto ports = portsOf(words);
+    if (!check) std::cout << ports.dump(2) << std::endl;
   });
 }

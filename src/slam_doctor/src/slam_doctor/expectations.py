@@ -95,7 +95,8 @@ class Product:
 def read_product(name):
     """The Product of a name or file. Raises UsageError."""
     try:
-        return with_needs(products.find(name, FeatureModel()))
+        product = products.find(name, FeatureModel())
+        return with_needs(product, ports.of_product(product))
     except ProductError as fault:
         raise UsageError(str(fault)) from None
 
@@ -103,14 +104,14 @@ def read_product(name):
 def all_products():
     """Every Product that has a name. Raises InputError."""
     try:
-        return [with_needs(product) for product in products.named(FeatureModel())]
+        named = list(products.named(FeatureModel()))
+        return [with_needs(*each) for each in zip(named, ports.of_products(named))]
     except ProductError as fault:
         raise InputError(str(fault)) from None
 
 
-def with_needs(product):
-    """The Product of slam_launch's product."""
-    told = ports.of_product(product)
+def with_needs(product, told):
+    """The Product of slam_launch's product, by its ports."""
     needs = tuple(Need(port.name, port.topic, port.kind, port.sentence, port.is_mandatory,
                        frozenset(output.kind for output in component.outputs if output.kind))
                   for component in told.components for port in component.inputs

@@ -15,6 +15,7 @@
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
 #include "slam_ros/run_metrics.hpp"
+#include "slam_ros/run_origin.hpp"
 #include "slam_ros/warning_log.hpp"
 
 namespace slam_ros {
@@ -27,6 +28,7 @@ struct OfflineOptions {
   std::string load_map;  ///< landmarks.yaml to start with; empty: none
   std::string load_session, save_session, merge_session;  ///< files; empty: none
   std::vector<std::string> overrides, remaps;
+  RunOrigin origin = {};  ///< goes into metrics.json and config.yaml
   /// Interval of the checkpoints [s of stamps], 0 for none; by default none, or as the run that is
   /// resumed has it.
   std::optional<double> autosave = std::nullopt;

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace slam_ros {
 namespace {
@@ -26,6 +30,14 @@ Answer ask(const std::string& words) {
   while (std::fgets(part.data(), part.size(), pipe) != nullptr) answer.printed += part.data();
   answer.code = WEXITSTATUS(::pclose(pipe));
   return answer;
+}
+
+/// A file of lines, which stays until the next one is written.
+std::string linesFile(const std::vector<std::string>& lines) {
+  const auto path = ::testing::TempDir() + "slam_ports_lines." + std::to_string(::getpid());
+  std::ofstream file(path);
+  for (const auto& line : lines) file << line << '\n';
+  return path;
 }
 
 Json portsOf(const std::string& words) { return Json::parse(ask(words).printed); }
@@ -52,6 +64,21 @@ std::vector<std::string> namesOf(const Json& ports) {
 }
 
 using Names = std::vector<std::string>;
+
+TEST(SlamPorts, AnswerALineOfProductsEach) {
+  const auto answer = ask("- < " + linesFile({"backend=pf", "backend=ekf map=landmarks"}));
+  ASSERT_EQ(answer.code, 0) << answer.printed;
+  std::istringstream lines(answer.printed);
+  for (const auto* words : {"backend=pf", "backend=ekf map=landmarks"}) {
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(Json::parse(line), portsOf(words));
+  }
+}
+
+TEST(SlamPorts, RefuseALineThatIsNoProduct) {
+  expectRefusal(ask("- < " + linesFile({"backend=ekf", "backend=efk"})), {"efk"});
+}
 
 TEST(SlamPorts, GiveTheComponentsInTheOrderOfTheFlowWithWhoMakesTheirInputs) {
   const auto ports = portsOf("backend=pf odometry=wheel detector=apriltag pointmap=true");

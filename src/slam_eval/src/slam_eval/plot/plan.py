@@ -9,6 +9,7 @@ from slam_eval.io.trajectory import NANOSECONDS
 from slam_eval.metrics.chi_square import chi_square_quantile
 from slam_eval.plot import style as look
 
+_OCCUPIED_GREY, _FREE_GREY, _UNKNOWN_GREY = 0, 254, 205  # as map_server writes them
 _MOST_CELLS = 1000  # that a picture shows a side
 _SIGMAS_95 = np.sqrt(chi_square_quantile(0.95, 2))  # half axis of a 95 % ellipse in sigmas
 
@@ -35,8 +36,10 @@ def draw_estimate(axes, run):
     estimate = run.trajectory.poses[:, :2]
     draw_path(axes, run.trajectory.stamps, estimate, color=look.ESTIMATE, linewidth=2.0, zorder=3,
               label="SLAM")
-    axes.plot(*estimate[0], "o", color="white", markeredgecolor=look.ESTIMATE,
-              markeredgewidth=1.6, markersize=7, zorder=8, label="start")
+    # A ring, so that the end can be seen in it where the robot came back.
+    axes.plot(*estimate[0], linestyle="none", marker="o", fillstyle="none",
+              markeredgecolor=look.ESTIMATE, markeredgewidth=1.8, markersize=12, zorder=7.5,
+              label="start", path_effects=look.halo(3.8))
     look.draw_pose(axes, run.trajectory.poses[-1], "end")
 
 
@@ -101,17 +104,26 @@ def grid_corners(grid):
 
 
 def draw_grid(axes, grid):
-    """A GridMap under everything: free cells light, occupied ones dark, unknown ones left out."""
+    """A GridMap under everything, in the greys of map_server's images."""
     if grid is None:
         return
     shown = grid.coarser(_MOST_CELLS)
     (left, bottom), (right, top) = grid_corners(shown)
-    colours = np.zeros(shown.cells.shape + (4,), np.uint8)
-    colours[shown.cells == FREE] = (240, 241, 243, 255)
-    colours[shown.cells == OCCUPIED] = (48, 52, 58, 255)
-    axes.imshow(colours, origin="lower", extent=(left, right, bottom, top), zorder=0.4,
-                interpolation="nearest", aspect="equal")
-    axes.plot([], [], "s", color="#30343a", markersize=6, label="occupied")
+    greys = np.full(shown.cells.shape, _UNKNOWN_GREY, np.uint8)
+    greys[shown.cells == FREE] = _FREE_GREY
+    greys[shown.cells == OCCUPIED] = _OCCUPIED_GREY
+    axes.imshow(greys, origin="lower", extent=(left, right, bottom, top), zorder=0.4,
+                interpolation="nearest", aspect="equal", cmap="gray", vmin=0, vmax=255)
+    axes.set_facecolor(_colour(_UNKNOWN_GREY))
+    axes.grid(False)
+    for grey, label in ((_OCCUPIED_GREY, "occupied"), (_FREE_GREY, "free"),
+                        (_UNKNOWN_GREY, "unknown")):
+        axes.plot([], [], linestyle="none", marker="s", color=_colour(grey),
+                  markeredgecolor=look.MUTED, markeredgewidth=0.5, markersize=7, label=label)
+
+
+def _colour(grey):
+    return (grey / 255.0,) * 3
 
 
 def draw_points(axes, points):

@@ -106,6 +106,11 @@ def draw_segments(axes, starts, ends, **options):
     axes.add_collection(LineCollection(np.stack([starts, ends], axis=1), **options))
 
 
+def halo(width):
+    """A white border, so that what is drawn can be seen over anything."""
+    return [withStroke(linewidth=width, foreground="white")]
+
+
 def _label_side(positions, i, near):
     """Direction of a label: up and right, or away from a landmark that is near."""
     others = np.delete(positions, i, axis=0)
@@ -122,18 +127,17 @@ def label_landmarks(axes, ids, positions, most=120):
     if len(ids) > most:
         return
     size = 7.5 if len(ids) <= 40 else 6.5
-    halo = [withStroke(linewidth=2.0, foreground="white")]
     near = 0.04 * float(np.ptp(axes.get_xlim()))
     for i, (identity, position) in enumerate(zip(ids, positions)):
         right, up = _label_side(positions, i, near)
         axes.annotate(str(identity), position, xytext=(4.5 * right, 4.0 * up),
                       textcoords="offset points", fontsize=size, color="#0a5f4b", zorder=7,
                       ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top",
-                      path_effects=halo)
+                      path_effects=halo(2.0))
 
 
 def draw_pose(axes, pose, label=None):
     """A pose as an arrow head that points along its heading."""
     axes.plot(pose[0], pose[1], linestyle="none", marker=(3, 0, np.degrees(pose[2]) - 90.0),
-              markersize=12, color=ESTIMATE, markeredgecolor="white", markeredgewidth=1.0,
+              markersize=10, color=ESTIMATE, markeredgecolor="white", markeredgewidth=1.0,
               zorder=8, label=label)

@@ -17,10 +17,14 @@ table{border-collapse:collapse;width:100%}td{padding:7px 10px 7px 0;vertical-ali
 border-top:1px solid #edeff2}td.n{white-space:nowrap;width:210px}
 td.v{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums;font-weight:600;
 width:110px;padding-right:6px}td.u{width:34px;color:#687079}td.m{color:#4a4f57;font-size:14px}
-figure{margin:0}figure img{width:100%;height:auto;display:block}
+td.t{overflow-wrap:anywhere}figure{margin:0}figure img{width:100%;height:auto;display:block}
 figcaption{color:#4a4f57;font-size:14px;margin-top:6px}
 pre{background:#f7f8fa;border-radius:8px;padding:14px 16px;overflow-x:auto;font-size:13px;
 line-height:1.45;margin:8px 0 0}
+@media(max-width:600px){main{padding:20px 10px 40px}section{padding:14px 12px}
+table.facts tr{display:grid;grid-template-columns:1fr auto 34px;border-top:1px solid #edeff2}
+table.facts td{border-top:0;padding:5px 0}table.facts td.n,table.facts td.v{width:auto;
+white-space:normal}table.facts td.v{padding-right:6px}table.facts td.m{grid-column:1/-1;padding-top:0}}
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:18px;align-items:start}
 @media(max-width:700px){.pair{grid-template-columns:1fr}}
 main.wide{max-width:1280px}.single,figure.diagram{max-width:900px;margin:6px auto 16px}

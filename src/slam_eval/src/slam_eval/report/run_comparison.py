@@ -13,6 +13,7 @@ from slam_eval.io.run_folder import read_run
 from slam_eval.report.cli import evaluate_folder
 from slam_eval.report.metric_table import format_value, GROUPS, KEYS
 from slam_eval.report.page import page, picture
+from slam_eval.report.run_origin import origin_rows
 from slam_eval.report.run_report import CAPTIONS
 
 NO_VALUE = "–"
@@ -41,8 +42,10 @@ def settings(config, prefix=""):
 
 
 def differences(configs):
-    """The settings in which the runs differ: name and the value of each run."""
-    flat = [settings(config) for config in configs]
+    """The settings in which the runs differ: name and the value of each run. Where they come from
+    is no setting."""
+    flat = [settings({key: value for key, value in config.items() if key != "run"})
+            for config in configs]
     names = sorted(set().union(*flat))
     found = {name: [f.get(name, NO_VALUE) for f in flat] for name in names}
     return {name: values for name, values in found.items() if len(set(values)) > 1}
@@ -84,6 +87,18 @@ def _table(names, groups):
     return f'<div class="scroll"><table class="compare"><tr>{head}</tr>{text}</table></div>'
 
 
+def origins(runs):
+    """The rows of where each run comes from; empty where none has noted it."""
+    known = [dict(origin_rows(run.metrics)) for run in runs]
+    names = dict.fromkeys(name for each in known for name in each)
+    return [(name, [each.get(name, NO_VALUE) for each in known]) for name in names]
+
+
+def _origin_section(names, runs):
+    rows = origins(runs)
+    return f"<section><h2>Origin</h2>{_table(names, [('', rows)])}</section>" if rows else ""
+
+
 def _pictures(name, folders, names):
     title, caption = CAPTIONS[name]
     shown = [picture(folder / name, f"{title} of {run}", run)
@@ -102,7 +117,8 @@ def render(folders, names, runs):
                else "<p>The configuration is the same in all of them.</p>")
     sections = [f"<section><h2>Figures</h2>{_table(names, groups)}</section>",
                 f"<section><h2>Settings that differ</h2>{changed}</section>",
-                *(_pictures(name, folders, names) for name in CAPTIONS)]
+                *(_pictures(name, folders, names) for name in CAPTIONS),
+                _origin_section(names, runs)]
     remark = " · ".join(f"{name}: {run.title}" for name, run in zip(names, runs))
     return page("Runs side by side", remark, sections, "wide")
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from slam_eval.report.metric_table import GROUPS, KEYS, format_value, rows
 from slam_eval.report.page import page, picture
+from slam_eval.report.run_origin import origin_rows
 
 MOST_EVENTS = 200  # of those that are listed
 CAPTIONS = {
@@ -63,7 +64,7 @@ def _metric_section(metrics, notes):
     for group in GROUPS:
         lines = _metric_rows(metrics, group)
         if lines:
-            text += f"<h3>{group}</h3><table>{lines}</table>"
+            text += f'<h3>{group}</h3><table class="facts">{lines}</table>'
     return text + "</section>"
 
 
@@ -85,7 +86,7 @@ def _observation_section(updates):
     ]
     cells = "".join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
                     f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
-    return f"<section><h2>Observations</h2><table>{cells}</table></section>"
+    return f'<section><h2>Observations</h2><table class="facts">{cells}</table></section>'
 
 
 def _event_section(run):
@@ -100,8 +101,9 @@ def _event_section(run):
         for event in run.events[:MOST_EVENTS])
     more = len(run.events) - MOST_EVENTS
     rest = f"<p>{more} more are in events.csv.</p>" if more > 0 else ""
-    return (f'<section><h2>Events</h2><table><tr><td class="n">{len(run.events)} of them</td>{head}'
-            f"<td></td></tr>{lines}</table>{rest}</section>")
+    return ('<section><h2>Events</h2><div class="scroll"><table><tr>'
+            f'<td class="n">{len(run.events)} of them</td>{head}'
+            f"<td></td></tr>{lines}</table></div>{rest}</section>")
 
 
 def _relation_section(errors):
@@ -119,8 +121,16 @@ def _relation_section(errors):
     count = f"{len(errors.translation)} used"
     if errors.missing:
         count += f", {errors.missing} left out for want of a pose"
-    return (f'<section><h2>Relations</h2><table><tr><td class="n">{count}</td>{head}</tr>{lines}'
-            "</table></section>")
+    return ('<section><h2>Relations</h2><div class="scroll"><table><tr>'
+            f'<td class="n">{count}</td>{head}</tr>{lines}'
+            "</table></div></section>")
+
+
+def _origin_section(rows):
+    """Bag, date, version and command line of the run."""
+    lines = "".join(f'<tr><td class="n">{name}</td><td class="t">{html.escape(text)}</td></tr>'
+                    for name, text in rows)
+    return f"<section><h2>Origin</h2><table>{lines}</table></section>"
 
 
 def _picture_section(path):
@@ -136,6 +146,8 @@ def render(run, metrics, pictures, notes, relations=None):
              % ((run.trajectory.stamps[-1] - run.trajectory.stamps[0]) * 1e-9)]
     if seed is not None:
         facts.append(f"seed {seed}")
+    origin = origin_rows(metrics)
+    facts += [text for name, text in origin if name == "Date of the run"]
     parts = [_metric_section(metrics, notes)]
     parts += [_picture_section(path) for path in pictures]
     if relations is not None:
@@ -144,6 +156,8 @@ def render(run, metrics, pictures, notes, relations=None):
         parts.append(_event_section(run))
     if run.updates is not None:
         parts.append(_observation_section(run.updates))
+    if origin:
+        parts.append(_origin_section(origin))
     if run.config_text:
         parts.append("<section><h2>Configuration in force</h2>"
                      f"<pre>{html.escape(run.config_text)}</pre></section>")
