@@ -22,7 +22,7 @@ figcaption{color:#4a4f57;font-size:14px;margin-top:6px}
 pre{background:#f7f8fa;border-radius:8px;padding:14px 16px;overflow-x:auto;font-size:13px;
 line-height:1.45;margin:8px 0 0}
 @media(max-width:600px){main{padding:20px 10px 40px}section{padding:14px 12px}
-table.facts tr{display:grid;grid-template-columns:1fr auto 34px;border-top:1px solid #edeff2}
+table.facts tr{display:grid;grid-template-columns:1fr auto 46px;border-top:1px solid #edeff2}
 table.facts td{border-top:0;padding:5px 0}table.facts td.n,table.facts td.v{width:auto;
 white-space:normal}table.facts td.v{padding-right:6px}table.facts td.m{grid-column:1/-1;padding-top:0}}
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:18px;align-items:start}
