@@ -75,14 +75,14 @@ bool BackendServices::pause(std_srvs::SetBool::Request& request,
 bool BackendServices::save(slam_msgs::SaveMap::Request& request,
                            slam_msgs::SaveMap::Response& response) {
   return answer(response, [&] {
-    return slam::saveMap(folder_.resolveForWriting(request.path), actions_.map());
+    return slam::saveMap(folder_.resolveMapForWriting(request.path), actions_.map());
   });
 }
 
 bool BackendServices::load(slam_msgs::LoadMap::Request& request,
                            slam_msgs::LoadMap::Response& response) {
   return answer(response, [&] {
-    const auto path = folder_.resolve(request.path);
+    const auto path = folder_.resolveMap(request.path);
     const auto file = slam::loadMap(path, map_frame_, has_grid_);
     const auto status = actions_.load(file);
     if (status.level == slam::Status::Level::kError)

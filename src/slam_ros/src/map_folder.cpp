@@ -54,8 +54,22 @@ std::string MapFolder::resolve(const std::string& requested) const {
   return path.string();
 }
 
+std::string MapFolder::resolveMap(const std::string& requested) const {
+  const fs::path path = resolve(requested);
+  const bool is_folder = requested.back() == '/' || fs::is_directory(path);
+  if (is_folder || path.has_extension() || fs::exists(path)) return path.string();
+  return resolve(requested + ".yaml");
+}
+
 std::string MapFolder::resolveForWriting(const std::string& requested) const {
-  auto path = resolve(requested);
+  return made(resolve(requested));
+}
+
+std::string MapFolder::resolveMapForWriting(const std::string& requested) const {
+  return made(resolveMap(requested));
+}
+
+std::string MapFolder::made(const std::string& path) const {
   if (isBelow(path, folder_)) fs::create_directories(folder_);
   return path;
 }

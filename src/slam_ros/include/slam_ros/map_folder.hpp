@@ -39,10 +39,16 @@ class MapFolder {
   /// followed.
   /// @throw std::runtime_error where it leads out of the folder, or is neither file nor folder
   std::string resolve(const std::string& requested) const;
-  /// The same of a file that is to be written: the folder is made where it does not exist yet.
+  /// The same of a map: a name without an ending, as `office`, stands for `office.yaml`, unless a
+  /// file or folder has that very name.
+  std::string resolveMap(const std::string& requested) const;
+  /// The same of what is to be written: the folder is made where it does not exist yet.
   std::string resolveForWriting(const std::string& requested) const;
+  std::string resolveMapForWriting(const std::string& requested) const;
 
  private:
+  std::string made(const std::string& path) const;
+
   std::filesystem::path folder_;
   bool may_leave_;
 };

@@ -47,6 +47,17 @@ TEST_F(MapFolderTest, TakesWhatIsBelowIt) {
   EXPECT_EQ(folder.resolve("."), maps.string());
 }
 
+TEST_F(MapFolderTest, TakesANameWithoutAnEndingAsThatOfAYamlFile) {
+  const MapFolder folder(config_);
+  const auto maps = root_ / "maps";
+  EXPECT_EQ(folder.resolveMap("hall"), maps / "hall.yaml");
+  EXPECT_EQ(folder.resolveMapForWriting("hall.yaml"), maps / "hall.yaml");
+  EXPECT_EQ(folder.resolveMap("office"), maps / "office") << "a folder has that very name";
+  EXPECT_EQ(folder.resolveMap("new/"), maps / "new/") << "a folder to be made";
+  fs::create_symlink(root_ / "secret", maps / "way_out.yaml");
+  EXPECT_THROW(folder.resolveMap("way_out"), std::runtime_error);
+}
+
 TEST_F(MapFolderTest, RefusesEachWayOut) {
   fs::create_symlink(root_, root_ / "maps/link");
   fs::create_symlink(root_ / "secret", root_ / "maps/file_link");
