@@ -83,6 +83,20 @@ class WrongUse(unittest.TestCase):
         self.assertIn("not a speed", self.refusal("--online", "--rate", "nan"))
 
 
+class Notices(unittest.TestCase):
+    def test_that_a_node_has_died_are_left_out_where_it_ended_well(self):
+        rule = 80 * "="
+        for cause, is_shown in (("process has finished cleanly", False),
+                                ("process has died [pid 3, exit code 1]", True)):
+            notice = [f"\x1b[31m{rule}REQUIRED process [a-1] has died!\n", cause + "\n",
+                      "Initiating shutdown!\n", rule + "\x1b[0m\n"]
+            lines = ["before\n", *notice, "after\n"]
+            self.assertEqual(list(slam_run.without_good_ends(lines)),
+                             lines if is_shown else ["before\n", "after\n"])
+        cut = ["before\n", *notice[:2]]
+        self.assertEqual(list(slam_run.without_good_ends(cut)), cut)
+
+
 class Launch(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -134,7 +148,7 @@ class Output(unittest.TestCase):
         shown = io.StringIO()
         with contextlib.redirect_stdout(shown), \
                 subprocess.Popen(["printf", text], stdout=subprocess.PIPE, text=True) as process:
-            output = slam_run.Output(process)
+            output = slam_run.Output(process.stdout, sys.stdout)
             output.start()
             output.join()
         return shown.getvalue(), output.is_through
@@ -194,14 +208,14 @@ class Online(unittest.TestCase):
             chosen = slam_run.parse_arguments([*REQUIRED[:1], "--bag", str(bag), "--out", folder,
                                                "--online"])
             with self.assertRaisesRegex(slam_run.RunError, "another run is writing"):
-                slam_run.run_online(chosen)
+                slam_run.run_online(chosen, "{}")
             self.assertTrue((bag.parent / "config.yaml").exists())
 
     def test_of_a_bag_that_is_not_there_fails_before_anything_starts(self):
         chosen = slam_run.parse_arguments([*REQUIRED[:2], "/nowhere/x.bag", "--out", "/nowhere/run",
                                            "--online"])
         with self.assertRaisesRegex(slam_run.RunError, "there is no such file"):
-            slam_run.run_online(chosen)
+            slam_run.run_online(chosen, "{}")
 
     def test_leaves_the_time_of_a_running_master_as_it_was(self):
         with running_master() as master:
