@@ -15,6 +15,7 @@ from slam_eval.metrics.honesty import (
     DOUBTFUL, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
 from slam_eval.metrics.map_agreement import MapAgreement
 from slam_eval.metrics.relations import RelationErrors
+from slam_eval.metrics.relative_error import relative_metrics
 
 # A covariance whose smallest eigenvalue is not above this says nothing about an error.
 _SINGULAR = 1e-18
@@ -191,6 +192,7 @@ def _collect(run, result):
         "ate_rmse_m": result.ate and result.ate.rmse,
         "ate_max_m": result.ate and result.ate.max,
         "ate_unaligned_rmse_m": result.unaligned and result.unaligned.rmse,
+        **(relative_metrics(run.trajectory, run.truth) if run.truth is not None else {}),
         "ate_final_rmse_m": result.final_ate and result.final_ate.rmse,
         "odometry_ate_rmse_m": result.odometry_ate and result.odometry_ate.rmse,
         **_drift("odometry", result.odometry_drift),

@@ -33,6 +33,19 @@ KEYS = {
         "Trajectory error of the revised path", "m", ".4f",
         "The absolute trajectory error of the path as the back-end saw it at the end of the run.",
         "Accuracy", True),
+    "rpe_trans_1s_m": Key(
+        "Relative error, a second", "m", ".4f",
+        "Relative pose error (Sturm et al. 2012): root mean square distance between estimated and "
+        "true motion over all pieces of one second. Needs no alignment.", "Accuracy", True),
+    "rpe_rot_1s_deg": Key(
+        "Relative heading error, a second", "deg", ".3f",
+        "Root mean square rotation error over the same pieces.", "Accuracy", True),
+    "rpe_trans_1m_m": Key(
+        "Relative error, a metre", "m", ".4f",
+        "The same distance over all pieces of one metre of the true way.", "Accuracy", True),
+    "rpe_rot_1m_deg": Key(
+        "Relative heading error, a metre", "deg", ".3f",
+        "Root mean square rotation error over the pieces of one metre.", "Accuracy", True),
     "odometry_ate_rmse_m": Key(
         "Dead reckoning", "m", ".4f",
         "The same error of the odometry alone: what the map has to improve on.", "Accuracy", True),
