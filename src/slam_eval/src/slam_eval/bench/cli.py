@@ -11,8 +11,8 @@ import signal
 import sys
 import tempfile
 
-from slam_eval.bench import (command_line, days, fiducial, office, online, pointmap, threads,
-                             vo)
+from slam_eval.bench import (command_line, days, fiducial, kills, office, online, pointmap,
+                             threads, vo)
 from slam_eval.bench.adverse import drives as adverse_drives
 from slam_eval.bench.association import circles as association_circles
 from slam_eval.bench.association import forest as association_forest
@@ -96,6 +96,10 @@ BENCHMARKS = {
     "days": Benchmark(
         "runs of days", "whether the memory of products grows over days of stamps, beyond their "
         "map; a few minutes", {"memory": days.measure}, command_line.add_days),
+    "kills": Benchmark(
+        "runs that are killed", "whether runs that are killed at random moments and resumed leave "
+        "the same bytes as runs that were never stopped; a few minutes",
+        {"resumed": kills.measure}, command_line.add_kills),
     "calibration": Benchmark(
         "self-calibration", "what EKF and graph find out of wheels and sensor that the robot file has "
         "wrong, whether it knows how well, and what its pose is worth then; a few minutes",

@@ -238,6 +238,21 @@ def add_days(parser):
                         help="between two messages of a sensor (%(default)s)")
 
 
+KILLED = ("ekf_wheel", "pf_wheel", "pf_wheel_grid", "scan_grid_wheel", "graph_wheel", "graph_wheel_grid")
+
+
+def add_kills(parser):
+    """Options of `slam_bench kills`."""
+    add_products(parser, KILLED)
+    parser.add_argument("--kills", metavar="N", type=count, default=200,
+                        help="of all products together (%(default)s)")
+    parser.add_argument("--seed", metavar="N", type=count, default=1,
+                        help="of the drive and of the moments (%(default)s)")
+    parser.add_argument("--bag", metavar="FILE", type=_file,
+                        help="a drive of one's own, for all products, instead of simulated ones; it "
+                        "names its robot")
+
+
 CALIBRATING = ("ekf_wheel", "graph_wheel")
 
 

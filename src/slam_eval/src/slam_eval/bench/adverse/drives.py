@@ -8,39 +8,18 @@ import shutil
 import threading
 import time
 
-import yaml
-
 from slam_eval.bench.adverse.faults import BEGIN, FAULTS
 from slam_eval.bench.adverse.judge import judge
 from slam_eval.bench.adverse.results import (median_share, REMARK, split, verdict_lines,
                                              whole_table, worst_share)
 from slam_eval.bench.harness.error import BenchError, Failure
-from slam_eval.bench.harness.hall_drives import Drives, LANDMARKS, run_product, SCANS
-from slam_eval.bench.harness.products import makes_a_grid
-from slam_eval.bench.harness.programs import package_folder
+from slam_eval.bench.harness.hall_drives import Drives, run_product, sensor_of
 from slam_eval.bench.harness.table import Section
 from slam_eval.io.errors import InputError
 from slam_eval.io.run_folder import read_run
 from slam_eval.plot.adverse import plot_shares
 
 WORKERS = 2  # runs at a time
-
-
-def sensor_of(product):
-    """What a product, by its name or file, sees the world by. Raises BenchError."""
-    path = pathlib.Path(product)
-    if path.suffix != ".yaml":
-        path = package_folder("slam_launch") / "products" / f"{product}.yaml"
-    try:
-        features = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except OSError:
-        raise BenchError(f"there is no product {product}; `./slam products` lists them") from None
-    if makes_a_grid(features):
-        return SCANS
-    if features.get("map") == "landmarks" and features.get("odometry") == "wheel":
-        return LANDMARKS
-    raise BenchError(f"the product {product} does not make its map of landmarks or of scans with "
-                     "wheel odometry; give others with --products")
 
 
 class Case:

@@ -1,13 +1,18 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Drives through random halls as bags, and products that are run on them as they are shipped."""
+import pathlib
+
 import numpy as np
 import rosbag
+import yaml
 
 from slam_eval.bench.harness import bag_edit, process
+from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.halls import write_hall
 from slam_eval.bench.harness.landmark_sensor import observe
-from slam_eval.bench.harness.programs import workspace_program
+from slam_eval.bench.harness.products import makes_a_grid
+from slam_eval.bench.harness.programs import package_folder, workspace_program
 from slam_eval.bench.harness.runs import simulate
 from slam_eval.io.trajectory import Trajectory
 
@@ -41,6 +46,23 @@ class Drives:
         bag.unlink()
 
 
+def sensor_of(product):
+    """What a product, by its name or file, sees the world by. Raises BenchError."""
+    path = pathlib.Path(product)
+    if path.suffix != ".yaml":
+        path = package_folder("slam_launch") / "products" / f"{product}.yaml"
+    try:
+        features = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except OSError:
+        raise BenchError(f"there is no product {product}; `./slam products` lists them") from None
+    if makes_a_grid(features):
+        return SCANS
+    if features.get("map") == "landmarks" and features.get("odometry") == "wheel":
+        return LANDMARKS
+    raise BenchError(f"the product {product} does not make its map of landmarks or of scans with "
+                     "wheel odometry; give others with --products")
+
+
 def truth_of(bag_file):
     """The true poses in a bag as a Trajectory."""
     stamps, poses = [], []
@@ -58,12 +80,17 @@ def run_product(folder, product, bag, seed, robot=None, settings=()):
     robot: a robot file, instead of the one that the bag names.
     settings: section.key=value, instead of the files' values.
     """
-    command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag, "--out",
-               folder]
+    command = product_command(product, bag, seed, settings)
     command += ["--robot", robot] if robot else []
+    return process.run([*command, "--out", folder], log_of(folder)).cpu_s
+
+
+def product_command(product, bag, seed, settings=()):
+    """What runs a product on a bag, without the folder."""
+    command = [workspace_program("slam_ros", "slam_offline"), product, "--bag", bag]
     for setting in ("detector=none", f"seed={seed}", *settings):
         command += ["--set", setting]
-    return process.run(command, log_of(folder)).cpu_s
+    return command
 
 
 def log_of(folder):
