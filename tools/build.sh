@@ -44,17 +44,17 @@ logged() { # LABEL LOG COMMAND...
   fail 1 "$label failed; the whole log is $log"
 }
 
-missing() { # the Debian packages that are not installed; other systems resolve package.xml with rosdep
+missing() { # [LIST...]: the Debian packages that are not installed; other systems use rosdep
   grep -qs '^ID=debian' /etc/os-release || return 0
   local names
-  mapfile -t names < <(sed 's/[[:space:]]*#.*//; /^$/d' "$repo/tools/packages.txt")
+  mapfile -t names < <(cd "$repo/tools" && sed 's/[[:space:]]*#.*//; /^$/d' packages.txt "$@")
   LC_ALL=C comm -13 <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${names[@]}" 2>/dev/null |
     sed -n 's/^installed //p' | LC_ALL=C sort -u) <(printf '%s\n' "${names[@]}" | LC_ALL=C sort -u)
 }
 
-install_missing() {
+install_missing() { # [LIST...]: packages.txt, and what further lists in tools name
   local names root=() answer
-  mapfile -t names < <(missing)
+  mapfile -t names < <(missing "$@")
   ((${#names[@]})) || return 0
   printf 'Debian packages to install:\n  %s\n' "$(fold -s -w 96 <<<"${names[*]}" | sed '2,$s/^/  /')"
   if [[ $yes ]]; then
@@ -100,12 +100,15 @@ sources() { # FOLDERS...: find's answer to `tests` there, without builds
     -o -name __pycache__ \) -prune -o "${tests[@]}"
 }
 
+package_folders() { # zero-terminated; beside them lie bags, runs and pictures, which commands leave there
+  local tests=(-type f -name package.xml -printf '%h\0')
+  cd "$repo" && sources .
+}
+
 fingerprint() { # of every file of the packages, and of where and how they are built
-  local packages tests=(-type f -name package.xml -printf '%h\0')
+  local packages tests=(-type f ! -name '*.md' -printf '%p %s %T@\n')
   cd "$repo" || return
-  # Beside the packages lie bags, runs and pictures, which the commands leave there.
-  mapfile -d '' packages < <(sources .)
-  tests=(-type f ! -name '*.md' -printf '%p %s %T@\n')
+  mapfile -d '' packages < <(package_folders)
   { printf '%s\n' "$workspace" && build_flags && sources "${packages[@]}" | sort -u; } | sha256sum
 }
 

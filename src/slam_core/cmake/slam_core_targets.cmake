@@ -46,7 +46,8 @@ endfunction()
 function(slam_core_install)
   cmake_parse_arguments(ARG "" "" "LIBRARIES;PROGRAMS" ${ARGN})
   list(TRANSFORM ARG_LIBRARIES PREPEND slam_core_ OUTPUT_VARIABLE targets)
-  install(TARGETS ${targets} EXPORT slam_core_targets LIBRARY DESTINATION lib)
+  install(TARGETS ${targets} EXPORT slam_core_targets
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   foreach(name IN LISTS ARG_LIBRARIES)
     # those of the tests as well: other packages' back-ends pass the contract suite, too
     install(DIRECTORY ${name} DESTINATION include/slam_core FILES_MATCHING PATTERN "*.hpp")

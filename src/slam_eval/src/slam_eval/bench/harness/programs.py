@@ -7,10 +7,13 @@ import shutil
 
 from slam_eval.bench.harness.error import BenchError
 
+SYSTEM = "/usr"  # where Debian packages are installed; nobody sources that
+
 
 def workspace_program(package, name):
-    """The program of a package of the sourced workspaces. Raises BenchError."""
-    for prefix in filter(None, os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep)):
+    """The program of a package of the sourced workspaces, else of Debian's. Raises BenchError."""
+    workspaces = os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep)
+    for prefix in [*filter(None, workspaces), SYSTEM]:
         path = pathlib.Path(prefix) / "lib" / package / name
         if os.access(path, os.X_OK) and path.is_file():
             return path
