@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the sources can report: counters and sentences of the C++ code, checks of slam_doctor."""
+"""What the sources can report: counters and sentences of the C++ code and of the bridges, checks of
+slam_doctor."""
 
+import ast
 import re
 
 from doc_commands import REPO
@@ -135,10 +137,21 @@ def doctor_checks():
     return found
 
 
+def bridge_files():
+    return sorted(REPO.glob("slam_bridges/src/slam_bridges/*.py"))
+
+
+def bridge_sentences():
+    """Returns {reason: sentence} of the bridges."""
+    tree = ast.parse((REPO / "slam_bridges/src/slam_bridges/account.py").read_text("utf-8"))
+    return next(ast.literal_eval(node.value) for node in tree.body
+                if isinstance(node, ast.Assign) and node.targets[0].id == "SENTENCES")
+
+
 def known_pieces():
     """Returns all texts of the sources, at values cut in pieces, as one text to search in."""
     texts = list(cpp_files().values())
-    texts += [path.read_text(encoding="utf-8") for path in doctor_files()]
+    texts += [path.read_text(encoding="utf-8") for path in doctor_files() + bridge_files()]
     texts = [re.sub(r'"\s*\n?\s*f?"', "", text) for text in texts]  # side by side: one
     pieces = [piece for text in texts for literal in LITERAL.findall(text)
               for piece in [literal, *PLACEHOLDER.split(literal)]]

@@ -23,7 +23,8 @@ def name_of(package):
 def literals():
     """Returns every text in quotes of the sources; a topic's name is one, or the end of one."""
     found = set()
-    for path in [*REPO.glob("slam_*/src/*.?pp"), *REPO.glob("src/*/**/*.?pp")]:
+    for path in [*REPO.glob("slam_*/src/*.?pp"), *REPO.glob("src/*/**/*.?pp"),
+                 *REPO.glob("slam_bridges/src/**/*.py")]:
         if "test" not in path.parts:
             found.update(LITERAL.findall(path.read_text(encoding="utf-8")))
     return found

@@ -113,6 +113,17 @@ class Sentences(unittest.TestCase):
         self.assertEqual(messages.key_of("late"), "")
 
 
+class Bridges(unittest.TestCase):
+    def test_have_a_row_for_each_reason_with_its_sentence(self):
+        told = dict(rows("reason"))
+        known = messages.bridge_sentences()
+        self.assertGreater(len(known), 10)
+        self.assertEqual({f"`{reason}`" for reason in known} - set(told), set())
+        missing = [reason for reason, sentence in known.items()
+                   if messages.key_of(sentence) not in told[f"`{reason}`"][0]]
+        self.assertEqual(missing, [])
+
+
 class Doctor(unittest.TestCase):
     def test_s_checks_have_a_row_each(self):
         told, checks = codes(rows("check")), messages.doctor_checks()
