@@ -46,8 +46,10 @@ std::string RunOrigin::addedToMetrics(const std::string& metrics) const {
 
 std::string RunOrigin::addedToConfig(const std::string& config) const {
   if (text_.empty()) return config;
+  auto origin = Json::parse(text_);
+  for (const auto* name : {"date", "command"}) origin.erase(name);
   auto added = config + "run:\n";
-  appendMembers(added, Json::parse(text_), "  ");
+  appendMembers(added, origin, "  ");
   return added;
 }
 

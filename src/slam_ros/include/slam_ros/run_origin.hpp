@@ -8,7 +8,7 @@
 namespace slam_ros {
 
 /// Where a run comes from: version and commit of the programs, date, command line and bag, as
-/// `slam_run` names them. Both files that it goes into have it under the name `run`.
+/// `slam_run` names them, for metrics.json and config.yaml, which have it under the name `run`.
 class RunOrigin {
  public:
   /// Nothing is known; both files stay as they are.
@@ -19,6 +19,7 @@ class RunOrigin {
 
   /// @param metrics the content of metrics.json
   std::string addedToMetrics(const std::string& metrics) const;
+  /// Without date and command line: the same run writes the same bytes.
   /// @param config the content of config.yaml
   std::string addedToConfig(const std::string& config) const;
   /// Adds it to both files of a run that is complete, which have none yet.

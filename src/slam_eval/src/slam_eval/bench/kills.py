@@ -72,10 +72,10 @@ MOMENTS = {any_moment: 0.6, while_it_saves: 0.3, as_it_ends: 0.1}  # and how oft
 
 
 def metrics_of(folder):
-    """The figures of a run without those of time."""
+    """The figures of a run without those of time, and without how it was called."""
     figures = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
     return {key: value for key, value in figures.items()
-            if key not in OF_TIME and "_ms" not in key}
+            if key not in OF_TIME and key != "run" and "_ms" not in key}
 
 
 def difference(run, whole):
