@@ -72,6 +72,8 @@ class Menu(unittest.TestCase):
         terminal = Terminal("mine", self.home)
         terminal.press("Q", "n")  # no, it shall not be saved
         self.assertEqual(terminal.end(), 1, terminal.said)
+        self.assertIn("nothing was saved in the menu: no product is written", terminal.said)
+        self.assertNotIn("Configuration (", terminal.said)
         self.assertFalse(self.product.exists(), terminal.said)
 
     def test_needs_a_terminal(self):

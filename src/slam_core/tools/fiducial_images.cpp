@@ -41,6 +41,7 @@ std::string cornersText(const fiducial::Corners& corners) {
 }
 
 void print(const std::string& name, const std::vector<fiducial::MarkerDetection>& detections) {
+  if (detections.empty()) fmt::print("{}: no marker found\n", name);
   for (const auto& marker : detections) {
     fmt::print("{}: id {}, corners{}", name, marker.id, cornersText(marker.corners));
     const auto& z = marker.observation;

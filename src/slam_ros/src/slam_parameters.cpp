@@ -96,7 +96,8 @@ int main(int argc, char** argv) {
   Check check;
   app.add_option("SECTION", section,
                  std::string("only this one; ") + kTopLevel + ": the top level");
-  app.add_option("--library", libraries, "also of the components in this shared library");
+  app.add_option("--library", libraries, "also of the components in this shared library")
+      ->allow_extra_args(false);
   addOptions(app, check);
   try {
     app.parse(argc, argv);

@@ -20,12 +20,12 @@ class CameraPublisher {
  public:
   CameraPublisher(ros::NodeHandle handle, const CameraModel& model, std::size_t index);
 
+  /// Whether somebody subscribes to its pictures.
+  bool isWanted() const;
   /// From any thread.
   void publish(const ros::Time& stamp, const Sensors& sensors, const BasePath& T_world_base);
 
  private:
-  bool isWanted() const;
-
   CameraModel model_;
   std::size_t index_;
   std::uint64_t images_ = 0;

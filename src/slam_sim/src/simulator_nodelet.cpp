@@ -10,6 +10,7 @@
 // ros.h comes first: nodelet.h only declares what it uses
 #include <nodelet/nodelet.h>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -41,7 +42,8 @@ struct NodeletConfig {
     fields.add("robot", &robot, "name or file of the simulated robot");
     fields
         .add("drive", &drive,
-             "path: it follows the world's path until a cmd_vel comes; cmd_vel: it waits for one")
+             "path: once somebody listens to a sensor it follows the world's path, until a cmd_vel "
+             "comes; cmd_vel: it waits for one")
         .oneOf({"path", "cmd_vel"});
     fields.add("seed", &seed, "of all noise");
   }
@@ -65,8 +67,13 @@ class SimulatorNodelet : public nodelet::Nodelet {
     const auto world = readWorldFile(fileOf("worlds", "world", config.world));
     model_ = readRobotFile(fileOf("robots", "simulated robot", config.robot));
     robot_ = std::make_unique<LiveRobot>(world, model_, config.seed, config.drive == "path");
+    waits_for_listeners_ = config.drive == "path";
     announce(world);
     advertise();
+    if (waits_for_listeners_)
+      NODELET_INFO(
+          "the robot drives once somebody listens to odom, scan or an image: start slam.launch in "
+          "another terminal");
     startTimers();
     start_obeying_.emplace([this, handle = getNodeHandle()]() mutable {
       cmd_vel_ = handle.subscribe("cmd_vel", kQueue, &SimulatorNodelet::onCommand, this);
@@ -113,14 +120,24 @@ class SimulatorNodelet : public nodelet::Nodelet {
                                         [this, i](const ros::TimerEvent&) { onCamera(i); }));
   }
 
-  /// The start is the first time that anybody asks.
+  bool isHeard() const {
+    return odom_.getNumSubscribers() > 0 || scan_.getNumSubscribers() > 0 ||
+           std::any_of(cameras_.begin(), cameras_.end(),
+                       [](const auto& camera) { return camera->isWanted(); });
+  }
+
+  /// The start is the first time that anybody asks after the robot need not wait any more.
   double seconds(const ros::Time& time) {
-    if (start_.isZero()) start_ = time;
+    if (start_.isZero()) {
+      if (waits_for_listeners_ && !isHeard()) return 0.0;
+      start_ = time;
+    }
     return (time - start_).toSec();
   }
 
   void onCommand(const geometry_msgs::Twist& twist) {
     const std::lock_guard lock(mutex_);
+    waits_for_listeners_ = false;
     robot_->command({twist.linear.x, twist.linear.y, twist.angular.z});
   }
 
@@ -162,7 +179,8 @@ class SimulatorNodelet : public nodelet::Nodelet {
   RobotModel model_;
   std::unique_ptr<LiveRobot> robot_;
   std::vector<std::unique_ptr<CameraPublisher>> cameras_;
-  std::mutex mutex_;  ///< of robot_'s motion and start_
+  std::mutex mutex_;  ///< of robot_'s motion and the next two
+  bool waits_for_listeners_ = false;
   ros::Time start_;
   std::uint64_t scans_ = 0;
   tf2_ros::TransformBroadcaster transforms_;
