@@ -10,9 +10,11 @@ import sys
 import tempfile
 import unittest
 
+from dynamic_reconfigure.client import Client
 from geometry_msgs.msg import PoseWithCovarianceStamped
 import numpy
 import rospy
+import rosservice
 import rostest
 from slam_msgs.srv import LoadMap, RemoveLandmark, SaveMap
 from std_srvs.srv import SetBool, Trigger
@@ -104,6 +106,35 @@ class ReplayTest(unittest.TestCase):
         self.assertEqual(odometry.header.stamp, pose.header.stamp)
         chained = matrix(self.edges()[-1].transform) @ matrix(odometry.pose.pose)
         numpy.testing.assert_allclose(chained, matrix(pose.pose.pose), atol=1e-6)
+
+    def live_parameters(self):
+        """A client of dynamic_reconfigure for the nodelet whose outputs can be changed."""
+        (service,) = rosservice.rosservice_find("dynamic_reconfigure/Reconfigure")
+        client = Client(service.rpartition("/")[0], timeout=10)
+        self.addCleanup(client.close)
+        return client
+
+    def test_what_may_change_while_it_runs_is_described(self):
+        described = {each["name"]: each
+                     for each in self.live_parameters().get_parameter_descriptions()}
+        self.assertEqual(set(described),
+                         {"landmark_rate", "map_period", "tf_rate", "transform_tolerance"})
+        rate = described["tf_rate"]
+        self.assertEqual((rate["type"], rate["min"], rate["max"], rate["default"]),
+                         ("double", 0.1, 1000, 20))
+        self.assertEqual(rate["description"], "of the map's transform [Hz]")
+
+    def test_what_is_changed_is_in_force_and_what_is_not_allowed_is_not(self):
+        client = self.live_parameters()
+        self.addCleanup(client.update_configuration, {"transform_tolerance": 0.1})
+        in_force = client.update_configuration({"transform_tolerance": 3.0, "map_period": 0.0})
+        self.assertEqual((in_force["transform_tolerance"], in_force["map_period"]), (3, 2))
+        self.assertTrue(wait_for(lambda: any("map_period is not changed: " in warning
+                                             for warning in self.player.warnings())))
+        self.player.begin()
+        ahead = self.player.get("pose")[-1].header.stamp + rospy.Duration(3)
+        self.assertTrue(wait_for(lambda: self.player.get("/tf")[-1].transforms[-1].header.stamp
+                                 >= ahead))
 
     def last_status(self, task):
         return [status for array in self.full["/diagnostics"] for status in array.status

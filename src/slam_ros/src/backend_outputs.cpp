@@ -34,6 +34,15 @@ BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Estimator& es
   flush_timer_ = handle.createWallTimer(ros::WallDuration(kFlushInterval), flush);
 }
 
+void BackendOutputs::configure(const OutputsConfig& config) {
+  pose_.setRate(config.landmark_rate);
+  if (landmarks_) landmarks_->setRate(config.landmark_rate);
+  if (particles_) particles_->setRate(config.landmark_rate);
+  if (grid_) grid_->setRate(1.0 / config.map_period);
+  if (graph_) graph_->setRate(1.0 / config.map_period);
+  map_odom_.configure(config);
+}
+
 void BackendOutputs::publish(const slam::StepReport& report) {
   pose_.publish(report);
   if (landmarks_) landmarks_->update(report.stamp);

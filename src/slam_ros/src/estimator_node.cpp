@@ -61,6 +61,8 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   outputs_.emplace(handles.product, estimator(), map_frame_, outputs,
                    slam::JumpLimit::Limits{frames.jump_limit, frames.jump_limit_heading});
   outputs_->refresh();
+  live_config_ = outputs;
+  live_.emplace(handles.own, &live_config_, [this] { outputs_->configure(live_config_); });
   consistency_.emplace(handles.product, *diagnostics_, estimator().consistency());
   services_.emplace(handles.product, map_frame_, makes_grid,
                     MapFolder(settings.read<FilesConfig>()), actions());
@@ -118,6 +120,7 @@ EstimatorNode::~EstimatorNode() {
   localisation_.reset();
   services_.reset();
   consistency_.reset();
+  live_.reset();
   outputs_.reset();
   saveLast();
   recorder_->finish(estimator().capabilities(), coordinator_.dropped());

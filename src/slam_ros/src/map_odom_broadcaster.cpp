@@ -18,13 +18,16 @@ constexpr double kPoll = 0.01;  // [s] of the wall
 MapOdomBroadcaster::MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame,
                                        const OutputsConfig& config,
                                        const slam::JumpLimit::Limits& limits)
-    : handle_(handle),
-      map_frame_(std::move(map_frame)),
-      interval_(slam::durationFromSeconds(1.0 / config.tf_rate)),
-      tolerance_(slam::durationFromSeconds(config.transform_tolerance)),
-      limit_(limits) {
+    : handle_(handle), map_frame_(std::move(map_frame)), limit_(limits) {
   const auto poll = [this](const ros::WallTimerEvent&) { sendIfDue(fromRos(ros::Time::now())); };
-  poll_ = handle.createWallTimer(ros::WallDuration(std::min(kPoll, 0.5 / config.tf_rate)), poll);
+  poll_ = handle.createWallTimer(ros::WallDuration(kPoll), poll);
+  configure(config);
+}
+
+void MapOdomBroadcaster::configure(const OutputsConfig& config) {
+  interval_ = slam::durationFromSeconds(1.0 / config.tf_rate);
+  tolerance_ = slam::durationFromSeconds(config.transform_tolerance);
+  poll_.setPeriod(ros::WallDuration(std::min(kPoll, 0.5 / config.tf_rate)));
 }
 
 void MapOdomBroadcaster::update(const slam::StepReport& report) {

@@ -23,6 +23,8 @@ class BackendOutputs {
                  const std::string& map_frame, const OutputsConfig& config,
                  const slam::JumpLimit::Limits& limits);
 
+  /// Takes over rates, periods and the transform's tolerance.
+  void configure(const OutputsConfig& config);
   void publish(const slam::StepReport& report);
   /// The map was replaced.
   void refresh();

@@ -23,6 +23,7 @@
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/consistency_publisher.hpp"
 #include "slam_ros/diagnostics.hpp"
+#include "slam_ros/live_parameters.hpp"
 #include "slam_ros/localisation_services.hpp"
 #include "slam_ros/part_inputs.hpp"
 #include "slam_ros/run_recorder.hpp"
@@ -107,6 +108,8 @@ class EstimatorNode {
   std::optional<RunRecorder> recorder_;
   std::optional<CheckpointKeeper> checkpoints_;
   std::optional<BackendOutputs> outputs_;
+  OutputsConfig live_config_;
+  std::optional<LiveParameters> live_;  ///< of live_config_
   std::optional<ConsistencyPublisher> consistency_;
   std::optional<BackendServices> services_;
   std::optional<LocalisationServices> localisation_;

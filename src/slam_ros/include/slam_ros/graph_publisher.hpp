@@ -27,6 +27,7 @@ class GraphPublisher {
   /// Called at times of the wall: what the rate held back when no more steps come, and for those
   /// who have subscribed since.
   void flush();
+  void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 
  private:
   void publish();

@@ -34,6 +34,7 @@ class GridPublisher {
   void update(slam::Stamp stamp);
   /// What the period held back, and for those who have subscribed since.
   void flush();
+  void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 
  private:
   void publish();

@@ -25,6 +25,7 @@ class LandmarkPublisher {
   void refresh() { is_new_ = true; }
   /// What the rate held back, and for those who have subscribed since.
   void flush();
+  void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 
  private:
   void publish();

@@ -29,6 +29,8 @@ class MapOdomBroadcaster {
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config,
                      const slam::JumpLimit::Limits& limits);
 
+  /// Rate and tolerance.
+  void configure(const OutputsConfig& config);
   void update(const slam::StepReport& report);
   /// Nothing is sent until the next step.
   void reset();
@@ -43,7 +45,7 @@ class MapOdomBroadcaster {
   std::string map_frame_, odometry_frame_;
   std::string base_frame_;          ///< in a product without motion whose edge nobody publishes
   std::optional<EdgeWatch> watch_;  ///< in a product without motion
-  slam::Duration interval_, tolerance_;
+  slam::Duration interval_{}, tolerance_{};
   std::optional<slam::Stamp> due_;  ///< of the ROS clock
   slam::JumpLimit limit_;
   slam::Pose2 T_map_odom_;

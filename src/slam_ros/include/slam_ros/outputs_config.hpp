@@ -35,20 +35,24 @@ struct OutputsConfig {
         "folder that gets the map at the end: landmarks.yaml, of a grid map.yaml and map.pgm");
     fields.add("landmark_rate", &landmark_rate, "of the landmarks, their markers and the path")
         .unit("1/s of stamps")
-        .in(slam::Range::above(0));
+        .in(slam::Range::above(0))
+        .live();
     fields.add("map_period", &map_period, "of the grid map and the graph's markers, at least")
         .unit("s of stamps")
-        .in(slam::Range::above(0));
+        .in(slam::Range::above(0))
+        .live();
     fields.add("points_rate", &points_rate, "of the point map, where it is made in this nodelet")
         .unit("1/s of stamps")
         .in(slam::Range::above(0));
     fields.add("tf_rate", &tf_rate, "of the map's transform")
         .unit("Hz")
-        .in(slam::Range::closed(0.1, 1000));
+        .in(slam::Range::closed(0.1, 1000))
+        .live();
     fields
         .add("transform_tolerance", &transform_tolerance, "how far ahead the transform is stamped")
         .unit("s")
-        .in(slam::Range::closed(0, 10));
+        .in(slam::Range::closed(0, 10))
+        .live();
   }
 };
 

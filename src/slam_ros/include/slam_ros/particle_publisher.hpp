@@ -22,6 +22,7 @@ class ParticlePublisher {
 
   /// A step was taken: publishes when it is time and somebody listens.
   void update(slam::Stamp stamp);
+  void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 
  private:
   const slam::PoseSampler& sampler_;

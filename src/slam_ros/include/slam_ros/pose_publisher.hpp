@@ -24,6 +24,7 @@ class PosePublisher {
   void flush();
   /// The path begins anew.
   void reset();
+  void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 
  private:
   std::string map_frame_;

@@ -12,7 +12,9 @@ namespace slam_ros {
 /// Lets through at most `rate` events a second of the stamps' time.
 class RateLimit {
  public:
-  explicit RateLimit(double rate) : interval_(slam::durationFromSeconds(1.0 / rate)) {}
+  explicit RateLimit(double rate) { set(rate); }
+
+  void set(double rate) { interval_ = slam::durationFromSeconds(1.0 / rate); }
 
   bool isDue(slam::Stamp stamp) {
     if (last_ && stamp >= *last_ && stamp - *last_ < interval_) return false;
