@@ -79,7 +79,8 @@ void FastSlam::correct(const ScanCorrection& correction, Step& step) {
   if (step.latest) step.latest = corrected(*step.latest, correction);
 }
 
-/// The particles stay where they are; what is told of them moves on.
+/// Propagates the reported pose and its covariance only; the motion is applied to the particles
+/// later.
 Status FastSlam::carry(const Step& step) {
   if (!scans_) return Status::ok();
   auto& [pose, covariance] = belief_.estimate;
