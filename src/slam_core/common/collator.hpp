@@ -40,7 +40,7 @@ class Collator {
     bool has_motion = true;                             ///< else triggers are the clock
   };
   /// `motions` lead exactly to `stamp`. Without a trigger it is a carry: motion has piled up with
-  /// nothing to see. `restart`: time began anew, forget everything first.
+  /// nothing to see. `restart`: time started over, drop everything first.
   struct Step {
     Stamp stamp;
     std::vector<Motion> motions;

@@ -22,7 +22,8 @@ namespace slam::laser_odometry {
 ///
 /// Counted: "unmatched" scans, that fit nothing; of them "contradicting" ones, of which most
 /// contradicts the map; "searched" ones, that a search in a window has found; "late", "stamp_jump";
-/// "slips", where the scans contradict what the motion source told; "maps" that were begun anew.
+/// "slips", where the scans contradict what the motion source reported; "maps" that were started
+/// over.
 class LaserOdometry final : public OdometrySource {
  public:
   /// Tells the motion between two stamps from another source; nothing where it does not cover them.

@@ -87,7 +87,7 @@ VectorXd direction(const MatrixXd& information, const VectorXd& g) {
   return step * std::min(1.0, kLongestStep / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
 }
 
-/// The sum of the outer products of the slopes of whole stretches: what neighbouring steps have in
+/// The sum of the outer products of the slopes of whole blocks: what neighbouring steps have in
 /// common is counted as often as it is there.
 MatrixXd clusteredSquares(const MatrixXd& G) {
   const auto length = static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(G.rows()))));
@@ -114,7 +114,7 @@ MatrixXd inverseOf(const MatrixXd& information) {
 VectorXd sigmasOf(const MatrixXd& H, const MatrixXd& G) {
   const MatrixXd inverse = inverseOf(H);
   const MatrixXd sandwich = inverse * clusteredSquares(G) * inverse;
-  // Few stretches may be alike by chance: nothing is surer than where the model is right.
+  // Few blocks may be alike by chance: nothing is surer than where the model is right.
   return sandwich.diagonal().cwiseMax(inverse.diagonal()).cwiseSqrt();
 }
 

@@ -62,7 +62,7 @@ class Diagnostics {
   void guard(const std::string& topic, const Action& action);
   /// Whether it lets callbacks in.
   bool isGuardOpen() const { return door_.fault().empty(); }
-  /// All begins anew.
+  /// Everything starts over.
   void recover() { door_.open(); }
 
  private:

@@ -65,7 +65,7 @@ class EstimatorNode {
   std::function<void()> on_idle;
 
  private:
-  /// Begins anew when the clock has jumped back.
+  /// Starts over when the clock has jumped back.
   void checkClock();
   /// Takes and publishes all steps that are due.
   void takeSteps(const std::string& topic);
