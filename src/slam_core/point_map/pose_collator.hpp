@@ -15,7 +15,7 @@
 namespace slam::point_map {
 
 /// Finds the robot's pose for each scan, whatever the order of arrival: the filter's latest pose at
-/// or before the scan's stamp, extrapolated by motion. A scan waits until the filter has told a
+/// or before the scan's stamp, extrapolated by motion. A scan waits until the filter has reported a
 /// pose at or after its stamp, and motion covers it. Of several poses of one stamp the first
 /// counts.
 ///
@@ -59,7 +59,7 @@ class PoseCollator {
 
   void forgetOldest();
   void takePoses(Stamp up_to);
-  /// Why the pose of a scan cannot be told; empty: it can.
+  /// Why the pose of a scan is unknown; empty: it is known.
   std::string hindranceAt(Stamp stamp) const;
   Pose2 carriedTo(Stamp stamp);
   void restartWhenAllWentBack();

@@ -72,7 +72,7 @@ class Estimator final : public Component {
   /// The monitor of the last updates. A step's status reports when a source begins to look
   /// over-confident.
   const ConsistencyMonitor& consistency() const { return consistency_; }
-  /// The relocaliser tells how much the pose is believed, and can be asked to look for the robot.
+  /// The relocaliser reports how much the pose is believed, and can be asked to look for the robot.
   friend relocalisation::Relocaliser& relocaliserOf(Estimator& estimator) {
     return estimator.relocaliser_;
   }

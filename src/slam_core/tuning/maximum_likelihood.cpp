@@ -105,7 +105,7 @@ MatrixXd clusteredSquares(const MatrixXd& G) {
 
 MatrixXd inverseOf(const MatrixXd& information) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
-  // A direction in which the likelihood does not fall is not told at all.
+  // A direction in which the likelihood does not fall is not determined at all.
   const VectorXd inverse =
       solver.eigenvalues().unaryExpr([](double value) { return value > 1e-6 ? 1.0 / value : 1e6; });
   return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();

@@ -170,7 +170,7 @@ Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
   return lesson.status;
 }
 
-/// The most urgent of what the steps and the whole have to tell, of equally urgent ones the first.
+/// The most urgent status of the steps and of the whole; of equally urgent ones the first.
 Status FastSlam::summary(std::initializer_list<Status> of_steps) {
   account_.statistics.landmarks = static_cast<int>(landmarksInMap());
   auto told = Status::ok();

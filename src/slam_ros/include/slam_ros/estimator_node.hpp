@@ -120,7 +120,7 @@ class EstimatorNode {
   std::optional<slam::Stamp> last_step_;
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
-  bool is_starving_ = false;  ///< and that has been told
+  bool is_starving_ = false;  ///< and that has been reported
   std::optional<AfterLoad> start_;
 };
 
