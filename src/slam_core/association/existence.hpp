@@ -20,7 +20,7 @@ struct LandmarkPlace {
 };
 
 /// Whether the landmarks of a map exist (negative evidence, Montemerlo 2003, ch. 3): the log odds
-/// of one grow when it is seen, and fall when it should be seen and is not. Each stretch of the way
+/// of one grow when it is seen, and fall when it should be seen and is not. Each piece of the way
 /// counts once, so that a robot that stands before an occluded landmark does not remove it. How
 /// likely a landmark in view is seen is learnt from those that are well established.
 ///
@@ -36,7 +36,7 @@ class Existence {
   /// @return ghosts: landmarks to be removed, of which nothing is known from now on
   std::vector<LandmarkId> see(const Pose2& sensor, const std::vector<LandmarkPlace>& landmarks,
                               const std::vector<LandmarkId>& seen, const SensorReach& reach);
-  /// Forgets the evidence about a landmark that was removed.
+  /// Drops the evidence about a landmark that was removed.
   void forget(LandmarkId id) {
     log_odds_.erase(id);
     seen_.erase(id);
@@ -52,7 +52,7 @@ class Existence {
   double detection() const;
 
   std::map<LandmarkId, double> log_odds_;
-  std::set<LandmarkId> seen_;  ///< in this stretch
+  std::set<LandmarkId> seen_;  ///< in this piece
   double way_ = 0.0, turn_ = 0.0;
   double hits_ = 1.0, misses_ = 1.0;  ///< of established landmarks
 };

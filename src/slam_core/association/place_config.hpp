@@ -18,7 +18,7 @@ struct PlaceConfig {
   void describe(Fields& fields);
 };
 
-/// All that a policy is told at the beginning.
+/// All that a policy gets at the beginning.
 struct PolicyConfig {
   double gate_probability = 0.9999;  ///< that a right observation lies within the gate, in (0, 1)
   PlaceConfig places;

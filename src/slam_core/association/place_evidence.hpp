@@ -41,7 +41,7 @@ class PlaceEvidence {
   /// A landmark is to be re-initialised.
   /// @return whether it is to be removed instead, see DistrustedIds
   bool distrusts(LandmarkId id, bool was_confirmed) { return ids_.count(id, was_confirmed); }
-  /// A landmark was removed on request: what is on trial begins anew.
+  /// A landmark was removed on request: what is on trial starts over.
   void forget(LandmarkId id) {
     trials_.forget();
     line_trials_.forget();

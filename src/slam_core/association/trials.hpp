@@ -69,7 +69,7 @@ class Trials {
   RangeBearingModel model_;
   std::vector<Track> tracks_;
   std::vector<std::size_t> track_of_;  ///< by observation of the last array
-  double strays_ = 1.0;                ///< observations of an array that no track had foreseen
+  double strays_ = 1.0;                ///< observations of an array that no track had predicted
 };
 
 }  // namespace slam::association

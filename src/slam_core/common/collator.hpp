@@ -24,7 +24,7 @@ namespace slam {
 ///
 /// Of a product without motion (Limits::has_motion) the triggers themselves are the clock: a step
 /// is taken when every other trigger source has passed its stamp, and how long one is silent is
-/// told by the newest stamp of the others.
+/// measured by the newest stamp of the others.
 ///
 /// Motion needs `start`, `end`, `sequence` and a free function split(motion, stamp). Counted, never
 /// silent: "late", "before_start", "lost" (a gap in the sequence), "overflow", "stamp_jump",
@@ -40,7 +40,7 @@ class Collator {
     bool has_motion = true;                             ///< else triggers are the clock
   };
   /// `motions` lead exactly to `stamp`. Without a trigger it is a carry: motion has piled up with
-  /// nothing to see. `restart`: time began anew, forget everything first.
+  /// nothing to see. `restart`: time started over, drop everything first.
   struct Step {
     Stamp stamp;
     std::vector<Motion> motions;

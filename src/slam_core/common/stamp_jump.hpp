@@ -34,7 +34,7 @@ class StampJump {
     last_ = stamp;
   }
 
-  /// The jump is not one: the source goes on from `last`, from nothing where it begins anew.
+  /// The jump is not one: the source goes on from `last`, from nothing where it starts over.
   void forget(std::optional<Stamp> last = std::nullopt) {
     jump_.reset();
     last_interval_.reset();

@@ -84,7 +84,7 @@ class StampedQueue {
   const std::deque<Item>& items() const { return items_; }
   /// The stamps accepted, whether or not their messages are still held.
   const StampJump& stamps() const { return stamps_; }
-  /// Messages that went back and wait to be told whether they begin a new run.
+  /// Messages that went back and wait until it is known whether they begin a new run.
   std::size_t setAside() const { return aside_.size(); }
   /// Whether some went back and are not the end of a jump ahead that nothing has come of.
   bool beganAnew() const { return !aside_.empty() && !(stamps_.before() && returnsFromJump()); }

@@ -8,7 +8,7 @@
 
 namespace slam {
 
-/// The answer of a component's execute(). Bad data is told here, never thrown.
+/// The answer of a component's execute(). Bad data is reported here, never thrown.
 struct Status {
   enum class Level { kOk, kWarning, kError };
 
@@ -31,7 +31,7 @@ struct Status {
   }
 };
 
-/// The one of two that must be told, where only one can be; the second one where both must.
+/// The one of two that must be reported, where only one can be; the second one where both must.
 inline Status moreUrgent(Status first, Status second) {
   const auto urgency = [](const Status& status) {
     if (status.isOk()) return 0;

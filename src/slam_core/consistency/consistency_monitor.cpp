@@ -128,8 +128,9 @@ ConsistencyMonitor::Score ConsistencyMonitor::scoreOf(const UpdateStatistics& st
 }
 
 /// The slope with respect to the variance of a source is (u^T C u - tr S^-1 C) / 2, and the
-/// information of two sources tr(S^-1 C_1 S^-1 C_2) / 2. The odometry moves the prediction as well,
-/// by H e: its slope gains u^T H e, its information e^T H^T S^-1 H e.
+/// information of two sources tr(S^-1 C_1 S^-1 C_2) / 2: score and Fisher information of a Gaussian
+/// by its covariance (Kay 1993, sec. 3.9). The odometry moves the prediction as well, by H e, where
+/// e is OdometrySensitivity::mean(): its slope gains u^T H e, its information e^T H^T S^-1 H e.
 void ConsistencyMonitor::addGroup(const JointInnovation& group, Score& score) const {
   const Eigen::Index size = group.nu.size();
   const Eigen::MatrixXd S_inverse = group.S.llt().solve(Eigen::MatrixXd::Identity(size, size));

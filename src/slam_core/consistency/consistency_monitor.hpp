@@ -31,15 +31,17 @@ struct ConsistencyConfig {
 /// Watches whether the innovations are as large as their predicted covariance and, if they are not,
 /// which of three sources is to blame: the noise of ranges, of bearings, or of the odometry. The
 /// factors on the three that explain a window of innovations best are found by one step of Fisher
-/// scoring on their likelihood (Rao 1971; Mehra 1970 for the Kalman filter). The noise of a sensor
-/// is independent between landmarks, whereas the error of a prediction is common to all
-/// observations of a stamp, so that the two can be separated where several landmarks are seen.
-/// OdometrySensitivity gives the odometry's share of an innovation. Where the back-end reports too
-/// little for that, the whole covariance of the prediction counts as the odometry's.
+/// scoring on their likelihood (Harville 1977; where S is linear in the variances this is MINQUE,
+/// Rao 1971), with a prior that keeps them near 1. Mehra 1970 finds the noise of a Kalman filter by
+/// the autocorrelation of its innovations instead. The noise of a sensor is independent between
+/// landmarks, whereas the error of a prediction is common to all observations of a stamp, so that
+/// the two can be separated where several landmarks are seen. OdometrySensitivity gives the
+/// odometry's share of an innovation. Where the back-end reports too little for that, the whole
+/// covariance of the prediction counts as the odometry's.
 ///
 /// This holds for zero-mean noise only. So before a sigma is named, two other explanations are
 /// tried: the pose is lost (GatingRate), or the innovations are biased (InnovationBias). While one
-/// of them is likely, no sigma is named.
+/// of them is likely, fault(), finding() and overconfident() name no sigma.
 class ConsistencyMonitor {
  public:
   enum Source : std::size_t { kRange, kBearing, kMotion, kSources };
@@ -49,7 +51,7 @@ class ConsistencyMonitor {
   /// The estimate for one source over the window.
   struct Factor {
     double sigma = 1.0;        ///< true over believed standard deviation
-    double uncertainty = 0.0;  ///< of that, standard deviation; 0: it cannot be seen
+    double uncertainty = 0.0;  ///< standard deviation of `sigma`; 0 before the first update
     double evidence = 0.0;     ///< against its being right, in standard deviations
 
     template <class Archive>
@@ -64,10 +66,11 @@ class ConsistencyMonitor {
   void add(const UpdateStatistics& statistics);
 
   int updates() const { return static_cast<int>(window_.size()); }
-  /// Normalised innovation squared (NIS) of the last update.
+  /// Normalised innovation squared (NIS) of the last update, without gated observations.
   double nis() const { return last_nis_; }
-  /// NIS of the window per degree of freedom (1 expected), and the bounds between which it lies for
-  /// 95 % of all windows.
+  /// NIS of the window per degree of freedom (1 expected), gated observations included unless their
+  /// NIS is 100 or more, and the bounds between which it lies for 95 % of all windows (Bar-Shalom,
+  /// Li, Kirubarajan 2001, sec. 5.4).
   double nisMean() const;
   std::array<double, 2> nisBounds() const;
   const std::array<Factor, kSources>& factors() const { return factors_; }
@@ -84,7 +87,8 @@ class ConsistencyMonitor {
 
   static const char* name(Source source);
   friend const InnovationBias& biasOf(const ConsistencyMonitor& monitor) { return monitor.bias_; }
-  /// The source whose sigma is named as too small or too large.
+  /// The source whose sigma looks too small or too large. Unlike overconfident(), this does not
+  /// check for a lost pose.
   friend std::optional<Source> blamedOf(const ConsistencyMonitor& monitor) {
     return monitor.blamed_;
   }

@@ -27,8 +27,8 @@ class NoiseAdaptation {
   using Source = ConsistencyMonitor::Source;
 
   /// To be called for each step, after the monitor has got its innovations.
-  /// @param statistics of the step: where they do not tell how the pose moves the innovations (H),
-  /// as a particle filter's, the sources cannot be told apart, and the odometry is blamed for all
+  /// @param statistics of the step: where they do not say how the pose moves the innovations
+  /// (H), as a particle filter's, the sources cannot be separated, and the odometry gets all
   /// @return whether a scale has changed: what the monitor has judged so far was of another one
   bool learn(const ConsistencyMonitor& monitor, const UpdateStatistics& statistics);
   /// The factor on a source's reported sigma, at least 1.

@@ -20,7 +20,7 @@ namespace slam {
 /// the pose may be wrong; the back-end's own state stays as it is.
 class PoseDoubt {
  public:
-  /// All begins anew, with an empty map.
+  /// Everything starts over, with an empty map.
   void restart();
   /// A map was loaded, which has a scale of its own. @param robot its pose in that map
   void load(const Pose2& robot);

@@ -7,8 +7,7 @@
 
 namespace slam {
 
-/// The capability of a back-end that can be told how it decides of which landmark an observation
-/// is.
+/// The capability of a back-end whose policy of association can be chosen.
 class AssociationChooser {
  public:
   virtual ~AssociationChooser() = default;

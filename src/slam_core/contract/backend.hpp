@@ -12,12 +12,15 @@
 namespace slam {
 
 /// The role of a SLAM back-end (thesis 3.4.2): data come in by its ports, a pose in a map comes
-/// out. What else it can do it offers as capabilities.
+/// out. What it can do beyond that it offers as capabilities.
 ///
-/// Who calls: the Estimator, from one thread, in the order configure(), then for each step the
-/// inputs since the last one, a trigger last, and execute(). It owns the back-end. Inputs come in
-/// the order of stamps and are free of faults; at most one trigger comes before an execute().
-/// Carriers add up. Ids of an observation array are sorted and may repeat.
+/// Who calls: the Estimator, which owns the back-end, from one thread. It first calls seed(), the
+/// choosers (MapChooser, AssociationChooser), describe() and configure(). For each step it then
+/// calls set() for every motion, set() for at most one trigger, and execute(). Several motions may
+/// come in a step: the back-end applies all of them. A step may have no trigger; then the motions
+/// alone are applied. An initial pose or a map is followed by an execute() of its own, which puts
+/// it in force. Inputs come in the order of their stamps and are free of faults. The ids of an
+/// observation array are sorted and may repeat.
 ///
 /// A new back-end derives from this, registers itself (contract/registry.hpp) and must pass the
 /// contract suites of what it offers.
@@ -26,26 +29,27 @@ class Backend : public Component {
   static constexpr const char* kRole = "back-end";
 
   using Component::describe;
-  /// What it can do beyond this interface; as describe(Ports&), of what it is.
+  /// What it can do beyond this interface. As with describe(Ports&), this depends on what the
+  /// back-end is and on the map that was chosen, not on its configuration.
   virtual void describe(Capabilities& /*capabilities*/) {}
-  /// Names all its random streams from the next configure() or reset() on. Back-ends that draw
-  /// nothing do not need it.
+  /// Sets the seed of all random streams. Called before configure() (an OdometrySource is seeded
+  /// after it). Back-ends that draw nothing do not need it.
   virtual void seed(std::uint64_t /*seed*/) {}
 
-  /// The robot is re-drawn there with the next execute(); the map is kept, correlations to it are
-  /// removed.
+  /// With the next execute() the robot's pose and covariance are replaced by these. The map is
+  /// kept; its correlations with the robot become zero.
   virtual void set(const PoseEstimate& initial_pose) = 0;
   virtual PoseEstimate pose() const = 0;  ///< in the map frame
 };
 
-/// What a back-end can do. It holds pointers to the back-end.
+/// The capabilities of a back-end. They hold pointers to it.
 inline Capabilities capabilitiesOf(Backend& backend) {
   Capabilities capabilities;
   backend.describe(capabilities);
   return capabilities;
 }
 
-/// A capability that the back-end is known to offer.
+/// A capability that the back-end is known to offer; undefined where it does not offer it.
 template <class Capability>
 Capability& as(Backend& backend) {
   return *capabilitiesOf(backend).find<Capability>();

@@ -16,7 +16,7 @@ namespace slam {
 class Calibrator {
  public:
   virtual ~Calibrator() = default;
-  /// @return the parameters as the drive has told them so far; nothing where nothing is calibrated
+  /// @return the parameters as estimated from the drive so far; nothing where nothing is calibrated
   virtual std::optional<CalibrationEstimate> calibration() const = 0;
   /// @return the names of what is estimated, and the priors
   virtual const CalibrationConfig& calibrationConfig() const = 0;

@@ -18,11 +18,12 @@ namespace slam {
 
 /// What every component of a product is (thesis 4.2.1): its data come in and go out by ports.
 ///
-/// Who calls: the Wiring, from one thread: an input's set(...), then execute() until isBusy() says
-/// no; after each execute() the outputs are taken. Nothing is known of other components.
+/// Who calls: the Wiring, from one thread (a back-end is called by the Estimator): an input's
+/// set(...), then execute() until isBusy() is false; after each execute() the outputs are taken. A
+/// component knows nothing of the others.
 class Component {
  public:
-  /// Names and values that tell how well it goes, for diagnostics.
+  /// Names and values that show in the diagnostics how well the component works.
   using Figures = std::vector<std::pair<std::string, double>>;
 
   virtual ~Component() = default;
@@ -34,15 +35,15 @@ class Component {
   virtual void configure(Settings& settings) = 0;
   /// One deterministic step with what was set.
   virtual Status execute() = 0;
-  /// Whether another execute() follows although nothing more is set: of several inputs that waited
-  /// the last one took in one.
+  /// Whether another execute() follows although nothing more is set: the last one consumed one of
+  /// several waiting inputs.
   virtual bool isBusy() const { return false; }
 
   virtual Counters counters() const = 0;
   /// Messages that had no effect because they came late, were lost or could not be used.
   virtual std::uint64_t dropped() const { return 0; }
   virtual Figures figures() const { return {}; }
-  /// The component is as after configure(); what is latched stays.
+  /// The component is as after configure(), but latched inputs (TimeRole::kLatched) stay in force.
   virtual void reset() = 0;
 
   /// Whether saveState() and restoreState() are there; known after configure(). A product of which

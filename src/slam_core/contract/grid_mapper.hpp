@@ -16,7 +16,7 @@ class GridMapper {
   virtual ~GridMapper() = default;
   /// All that is known of it, cut to what has been seen; nothing before the first scan.
   virtual std::optional<OccupancyGrid> grid() const = 0;
-  /// Grows whenever grid() has changed, also where all begins anew.
+  /// Grows whenever grid() has changed, also where everything starts over.
   virtual std::uint64_t gridRevision() const = 0;
 };
 

@@ -10,7 +10,7 @@
 
 namespace slam {
 
-/// The capability of a back-end that forgets a landmark of its map on request, such as one that is
+/// The capability of a back-end that removes a landmark of its map on request, such as one that is
 /// not there.
 ///
 /// Who calls: the Estimator, between two steps.
@@ -18,7 +18,7 @@ class LandmarkRemover {
  public:
   virtual ~LandmarkRemover() = default;
   /// From now on the landmark is in no map and no observation is taken for it. What is on trial
-  /// begins anew, so that the landmark does not come back with the next observation. Where ids
+  /// starts over, so that the landmark does not come back with the next observation. Where ids
   /// decide, an observation of this id is one of a new landmark.
   /// @return an error where the landmark is not in the map or the map is fixed; all stays as it is
   virtual Status remove(LandmarkId id) = 0;

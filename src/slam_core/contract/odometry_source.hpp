@@ -19,13 +19,14 @@ class OdometrySource : public Component {
  public:
   static constexpr const char* kRole = "odometry source";
 
-  /// Seeds the random streams; to be called after configure().
+  /// Sets the seed of all random streams. Called after configure(), before the first input (a
+  /// Backend is seeded before it is configured).
   virtual void seed(std::uint64_t /*seed*/) {}
   /// Of a source that has an odometry frame of its own, such as "visual": it is shown on the topic
   /// `NAME_odometry/odom`. Empty: it moves along another frame and is not shown.
   virtual std::string name() const { return ""; }
   /// To be called after restoreState() where the robot has gone on without this process. A source
-  /// that measures motion by what it saw itself begins anew, since what it sees now is of another
+  /// that measures motion by what it saw itself starts afresh, since what it sees now is of another
   /// place. Wheels have counted on.
   virtual void goOnLive() {}
   /// What the last execute() made: nothing after the first input or a bad one.

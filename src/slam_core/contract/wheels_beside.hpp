@@ -42,7 +42,7 @@ class WheelsBeside {
     has_sample_ = true;
   }
   void set(const Datum& datum) { waiting_.push_back(datum); }
-  /// Takes in what the wheels told.
+  /// Takes in what the wheels reported.
   Status execute() {
     if (!std::exchange(has_sample_, false)) return Status::ok();
     const auto status = wheels_->execute();

@@ -38,7 +38,7 @@ class Associator {
   Associator() = default;
   explicit Associator(const EkfConfig& config);
 
-  /// Begins anew with a map.
+  /// Starts over with a map.
   void restart(const LandmarkMap& map);
   void move(const Motion& motion) { evidence_.move(motion); }
   Association associate(const LandmarkObservationArray& array, EkfState& state,

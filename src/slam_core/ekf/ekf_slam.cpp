@@ -10,8 +10,10 @@
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
-// Symbols: x state, P its covariance, Q that of the motion increment, z observation, m landmark;
-// those of the update stand in observation_update.cpp.
+// Symbols: x state, P its covariance, F Jacobian of the predicted robot by the robot before, Q
+// covariance of the motion increment, J_before and J_u Jacobians of a composition by the first and
+// the second pose, z observation, m landmark. Those of the update (W, dx) stand in
+// observation_update.cpp.
 
 namespace slam::ekf {
 namespace {
@@ -93,14 +95,15 @@ void EkfSlam::set(const Motion& measured) {
     J_motion_ = J;
     return;
   }
-  Eigen::Matrix3d J_before, J_u;
+  Eigen::Matrix3d J_before, J_u;  // the compounding of Smith, Self, Cheeseman 1990
   motion_->increment = motion_->increment.compose(motion.increment, &J_before, &J_u);
   motion_->covariance = J_before * motion_->covariance * J_before.transpose() +
                         J_u * motion.covariance * J_u.transpose();
   J_motion_ = (J_before * J_motion_ + J_u * J).eval();
 }
 
-/// The velocity of a single message is mostly noise, which the filter would take for motion.
+/// Low-pass filter of the velocity, of first order with a time constant of kWindow: the velocity of
+/// a single message is mostly noise.
 void EkfSlam::followVelocity(const Motion& motion) {
   constexpr double kWindow = 0.15;  // [s]
   const double interval = seconds(motion.end - motion.start);
@@ -108,7 +111,8 @@ void EkfSlam::followVelocity(const Motion& motion) {
   velocity_ += std::min(1.0, interval / kWindow) * (now - velocity_);
 }
 
-/// Where parameters are calibrated the sensor is the filter's robot.
+/// Where parameters are calibrated, the state holds the sensor's pose instead of the robot's
+/// (SensorFrame), and the observations get an identity mount.
 LandmarkObservationArray EkfSlam::takeObservations() {
   auto array = *std::exchange(observations_, std::nullopt);
   if (const auto parameters = state_.parameters()) {

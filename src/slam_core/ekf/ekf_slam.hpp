@@ -21,10 +21,10 @@
 
 namespace slam::ekf {
 
-/// EKF-SLAM with a map of points and lines (thesis 5.1; Thrun, Burgard, Fox 2005, table 10.1): all
-/// observations of a stamp go into one joint update. What kind of Kalman filter it is says the
-/// linearisation (linearization.hpp); that a step costs the square of the landmarks around the
-/// robot instead of the map's is the state's doing (neighbourhood.hpp).
+/// EKF-SLAM with a map of points and lines (thesis 5.1; Thrun, Burgard, Fox 2005, sec. 10.2 and
+/// 10.3), but with one joint, iterated update of all observations of a stamp. The linearisation
+/// selects the variant of the filter (linearization.hpp). A step costs O(n^2) in the n landmarks of
+/// the neighbourhood instead of those of the whole map (neighbourhood.hpp).
 class EkfSlam final : public Backend,
                       LandmarkMapper,
                       LandmarkRemover,
@@ -46,8 +46,6 @@ class EkfSlam final : public Backend,
 
   PoseEstimate pose() const override;
   Counters counters() const override { return counters_; }
-  /// The calibrated parameters, each with its standard deviation.
-
   void reset() override;
   bool canResume() const override { return true; }
   void saveState(ArchiveWriter& archive) const override { archive(*this); }
@@ -104,7 +102,7 @@ class EkfSlam final : public Backend,
   std::optional<PoseEstimate> initial_pose_;
   std::optional<Motion> motion_;     ///< all motions since the last step as one, calibrated
   CalibrationJacobian<3> J_motion_;  ///< of its increment
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of late [m/s, rad/s]
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< filtered [m/s, m/s, rad/s]
   SensorFrame frame_;                                   ///< of the state, where it calibrates
   std::optional<LandmarkObservationArray> observations_;
 };

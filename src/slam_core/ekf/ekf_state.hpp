@@ -19,9 +19,11 @@
 
 namespace slam::ekf {
 
-/// How much of the map an update touches.
+/// How much of the map an update touches: what limits an interval between two global updates
+/// (Neighbourhood).
 struct StretchLimits {
-  /// So many are seen before the stretch ends, but at least twice as many as are in view.
+  /// The interval ends before more than this many landmarks are observed, or twice as many as are
+  /// in view where that is more.
   Eigen::Index landmarks = 64;
   bool whole_map = false;  ///< every landmark is in the neighbourhood: no compression
 };
@@ -72,7 +74,7 @@ class EkfState {
   /// The number of the landmark with this id.
   std::optional<std::size_t> find(LandmarkId id) const;
   LandmarkId id(std::size_t landmark) const { return ids_[landmark]; }
-  /// An id that no landmark has, nor one that was forgotten.
+  /// An id that no landmark has, nor one that was retired.
   LandmarkId freeId() const { return largest_id_ + 1; }
   /// The slot of a landmark in the neighbourhood; -1 where it was not taken.
   Eigen::Index slotOf(std::size_t landmark) const {
@@ -90,7 +92,7 @@ class EkfState {
   const DenseCovariance& covariance() const { return neighbourhood_.covariance(); }
   const Linearization& linearization() const { return *linearization_; }
 
-  /// Takes these into the neighbourhood; where it would grow too large the stretch ends first.
+  /// Takes these into the neighbourhood; where it would grow too large the interval ends first.
   void take(const LandmarksInView& view);
   /// @param J_increment by the calibrated parameters, of (x, y, theta)
   PosePrediction predict(const Pose2& increment, const Eigen::Matrix3d& Q,
@@ -103,14 +105,14 @@ class EkfState {
   void extend(Eigen::Index slot, const Pose2& sensor, const LandmarkObservation& z);
   /// Appends m = g(robot, z): J = dg/drobot, R the noise of z mapped into the plane.
   void append(LandmarkId id, const NewLandmark& m);
-  /// A known landmark is forgotten and appended again, in its place in the order.
+  /// Re-initialises a known landmark, in its place in the order.
   void beginAnew(LandmarkId id, const NewLandmark& m);
-  /// A landmark is not found any more, nor in map() and state(); the Gaussian keeps it, which is to
-  /// forget it as exactly as if it were taken out. Its number is never given again; its id may be.
+  /// A landmark is not found any more, nor in map() and state(). The Gaussian keeps it, which
+  /// leaves the others as if it were marginalised. Its number is never given again; its id may be.
   void retire(LandmarkId id);
-  /// The robot is drawn anew: its correlations are removed.
+  /// The robot is put elsewhere: its correlations become zero.
   void relocate(const PoseEstimate& robot);
-  /// A new stretch with the same landmarks, unless this one has just begun.
+  /// A new interval with the same landmarks, unless this one has just begun.
   void renewReference();
 
   /// The estimated parameters; nothing where nothing is calibrated.
@@ -156,7 +158,7 @@ class EkfState {
   std::vector<Eigen::Vector2d> starts_, firsts_;        ///< see LandmarkPoint
   std::vector<std::optional<MappedLine>> lines_;        ///< by landmark
   std::vector<double> born_;   ///< turn() when the landmark was added, by landmark
-  std::vector<bool> is_seen_;  ///< in this stretch, by landmark
+  std::vector<bool> is_seen_;  ///< in this interval, by landmark
   Eigen::Index seen_ = 0;      ///< how many of them
 };
 

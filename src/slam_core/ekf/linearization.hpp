@@ -17,7 +17,7 @@ namespace slam::ekf {
 /// A landmark as a linearisation looks at it: a point [m], map frame, or a line [m, rad].
 struct LandmarkPoint {
   Eigen::Vector2d now;              ///< the newest estimate
-  Eigen::Vector2d start;            ///< when the stretch began, or when it was added since
+  Eigen::Vector2d start;            ///< when the interval began, or when it was added since
   Eigen::Vector2d first;            ///< when it was added to the map
   const LineModel* line = nullptr;  ///< of a line
 
@@ -28,11 +28,11 @@ struct LandmarkPoint {
 };
 
 /// Which error the covariance describes, where Jacobians are evaluated and how a correction moves
-/// the estimate. A stretch is the time between two choices of the reference pose, a past pose of
-/// the robot (ekf_state.hpp). What the filter always does, with e the errors in (x, y, theta):
+/// the estimate. An interval is the time between two choices of the reference pose, a past pose of
+/// the robot (neighbourhood.hpp). What the filter always does, with e the errors in (x, y, theta):
 /// - the robot's error refers to its newest estimate: a correction that moves it by d turns e_xy
 ///   into e_xy + robotTransport e_theta;
-/// - a landmark's error refers to where it was when the stretch began. When the stretch ends, it
+/// - a landmark's error refers to where it was when the interval began. When the interval ends, it
 ///   becomes e_m + landmarkTransport e_theta of the reference.
 /// The published covariances are always those of (x, y, theta) and (x, y).
 class Linearization {
@@ -49,7 +49,7 @@ class Linearization {
                                 const LandmarkObservation& z) const = 0;
   /// The pose after a correction of (x, y, theta).
   virtual Pose2 moved(const Pose2& robot, const Eigen::Vector3d& correction) const;
-  /// The landmark after all corrections of a stretch; `turn`: those of the reference's heading.
+  /// The landmark after all corrections of an interval; `turn`: those of the reference's heading.
   virtual Eigen::Vector2d moved(const Eigen::Vector2d& start, const Eigen::Vector2d& correction,
                                 double turn) const;
 
@@ -62,10 +62,10 @@ class Linearization {
 
   /// Whether another linearisation point gives other Jacobians, so that iterating makes sense.
   virtual bool relinearizes() const { return true; }
-  /// Whether the stretch has to end after a step. turn: as above; variance: of the robot's heading
+  /// Whether the interval has to end after a step. turn: as above; variance: of the robot's heading
   /// relative to that of the reference.
   virtual bool isStale(double /*turn*/, double /*variance*/) const { return false; }
-  /// Whether the stretch has to end before so large a correction of the robot's heading.
+  /// Whether the interval has to end before so large a correction of the robot's heading.
   virtual bool isTooLarge(double /*heading_correction*/) const { return false; }
 };
 
@@ -107,8 +107,8 @@ class ConstrainedLinearization final : public FirstEstimatesLinearization {
 /// the newest direction. Written in the coordinates (x, y, theta) it is the textbook filter with
 /// two changes: the correction goes through the group's exponential, and the covariance is carried
 /// along with the estimate (the transports). Landmarks turn with the reference's heading instead of
-/// the robot's, which equals it at the start of the stretch: so landmarks out of sight need not be
-/// touched at every step. The stretch ends before the two headings part.
+/// the robot's, which equals it at the start of the interval: so landmarks out of sight need not be
+/// touched at every step. The interval ends before the two headings part.
 class RightInvariantLinearization final : public Linearization {
  public:
   Innovation innovation(const ObservationModel& model, const Pose2& robot, const Pose2& origin,

@@ -274,7 +274,8 @@ void Neighbourhood::renew(const Eigen::Matrix2Xd& c) {
   begin();
 }
 
-/// The rows of the landmarks that were not taken: among themselves, and with what was.
+/// Writes the blocks of the landmarks that were not taken, and their cross-covariances with the
+/// robot and the taken landmarks.
 void Neighbourhood::updateRest(const std::vector<Index>& rest, const Eigen::Matrix2Xd& c) {
   const auto taken = whitened();
   const MatrixXd W = whitenedPrior(rest);
@@ -310,7 +311,7 @@ void Neighbourhood::updateRest(const std::vector<Index>& rest, const Eigen::Matr
   }
 }
 
-/// The rows of the robot and of what was taken, among themselves.
+/// Writes the covariance of the robot and the taken landmarks.
 void Neighbourhood::writeTaken(const Eigen::Matrix2Xd& c) {
   std::vector<Index> rows = {0, 1, 2}, local_rows = {0, 1, 2};
   std::vector<double> carried = {0.0, 0.0, 0.0};

@@ -11,14 +11,18 @@
 
 namespace slam::ekf {
 
-/// The errors of robot and map as one Gaussian, of which only the part around the robot is worked
-/// on (Guivant and Nebot 2001). A stretch begins with the robot's pose there, the reference, and
-/// the covariance of (reference, all landmarks), the prior. Landmarks are taken into the
-/// neighbourhood when they are seen; the others are left as they were: what is learnt about them
-/// goes through the landmarks that were taken and the reference, neither of which moves. So with
-/// a: the taken part, b: the rest, 0: at the start,
-///   P_bb = P_bb0 - W (I - L^-1 P_aa L^-T) W^T,  W = P_ba0 L^-T,  P_aa0 = L L^T,
-/// which renew() brings into the prior: the global update. It also begins a new stretch, with the
+/// The errors of robot and map as one Gaussian, of which a step works on the part around the robot
+/// only: the compressed filter of Guivant and Nebot 2001. An interval is the time between two
+/// global updates. At its start the robot's pose becomes the reference, and the covariance of
+/// (reference, all landmarks) is the prior. A landmark is taken into the neighbourhood when it is
+/// observed. Neither the reference nor a landmark moves: given the reference and the taken
+/// landmarks, the other ones are conditionally independent of all that is measured in the interval.
+/// So with
+///   a: the reference and the taken landmarks, b: the other landmarks, 0: at the start,
+///   L: the Cholesky factor of P_aa0 = L L^T, W = P_ba0 L^-T,
+/// their covariance becomes
+///   P_bb = P_bb0 - W (I - L^-1 P_aa L^-T) W^T,
+/// which renew() writes into the prior: the global update. It also starts a new interval, with the
 /// robot's pose as the reference. Calibrated parameters are the first landmarks; they must have
 /// been taken before all others whenever a Jacobian by them is given.
 class Neighbourhood {
@@ -30,7 +34,7 @@ class Neighbourhood {
 
   Eigen::Index landmarks() const { return static_cast<Eigen::Index>(slots_.size()); }
   Eigen::Index size() const { return static_cast<Eigen::Index>(taken_.size()); }
-  /// Whether robot and reference are still the same.
+  /// Whether the robot is still at the reference: it was neither moved nor corrected.
   bool isFresh() const { return is_fresh_; }
   /// The landmark's place in the neighbourhood, or -1.
   Eigen::Index slot(Eigen::Index landmark) const {
@@ -39,7 +43,8 @@ class Neighbourhood {
   const std::vector<Eigen::Index>& taken() const { return taken_; }
   /// The covariance of (robot, reference, taken landmarks).
   const DenseCovariance& covariance() const { return local_; }
-  /// The corrections of the same since the stretch began; those of the robot are left out.
+  /// The sum of all corrections since the interval began, in the rows of covariance(); the robot's
+  /// three rows are zero.
   const Eigen::VectorXd& correction() const { return correction_; }
 
   void take(Eigen::Index landmark);
@@ -48,24 +53,28 @@ class Neighbourhood {
   void predict(const Eigen::Matrix3d& F, const Eigen::Matrix3d& Q,
                const CalibrationJacobian<3>& A = {});
   void transportRobot(const Eigen::Vector2d& c) { ekf::transportRobot(c, local_); }
-  /// P <- P - W W^T after a correction dx = W y.
+  /// P <- P - W W^T after a correction dx = W y. This W is that of the update
+  /// (ObservationUpdate::gain()): W = P H^T L^-T with S = L L^T, and y = L^-1 nu.
   void update(const Eigen::MatrixXd& W, const Eigen::VectorXd& dx);
   /// The same for the robot only.
   void updateRobot(const Eigen::MatrixXd& W);
-  /// The robot is drawn anew: its block is replaced, its correlations are removed.
+  /// The robot is put elsewhere: its block is replaced, its correlations become zero.
   void resetRobot(const Eigen::Matrix3d& robot);
 
-  /// A landmark is forgotten and appended again in its place. Right after renew() only.
+  /// Re-initialises a landmark in its place: it is marginalised and appended again. Right after
+  /// renew() only.
   void replace(Eigen::Index landmark, const DenseCovariance::Matrix23& J_m_robot,
                const Eigen::Matrix2d& R);
 
-  /// The corrections of all landmarks since the stretch began, a column each.
+  /// The corrections of all landmarks since the interval began, a column each.
   Eigen::Matrix2Xd allCorrections() const;
-  /// The marginals of all landmarks, each error e_m turned into e_m + c e_theta of the reference.
+  /// The marginals of all landmarks, where the error e_m of each becomes e_m + c e_theta.
+  /// e_theta is the error of the reference's heading [rad], c the landmark's column
+  /// (Linearization::landmarkTransport).
   std::vector<Eigen::Matrix2d> marginals(const Eigen::Matrix2Xd& c) const;
   /// The global update, after which nothing is taken; c as above.
   void renew(const Eigen::Matrix2Xd& c);
-  /// The covariance of (reference, landmarks) when the stretch began: right after renew() that of
+  /// The covariance of (reference, landmarks) when the interval began: right after renew() that of
   /// (robot, landmarks).
   double prior(Eigen::Index row, Eigen::Index column) const { return prior_(row, column); }
 
@@ -92,7 +101,7 @@ class Neighbourhood {
   void extendFactor() const;
   Eigen::MatrixXd timesFactorInverse(Eigen::MatrixXd left) const;  ///< left L^-T
   Eigen::MatrixXd solvePrior(Eigen::MatrixXd right) const;         ///< P_aa0^-1 right
-  /// W of these landmarks, and what is to be taken off their covariance is W gain W^T.
+  /// W = P_ba0 L^-T of these landmarks; W gain W^T is subtracted from their covariance.
   Eigen::MatrixXd whitenedPrior(const std::vector<Eigen::Index>& landmarks) const;
   void updateRest(const std::vector<Eigen::Index>& rest, const Eigen::Matrix2Xd& c);
   void writeTaken(const Eigen::Matrix2Xd& c);

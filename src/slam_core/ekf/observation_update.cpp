@@ -8,8 +8,10 @@
 
 #include "slam_core/ekf/symmetric_update.hpp"
 
-// Symbols: x state, P its covariance, z observation with covariance R, H its Jacobian, nu
-// innovation with covariance S = H P H^T + R = L L^T.
+// Symbols: x state, P its covariance, z observation with covariance R, H its Jacobian by robot,
+// heading (that of the reference) and landmark, nu innovation with covariance
+// S = H P H^T + R = L L^T, y = L^-1 nu the whitened innovation, W = P H^T L^-T, dx = W y the
+// correction.
 
 namespace slam::ekf {
 namespace {
@@ -37,7 +39,7 @@ ObservationUpdate::ObservationUpdate(const ObservationModel& model, const EkfSta
     if (!is_solved_ || i == limit || nonlinearity(model, sensor) < kLinear * kLinear) break;
   }
   if (is_solved_ || limit == 1) return;
-  dx_.setZero();  // led astray: the plain update
+  dx_.setZero();  // the iteration diverged: the plain update
   linearize(model, sensor);
   solve();
 }
@@ -76,7 +78,7 @@ void ObservationUpdate::linearize(const ObservationModel& model, const Pose2& se
     innovations_[i].slot = matches_[i].slot;
     nu_.segment<2>(column(i)) = innovations_[i].nu;
   }
-  nu_ += jacobianTimes(dx_);
+  nu_ += jacobianTimes(dx_);  // the residual of a Gauss-Newton step (Bell and Cathey 1993)
 }
 
 Eigen::VectorXd ObservationUpdate::jacobianTimes(const Eigen::VectorXd& dx) const {
@@ -119,8 +121,8 @@ void ObservationUpdate::solve() {
   if (is_solved_) dx_ = PHt_ * L_.matrixU().solve(whitened_);
 }
 
-/// The mean squared distance between what is observed from the corrected state and what the
-/// linearisation foretold, in sigmas.
+/// The mean squared distance between the observation predicted at the corrected state and the one
+/// that the linearisation predicted, in sigmas.
 double ObservationUpdate::nonlinearity(const ObservationModel& model, const Pose2& sensor) const {
   const Eigen::VectorXd foretold = nu_ - jacobianTimes(dx_);
   const Pose2 robot = candidate();

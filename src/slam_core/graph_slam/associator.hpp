@@ -35,7 +35,7 @@ class Associator {
   Associator() = default;
   explicit Associator(const GraphConfig& config);
 
-  /// Begins anew with a map.
+  /// Starts over with a map.
   void restart(const LandmarkMap& map);
   void move(const Motion& motion) { evidence_.move(motion); }
   /// @param statistics what is known of the innovations is added

@@ -24,7 +24,7 @@ void GraphSlam::checkCalibration(const GraphConfig& config) const {
         "leave it out of the list");
 }
 
-/// What is removed with a node has told the parameters something.
+/// What is removed with a node has informed the parameters.
 std::size_t GraphSlam::nodesPerPlace(const GraphConfig& config) {
   constexpr int kMoreWhileCalibrating = 10;
   const int factor = config.calibration.isOn() ? kMoreWhileCalibrating : 1;

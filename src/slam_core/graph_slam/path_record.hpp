@@ -12,8 +12,8 @@
 
 namespace slam::graph_slam {
 
-/// The poses of all steps, told by the nodes before them, so that they follow the graph. It grows
-/// by 40 bytes a step.
+/// The poses of all steps, relative to the nodes before them, so that they follow the graph. It
+/// grows by 40 bytes a step.
 class PathRecord {
  public:
   /// The robot's pose now is one of the path.

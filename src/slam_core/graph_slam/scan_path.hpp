@@ -32,7 +32,7 @@ class ScanPath {
   /// Finds the last node in the odom frame, where odometry cannot.
   /// @param robot at the last scan, T_odom_base; to be called before each scan is matched
   void locate(const PoseEstimate& robot);
-  /// The motion that odometry has told since the last scan.
+  /// The motion that odometry has reported since the last scan.
   std::optional<Motion> takeMotion() { return std::exchange(carried_, std::nullopt); }
   /// @param robot where the scan puts it, T_odom_base @param is_determined whether by itself
   /// @return false where no node is known in the odom frame

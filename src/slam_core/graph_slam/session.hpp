@@ -147,7 +147,7 @@ struct Session {
   std::vector<Sighting> sightings;
   std::vector<Mark> path;
   Robot robot;
-  std::optional<Motion> last_motion;  ///< as the odometry told it
+  std::optional<Motion> last_motion;  ///< as the odometry reported it
   std::vector<Scan> scans;
   Submaps submaps;
   std::optional<OccupancyGrid> base;  ///< a grid that was loaded, below all scans

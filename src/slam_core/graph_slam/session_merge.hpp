@@ -25,7 +25,7 @@ struct MergedSession {
 /// landmarks of the same id that lie alike, and scans of the second drive that are recognised in
 /// the map of the first, become factors of one graph, which is optimised. Of landmarks whose ids
 /// are of the sessions' own making, those are the same that lie at one place when a constellation
-/// of them or the scans have told how the maps lie.
+/// of them or the scans have shown how the maps lie.
 /// @throw std::invalid_argument with a sentence where nothing in common is found, where landmarks
 /// and scans contradict each other, where the joined graph does not come to rest, or as joined()
 MergedSession merged(const Session& first, const Session& second, const ScanSettings& settings,

@@ -20,9 +20,9 @@ class SightingIndex {
     of_landmark_[landmark].push_back({-1, factor});
   }
   void add(std::size_t landmark, graph::Key node, graph::FactorId factor);
-  /// @return the factor of that node that told of the landmark
+  /// @return the factor of that node that observed the landmark
   graph::FactorId remove(std::size_t landmark, graph::Key node);
-  /// @return the factors that told of the landmark
+  /// @return the factors that observed the landmark
   std::vector<graph::FactorId> removeLandmark(std::size_t landmark);
   /// @return the factors of the node
   std::vector<graph::FactorId> removeNode(graph::Key node);

@@ -17,7 +17,7 @@ struct CellIndex {
 };
 
 /// Logarithm of the odds that a cell is occupied, in units of 1/kLogOddsUnit; kUnseen where no beam
-/// has told anything.
+/// has shown anything.
 using LogOdds = std::int8_t;
 constexpr double kLogOddsUnit = 16.0;
 constexpr LogOdds kUnseen = -128;

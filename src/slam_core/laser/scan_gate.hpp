@@ -72,7 +72,7 @@ class ScanGate final : public Gate {
   std::string mount_fault_;
   std::deque<LaserSweep> held_;
   std::uint64_t sequence_ = 0;
-  std::optional<Stamp> blind_since_;  ///< all sweeps from there on told no range
+  std::optional<Stamp> blind_since_;  ///< all sweeps from there on had no range
   std::optional<LaserScan> scan_;
   Counters counters_;
 };

@@ -22,7 +22,8 @@ namespace slam::laser_odometry {
 ///
 /// Counted: "unmatched" scans, that fit nothing; of them "contradicting" ones, of which most
 /// contradicts the map; "searched" ones, that a search in a window has found; "late", "stamp_jump";
-/// "slips", where the scans contradict what the motion source told; "maps" that were begun anew.
+/// "slips", where the scans contradict what the motion source reported; "maps" that were started
+/// over.
 class LaserOdometry final : public OdometrySource {
  public:
   /// Tells the motion between two stamps from another source; nothing where it does not cover them.
@@ -68,10 +69,10 @@ class LaserOdometry final : public OdometrySource {
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_{0.0, 0.0};
   std::optional<LaserScan> input_;
-  std::optional<Stamp> last_, last_sure_;  ///< scan; scan that told where the robot is
+  std::optional<Stamp> last_, last_sure_;  ///< scan; scan that showed where the robot is
   std::optional<Stamp> ahead_;          ///< of a scan whose stamp jumped, until another confirms it
   scan_matching::Agreement agreement_;  ///< of the last scan
-  bool is_sure_ = false;                ///< the last scan told where the robot is
+  bool is_sure_ = false;                ///< the last scan showed where the robot is
   bool has_slipped_ = false;            ///< on the way to the last scan
   std::optional<Motion> motion_;
   std::uint64_t next_sequence_ = 0;

@@ -10,7 +10,7 @@
 
 namespace slam {
 
-/// The last motions of an odometry source, from which the motion between any two stamps is told.
+/// The last motions of an odometry source, from which the motion between any two stamps follows.
 class MotionTrack {
  public:
   void add(const Motion& motion);

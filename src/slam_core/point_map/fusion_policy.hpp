@@ -25,7 +25,7 @@ class FusionPolicy {
   /// The point that an end point of the scan placed last is to be fused with; none: it is a new
   /// one. May join points of the map, which changes the indices of others (PointSet::join).
   virtual std::optional<std::uint32_t> match(const Eigen::Vector2d& end, PointSet& map) = 0;
-  /// The map begins anew.
+  /// The map starts over.
   virtual void reset() {}
   /// What it knows of the scans before, for who has some.
   virtual void saveState(ArchiveWriter& /*archive*/) const {}

@@ -14,9 +14,10 @@
 
 namespace slam::point_map {
 
-/// Finds the robot's pose for each scan, whatever the order of arrival: the filter's last pose not
-/// after the scan, carried on by motion. A scan waits until the filter has told a pose at or after
-/// its stamp, and motion covers it. Of several poses of one stamp the first counts.
+/// Finds the robot's pose for each scan, whatever the order of arrival: the filter's latest pose at
+/// or before the scan's stamp, extrapolated by motion. A scan waits until the filter has reported a
+/// pose at or after its stamp, and motion covers it. Of several poses of one stamp the first
+/// counts.
 ///
 /// Poses and motion are kept for scans that come later than those, as of a link that was cut: by
 /// their number, as the stamps of what is late are in order.
@@ -29,7 +30,7 @@ class PoseCollator {
   struct Placed {
     LaserScan scan;
     Pose2 T_map_base;
-    bool restart = false;  ///< time began anew, forget everything first
+    bool restart = false;  ///< time started over, drop everything first
   };
 
   void push(Motion motion);
@@ -58,7 +59,7 @@ class PoseCollator {
 
   void forgetOldest();
   void takePoses(Stamp up_to);
-  /// Why the pose of a scan cannot be told; empty: it can.
+  /// Why the pose of a scan is unknown; empty: it is known.
   std::string hindranceAt(Stamp stamp) const;
   Pose2 carriedTo(Stamp stamp);
   void restartWhenAllWentBack();

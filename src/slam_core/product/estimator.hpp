@@ -55,7 +55,7 @@ class Estimator final : public Component {
   /// Goes on from a session (SessionKeeper), at once as from a map.
   /// @return an error where it cannot be used, which leaves all as it is
   Status set(const SavedSession& session);
-  /// This map instead of an empty one, now and whenever everything begins anew. @return as set()
+  /// This map instead of an empty one, now and whenever everything starts over. @return as set()
   Status startWith(MapState map);
   Status startWith(SavedSession session);  ///< the same
   /// Paused, triggers are ignored and motion is still applied.
@@ -69,15 +69,16 @@ class Estimator final : public Component {
   const Backend& backend() const { return *backend_; }
   /// What the back-end can do beyond its role; known once the map is chosen.
   const Capabilities& capabilities() const { return capabilities_; }
-  /// The monitor of the last updates. A step's status tells when a source begins to look too sure.
+  /// The monitor of the last updates. A step's status reports when a source begins to look
+  /// over-confident.
   const ConsistencyMonitor& consistency() const { return consistency_; }
-  /// The relocaliser tells how much the pose is believed, and can be asked to look for the robot.
+  /// The relocaliser reports how much the pose is believed, and can be asked to look for the robot.
   friend relocalisation::Relocaliser& relocaliserOf(Estimator& estimator) {
     return estimator.relocaliser_;
   }
   /// To be called after restoreState() where the robot has gone on without this process. Unless the
   /// poses of an odometry that ran on bridge the pause, its place has to be recognised in the map
-  /// again. Where the stamps went back, as with a clock that was set anew, time begins anew with
+  /// again. Where the stamps went back, as with a clock that was set anew, time starts over with
   /// the saved map.
   friend void goOnLive(Estimator& estimator, Interruption interruption);
   const Intake& intake() const { return intake_; }
@@ -160,7 +161,7 @@ class Estimator final : public Component {
 
 void goOnLive(Estimator& estimator, Interruption interruption);
 
-/// Has the estimator's back-end forget a landmark (LandmarkRemover).
+/// Has the estimator's back-end remove a landmark (LandmarkRemover).
 Status removeLandmark(LandmarkId id, const Estimator& estimator);
 /// Has a session wait until the estimator's back-end recognises it (SessionMerger).
 Status merge(const SavedSession& session, const Estimator& estimator);

@@ -67,7 +67,7 @@ void EventWatch::addOwn(StepReport& report, const Capabilities& backend) const {
   }
 }
 
-/// What a back-end has explained is not told twice.
+/// What a back-end has explained is not reported twice.
 void EventWatch::addJump(StepReport& report) const {
   if (!report.correction) return;
   const auto [distance, turn] = *report.correction;

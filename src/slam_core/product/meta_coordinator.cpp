@@ -13,7 +13,8 @@ namespace slam {
 
 void MetaCoordinator::configure(Settings& settings, const ProductPart& part) {
   using Extent = ProductPart::Extent;
-  // The back-end's place is where the faults of the whole product are reported.
+  // Of the parts of a product the back-end's alone checks the configuration of the whole, by a
+  // coordinator that is thrown away.
   if (part.extent == Extent::kBackend) MetaCoordinator().configure(settings);
   FaultCollector faults;
   parts_ = makeComponents(settings, part, faults);
@@ -33,7 +34,7 @@ void MetaCoordinator::configure(Settings& settings, const ProductPart& part) {
   faults.raise();
 }
 
-/// The name of the only input that takes data of this kind; empty where nobody takes them.
+/// The one name of all inputs that take data of this kind; empty where nobody takes them.
 std::string MetaCoordinator::portOf(Kind kind) const {
   std::string name;
   for (const auto& input : wiring_.ports().inputs()) {

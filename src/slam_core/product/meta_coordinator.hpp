@@ -19,7 +19,8 @@ class MetaCoordinator {
   /// A fresh start. @throw ConfigError listing the faults of all sections
   void configure(Settings& settings, const ProductPart& part = {});
 
-  /// A value for the input of this name: of a sensor, or what a component would make.
+  /// A value for the input of this name: of a sensor, or what a component would make. Nothing
+  /// happens where no component takes it.
   template <class T>
   void put(const std::string& port, const T& value) {
     wiring_.put(port, kindOf<T>(), &value);
@@ -28,17 +29,19 @@ class MetaCoordinator {
   void put(const std::string& port, Kind kind, const void* value) {
     wiring_.put(port, kind, value);
   }
-  /// The same for the only input of this kind. @throw std::logic_error where there are several
+  /// The same for the input of this kind; nothing happens where there is none.
+  /// @throw std::logic_error where inputs of this kind have different names
   template <class T>
   void set(const T& value) {
     if (const auto port = portOf(kindOf<T>()); !port.empty()) put(port, value);
   }
-  /// The map is in force at once, as with Estimator::set(). The modules begin anew, since poses
-  /// have another frame from there on.
+  /// The map is in force at once, as with Estimator::set(). The modules are reset, since poses have
+  /// another frame from there on.
   Status set(const MapState& map);
-  /// The same of a session, that was saved.
+  /// The same with a saved session.
   Status set(const SavedSession& session);
-  /// Calls the listener with every value that a component makes.
+  /// Calls the listener with every value that a component or an input gate makes at this output.
+  /// Values from outside, by put(), do not reach it.
   template <class T>
   void listen(const std::string& port, std::function<void(const T&)> listener) {
     wiring_.listen(port, kindOf<T>(), [listener = std::move(listener)](const void* value) {
@@ -46,8 +49,8 @@ class MetaCoordinator {
     });
   }
 
-  /// One step of the estimator, as Estimator::execute(), where the part has one; a warning of the
-  /// other components comes first.
+  /// One step of the estimator, as Estimator::execute(), where the part has one.
+  /// @return the more urgent one of its status and of the last warning of the other components
   Status execute() { return wiring_.step(); }
 
   const ProductComponents& components() const { return parts_; }

@@ -90,7 +90,7 @@ std::string revised(const std::string& trajectory, const std::vector<StampedPose
   return after;
 }
 
-/// Where a file's lines go that were written before time began anew for the n-th time.
+/// Where a file's lines go that were written before time started over for the n-th time.
 std::string keptName(const std::string& name, std::size_t restart) {
   const auto dot = name.rfind('.');
   return fmt::format("{}.before_restart_{}{}", name.substr(0, dot), restart, name.substr(dot));
@@ -258,7 +258,7 @@ void RunWriter::restoreState(ArchiveReader& archive) {
       goOn(unfinished() + "/" + name, size->second, *file);
 }
 
-/// Where time began anew after the checkpoint, the files of that time have other names.
+/// Where time started over after the checkpoint, the files of that time have other names.
 void RunWriter::undoRestart() {
   std::error_code ignored;
   for (const auto& [name, file] : files())

@@ -48,7 +48,7 @@ class RunWriter {
   /// @throw std::runtime_error when the disk is full
   void write(const StepReport& report);
 
-  /// The files begin anew; what stands in them is kept in trajectory.before_restart_1.tum, ..._2
+  /// The files start over; what stands in them is kept in trajectory.before_restart_1.tum, ..._2
   /// and so on, and likewise named ones of odometry, updates and events, of the last hundred
   /// restarts.
   /// @throw std::runtime_error naming the file that could not be written

@@ -36,7 +36,7 @@ struct StepReport {
   UpdateStatistics statistics;  ///< of back-ends that map landmarks
   Trust trust = Trust::kConfident;
   std::string doubt;          ///< a clause on why the pose is in doubt; else empty
-  bool restarted = false;     ///< time began anew with this step
+  bool restarted = false;     ///< time started over with this step
   bool is_relocated = false;  ///< the robot was put somewhere or a map loaded since the last step
   std::vector<Event> events;  ///< what others should know of it, in order
   /// There is none at the first step, and in a product without motion.

@@ -18,8 +18,8 @@
 namespace slam {
 
 /// Joins the ports of components: data go from who makes them to all who take in data of that name
-/// and kind, and so do data that come from outside. A gate stands once before those that need it;
-/// what a gate needs may come through another one.
+/// and kind, and so do data that come from outside. An input gate stands once before all components
+/// that need it; what an input gate needs may come through another one.
 /// Any part of a product is wired in the same way, which is why all compositions give the same
 /// result.
 class Wiring {
@@ -39,20 +39,21 @@ class Wiring {
   /// @param title what sentences call it: "back-end 'ekf'"
   void add(const std::string& prefix, Component& component, Turn turn = Turn::kAtOnce,
            const std::string& title = "component");
-  /// Joins what was added, and places the gates. @throw ConfigError where two components make the
-  /// same output, components take data from one another in a circle, or a gate cannot be configured
+  /// Joins what was added, and places the input gates. @throw ConfigError where two components make
+  /// the same output, components take data from one another in a circle, or an input gate cannot be
+  /// configured
   void connect(Settings& settings);
 
   /// A value from outside for an input, or for all inputs that take what a component would make.
   void put(const std::string& port, Kind kind, const void* value);
-  /// Calls the listener with every value that a component or a gate makes at this output.
+  /// Calls the listener with every value that a component or an input gate makes at this output.
   void listen(const std::string& port, Kind kind, Listener listener);
   /// One execute() of the component that waits for requests, its outputs handed on. @return its
   /// status, or the last warning of those that took their turn at once, where that is more urgent
   Status step();
 
   const WiredPorts& ports() const { return ports_; }
-  /// The counters of all components and gates, with their prefixes.
+  /// The counters of all components and input gates, with their prefixes.
   Counters counters() const;
   /// The figures of all components.
   Component::Figures figures() const;

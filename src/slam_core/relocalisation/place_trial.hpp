@@ -56,7 +56,7 @@ class PlaceTrial {
   Pose2 map_local_;       ///< T_map_local
   Pose2 last_;            ///< T_local_base at the last scan
   std::set<Patch> seen_;  ///< by the search, or counted since
-  AreaEvidence areas_;    ///< what new surfaces have told so far
+  AreaEvidence areas_;    ///< what new surfaces have shown so far
   double evidence_ = 0.0;
 };
 

@@ -10,21 +10,22 @@
 
 namespace slam::scan_matching {
 
-/// What a scan says of a map where the map knows something: an end at a surface agrees with it, one
-/// where beams have passed contradicts it, and so does one in the unknown whose beam has passed
-/// through a surface. Other ends in the unknown say nothing.
+/// How the ends of a scan's beams fit a map. An end near a surface agrees with the map. One where
+/// beams have passed contradicts it, and so does one in an unknown cell whose beam has passed
+/// through a surface. All others are silent: in unknown cells, and in known ones that are neither
+/// near a surface nor surely free.
 struct Agreement {
   int agreeing = 0, contradicting = 0;
-  int silent = 0;  ///< ends in the unknown that say nothing
+  int silent = 0;  ///< ends that neither agree nor contradict
 
   int known() const { return agreeing + contradicting; }
   int surplus() const { return agreeing - contradicting; }
-  /// Of the ends in known cells; 0 where they are too few to tell.
+  /// contradicting / (agreeing + contradicting); 0 where these are fewer than 10.
   double contradictingShare() const {
     constexpr int kEnough = 10;
     return known() < kEnough ? 0.0 : static_cast<double>(contradicting) / known();
   }
-  /// Such a scan does not tell where the robot is.
+  /// Such a scan does not show where the robot is.
   bool mostlyContradicts() const { return contradictingShare() > 0.5; }
 
   template <class Archive>

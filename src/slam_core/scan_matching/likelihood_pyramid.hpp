@@ -11,10 +11,9 @@
 
 namespace slam::scan_matching {
 
-/// The likelihoods of a part of a map in rasters of falling detail: in level k a cell holds the
-/// largest of the square with an edge of 2^k cells of which it is the lower left one. So it is at
-/// least that of any cell to which a shift of less than that edge leads (Hess, Kohler, Rapp, Andor
-/// 2016).
+/// The likelihoods of a part of a map in rasters of falling detail. Level k stores at each cell the
+/// maximum over the 2^k x 2^k cells from this one on to the right and up: an upper bound of the
+/// likelihood after any shift by less than 2^k cells (Hess, Kohler, Rapp, Andor 2016).
 class LikelihoodPyramid {
  public:
   /// @param least, most the cells that it holds

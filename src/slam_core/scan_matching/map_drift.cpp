@@ -25,7 +25,7 @@ void MapDrift::restart(const PoseEstimate& first) {
   oldest_.emplace(squareOf(first.pose, 0, 0), Place{0, first});
 }
 
-const PoseEstimate& MapDrift::nearest(const Pose2& pose) const {
+const PoseEstimate& MapDrift::oldestNearby(const Pose2& pose) const {
   const Place* oldest = nullptr;
   for (int right = -1; right <= 1; ++right)
     for (int up = -1; up <= 1; ++up) {
@@ -37,7 +37,7 @@ const PoseEstimate& MapDrift::nearest(const Pose2& pose) const {
 }
 
 Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
-  const auto& place = nearest(pose);
+  const auto& place = oldestNearby(pose);
   const Pose2 way = place.pose.between(pose);
   Eigen::Matrix3d J_place;
   place.pose.compose(way, &J_place);

@@ -11,21 +11,23 @@
 
 namespace slam::scan_matching {
 
-/// How sure a map is of where its parts are that was drawn scan by scan and closes no loops. A part
-/// errs by what the robot erred when it drew it. Back there, the robot is as sure again; beyond, it
-/// is less sure with each metre.
+/// The uncertainty of the parts of a map that is drawn scan by scan and closes no loops. A part is
+/// off by the error of the robot that drew it. Back at a part, the robot's covariance is that of
+/// the part again; beyond, it grows with each metre. The errors of successive metres are taken for
+/// independent, so that their variances add (a random walk).
 class MapDrift {
  public:
   /// @param position, heading standard deviation after a metre [m, rad]
   MapDrift(double position, double heading)
       : variance_per_metre_(position * position, position * position, heading * heading) {}
 
-  /// The map begins there, or begins anew: what is drawn from now on is as sure as this and no
-  /// surer, also where older parts are around.
+  /// The map starts there, or starts over: what is drawn from now on has at least this covariance,
+  /// also where older parts are around.
   void restart(const PoseEstimate& first);
   /// A scan from there, which fits the parts around it, has gone into the map.
   void add(const Pose2& pose);
-  /// Of a robot that knows exactly where it is among the parts around it, in (x, y, theta).
+  /// The covariance, in (x, y, theta), of a robot that knows exactly where it is relative to the
+  /// parts around it.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
 
   template <class Archive>
@@ -34,8 +36,9 @@ class MapDrift {
   }
 
  private:
-  /// Oldest first where they lie in one square: it was drawn by the surest robot.
-  const PoseEstimate& nearest(const Pose2& pose) const;
+  /// The oldest place in the 3x3 squares around the pose, else the last one. Older parts have the
+  /// smaller covariance.
+  const PoseEstimate& oldestNearby(const Pose2& pose) const;
 
   Eigen::Vector3d variance_per_metre_;
   struct Place {

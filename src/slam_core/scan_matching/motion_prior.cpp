@@ -35,7 +35,7 @@ Eigen::Matrix3d SlipEstimate::covarianceOf(const Pose2& increment) const {
   return (variances * slipOf(increment).array().square()).matrix().asDiagonal();
 }
 
-/// A slip counts as one of the beginning's size at most: it tells little of the usual.
+/// A slip counts as one of the beginning's size at most: it says little of the usual.
 void SlipEstimate::learn(const Pose2& increment, const Pose2& error,
                          const Eigen::Vector3d& shares) {
   const Eigen::Array3d samples =

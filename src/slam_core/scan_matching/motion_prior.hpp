@@ -13,10 +13,12 @@ namespace slam::scan_matching {
 /// How far wheels are off. They do worse things than their covariance says: they slip, and a lurch
 /// of a second belongs to no Gaussian. How bad they are is learnt from what scans say of them, from
 /// a careful beginning on: a fifth of the way and of the turn, a tenth of each to the other (by
-/// metre and radian), and 2 cm and 0.02 rad.
+/// metre and radian), and 2 cm and 0.02 rad. These shares have the roles of alpha_1 to alpha_4 of
+/// the odometry motion model (Thrun, Burgard, Fox 2005, sec. 5.4), but here the standard deviations
+/// are added instead of the variances.
 class SlipEstimate {
  public:
-  /// In the coordinates of the increment that was told.
+  /// In the coordinates of the reported increment.
   Eigen::Matrix3d covarianceOf(const Pose2& increment) const;
   /// @param error what a scan has found beside the increment, in its coordinates
   /// @param shares of the error in each coordinate that the scan determines, 0 to 1

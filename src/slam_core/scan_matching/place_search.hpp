@@ -21,10 +21,10 @@ struct SearchWindow {
   double heading;   ///< [rad]
 };
 
-/// Where a scan fits a map best in a window, whatever lies between there and its middle: among all
-/// cells and headings by branch and bound (Olson 2009; Hess, Kohler, Rapp, Andor 2016). The measure
-/// is the likelihood of the scan's ends (Thrun, Burgard, Fox 2005, ch. 6.4) times a Gaussian as
-/// wide as the window.
+/// Where a scan fits a map best in a window: the global maximum over all its cells and headings, by
+/// branch and bound (Olson 2009; Hess, Kohler, Rapp, Andor 2016). The measure is the likelihood of
+/// the scan's ends (Thrun, Burgard, Fox 2005, sec. 6.4, table 6.3) times a Gaussian about the
+/// middle, whose sigmas are half the edges of the window.
 class PlaceSearch {
  public:
   /// @param middle T_map_base; where the scan has no ends or this is no place on a map, nothing is

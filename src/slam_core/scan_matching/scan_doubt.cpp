@@ -14,10 +14,10 @@ namespace {
 /// In wrong places a third of a scan contradicts the map in the mean, and anything may.
 constexpr ShareDistribution kLost{1.5, 3.0};
 /// Now and then a scan that has nothing to do with the map is taken in the right place, once in
-/// e^this scans: no single scan tells more.
+/// e^this scans: no single scan says more.
 constexpr double kMostOfAScan = 6.0;
 /// A wide search finds a robot that was carried in one case of two, and something in one of 800
-/// scans else.
+/// scans else: the logarithm of this ratio is ln(0.5 * 800) = 6.
 constexpr double kOfAJump = 6.0;
 /// A place that a loaded map does not show is less usual than a wrong pose.
 constexpr double kOfNothingKnown = 1.0;
@@ -28,7 +28,8 @@ constexpr double kRight = 0.4;
 /// Relative to the threshold: from here on, and during an alarm, scans that speak for a wrong place
 /// stay out of the map.
 constexpr double kDoubtful = 0.75;
-/// Relative to the threshold: more is not summed up, so that a robot that is right again is told.
+/// Relative to the threshold: more is not summed up, so that an alarm ends once the robot is right
+/// again.
 constexpr double kMost = 2.0;
 
 }  // namespace

@@ -16,11 +16,12 @@ namespace slam::scan_matching {
 /// contradicts the map: the logarithm of the likelihood of "lost" over that of "right" is summed
 /// over the scans and never falls below zero (CUSUM, Page 1954). Between two false alarms of a
 /// threshold h there are at least e^h independent scans in the mean (Lorden 1971), so that the
-/// threshold follows from how seldom a false alarm may come. What is right is learnt (UsualFit).
+/// threshold follows from how seldom a false alarm may come. The bound holds for a known model of
+/// "right": here that is learnt (UsualFit), and what a jump adds is outside of it, too.
 ///
-/// Scans that follow one another closely see the same and err alike: one counts by the way and the
-/// time since the last. An alarm ends when the sum is back at zero, which takes more scans that fit
-/// than it took scans that do not, or with a new place.
+/// Scans that follow one another closely see the same and err alike: the weight of a scan grows
+/// with the way, the turn and the time since the last one, up to 1. The sum never exceeds 2 h. An
+/// alarm ends when it is back at zero, or with a new place.
 class ScanDoubt {
  public:
   /// @param lost_share of the ends in known cells; a scan of which more contradicts the map does

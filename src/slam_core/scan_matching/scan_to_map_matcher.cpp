@@ -12,7 +12,7 @@
 namespace slam::scan_matching {
 namespace {
 
-/// Of all ends: where as many agree with the map, the coarse resolution would tell nothing new.
+/// Of all ends: where as many agree with the map, the coarse resolution would show nothing new.
 constexpr double kSettled = 0.9;
 /// A wide search is worth its time where more than this share of the ends in known cells
 /// contradicts the map.
@@ -33,12 +33,12 @@ constexpr double kRecognised = 0.5;
 constexpr SearchWindow kAround{10.0, M_PI};  // [m], [rad]
 /// Two poses that are further from each other are two places.
 constexpr SearchWindow kOtherPlace{0.5, 0.3};  // [m], [rad]
-/// Where no odometry tells the motion, a scan is looked for as far from the guess as the guess may
-/// be off, but no further than this.
+/// Without odometry, the windows grow until they cover the sigma of the guess, or this where it is
+/// smaller. They are doubled, so that the last one may be up to twice as large.
 constexpr SearchWindow kWidestGuess{2.0, 1.6};  // [m], [rad]
 
-/// The scan with fewer ends, that are as far apart as about two cells: they tell as well where it
-/// fits roughly, and sooner.
+/// The scan with fewer ends, that are as far apart as about two cells: they show as well where
+/// it fits roughly, and sooner.
 grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
   constexpr double kApart = 2.5;  // [cells]
   std::vector<Eigen::Vector2d> kept;

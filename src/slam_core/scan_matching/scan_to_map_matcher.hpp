@@ -20,7 +20,7 @@ struct Match {
   Pose2 pose;                                             ///< T_map_base, with the prior's help
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan has of it
   Agreement agreement;
-  double prior_weight = 1.0;      ///< what has been left of the prior; 0 where it was searched
+  double prior_weight = 1.0;      ///< robust weight of the prior, 0 to 1; 0 where it was searched
   bool is_determined = false;     ///< enough ends fit to say something
   bool was_searched = false;      ///< where the prior led nothing fitted
   bool wide_search_done = false;  ///< it may have found nothing
@@ -31,14 +31,14 @@ struct Match {
 /// Finds where a scan fits a map: from the prior on in the fine resolution (registerScan()), and
 /// where that does not explain most of the scan, from where the coarse one leads. Where too much of
 /// the scan contradicts the map even so, it searches a window around the prior for a better place
-/// (Olson 2009), which without odometry grows to the guess's sigma, and a wide one if need be, so
-/// that the robot is found again after wheels that slipped or stood still.
+/// (Olson 2009), which without odometry grows until it covers the guess's sigma, and a wide one if
+/// need be, so that the robot is found again after wheels that slipped or stood still.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
 
-  /// @param map not empty @param may_use_wide_window a search in it takes some
-  /// ten milliseconds
+  /// @param map not empty
+  /// @param may_use_wide_window whether it may be searched, which takes about ten milliseconds
   Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
               bool may_use_wide_window = true) const;
 
@@ -55,7 +55,7 @@ class ScanToMapMatcher {
   std::optional<Match> recogniseAnywhere(const MapView& map, const ScanLevels& scan,
                                          const Eigen::AlignedBox2d& places) const;
 
-  // The same in steps, for who weighs what was found by other evidence as well.
+  // The steps of recogniseAnywhere(), for who weighs what was found by other evidence as well.
   /// The place where most of the scan fits the map, whether or not that is enough.
   /// @return nothing where the map or the places are none, or too large to be searched
   std::optional<Match> bestAnywhere(const MapView& map, const ScanLevels& scan,
@@ -64,9 +64,9 @@ class ScanToMapMatcher {
   std::optional<Match> rivalAnywhere(const Match& found, const MapView& map, const ScanLevels& scan,
                                      const Eigen::AlignedBox2d& places) const;
 
-  // The same in steps, for who searches once for many maps.
-  /// A scan that contradicts most of the map even so tells nothing: the robot is where the prior
-  /// leads.
+  // The steps of match(), for who searches once for many maps.
+  /// The match, or the prior's pose without any information where the scan contradicts most of the
+  /// map at the matched pose.
   Match believed(Match match, const PosePrior& prior) const;
   /// Without any search.
   Match matchNearby(const MapView& map, const ScanLevels& scan, const PosePrior& prior) const;
@@ -79,7 +79,8 @@ class ScanToMapMatcher {
 
  private:
   /// @return the windows to search, one after the other, until a place fits: the local one and,
-  /// where the prior is a guess, larger ones up to its sigma
+  /// where the prior is a guess, larger ones. Both edges are doubled until the window covers the
+  /// prior's sigmas, or 2 m and 1.6 rad where these are smaller; the last may be larger than that.
   std::vector<SearchWindow> windowsAround(const PosePrior& prior) const;
   /// Whether the scan fits about as well elsewhere within 10 m, or within the window that was
   /// searched where that is wider. @param margin by which the surplus is greater, of all ends

@@ -13,17 +13,20 @@
 namespace slam::scan_matching {
 namespace {
 
-constexpr double kLeast = 0.02;        // interval that tells a velocity [s]
+constexpr double kLeast = 0.02;        // interval that shows a velocity [s]
 constexpr double kFading = 0.8;        // of a velocity, by a scan that fits nothing
 constexpr double kConfirmed = 0.5;     // share of a step that a scan determines
 constexpr double kFastest = 1.0;       // by which a velocity may be off [m/s], [rad/s]
 constexpr double kSweepsMeant = 50.0;  // scans that the usual interval is the mean of, about
 
-/// Standard deviations [m/s^2], [rad/s^2]; a velocity that seems to change faster than by so many
-/// of them is noise.
+/// Standard deviations [m/s^2], [rad/s^2]. kHardest: in a step, the change of the velocity is
+/// clamped to this many times the acceleration's standard deviation times dt.
 constexpr double kAcceleration = 2.0, kTurningAcceleration = 4.0, kHardest = 1.5;
 
-/// Of a robot that speeds up, brakes and turns as it likes since its last velocity.
+/// The covariance of a robot that speeds up, brakes and turns as it likes. Its last velocity is the
+/// mean over the interval before: under a constant acceleration a, the mean over this one differs
+/// by a dt, which makes a way of a dt^2. (From the velocity at the end of the interval before it
+/// would be half of that: Bar-Shalom, Li, Kirubarajan 2001, sec. 6.3.)
 Eigen::Matrix3d noiseOfVelocity(Duration interval) {
   const double squared = std::pow(seconds(interval), 2);
   const double way = kAcceleration * squared, turn = kTurningAcceleration * squared;
@@ -141,8 +144,11 @@ Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp
   return found;
 }
 
-// F, G: Jacobians of the motion by the pose before and by the increment; K: the part of an error of
-// the prior that the scan takes out; J_before, J_after: those of the step by the two poses.
+// F, G: Jacobians of the predicted pose by the pose before and by the increment; P: covariance of
+// the pose after the scan; K: the part of an error of the prior that the scan takes out, and left
+// the rest of it, I - K; J_inverse, J_to_before, J_after: Jacobians of the inverse of the pose
+// before, and of the step by this inverse and by the pose found; A, B: Jacobians of the step's
+// error by those of the pose before and of the motion.
 void ScanTracker::update(const Match& found, const PosePrior& prior, const Motion& motion,
                          const Eigen::Matrix3d& noise) {
   const Eigen::Matrix3d prior_left = found.prior_weight * prior.information;

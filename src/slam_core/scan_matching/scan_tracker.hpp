@@ -13,7 +13,7 @@
 namespace slam::scan_matching {
 
 /// The time between scans, for who has only their stamps to go by. A laser sweeps at a steady rate,
-/// while some drivers stamp in lumps: stamps that are all over the place tell the mean rate only.
+/// while some drivers stamp in lumps: stamps that are all over the place show the mean rate only.
 class SweepInterval {
  public:
   void note(Duration interval);
@@ -35,7 +35,8 @@ class SweepInterval {
 struct ScanStep {
   Pose2 increment;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta) of the increment
-  /// The part of an error of the motion that was told which the scan has left in the increment.
+  /// Jacobian of the increment's error by the error of the reported motion: the part that the scan
+  /// has not removed.
   Eigen::Matrix3d of_motion = Eigen::Matrix3d::Identity();
 
   template <class Archive>
@@ -57,7 +58,7 @@ class ScanTracker {
   explicit ScanTracker(const MatcherConfig& config = {}, const MotionLimits& limits = {})
       : matcher_(config), limits_(limits) {}
 
-  /// The robot is there; what was known of its velocity, slips and the scans' stamps is forgotten.
+  /// The robot is there; what was known of its velocity, slips and the scans' stamps is dropped.
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
   Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
@@ -65,11 +66,12 @@ class ScanTracker {
 
   /// The same robot in another map, or where something else has put it since the last scan.
   void moveTo(const Pose2& pose) { robot_.pose = pose; }
-  /// The map around the robot has just been drawn from where it is: among these parts it is there.
+  /// The part of the map around the robot has just been drawn from its pose: relative to this part,
+  /// the covariance of the pose becomes zero.
   void anchor() { robot_.covariance.setZero(); }
 
   /// To the last scan. What both poses owe to the map they were found in cancels; where a scan says
-  /// nothing, as along a corridor, it is as sure as the motion that was told.
+  /// nothing, as along a corridor, its covariance is that of the reported motion.
   const ScanStep& step() const { return step_; }
   /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
   const PoseEstimate& robot() const { return robot_; }
@@ -90,7 +92,7 @@ class ScanTracker {
   /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
   void update(const Match& found, const PosePrior& prior, const Motion& motion,
               const Eigen::Matrix3d& noise);
-  /// The step to the last scan tells a velocity where both of its poses were known. Else it
+  /// The step to the last scan shows a velocity where both of its poses were known. Else it
   /// corrects the first of them.
   void learnVelocity(const Pose2& step, Duration interval, bool is_correction);
 
@@ -105,12 +107,13 @@ class ScanTracker {
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the body [m/s, m/s, rad/s]
   Eigen::Vector3d shares_ = Eigen::Vector3d::Zero();    ///< of a usual step, what the last scan
                                                         ///< determines in each direction
-  /// The last scan told the pose in these directions.
+  /// The last scan determined the pose in these directions.
   Eigen::Array<bool, 3, 1> was_known_ = Eigen::Array<bool, 3, 1>::Constant(true);
-  Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();  ///< so long is each of the velocity [s]
+  /// Time since a scan confirmed each component of the velocity [s].
+  Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();
 };
 
-/// Says when the robot has gone or turned far enough for a scan to tell something new.
+/// Says when the robot has gone or turned far enough for a scan to show something new.
 class InsertionTrigger {
  public:
   /// @param distance [m] @param angle [rad]

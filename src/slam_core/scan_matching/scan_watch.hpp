@@ -9,7 +9,7 @@
 
 namespace slam::scan_matching {
 
-/// Counts what scans fit, and notices where they tell nothing for a while.
+/// Counts what scans fit, and notices where they show nothing for a while.
 ///
 /// Counted: "unmatched" scans, that fit nothing; "searched" ones, that fit only where a search has
 /// led; "jumped" ones, found by a wide search.
@@ -17,7 +17,7 @@ class ScanWatch {
  public:
   void restart() { blind_ = unmatched_ = 0; }
   /// @param match of this scan; an empty map cannot match
-  /// @param has_motion whether something else has told the motion to it
+  /// @param has_motion whether something else has reported the motion
   void note(const ScanLevels& scan, bool map_is_empty, const Match& match, bool has_motion,
             Counters& counters);
   /// A warning where the last scans hold nothing to match, or fit nothing.

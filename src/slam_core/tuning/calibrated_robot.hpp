@@ -21,7 +21,7 @@ namespace slam::tuning {
 std::vector<TunedParameter> calibratedParameters(const Calibrator& calibrator, Settings settings);
 
 /// The robot file with these values (withTunedValues()), and in a remark above them what the drive
-/// told of each parameter; nothing where the back-end calibrates nothing.
+/// reported of each parameter; nothing where the back-end calibrates nothing.
 /// @param robot_file its text
 /// @throw ConfigError where its layout does not allow that
 std::optional<std::string> calibratedRobot(const Calibrator& calibrator, const Settings& settings,

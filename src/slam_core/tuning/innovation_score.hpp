@@ -13,7 +13,7 @@
 
 namespace slam::tuning {
 
-/// The readings of a log whose landmark was out of view before: they tell what the filter foretold
+/// The readings of a log whose landmark was out of view before: they show what the filter predicted
 /// over a while. The errors of readings that follow one another are alike with most sensors (from
 /// one place a marker is misread in one way); what a reading says of the next one is then no
 /// measure of its noise.

@@ -87,7 +87,7 @@ VectorXd direction(const MatrixXd& information, const VectorXd& g) {
   return step * std::min(1.0, kLongestStep / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
 }
 
-/// The sum of the outer products of the slopes of whole stretches: what neighbouring steps have in
+/// The sum of the outer products of the slopes of whole blocks: what neighbouring steps have in
 /// common is counted as often as it is there.
 MatrixXd clusteredSquares(const MatrixXd& G) {
   const auto length = static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(G.rows()))));
@@ -105,7 +105,7 @@ MatrixXd clusteredSquares(const MatrixXd& G) {
 
 MatrixXd inverseOf(const MatrixXd& information) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
-  // A direction in which the likelihood does not fall is not told at all.
+  // A direction in which the likelihood does not fall is not determined at all.
   const VectorXd inverse =
       solver.eigenvalues().unaryExpr([](double value) { return value > 1e-6 ? 1.0 / value : 1e6; });
   return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
@@ -114,7 +114,7 @@ MatrixXd inverseOf(const MatrixXd& information) {
 VectorXd sigmasOf(const MatrixXd& H, const MatrixXd& G) {
   const MatrixXd inverse = inverseOf(H);
   const MatrixXd sandwich = inverse * clusteredSquares(G) * inverse;
-  // Few stretches may be alike by chance: nothing is surer than where the model is right.
+  // Few blocks may be alike by chance: nothing is surer than where the model is right.
   return sandwich.diagonal().cwiseMax(inverse.diagonal()).cwiseSqrt();
 }
 

@@ -25,7 +25,7 @@ struct Maximum {
 /// Hall, Hall, Hausman 1974), and by the curvature near the maximum; both are numeric. A step
 /// never changes a parameter by more than a factor of e. What is not finite counts as -inf.
 /// The uncertainty holds where the model does not: the outer products between two inverses of the
-/// curvature (White 1982), of stretches of steps, as the slopes of neighbours are alike (Newey and
+/// curvature (White 1982), of blocks of steps, as the slopes of neighbours are alike (Newey and
 /// West 1987). It is never less than the inverse of the curvature.
 /// @param start must have a finite likelihood
 Maximum maximize(const LogLikelihoods& f, const Eigen::VectorXd& start);

@@ -149,7 +149,7 @@ bool VisualOdometry::chooseKeyframe(const View& now, bool is_good) {
   return true;
 }
 
-/// From here on the pose is told in relation to this view. Not where it has too few features.
+/// From here on the pose is reported relative to this view. Not where it has too few features.
 bool VisualOdometry::makeKeyframe(View view) {
   matcher_.prepare(view);
   if (view.features->size() < static_cast<std::size_t>(config_.min_inliers)) return false;

@@ -51,7 +51,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   void saveState(ArchiveWriter& archive) const override { archive(*this); }
   void restoreState(ArchiveReader& archive) override { archive(*this); }
 
-  /// Whether the last image told nothing.
+  /// Whether the motion up to the last image is unknown.
   bool isLost() const {
     return views_.last && (!views_.last_good || views_.last->stamp != views_.last_good->stamp);
   }

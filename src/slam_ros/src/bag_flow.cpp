@@ -116,7 +116,7 @@ void BagFlow::acknowledge(const slam_msgs::Progress& message) {
   for (const auto& [input, newest] : progressOf(message)) window_.acknowledged(input, newest);
 }
 
-/// What the back-end has had and has told must reach the point map as well.
+/// What the back-end has had and has reported must reach the point map as well.
 void BagFlow::expectOfPointMap(const slam_msgs::Progress& message) {
   // it may have been faster than this message
   if (message.motion > told_.motion && message.motion > point_map_told_.motion)

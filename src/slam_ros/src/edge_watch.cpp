@@ -64,7 +64,7 @@ bool EdgeWatch::isOwn(const slam::StampedPose& edge) const {
 
 bool EdgeWatch::hasListened() const { return (ros::WallTime::now() - began_).toSec() > kSlowest; }
 
-/// Time that goes back begins anew; edges that have overtaken one another are put in order.
+/// Time that goes back starts over; edges that have overtaken one another are put in order.
 void EdgeWatch::keep(const slam::StampedPose& edge) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!edges_.empty() && edge.stamp < edges_.back().stamp - kKept) edges_.clear();

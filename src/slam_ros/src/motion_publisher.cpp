@@ -35,7 +35,7 @@ MotionPublisher::MotionPublisher(ros::NodeHandle handle, const slam::OdometrySou
 void MotionPublisher::publish(const slam::Motion& motion) {
   Eigen::Matrix3d J_pose, J_step;
   motion.odometry_start.compose(motion.increment, &J_pose, &J_step);
-  if (motion.sequence == 0) covariance_.setZero();  // it began anew
+  if (motion.sequence == 0) covariance_.setZero();  // it started over
   covariance_ =
       J_pose * covariance_ * J_pose.transpose() + J_step * motion.covariance * J_step.transpose();
   if (odometry_.getNumSubscribers() > 0) publishOdometry(motion);

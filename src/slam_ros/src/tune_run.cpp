@@ -168,7 +168,7 @@ void tune(const TuneOptions& options) {
       std::move(logs));
   const auto names = options.parameters.empty() ? tuner.defaultParameters() : options.parameters;
   const auto remark = slam::tuning::tuningRemark(options.product, bagNames(options));
-  // A file that cannot take the values is told of before the search.
+  // A file that cannot take the values is reported before the search.
   slam::tuning::withTunedValues(robot, tuner.start(names), remark);
   const auto result = tuner.run(names, progressLine());
   if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\n");

@@ -79,7 +79,8 @@ void FastSlam::correct(const ScanCorrection& correction, Step& step) {
   if (step.latest) step.latest = corrected(*step.latest, correction);
 }
 
-/// The particles stay where they are; what is told of them moves on.
+/// Propagates the reported pose and its covariance only; the motion is applied to the particles
+/// later.
 Status FastSlam::carry(const Step& step) {
   if (!scans_) return Status::ok();
   auto& [pose, covariance] = belief_.estimate;
@@ -169,7 +170,7 @@ Status FastSlam::learn(const Ancestors& ancestors, const Step& step) {
   return lesson.status;
 }
 
-/// The most urgent of what the steps and the whole have to tell, of equally urgent ones the first.
+/// The most urgent status of the steps and of the whole; of equally urgent ones the first.
 Status FastSlam::summary(std::initializer_list<Status> of_steps) {
   account_.statistics.landmarks = static_cast<int>(landmarksInMap());
   auto told = Status::ok();

@@ -27,8 +27,9 @@ namespace slam::particle_filter {
 /// A Rao-Blackwellised particle filter over the robot's path, each particle with a map of its own
 /// (thesis 5.4, 5.7; Montemerlo 2003; Grisetti, Stachniss, Burgard 2007). What a sensor does to the
 /// particles is that sensor's SensorUpdate: LandmarkUpdate makes it FastSLAM, ScanUpdate a filter
-/// with grid maps; with both, observations and scans come in turn. Beside a grid, steps that see
-/// nothing do not touch the particles: the motion is carried until something is seen.
+/// with grid maps; with both, observations and scans come in turn. With a grid, particles are not
+/// propagated until an observation comes or a scan is due for an update. Scans in between only
+/// correct the motion that has been accumulated, and reduce each particle's deviation from it.
 class FastSlam final : public Backend,
                        LandmarkMapper,
                        LandmarkRemover,
@@ -119,7 +120,7 @@ class FastSlam final : public Backend,
   Status replaceMap();
   void relocate();
   Step takeInputs();
-  /// The motion that the step ends with, by what scans say of it.
+  /// Corrects the accumulated motion and each particle's deviation from it by a scan.
   void correct(const ScanCorrection& correction, Step& step);
   Status carry(const Step& step);
   Drafts propose(const Step& step);

@@ -15,9 +15,9 @@ namespace slam::particle_filter {
 
 /// Whether the number of particles stays, or follows the spread of the poses (Fox 2003).
 enum class SetSize { kFixed, kKld };
-/// The pose told: the weighted mean, the most likely particle's, or which the map asks for.
+/// The reported pose: the weighted mean, the most likely particle's, or which the map asks for.
 enum class ToldPose { kAuto, kMean, kBest };
-/// The map told: the most likely particle's, or the weighted mixture.
+/// The reported map: the most likely particle's, or the weighted mixture.
 enum class ToldMap { kBest, kMixture };
 
 struct PfConfig {

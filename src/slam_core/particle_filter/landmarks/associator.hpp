@@ -42,7 +42,7 @@ class Associator {
 
   explicit Associator(const Config& config);
 
-  /// Begins anew with a map.
+  /// Starts over with a map.
   void restart(const LandmarkMap& map);
   void move(const Motion& motion) { evidence_.move(motion); }
   /// To be called before forEach().

@@ -19,7 +19,7 @@ constexpr double kEnough = 12.0;
 /// When this many established landmarks in a row are off, they are no chance outliers.
 constexpr int kAstray = 3;
 
-/// The moments of the mixture of what several particles foresaw.
+/// The moments of the mixture of what several particles predicted.
 struct Mixture {
   double weight = 0.0;
   Eigen::Vector2d nu = Eigen::Vector2d::Zero();

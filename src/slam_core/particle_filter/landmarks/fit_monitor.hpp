@@ -11,7 +11,7 @@
 
 namespace slam::particle_filter {
 
-/// How well the observations of a step were foreseen by all particles together, and what follows
+/// How well the observations of a step were predicted by all particles together, and what follows
 /// where they were not: one that is off may be a wrong reading, or the landmark was moved; but when
 /// most of the established landmarks are not where they should be, it is the robot that is not
 /// where it should be. Landmarks that are not established yet say nothing of that.
@@ -34,7 +34,7 @@ class FitMonitor {
   /// Whether the map had better be left as it is: most of the established landmarks of this step
   /// are off, or so were several and none has been seen in its place since.
   bool isDoubtful() const { return is_step_doubtful_ || hasGoneAstray(); }
-  /// Whether the last observations were on average much worse than foreseen, or doubt lasts.
+  /// Whether the last observations were on average much worse than predicted, or doubt lasts.
   bool isLost() const;
   /// Of the last observations, for each degree of freedom; 1 expected.
   double recentNis() const { return dof_ > 0.0 ? nis_ / dof_ : 0.0; }

@@ -30,8 +30,8 @@ std::optional<Expectation> expect(const ObservationModel& model, const Pose2& ro
 LandmarkEstimate updated(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,
                          const LandmarkEstimate& landmark, const LandmarkObservation& z);
 
-/// A sighting of a landmark of the map: updates it where it fits; else the landmark loses credit
-/// and is begun anew with this sighting when it has none left (after the evidence counter of
+/// An observation of a landmark of the map: updates it where it fits; else the landmark loses
+/// credit and is re-initialised with this one when it has none left (after the evidence counter of
 /// Montemerlo 2003, ch. 3). One that was seen by chance once where it is not does not stay there
 /// for ever.
 void takeSighting(const ObservationModel& model, const Pose2& robot, const Pose2& sensor,

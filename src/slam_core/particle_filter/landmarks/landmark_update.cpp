@@ -224,7 +224,7 @@ void LandmarkUpdate::updateMap(Particle& particle, std::size_t ancestor, unsigne
   }
 }
 
-/// Tells the belief which landmarks the best particle has begun anew, and everybody else.
+/// Reports which landmarks the best particle has re-initialised, to the belief and as a status.
 Status LandmarkUpdate::beginAnew(const Particle& best, const Sight& sight,
                                  const Prediction* predictions, PoseBelief& belief,
                                  Account& account) {

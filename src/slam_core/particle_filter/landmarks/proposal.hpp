@@ -17,7 +17,7 @@
 
 namespace slam::particle_filter {
 
-/// How well a particle foresaw one observation, knowing those before it in the array.
+/// How well a particle predicted one observation, knowing those before it in the array.
 struct Prediction {
   Eigen::Vector2d nu = Eigen::Vector2d::Zero();
   Eigen::Matrix2d S = Eigen::Matrix2d::Identity();
@@ -35,7 +35,7 @@ struct Prediction {
 bool isDoubtful(const Prediction* predictions, std::size_t count);
 
 /// The density from which the new pose of a particle is drawn, and with it what the particle's
-/// weight rests on: how it foresaw the observations.
+/// weight rests on: how well it predicted the observations.
 class Proposal {
  public:
   virtual ~Proposal() = default;

@@ -29,7 +29,7 @@ class Weighting {
                                const Prediction* predictions) const = 0;
 };
 
-/// How likely the particle foresaw the observations, motion noise included where the proposal
+/// How well the particle predicted the observations, motion noise included where the proposal
 /// looked at them (Montemerlo 2003, ch. 4). It does not depend on the draw, which leaves the least
 /// variance to the weights.
 class PredictiveWeighting final : public Weighting {

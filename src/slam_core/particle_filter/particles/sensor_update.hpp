@@ -38,7 +38,7 @@ using Ancestors = std::vector<std::uint32_t>;
 struct PoseBelief {
   PoseEstimate estimate;  ///< of all particles before the last resampling, and of those it dropped
   KnowledgeBound bound;
-  /// Where the robot was told to be, until it sees something of its map. So long it is every
+  /// The initial pose that was set, until the robot sees something of its map. So long it is every
   /// particle's prior as a whole: of the poses drawn from it none may lie close enough to the true
   /// one.
   std::optional<PoseGaussian> told_place;

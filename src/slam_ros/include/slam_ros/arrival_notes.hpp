@@ -32,7 +32,7 @@ class ArrivalNotes {
   const std::string& motionTopic() const { return motion_topic_; }
   /// Acknowledges all that has come, whether or not it could be used.
   void acknowledge(const slam::Intake::Arrivals& arrivals, slam_msgs::Progress& message) const;
-  /// To be called when all begins anew: what came before is of another time, and acknowledged
+  /// To be called after a restart: what came before is of another time, and acknowledged
   /// already, since each message is when it has been taken.
   void forget();
 

@@ -28,7 +28,7 @@ class BackendOutputs {
   void publish(const slam::StepReport& report);
   /// The map was replaced.
   void refresh();
-  /// Path and transform begin anew.
+  /// Path and transform start over.
   void restart();
 
  private:

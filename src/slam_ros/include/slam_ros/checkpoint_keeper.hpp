@@ -43,7 +43,7 @@ struct CheckpointConfig {
 
 /// Saves a product, or the part of one that has the back-end, while it drives, and goes on from
 /// what was saved. The state is copied between two steps, in the thread that takes them; another
-/// thread writes it to the disk. Components of other processes begin anew.
+/// thread writes it to the disk. Components of other processes start over.
 class CheckpointKeeper {
  public:
   /// Locks the folder, where there is one. @param handle with the parameters, `restarted` of which
@@ -54,7 +54,7 @@ class CheckpointKeeper {
 
   /// Goes on from the folder's last checkpoint that can be used, if that is wanted.
   /// @param configure_anew what has been restored in part
-  /// @return whether the product goes on; it begins anew where it does not
+  /// @return whether the product goes on; it starts over where it does not
   bool resume(const std::function<void()>& configure_anew);
   /// resume() leaves these sentences for the log.
   struct News {

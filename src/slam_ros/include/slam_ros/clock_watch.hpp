@@ -7,7 +7,7 @@
 
 namespace slam_ros {
 
-/// Notices that /clock has jumped back: a bag began anew. A wall clock that is set back is none of
+/// Notices that /clock has jumped back: a bag restarted. A wall clock that is set back is none of
 /// this.
 class ClockWatch {
  public:

@@ -28,7 +28,7 @@ inline std::string sentenceOf(const CLI::App& app, const CLI::ParseError& error)
   return error.what() + std::string(kHint);
 }
 
-/// Reads the command line and calls `run`; what they throw is told in one sentence.
+/// Reads the command line and calls `run`; what they throw is reported in one sentence.
 /// @return the program's exit code: 0, 1 where it failed, 2 for wrong use
 template <class Run>
 int runProgram(CLI::App& app, int argc, char** argv, Run run) {

@@ -31,7 +31,7 @@ class ConsistencyPublisher {
   void subscribe(ros::NodeHandle handle);
 
   void publish(const slam::StepReport& report);
-  /// Map and pose began anew.
+  /// Map and pose started over.
   void restart();
 
  private:

@@ -56,13 +56,13 @@ class Diagnostics {
   void tell(ros::console::Level level, const std::string& sentence);
   /// What does not pass by itself, such as a full disk; stays until the node ends.
   void fail(const std::string& sentence);
-  /// What each callback of a nodelet goes through (door.hpp): an exception is told as an error.
+  /// What each callback of a nodelet goes through (door.hpp): an exception is reported as an error.
   void attempt(const std::string& topic, const Action& action);
   /// The same where it may leave something half done: nothing more is taken in until recover().
   void guard(const std::string& topic, const Action& action);
   /// Whether it lets callbacks in.
   bool isGuardOpen() const { return door_.fault().empty(); }
-  /// All begins anew.
+  /// Everything starts over.
   void recover() { door_.open(); }
 
  private:
@@ -74,8 +74,8 @@ class Diagnostics {
   std::string name_;
   Sources sources_;
   diagnostic_updater::Updater updater_;
-  std::map<std::string, ros::WallTime> told_;  ///< kind of warning, when it was told last
-  slam::Counters counted_;                     ///< what has been told of
+  std::map<std::string, ros::WallTime> told_;  ///< kind of warning, when it was reported last
+  slam::Counters counted_;                     ///< what has been reported
   std::string last_warning_, failure_;
   Door door_;
   std::string missing_;  ///< what has never come, as of the last second

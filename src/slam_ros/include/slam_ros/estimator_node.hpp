@@ -66,7 +66,7 @@ class EstimatorNode {
   std::function<void()> on_idle;
 
  private:
-  /// Begins anew when the clock has jumped back.
+  /// Starts over when the clock has jumped back.
   void checkClock();
   /// Takes and publishes all steps that are due.
   void takeSteps(const std::string& topic);
@@ -123,7 +123,7 @@ class EstimatorNode {
   std::optional<slam::Stamp> last_step_;
   std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
   ros::WallTimer silence_timer_;
-  bool is_starving_ = false;  ///< and that has been told
+  bool is_starving_ = false;  ///< and that has been reported
   std::optional<AfterLoad> start_;
 };
 

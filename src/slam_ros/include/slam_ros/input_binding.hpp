@@ -18,7 +18,7 @@
 
 namespace slam_ros {
 
-/// What a nodelet is told of its inputs.
+/// What a nodelet gets to know of its inputs.
 struct InputOptions {
   ImageTransport image_transport = ImageTransport::kAuto;
   /// Where nobody publishes the topic of the odometry: the transform odom -> base.

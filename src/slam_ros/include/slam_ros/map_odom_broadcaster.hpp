@@ -23,7 +23,7 @@ namespace slam_ros {
 /// has done so for a second, this one publishes that as the identity.
 ///
 /// A limit spreads what corrections of the estimate move over the stamps of the steps to come.
-/// Where the robot was put, or began anew, the transform jumps.
+/// Where the robot was put, or started over, the transform jumps.
 class MapOdomBroadcaster {
  public:
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config,

@@ -31,7 +31,7 @@ class MotionOutputs {
                 const std::string& motion_topic, Warn warn);
 
   void publish(slam::Motion motion);
-  /// Time begins anew.
+  /// Time starts over.
   void reset() { transform_.reset(); }
 
  private:

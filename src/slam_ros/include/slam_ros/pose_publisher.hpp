@@ -22,7 +22,7 @@ class PosePublisher {
   void publish(const slam::StepReport& report);
   /// What the rate held back, and for those who have subscribed since.
   void flush();
-  /// The path begins anew.
+  /// The path starts over.
   void reset();
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 

@@ -10,8 +10,8 @@
 
 namespace slam_ros {
 
-/// Runs a nodelet's initialisation; what it throws is told before it goes on to the loader, which
-/// would only say that the nodelet was not loaded.
+/// Runs a nodelet's initialisation; what it throws is reported before it goes on to the loader,
+/// which would only say that the nodelet was not loaded.
 template <class Action>
 void reportFailure(const std::string& name, Action&& action) {
   try {

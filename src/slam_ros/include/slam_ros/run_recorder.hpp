@@ -27,7 +27,7 @@ class RunRecorder {
 
   /// @param time the step took
   void write(const slam::StepReport& report, RunMetrics::Clock::duration time);
-  /// The run begins anew; so do its files, as RunWriter::restart().
+  /// The run starts over; so do its files, as RunWriter::restart().
   void restart();
   /// Completes all files.
   void finish(const slam::Capabilities& backend, std::uint64_t dropped_messages);

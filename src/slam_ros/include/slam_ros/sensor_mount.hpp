@@ -14,7 +14,7 @@
 
 namespace slam_ros {
 
-/// Where a sensor is mounted, read from /tf_static: told when it is known and when it changes.
+/// Where a sensor is mounted, read from /tf_static: reported when it is known and when it changes.
 class SensorMount {
  public:
   using Sink =

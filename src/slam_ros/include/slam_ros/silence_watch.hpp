@@ -24,7 +24,7 @@ class SilenceWatch {
   /// The input may pause while others go on: then kPatienceWithPauses holds.
   void mayPause(const std::string& input) { with_pauses_.insert(input); }
 
-  /// @return empty, or that the input comes again after a silence that news() has told
+  /// @return empty, or that the input comes again after a silence that news() has reported
   std::string heard(const std::string& input, Clock::time_point now);
 
   /// What is silent and for how long, or empty.

@@ -15,13 +15,13 @@ namespace slam_ros {
 /// onto the map's where both are known for the first time: no fit.
 class TruthComparison {
  public:
-  /// The newest thousand are kept; a stamp that goes back begins anew.
+  /// The newest thousand are kept; a stamp that goes back starts over.
   void add(slam::Stamp stamp, const slam::Pose2& truth);
   /// Whether there is hope that the truth of that stamp is still on its way.
   bool isExpected(slam::Stamp stamp) const;
   /// 3 expected; nothing where the truth has not come as far or has a gap there.
   std::optional<double> nees(slam::Stamp stamp, const slam::PoseEstimate& estimate);
-  /// The map began anew.
+  /// The map started over.
   void reset() { T_map_truth_.reset(); }
 
  private:

@@ -83,7 +83,7 @@ class CameraBinding final : public InputBinding {
   CameraTopics topics_;
   Pass pass_;
   CameraInput input_;
-  std::mutex kind_;  ///< held while it is told which of raw_ and compressed_ there are
+  std::mutex kind_;  ///< held while it is found which of raw_ and compressed_ there are
   ros::Subscriber raw_, compressed_, info_, transforms_;
   std::optional<AfterLoad> start_;
 };
