@@ -96,6 +96,16 @@ class Packages(unittest.TestCase):
             self.split.depends("slam_new", {"slam_new": package_xml("slam_new", "wheels")}, {}, {})
 
 
+class Plugins(unittest.TestCase):
+    def test_are_named_as_debian_s_pluginlib_finds_them_without_a_workspace(self):
+        """It asks for /usr/lib/TRIPLET/PATH.so, where others take PATH relative to the prefix."""
+        paths = [path for pattern in ("*/*plugin*.xml", "src/*/*plugin*.xml")
+                 for file in REPO.glob(pattern)
+                 for path in re.findall(r'<library path="(.*?)"', file.read_text(encoding="utf-8"))]
+        self.assertGreater(len(paths), 10)
+        self.assertEqual([path for path in paths if not re.fullmatch(r"libslam_\w+", path)], [])
+
+
 class SharingOut(unittest.TestCase):
     NAMES = ("slam_core", "slam_rviz", "slam_rviz_plugins")
 
