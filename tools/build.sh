@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Installing and building for the front door, which sets repo, home, workspace, command and yes.
+# Installing and building for the front door, which sets repo, home, workspace, packages,
+# command and yes.
 # shellcheck disable=SC2154
 
 fail() { # CODE MESSAGE
@@ -47,7 +48,7 @@ logged() { # LABEL LOG COMMAND...
 missing() { # the Debian packages that are not installed; other systems resolve package.xml with rosdep
   grep -qs '^ID=debian' /etc/os-release || return 0
   local names
-  mapfile -t names < <(sed 's/[[:space:]]*#.*//; /^$/d' "$repo/tools/packages.txt")
+  mapfile -t names < <(sed 's/[[:space:]]*#.*//; /^$/d' "${packages[@]}")
   LC_ALL=C comm -13 <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${names[@]}" 2>/dev/null |
     sed -n 's/^installed //p' | LC_ALL=C sort -u) <(printf '%s\n' "${names[@]}" | LC_ALL=C sort -u)
 }
