@@ -70,6 +70,8 @@ class WithoutBuild(FrontDoorTest):
 
     def test_refuses_an_argument_that_a_command_does_not_take(self):
         self.expect(call(self.slam, "test", "--fast"), 2, "--fast")
+        self.expect(call(self.slam, "test", "--fuzz", "soon"), 2, "--fuzz soon")
+        self.expect(call(self.slam, "test", "--all", "--fuzz"), 2, "--all --fuzz")
 
     def test_names_missing_packages_and_installs_nothing(self):
         self.require_absent_package()

@@ -3,7 +3,6 @@
 """Runs that are killed and resumed leave the same bytes as one that was never stopped."""
 
 import json
-import os
 import pathlib
 import random
 import resource
@@ -17,7 +16,7 @@ import unittest
 from launching import program
 
 SECONDS = 20  # of the office
-KILLS = int(os.environ.get("SLAM_KILLS", "10"))
+KILLS = 10
 PRODUCTS = ("ekf_wheel", "pf_wheel_grid", "graph_wheel_grid", "scan_grid")
 TIMES = {"wall_s", "cpu_s", "realtime_factor", "max_rss_mb"}  # of metrics.json
 

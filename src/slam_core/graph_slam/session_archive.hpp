@@ -154,7 +154,9 @@ class SessionReader {
     bool has_value = false;
     get(has_value);
     value.reset();
-    if (has_value) get(value.emplace());
+    if (!has_value) return;
+    value = T();  // clang 14 takes no emplace() of a nested struct with default values
+    get(*value);
   }
   void get(Session::Factor& factor) {
     std::uint8_t kind = 0;

@@ -49,6 +49,7 @@ class Estimator final : public Component {
   }
   /// Pose and map are in force at once: backend() reports them without a step. A doubt beyond 1 km
   /// or half a turn is taken as that.
+  /// @return an error where the pose cannot be used (place_fault.hpp), which leaves all as it is
   Status set(const PoseEstimate& initial_pose);
   /// @return a warning where not all of the map is used, an error where none of it is
   Status set(const MapState& map);

@@ -9,12 +9,15 @@
 #include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/session_merger.hpp"
 #include "slam_core/product/estimator.hpp"
+#include "slam_core/product/place_fault.hpp"
 
 namespace slam {
 
 using relocalisation::Belief;
 
 Status Estimator::set(const PoseEstimate& initial_pose) {
+  if (const auto fault = faultOf(initial_pose); !fault.empty())
+    return Status::error(fault + "; it is left out");
   backend_->set(bounded(initial_pose, largestSigmas()));
   const auto status = backend_->execute();
   relocaliser_.assume(Belief::kSure);
@@ -28,6 +31,8 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
 Status Estimator::set(const MapState& map) {
   auto* keeper = capabilities_.find<MapKeeper>();
   if (keeper == nullptr) return Status::error("this back-end keeps no map that could be loaded");
+  if (const auto fault = faultOf(map); !fault.empty())
+    return Status::error(fault + "; all stays as it is");
   const auto used = takesLines() ? map : withoutLines(map);
   keeper->set(used);
   auto status = backend_->execute();

@@ -14,6 +14,7 @@
 #include "slam_core/common/input_file.hpp"
 #include "slam_core/common/yaml_file.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/product/place_fault.hpp"
 
 namespace slam {
 namespace {
@@ -63,14 +64,11 @@ double number(const YAML::Node& parent, const std::string& key) {
   return value;
 }
 
-/// Coordinates in the maps of countries have seven digits; squares of larger ones lose the metre.
-constexpr double kFarthest = 1e8;  // [m]
-
 Eigen::Vector2d position(const YAML::Node& parent, const std::string& owner) {
   const Eigen::Vector2d found(number(parent, "x"), number(parent, "y"));
-  if (found.lpNorm<Eigen::Infinity>() > kFarthest)
-    throw std::runtime_error(
-        fmt::format("{} is more than {:.0f} km from the map's origin", owner, kFarthest / 1000));
+  if (found.lpNorm<Eigen::Infinity>() > kFarthestInMap)
+    throw std::runtime_error(fmt::format("{} is more than {:.0f} km from the map's origin", owner,
+                                         kFarthestInMap / 1000));
   return found;
 }
 
