@@ -88,6 +88,15 @@ class Programs(Folder):
         with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=prefixes):
             self.assertEqual(programs.workspace_program("pkg", "prog"), first)
 
+    def test_an_installed_program_is_found_where_no_workspace_has_it(self):
+        installed = self.make_program("usr")
+        with mock.patch.object(programs, "SYSTEM", str(self.folder / "usr")):
+            with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=""):
+                self.assertEqual(programs.workspace_program("pkg", "prog"), installed)
+            own = self.make_program("a")
+            with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=str(self.folder / "a")):
+                self.assertEqual(programs.workspace_program("pkg", "prog"), own)
+
     def test_a_program_that_is_not_built_is_named(self):
         with mock.patch.dict(os.environ, CMAKE_PREFIX_PATH=str(self.folder)):
             with self.assertRaisesRegex(BenchError, "prog of pkg"):
