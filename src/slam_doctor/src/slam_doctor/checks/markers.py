@@ -1,23 +1,31 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does any marker of the robot's families appear? The product's own detector answers."""
+"""Does any marker of the robot's families appear? The product's own detector answers. What appears
+shows whether the calibration fits."""
+import dataclasses
 import pathlib
 import re
 import subprocess
 import tempfile
 
+import numpy as np
 import yaml
 from slam_launch import packages
 from slam_launch.errors import ProductError
 
+from slam_doctor.checks import reprojection
 from slam_doctor.finding import ok, unknown, warn
+from slam_doctor.squares.calibration import Sighting
 
 PROGRAM = ("slam_core", "slam_core_fiducial_images")
 FAMILIES = {"apriltag": "apriltag.families", "aruco": "aruco.dictionaries"}
 OTHERS = (("apriltag", ["36h11", "25h9", "Standard41h12"]),
           ("aruco", ["DICT_4X4_250", "DICT_5X5_250", "DICT_6X6_250", "DICT_7X7_250",
                      "DICT_ARUCO_ORIGINAL"]))
-LINE = re.compile(r"^(.*): id (\d+), corners.*, range", re.M)  # of a marker that is not rejected
+LINE = re.compile(r"^.*: id (\d+), corners((?: \(\S+ \S+\)){4}), (?:range|rejected: (\w+))", re.M)
+NUMBER = re.compile(r"[-\d.]+")
+WITH_CORNERS = {"", "reprojection_error", "no_pose"}  # rejections of markers with good corners
+FEWER = 12  # images that are looked at for other families
 
 
 def check(case):
@@ -32,8 +40,19 @@ def check(case):
         return [unknown("camera.markers", "markers cannot be looked for", "They need images with a "
                         "camera_info.")]
     detectors = [product.detector] if product else list(FAMILIES)
+    info = calibration.record.first
     with tempfile.TemporaryDirectory(prefix="slam_doctor_") as folder:
-        return [look(Detector(folder, pictures, calibration.record.first), detectors, case.robot)]
+        finding, markers = look(Detector(folder, pictures, info), detectors, case.robot)
+    sightings = [marker.sighting for marker in markers if marker.rejection in WITH_CORNERS]
+    return [finding, *([reprojection.judge(info, sightings)] if sightings else [])]
+
+
+@dataclasses.dataclass(frozen=True)
+class Marker:
+    """What the detector says of a marker in an image."""
+
+    sighting: Sighting
+    rejection: str  # empty: none
 
 
 class Detector:
@@ -49,18 +68,25 @@ class Detector:
         self._calibration = self._folder / "camera.yaml"
         self._calibration.write_text(yaml.safe_dump(calibration_file(info)), encoding="utf-8")
 
-    def find(self, name, families):
-        """{id: number of pictures that show it}, None where the detector cannot work."""
+    def find(self, name, families, images=None):
+        """The Markers in images, by default all; None where the detector cannot work."""
         command = [packages.program(*PROGRAM), name, self._calibration,
-                   f"{FAMILIES[name]}=[{', '.join(families)}]", *self.images]
+                   f"{FAMILIES[name]}=[{', '.join(families)}]", *(images or self.images)]
         done = subprocess.run([str(word) for word in command], text=True, capture_output=True,
                               check=False)
         if done.returncode != 0:
             return None
-        seen = {}
-        for _, identity in set(LINE.findall(done.stdout)):
-            seen[int(identity)] = seen.get(int(identity), 0) + 1
-        return seen
+        return [Marker(Sighting(int(identity), corners_of(text)), rejection)
+                for identity, text, rejection in LINE.findall(done.stdout)]
+
+    def some(self):
+        """A few images, evenly selected."""
+        return self.images[::-(-len(self.images) // FEWER) or 1]
+
+
+def corners_of(text):
+    """The corners (4 x 2) in a line of the detector [px]."""
+    return np.array([float(number) for number in NUMBER.findall(text)]).reshape(4, 2)
 
 
 def calibration_file(info):
@@ -81,19 +107,25 @@ def families_of(name, robot):
 
 
 def look(detector, names, robot):
-    """The Finding about markers in some pictures."""
+    """(Finding about markers in some pictures, [Marker])."""
     count, looked_for = len(detector.images), []
     try:
         for name in names:
             families = families_of(name, robot)
-            seen = detector.find(name, families)
+            markers = detector.find(name, families)
+            seen = {marker.sighting.id for marker in markers or []
+                    if marker.rejection in WITH_CORNERS}
             if seen:
                 return ok("camera.markers", f"{len(seen)} markers of {', '.join(families)} in "
-                          f"{count} images", len(seen), "markers")
-            looked_for += [] if seen is None else families
-        others = other_families(detector, looked_for)
+                          f"{count} images", len(seen), "markers"), markers
+            looked_for += [] if markers is None else families
+        return none_of(looked_for, other_families(detector, looked_for), count), []
     except ProductError as fault:
-        return unknown("camera.markers", str(fault), "Build the workspace.")
+        return unknown("camera.markers", str(fault), "Build the workspace."), []
+
+
+def none_of(looked_for, others, count):
+    """The Finding where no marker appears of the families that were looked for."""
     if not looked_for:
         return unknown("camera.markers", "the detectors refuse these images or families",
                        "Look at the sections apriltag and aruco of the robot file.")
@@ -107,9 +139,11 @@ def look(detector, names, robot):
 
 def other_families(detector, looked_for):
     """A family that does appear, where at least two pictures, or the only one, show it."""
+    images = detector.some()
     for name, families in OTHERS:
         for family in families:
-            seen = detector.find(name, [family]) if family not in looked_for else None
-            if seen and sum(seen.values()) >= min(2, len(detector.images)):
+            found = detector.find(name, [family], images) if family not in looked_for else None
+            accepted = [marker for marker in found or [] if not marker.rejection]
+            if len(accepted) >= min(2, len(images)):
                 return family
     return ""

@@ -9,7 +9,8 @@ import numpy as np
 from slam_doctor.record.thinned import Thinned
 
 SATURATED, BLACK = 250, 5  # grey values from which, and up to which, an image shows nothing
-MEASURED, KEPT = 64, 12    # images, at most
+MEASURED, KEPT = 64, 48    # images, at most
+MEMORY, LEAST = 64e6, 12   # what kept images may take [bytes], but so many are kept
 THUMBNAIL = (16, 12)       # columns and rows
 # How many bytes a pixel has, and which of them are its brightness.
 ENCODINGS = {"mono8": (1, [0]), "8UC1": (1, [0]), "rgb8": (3, [0, 1, 2]), "bgr8": (3, [0, 1, 2]),
@@ -120,6 +121,7 @@ class ImageRecord:
         self.sizes[size] = self.sizes.get(size, 0) + 1
         self.measures.append(measure(stamp, picture))
         self.pictures.append(picture)
+        self.pictures.lower(max(LEAST, int(MEMORY // max(1, picture.size))))
 
 
 class CalibrationRecord:

@@ -27,6 +27,10 @@ class Thinned:
                 self._stride *= 2
         self._count += 1
 
+    def lower(self, limit):
+        """Keeps at most so many from now on; where fewer were allowed, nothing changes."""
+        self._limit = min(self._limit, limit)
+
     def array(self):
         """The items as an array of floating-point numbers."""
         return np.array(self.items, dtype=float)
