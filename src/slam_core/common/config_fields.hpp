@@ -54,7 +54,7 @@ struct Field {
   Range range;
   std::vector<std::string> choices;
   Scope scope = Scope::kProduct;
-  bool is_live = false;  ///< may change while a nodelet runs
+  bool is_live = false;  ///< may change while a nodelet runs; only nodelets set it
   FaultOfText fault_of_text = nullptr;
 
   Field& unit(const std::string& text) { return unit_text = text, *this; }
@@ -62,7 +62,6 @@ struct Field {
   Field& oneOf(std::vector<std::string> names) { return choices = std::move(names), *this; }
   Field& checkedBy(FaultOfText faultOf) { return fault_of_text = faultOf, *this; }
   Field& ofRobot() { return scope = Scope::kRobot, *this; }
-  Field& live() { return is_live = true, *this; }
 
   std::string typeName() const;
   bool isText() const;

@@ -36,23 +36,23 @@ struct OutputsConfig {
     fields.add("landmark_rate", &landmark_rate, "of the landmarks, their markers and the path")
         .unit("1/s of stamps")
         .in(slam::Range::above(0))
-        .live();
+        .is_live = true;
     fields.add("map_period", &map_period, "of the grid map and the graph's markers, at least")
         .unit("s of stamps")
         .in(slam::Range::above(0))
-        .live();
+        .is_live = true;
     fields.add("points_rate", &points_rate, "of the point map, where it is made in this nodelet")
         .unit("1/s of stamps")
         .in(slam::Range::above(0));
     fields.add("tf_rate", &tf_rate, "of the map's transform")
         .unit("Hz")
         .in(slam::Range::closed(0.1, 1000))
-        .live();
+        .is_live = true;
     fields
         .add("transform_tolerance", &transform_tolerance, "how far ahead the transform is stamped")
         .unit("s")
         .in(slam::Range::closed(0, 10))
-        .live();
+        .is_live = true;
   }
 };
 
