@@ -7,11 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/scan_matching/scan_line.hpp"
 #include "slam_core/scan_matching/surface.hpp"
 
 // Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
@@ -89,61 +86,38 @@ NormalEquations NormalEquations::withoutNoise() const {
 class Fit {
  public:
   Fit(const grid_map::GridMap& map, const ScanPoints& scan, double sigma)
-      : scan_(scan),
-        finder_(map),
-        variance_(std::pow(scan.cells_per_metre * sigma, 2)),
-        lines_(scan.ends.size()) {}
+      : scan_(scan), finder_(map), variance_(std::pow(scan.cells_per_metre * sigma, 2)) {}
 
   NormalEquations at(const Pose2& pose) {
     NormalEquations sum;
-    const Eigen::Matrix2d R = pose.rotation();
+    const double c = std::cos(pose.theta()), s = std::sin(pose.theta());
     const Eigen::Vector2d position = scan_.cells_per_metre * pose.position();
-    for (std::size_t i = 0; i < scan_.ends.size(); ++i) {
-      const Eigen::Vector2d turned = R * scan_.ends[i];
-      const auto* surface = finder_.nearest(turned + position);
-      if (surface == nullptr) continue;
-      const auto* const line = surface->goesOn() ? nullptr : lineAt(i);
-      Surface shown_by_scan;
-      if (line != nullptr) {
-        shown_by_scan = surface->alongLine(R * line->direction, line->tilt);
-        surface = &shown_by_scan;
-      }
-      add(turned, turned + position, varianceOf(scan_.ends[i]), *surface, sum);
+    for (const auto& end : scan_.ends) {
+      const Eigen::Vector2d turned(c * end.x() - s * end.y(), s * end.x() + c * end.y());
+      add(turned, turned + position, end, sum);
     }
     return sum;
   }
 
  private:
-  struct LineSlot {
-    bool is_known = false;
-    std::optional<ScanLine> line;
-  };
-
-  double varianceOf(const Eigen::Vector2d& end) const {
-    return variance_ +
-           scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
-  }
-  /// What the scan shows of the surface at one of its ends, where the map shows none.
-  const ScanLine* lineAt(std::size_t i) {
-    auto& [is_known, line] = lines_[i];
-    if (!is_known)
-      line = scanLineAt(scan_.ends, i, SurfaceFinder::kReach, varianceOf(scan_.ends[i]));
-    is_known = true;
-    return line ? &*line : nullptr;
-  }
-  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, double variance,
-           const Surface& surface, NormalEquations& sum) {
-    const Eigen::Vector2d& n = surface.normal;
-    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface.point;
+  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, const Eigen::Vector2d& end,
+           NormalEquations& sum) {
+    const auto* const surface = finder_.nearest(p);
+    if (surface == nullptr) return;
+    const double range_variance =
+        scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
+    const double variance = variance_ + range_variance;
+    const Eigen::Vector2d& n = surface->normal;
+    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface->point;
     const double across = r.dot(n), along = r.dot(t);
-    const double W_across = 1.0 / (variance + surface.across);
-    const double W_along = surface.goesOn() ? 0.0 : 1.0 / (variance + surface.along);
+    const double W_across = 1.0 / (variance + surface->across);
+    const double W_along = surface->goesOn() ? 0.0 : 1.0 / (variance + surface->along);
     const double squared = W_across * across * across + W_along * along * along;
     const double root = 1.0 / (1.0 + squared), w = root * root;
     if (!(w >= kLeastWeight)) return;
     const auto J_along = jacobian(t, turned, scan_.cells_per_metre);
     sum.add(w * W_across, across, jacobian(n, turned, scan_.cells_per_metre));
-    sum.addNoise(w * W_across, surface.tilt, J_along);
+    sum.addNoise(w * W_across, surface->tilt, J_along);
     if (W_along > 0.0) sum.add(w * W_along, along, J_along);
     ++sum.ends;
     sum.weights += w;
@@ -153,7 +127,6 @@ class Fit {
   const ScanPoints& scan_;
   SurfaceFinder finder_;
   double variance_;
-  std::vector<LineSlot> lines_;  ///< by end
 };
 
 /// The weight of a prior that the scan contradicts, as where wheels slip: the same kernel, but as
