@@ -40,11 +40,16 @@ DEFINITIONS = {
 CLASSES = {kind: genpy.dynamic.generate_dynamic(kind, text) for kind, text in DEFINITIONS.items()}
 
 
+def empty_array(kind, stamp, frame):
+    """An array without markers, and the class of what it holds by name."""
+    array = CLASSES[kind][kind]()
+    array.header.stamp, array.header.frame_id = stamp, frame
+    return array, CLASSES[kind]
+
+
 def apriltag_array(stamp, markers, frame=CAMERA):
     """An array of apriltag_ros; markers: (id or list of ids, (x, y, z) [m]), ..."""
-    kinds = CLASSES[APRILTAG]
-    array = kinds[APRILTAG]()
-    array.header.stamp, array.header.frame_id = stamp, frame
+    array, kinds = empty_array(APRILTAG, stamp, frame)
     for ids, position in markers:
         detection = kinds["apriltag_ros/AprilTagDetection"]()
         detection.id = ids if isinstance(ids, list) else [ids]
@@ -59,9 +64,7 @@ def apriltag_array(stamp, markers, frame=CAMERA):
 
 def fiducial_array(stamp, markers, frame=CAMERA):
     """An array of aruco_detect; markers: (id, (x, y, z) [m]), ..."""
-    kinds = CLASSES[FIDUCIAL]
-    array = kinds[FIDUCIAL]()
-    array.header.stamp, array.header.frame_id = stamp, frame
+    array, kinds = empty_array(FIDUCIAL, stamp, frame)
     for identity, position in markers:
         each = kinds["fiducial_msgs/FiducialTransform"]()
         each.fiducial_id = identity

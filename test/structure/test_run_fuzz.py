@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[1] / "run_fuzz"
-# What libFuzzer does where an input ends the target.
+# This program behaves as a libFuzzer target that an input has ended.
 ENDS = """#!/bin/bash
 for argument; do case $argument in -artifact_prefix=*) echo input >"${argument#*=}crash-7f"; esac; done
 echo "broken: a pose that is not finite" >&2

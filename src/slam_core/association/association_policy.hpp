@@ -59,7 +59,7 @@ struct Decision {
   enum class Kind {
     kLandmark,   ///< it is of `landmark`
     kNew,        ///< it is of a landmark that is not in the map yet
-    kUnknown,    ///< clutter: it is unknown of which landmark it is
+    kUnknown,    ///< clutter: the policy cannot decide for a landmark
     kDuplicate,  ///< clutter: another one of the same array is of that landmark
     kNotInMap,   ///< clutter: it would be new, but the map is fixed
     kAmbiguous,  ///< clutter: by its place it may be of several landmarks, or of one nearby

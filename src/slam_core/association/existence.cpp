@@ -30,7 +30,7 @@ void Existence::move(const Motion& motion) {
 
 bool Existence::isDue() const { return way_ >= kStretch || turn_ >= kStretch; }
 
-/// Misses in a row are alike, so that one never weighs as much as if it showed all.
+/// Misses in a row are correlated: each counts less than one that is independent.
 double Existence::detection() const { return std::clamp(hits_ / (hits_ + misses_), 0.05, 0.7); }
 
 std::vector<LandmarkId> Existence::see(const Pose2& sensor,

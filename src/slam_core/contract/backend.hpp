@@ -29,8 +29,8 @@ class Backend : public Component {
   static constexpr const char* kRole = "back-end";
 
   using Component::describe;
-  /// What it can do beyond this interface. As with describe(Ports&), this depends on what the
-  /// back-end is and on the map that was chosen, not on its configuration.
+  /// Names the capabilities that the back-end has beyond this interface. They depend on its class
+  /// and on the map that was chosen, as its ports do, not on its configuration.
   virtual void describe(Capabilities& /*capabilities*/) {}
   /// Sets the seed of all random streams. Called before configure() (an OdometrySource is seeded
   /// after it). Back-ends that draw nothing do not need it.

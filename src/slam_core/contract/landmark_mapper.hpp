@@ -83,7 +83,7 @@ struct UpdateStatistics {
   int used = 0;       ///< observations of known landmarks that went into the update
   int gated = 0;      ///< outside the chi-square gate, left out
   int added = 0;      ///< landmarks seen for the first time
-  int unknown = 0;    ///< left out: it is unknown of which landmark, or of one not in the map
+  int unknown = 0;    ///< left out: its landmark is unknown, or is not in the map
   int landmarks = 0;  ///< in the map after the step
   /// That a right observation passes the gate; of what is gated more often something is wrong.
   double gate_probability = 0.9999;

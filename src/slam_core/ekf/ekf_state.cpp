@@ -158,7 +158,8 @@ void EkfState::takeAlways() {
 void EkfState::take(const LandmarksInView& view) {
   Eigen::Index more = view.others;  // than were seen in this interval
   for (const auto landmark : view.landmarks) more += is_seen_[at(landmark)] ? 0 : 1;
-  // Where much is in view at once, an interval must last for more than a step.
+  // The limit grows with the number of observations in view, so that an interval lasts for more
+  // than one step.
   const auto limit = std::max(limits_.landmarks, 2 * view.observations);
   const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limit;
   if (is_full ||

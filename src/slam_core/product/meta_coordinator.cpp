@@ -13,8 +13,8 @@ namespace slam {
 
 void MetaCoordinator::configure(Settings& settings, const ProductPart& part) {
   using Extent = ProductPart::Extent;
-  // Of the parts of a product the back-end's alone checks the configuration of the whole, by a
-  // coordinator that is thrown away.
+  // In `pubsub` only the back-end's nodelet checks the configuration of the whole product: a
+  // temporary coordinator reads all of it and throws what is wrong.
   if (part.extent == Extent::kBackend) MetaCoordinator().configure(settings);
   FaultCollector faults;
   parts_ = makeComponents(settings, part, faults);

@@ -48,27 +48,20 @@ double valueOf(const slam::Field& field) {
   return *std::get<double*>(field.target);
 }
 
-template <class Value>
-Value* targetOf(const std::vector<const slam::Field*>& fields, const std::string& name) {
-  for (const auto* field : fields)
-    if (field->name == name)
-      if (const auto* target = std::get_if<Value*>(&field->target)) return *target;
-  return nullptr;
-}
-
 /// Sets what is allowed; what is not keeps its value, with a warning.
 template <class Value, class Entries>
 bool assign(const std::vector<const slam::Field*>& fields, const Entries& entries) {
   bool has_changed = false;
   for (const auto& entry : entries) {
-    auto* target = targetOf<Value>(fields, entry.name);
-    if (target == nullptr || *target == static_cast<Value>(entry.value)) continue;
-    const Value before = std::exchange(*target, static_cast<Value>(entry.value));
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto* candidate) {
-      return candidate->name == entry.name;
+      return candidate->name == entry.name && std::holds_alternative<Value*>(candidate->target);
     });
+    if (field == fields.end()) continue;
+    auto& value = *std::get<Value*>((*field)->target);
+    const Value before = std::exchange(value, static_cast<Value>(entry.value));
+    if (value == before) continue;
     if (const auto fault = (*field)->fault(); !fault.empty()) {
-      *target = before;
+      value = before;
       ROS_WARN_STREAM_NAMED("slam", entry.name << " is not changed: " << fault);
     } else {
       has_changed = true;

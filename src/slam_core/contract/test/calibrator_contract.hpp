@@ -18,8 +18,8 @@
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/models/test/miscalibrated_robot.hpp"
 
-// What holds of every back-end that calibrates wheels and landmark sensor. A back-end instantiates
-// SelfCalibration with a struct that has
+// Tests that each back-end passes which calibrates wheels and landmark sensor. A back-end
+// instantiates SelfCalibration with a struct that has
 //   Filter, Config               the back-end, and what its configure() takes
 //   static constexpr int kSeeds, kRobots   how many drives the means are of
 //   static constexpr double kDelay         [s] by which stamps are off where all is; 0: none

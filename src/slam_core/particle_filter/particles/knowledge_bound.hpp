@@ -32,7 +32,7 @@ class KnowledgeBound {
   void load(const LandmarkMap& map, double inflation);
   /// What the particles' spread has never shown.
   void setPose(const Eigen::Matrix3d& covariance);
-  /// Of the particles that it stands beside, which gets their weights and resampling.
+  /// The genealogy of the particles. The caller gives it their weights and resampling steps.
   Genealogy& genealogy() { return genealogy_; }
 
   /// @param from the pose before the motion

@@ -56,7 +56,7 @@ class Diagnostics {
   void tell(ros::console::Level level, const std::string& sentence);
   /// What does not pass by itself, such as a full disk; stays until the node ends.
   void fail(const std::string& sentence);
-  /// What each callback of a nodelet goes through (door.hpp): an exception is reported as an error.
+  /// Runs a callback of a nodelet (door.hpp) and reports an exception as an error.
   void attempt(const std::string& topic, const Action& action);
   /// The same where it may leave something half done: nothing more is taken in until recover().
   void guard(const std::string& topic, const Action& action);

@@ -11,7 +11,7 @@ namespace slam_ros {
 /// `slam_run` names them, for metrics.json and config.yaml, which have it under the name `run`.
 class RunOrigin {
  public:
-  /// Nothing is known; both files stay as they are.
+  /// An origin of which nothing is known: it leaves both files as they are.
   RunOrigin() = default;
   /// @param text an object of JSON; empty: nothing is known
   /// @throw std::invalid_argument where it is none

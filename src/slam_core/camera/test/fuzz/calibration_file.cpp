@@ -29,11 +29,10 @@ void look(const CameraModel& camera) {
 /// A camera's calibration file: it is refused with a sentence, or its camera can be used.
 SLAM_FUZZ_TARGET(calibration_file) {
   static const slam::test::TemporaryFolder kFolder;
-  const auto path =
-      kFolder.write("camera.yaml", std::string(reinterpret_cast<const char*>(bytes), size));
+  const auto path = kFolder.write("camera.yaml", slam::test::contentOf(bytes, size));
   try {
     slam::look(slam::CameraModel(slam::loadCalibrationFile(path)));
   } catch (const slam::ConfigError& refused) {
-    slam::test::requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    slam::test::requireSentence(refused);
   }
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <string>
@@ -25,6 +26,16 @@ inline void requireThat(bool holds, const std::string& broken) {
   if (holds) return;
   std::cerr << "broken: " << broken << std::endl;
   std::abort();
+}
+
+/// The bytes of an input as the content of a file.
+inline std::string contentOf(const std::uint8_t* bytes, std::size_t size) {
+  return {reinterpret_cast<const char*>(bytes), size};
+}
+
+/// Requires that a refusal says something.
+inline void requireSentence(const std::exception& refusal) {
+  requireThat(refusal.what()[0] != '\0', "a refusal without a sentence");
 }
 
 }  // namespace slam::test

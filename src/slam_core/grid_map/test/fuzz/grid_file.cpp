@@ -45,7 +45,7 @@ void checkThatItComesBack(const OccupancyGrid& grid, const test::TemporaryFolder
 /// refused with a sentence, or it is a grid.
 SLAM_FUZZ_TARGET(grid_file) {
   static const slam::test::TemporaryFolder kFolder;
-  const std::string input(reinterpret_cast<const char*>(bytes), size);
+  const auto input = slam::test::contentOf(bytes, size);
   const auto image = std::min(input.find("P5"), input.size());
   const auto path = kFolder.write("map.yaml", input.substr(0, image));
   kFolder.write("map.pgm", input.substr(image));
@@ -53,7 +53,7 @@ SLAM_FUZZ_TARGET(grid_file) {
   try {
     grid = slam::grid_map::loadGrid(path);
   } catch (const std::runtime_error& refused) {
-    slam::test::requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    slam::test::requireSentence(refused);
     return;
   }
   slam::grid_map::check(*grid);

@@ -59,7 +59,7 @@ void restoreChanged(const DrivenProduct& driven, test::FuzzBytes& bytes) {
   try {
     restore(test::changed(driven.state, bytes), product);
   } catch (const std::runtime_error& refused) {
-    requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    test::requireSentence(refused);
   }
 }
 
@@ -71,7 +71,7 @@ void readDamaged(const DrivenProduct& driven, test::FuzzBytes& bytes) {
     stateIn(damaged, run);
     requireThat(damaged == whole, "a damaged checkpoint was accepted");
   } catch (const std::runtime_error& refused) {
-    requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    test::requireSentence(refused);
   }
 }
 

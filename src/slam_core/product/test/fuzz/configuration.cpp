@@ -13,7 +13,7 @@
 SLAM_FUZZ_TARGET(configuration) {
   using namespace slam;
   static const test::TemporaryFolder kFolder;
-  const std::string input(reinterpret_cast<const char*>(bytes), size);
+  const auto input = test::contentOf(bytes, size);
   const auto border = std::min(input.find("\n===\n"), input.size());
   const auto product = kFolder.write("product.yaml", input.substr(0, border));
   const auto robot = kFolder.write("robot.yaml", input.substr(std::min(border + 5, input.size())));
@@ -21,6 +21,6 @@ SLAM_FUZZ_TARGET(configuration) {
     Settings settings(loadConfigFile(product), loadConfigFile(robot), {});
     MetaCoordinator().configure(settings);
   } catch (const ConfigError& refused) {
-    test::requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    test::requireSentence(refused);
   }
 }

@@ -120,7 +120,8 @@ class FuzzDrive {
     invariants_.check(*running_);
   }
 
-  /// What cannot be used is refused with an error, and leaves a product that goes on.
+  /// Calls a service with made-up values. The product refuses values that it cannot use with an
+  /// error, and goes on.
   void call() {
     invariants_.beginAnew();
     auto& estimator = running_->estimator();

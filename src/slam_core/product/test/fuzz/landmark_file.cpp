@@ -44,13 +44,12 @@ void drive(const std::string& backend, const MapState& map) {
 SLAM_FUZZ_TARGET(landmark_file) {
   using namespace slam;
   static const test::TemporaryFolder kFolder;
-  const auto path =
-      kFolder.write("landmarks.yaml", std::string(reinterpret_cast<const char*>(bytes), size));
+  const auto path = kFolder.write("landmarks.yaml", test::contentOf(bytes, size));
   LandmarkFile file;
   try {
     file = loadLandmarks(path, "map");
   } catch (const std::runtime_error& refused) {
-    requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    test::requireSentence(refused);
     return;
   }
   const auto text = toYaml(file);

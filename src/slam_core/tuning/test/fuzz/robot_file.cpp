@@ -25,7 +25,7 @@ bool isYaml(const std::string& text) {
 /// comes out is YAML with these values.
 SLAM_FUZZ_TARGET(robot_file) {
   using namespace slam;
-  const std::string text(reinterpret_cast<const char*>(bytes), size);
+  const auto text = test::contentOf(bytes, size);
   if (!isYaml(text)) return;
   std::vector<tuning::TunedParameter> parameters(2);
   parameters[0].section = "landmark_sensor";
@@ -40,6 +40,6 @@ SLAM_FUZZ_TARGET(robot_file) {
         parseYaml(tuning::withTunedValues(text, parameters, remark), YamlLimits::configuration());
     test::requireThat(tuned["wheel_odometry"]["alpha"].as<double>() == 0.125, "another value");
   } catch (const ConfigError& refused) {
-    test::requireThat(refused.what()[0] != '\0', "a refusal without a sentence");
+    test::requireSentence(refused);
   }
 }

@@ -12,7 +12,8 @@ import numpy as np
 
 from slam_doctor.squares import poses
 
-# What changes: ln of the focal length, ln of fx / fy, cx and cy as shares of the width, k1, k2.
+# The six parameters of a change: ln of the focal length, ln of fx / fy, cx and cy as shares of the
+# width, k1, k2. STEPS are those of the numeric derivative.
 STEPS = np.array([1e-4, 1e-4, 1e-5, 1e-5, 1e-4, 1e-4])
 PRIOR = np.array([0.3, 0.1, 0.15, 0.15, 0.4, 0.5])  # standard deviations of a bad calibration
 ITERATIONS = 10

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where a run comes from, for reports: `run` in metrics.json, as `./slam run` has noted it."""
 
+DATE = "Date of the run"
 _SHOWN_DIGITS = 12  # of a bag's hash
 
 
@@ -24,7 +25,7 @@ def origin_rows(metrics):
         version += f" (commit {origin['commit']})"
     bag = origin.get("bag")
     found = [("Bag", _bag(bag) if isinstance(bag, dict) else ""),
-             ("Date of the run", str(origin.get("date", ""))),
+             (DATE, str(origin.get("date", ""))),
              ("Version", version.strip()),
              ("Command", str(origin.get("command", "")))]
     return [(name, text) for name, text in found if text]

@@ -7,7 +7,7 @@ import numpy as np
 
 from slam_eval.report.metric_table import GROUPS, KEYS, format_value, rows
 from slam_eval.report.page import page, picture
-from slam_eval.report.run_origin import origin_rows
+from slam_eval.report.run_origin import DATE, origin_rows
 
 MOST_EVENTS = 200  # of those that are listed
 CAPTIONS = {
@@ -147,7 +147,7 @@ def render(run, metrics, pictures, notes, relations=None):
     if seed is not None:
         facts.append(f"seed {seed}")
     origin = origin_rows(metrics)
-    facts += [text for name, text in origin if name == "Date of the run"]
+    facts += [text for name, text in origin if name == DATE]
     parts = [_metric_section(metrics, notes)]
     parts += [_picture_section(path) for path in pictures]
     if relations is not None:
