@@ -24,7 +24,8 @@ line-height:1.45;margin:8px 0 0}
 @media(max-width:600px){main{padding:20px 10px 40px}section{padding:14px 12px}
 table.facts tr{display:grid;grid-template-columns:1fr auto 46px;border-top:1px solid #edeff2}
 table.facts td{border-top:0;padding:5px 0}table.facts td.n,table.facts td.v{width:auto;
-white-space:normal}table.facts td.v{padding-right:6px}table.facts td.m{grid-column:1/-1;padding-top:0}}
+white-space:normal}table.facts td.v{padding-right:6px}table.facts td.m,table.facts td.t{
+grid-column:1/-1;padding-top:0}}
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:18px;align-items:start}
 @media(max-width:700px){.pair{grid-template-columns:1fr}}
 main.wide{max-width:1280px}.single,figure.diagram{max-width:900px;margin:6px auto 16px}

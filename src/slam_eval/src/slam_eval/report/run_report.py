@@ -130,7 +130,7 @@ def _origin_section(rows):
     """Bag, date, version and command line of the run."""
     lines = "".join(f'<tr><td class="n">{name}</td><td class="t">{html.escape(text)}</td></tr>'
                     for name, text in rows)
-    return f"<section><h2>Origin</h2><table>{lines}</table></section>"
+    return f'<section><h2>Origin</h2><table class="facts">{lines}</table></section>'
 
 
 def _picture_section(path):
