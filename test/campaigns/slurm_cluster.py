@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Slurm cluster of two nodes on this host, for tests: munged, slurmctld and two slurmd of their own."""
+"""A Slurm cluster of two nodes on this host, for tests: munged, slurmctld and two slurmd of their
+own."""
 import getpass
 import os
 import pathlib
@@ -91,7 +92,8 @@ class Cluster:
         socket_path = self._folder / "munge.socket"
         self._start("munged", "munged", "--foreground", "--force", f"--key-file={key}",
                     f"--socket={socket_path}", f"--pid-file={self._folder}/munged.pid",
-                    f"--log-file={self._folder}/munged.log", f"--seed-file={self._folder}/munged.seed")
+                    f"--log-file={self._folder}/munged.log",
+                    f"--seed-file={self._folder}/munged.seed")
         self._wait_for(socket_path.exists, "munged")
         self._start("slurmctld", "slurmctld", "-D")
         for node in ("one", "two"):

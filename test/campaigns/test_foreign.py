@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Foreign systems in campaigns: MRPT's, a node that publishes map -> odom, and a driver of one's own."""
+"""Foreign systems in campaigns: MRPT's, a node that publishes map -> odom, and a driver of one's
+own."""
 import csv
 import os
 import pathlib

@@ -80,7 +80,8 @@ class Page(InFolder):
     def test_shows_tables_pictures_and_what_failed(self):
         tables = self.tables()
         text = page.render(self.campaign, self.folder, tables)
-        for part in ("6 of 8 runs are complete, 1 failed, 1 are missing", "the drive&#x27;s bag lacks",
+        for part in ("6 of 8 runs are complete, 1 failed, 1 are missing", "the drive&#x27;s bag "
+                                                                          "lacks",
                      "campaign: some", "sign test", "Paths on x"):
             self.assertIn(part, text)
         self.assertEqual(text.count("data:image/png"), 3)

@@ -19,7 +19,8 @@ class Programs(unittest.TestCase):
         self.log = self.folder / "log.txt"
 
     def test_that_fail_are_failures(self):
-        for script in ("echo no scan >&2; exit 1", "echo no scan; exit 1", "echo no scan; kill -SEGV $$"):
+        for script in ("echo no scan >&2; exit 1", "echo no scan; exit 1", "echo no scan; kill "
+                                                                           "-SEGV $$"):
             with self.assertRaisesRegex(BenchError, "no scan"):
                 task.call(["sh", "-c", script], self.log)
 
@@ -35,11 +36,11 @@ class Programs(unittest.TestCase):
     def test_are_quoted_without_what_differs_from_host_to_host(self):
         folder = Folder(self.folder)
         work = folder.work / "abc.x7.part"
-        said = task._said(f"slam_offline ended with exit code 1: slam_offline: the bag bags/12.bag has\n"
-                          f"no scan, see {work}/log.txt and {self.folder}/bags/12.bag", work, folder,
-                          "abc", "bags/12.bag")
-        self.assertEqual(said, "slam_offline: the drive's bag has no scan, see runs/abc/log.txt and "
-                               "bags/12.bag")
+        error = ("slam_offline ended with exit code 1: slam_offline: the bag bags/12.bag has\nno "
+                 f"scan, see {work}/log.txt and {self.folder}/bags/12.bag")
+        said = task.said(error, work, folder, "abc", "bags/12.bag")
+        self.assertEqual(said, "slam_offline: the drive's bag has no scan, see runs/abc/log.txt "
+                               "and bags/12.bag")
 
 
 if __name__ == "__main__":

@@ -82,7 +82,8 @@ class Answers(InFolder):
         np.testing.assert_allclose(found.poses, poses, atol=1e-8)
 
     def test_landmarks_are_read_as_written(self):
-        for ids, positions in (([4, 2], np.array([[1.0, 2.0], [3.0, 4.5]])), ([], np.empty((0, 2)))):
+        two = np.array([[1.0, 2.0], [3.0, 4.5]])
+        for ids, positions in (([4, 2], two), ([], np.empty((0, 2)))):
             write_landmarks(self.folder / "a.yaml", ids, positions)
             found = read_landmarks(self.folder / "a.yaml")
             self.assertEqual(found.ids, ids)

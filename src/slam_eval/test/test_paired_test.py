@@ -6,14 +6,15 @@ import unittest
 
 import run_maker  # noqa: F401, before slam_eval: it finds the source tree
 from scipy.stats import binomtest
-from slam_eval.metrics.paired_test import compare_all, holm, quartiles, exact_p
+from slam_eval.metrics.paired_test import compare_all, exact_p, holm, quartiles
 
 
 class SignTest(unittest.TestCase):
     def test_is_the_exact_binomial_one(self):
         for smaller in range(9):
             for larger in range(9):
-                expected = (binomtest(smaller, smaller + larger).pvalue if smaller + larger else 1.0)
+                count = smaller + larger
+                expected = binomtest(smaller, count).pvalue if count else 1.0
                 self.assertAlmostEqual(exact_p(smaller, larger), expected, places=12)
 
 

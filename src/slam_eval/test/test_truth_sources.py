@@ -60,9 +60,9 @@ class InFolder(unittest.TestCase):
                 step = stamped(PoseStamped(), stamp, lambda m: m.pose, pose)
                 travelled.poses.append(step)
                 bag.write("/pose", step, time)
-                bag.write("/odometry", stamped(Odometry(), stamp, lambda m: m.pose.pose, pose), time)
-                bag.write("/amcl", stamped(PoseWithCovarianceStamped(), stamp,
-                                           lambda m: m.pose.pose, pose), time)
+                for topic, message in (("/odometry", Odometry()),
+                                       ("/amcl", PoseWithCovarianceStamped())):
+                    bag.write(topic, stamped(message, stamp, lambda m: m.pose.pose, pose), time)
                 tf = stamped(TransformStamped(), stamp, lambda m: m.transform, pose)
                 tf.child_frame_id = "mocap_base"
                 other = stamped(TransformStamped(), stamp, lambda m: m.transform, (9.0, 9.0, 0.0))
@@ -153,7 +153,8 @@ class BadTruth(InFolder):
         self.refuses("cannot be read as a bag", "--truth", self.folder / "text.bag")
 
     def test_options_that_contradict_each_other_are_wrong_use(self):
-        for arguments in (["--truth-topic", "/pose"], ["--truth", self.own, "--truth-topic", "/pose"]):
+        topic = ["--truth-topic", "/pose"]
+        for arguments in (topic, ["--truth", self.own, *topic]):
             code, _, said = self.evaluate(*arguments)
             self.assertEqual(code, 2)
             self.assertIn("--truth-topic", said)

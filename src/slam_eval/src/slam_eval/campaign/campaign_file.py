@@ -28,8 +28,9 @@ _SENSORS = ("odom", "scan", "camera", "ceiling_camera")
 
 @dataclasses.dataclass(frozen=True)
 class Bag:
-    """A bag of the campaign: recorded (path) or, for each seed, a simulated drive (world). robot: of
-    a recorded bag a robot file instead of the one that it names, of a drive the simulated robot."""
+    """A bag of the campaign: recorded (path) or, for each seed, a simulated drive (world). robot:
+    of a recorded bag a robot file instead of the one that it names, of a drive the simulated
+    robot."""
 
     name: str
     path: Optional[pathlib.Path] = None
@@ -104,8 +105,8 @@ def _settings(reader, key):
     values = reader.map(key)
     for name, value in values.items():
         if isinstance(value, dict) or key == "set" and isinstance(value, list):
-            raise reader.error(f"{key}: {name} is a {type(value).__name__}, where one value belongs; "
-                               "write SECTION.KEY: VALUE")
+            raise reader.error(f"{key}: {name} is a {type(value).__name__}, where one value "
+                               "belongs; write SECTION.KEY: VALUE")
     return values
 
 
@@ -230,8 +231,8 @@ def read_campaign(path):
     path = pathlib.Path(path).absolute()
     reader = Reader(path, load(path), _CAMPAIGN_KEYS)
     if reader.raw("version") != VERSION:
-        raise reader.error(f"the version is {reader.raw('version', 'not given')}, this program reads "
-                           f"'version: {VERSION}'")
+        raise reader.error(f"the version is {reader.raw('version', 'not given')}, this program "
+                           f"reads 'version: {VERSION}'")
     for key in ("campaign", "bags", "products"):
         if key not in reader:
             raise reader.error(f"the key '{key}' is missing")

@@ -74,8 +74,9 @@ def _report(folder, tables):
         print(f"\nfailed: {product} on {bag}: {why}")
     print(f"\n{page.summary(tables)}\nreport: {folder.path / 'report.html'}")
     if tables.count(results.MISSING):
-        raise InputError(f"{tables.count(results.MISSING)} runs are missing, since they were ended from "
-                         f"outside; call the campaign again ({folder.log} has Snakemake's words)")
+        raise InputError(f"{tables.count(results.MISSING)} runs are missing, since they were ended "
+                         f"from outside; call the campaign again ({folder.log} has Snakemake's "
+                         "words)")
 
 
 def run_campaign(options):
@@ -93,6 +94,8 @@ def run_campaign(options):
         plan = _make(planner, folder, executor, options.retry)
         tables = results.Tables(campaign, results.read_lines(folder, plan.rows))
         write_results(campaign, folder, tables)
+        if not tables.count(results.MISSING):
+            folder.tidy()
     _report(folder, tables)
 
 
@@ -107,16 +110,18 @@ def main(arguments=None):
     """Entry point: exit code 0 done (also where runs failed, which the page says), 1 the campaign
     could not be made, 2 wrong use."""
     parser = argparse.ArgumentParser(
-        prog="slam_campaign", description="Runs products on bags with several seeds, as a file says, "
-        "and puts the results on one page. Called again it goes on where it was.")
+        prog="slam_campaign",
+        description="Runs products on bags with several seeds, as a file says, and puts the "
+        "results on one page. Called again it goes on where it was.")
     parser.add_argument("file", metavar="FILE", help="the campaign's YAML, or the name of one that "
                         "comes with slam_eval")
     parser.add_argument("--out", metavar="DIR", type=pathlib.Path,
                         help="takes bags, runs and the page; default: campaigns/FILE")
     parser.add_argument("--jobs", metavar="N", type=_jobs,
                         help="at a time; default: a job for each core, or what the profile says")
-    parser.add_argument("--profile", metavar="NAME", help="of Snakemake, for a cluster: slurm, a folder "
-                        "with a config.yaml, or one of ~/.config/snakemake")
+    parser.add_argument("--profile", metavar="NAME",
+                        help="of Snakemake, for a cluster: slurm, a folder with a config.yaml, or "
+                        "one of ~/.config/snakemake")
     parser.add_argument("--retry", action="store_true", help="run again what failed")
     options = parser.parse_args(arguments)
     try:

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Has Snakemake make what a campaign lacks, on this host or on a cluster, and reports how far it is."""
+"""Has Snakemake make what a campaign lacks, on this host or on a cluster, and reports how far it
+is."""
 import collections
 import json
 import os
@@ -41,8 +42,8 @@ def profile_folder(name):
         if (path / "config.yaml").is_file():
             return str(path.absolute())
     names = ", ".join(sorted(path.parent.name for path in shipped.glob("*/config.yaml")))
-    raise UsageError(f"there is no profile '{name}': neither a folder with a config.yaml nor one of "
-                     f"{names}")
+    raise UsageError(f"there is no profile '{name}': neither a folder with a config.yaml nor one "
+                     f"of {names}")
 
 
 class Executor:
@@ -58,10 +59,11 @@ class Executor:
         if not where or self._jobs is not None:
             jobs = self._jobs or os.cpu_count() or 1
             where += ["--jobs", str(jobs)] if where else ["--cores", str(jobs)]
-        return [self._program, "--snakefile", str(package_folder("slam_eval") / "campaign/Snakefile"),
+        snakefile = package_folder("slam_eval") / "campaign" / "Snakefile"
+        return [self._program, "--snakefile", str(snakefile),
                 "--directory", str(self._folder.path), *where,
-                # The campaign's own lock and its complete results count, not Snakemake's notes of them,
-                # which a kill leaves behind.
+                # The campaign's own lock and its complete results count, not Snakemake's notes of
+                # them, which a kill leaves behind.
                 "--nolock", "--ignore-incomplete", "--rerun-triggers", "mtime", "--keep-going",
                 "--retries", str(_RETRIES), "--scheduler", "greedy", "--nocolor",
                 "--config", f"folder={self._folder.path}",
@@ -70,11 +72,12 @@ class Executor:
     def make(self, what, results):
         """Makes the results (a path by name) that are not there yet; what: drives or runs.
 
-        What Snakemake could not make is not there afterwards. Raises InputError where it failed for a
-        reason of its own.
+        What Snakemake could not make is not there afterwards. Raises InputError where it failed for
+        a reason of its own.
         """
         missing = {name: path for name, path in results.items() if not path.exists()}
-        print(f"{what}: {len(results)}, of which {len(results) - len(missing)} are there", flush=True)
+        print(f"{what}: {len(results)}, of which {len(results) - len(missing)} are there",
+              flush=True)
         if not missing:
             return
         write_atomically(self._folder.path / "targets.json", json.dumps(
@@ -151,4 +154,5 @@ class Watch:
         """The last look."""
         self.look()
         self._progress.end()
-        print(f"{self._what}: {self._all - len(self._missing)} of {self._all} are there", flush=True)
+        print(f"{self._what}: {self._all - len(self._missing)} of {self._all} are there",
+              flush=True)

@@ -6,6 +6,7 @@ import fcntl
 import json
 import os
 import pathlib
+import shutil
 
 from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.errors import UsageError
@@ -50,6 +51,11 @@ class Folder:
     def work(self):
         """Takes the folders of runs that are not complete."""
         return self.path / "unfinished"
+
+    def tidy(self):
+        """Removes what served unfinished runs, once there are none."""
+        for path in self.work.iterdir():
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
 
     def take_for(self, name):
         """Makes the folder that of a campaign. Raises UsageError where it is something else's."""

@@ -48,7 +48,8 @@ def text_table(tables, metric):
     lines = ["  ".join([row[0].ljust(widths[0]), *(text.rjust(width) for text, width in
                                                    zip(row[1:], widths[1:]))]).rstrip()
              for row in rows]
-    return "\n".join([f"{_label(metric)}: median [quartiles] over {len(tables.seeds)} seeds", *lines])
+    title = f"{_label(metric)}: median [quartiles] over {len(tables.seeds)} seeds"
+    return "\n".join([title, *lines])
 
 
 def _html_table(header, rows):
@@ -74,20 +75,22 @@ def _tests(tables, metric):
         return ""
     table = _html_table(["", "compared with", "smaller", "larger", "same", "median ratio", "p",
                          "p, Holm"], _test_rows(comparisons))
-    return (f"<h3>Pairs of products</h3><p>On how many drives (bag and seed) the first has the smaller "
-            "or the larger value, the median of its value over the other's, and the p of an exact "
-            f"two-sided sign test, also corrected for the {len(comparisons)} pairs after Holm; * below "
-            f"{_LEVEL:g}. The p is about drives like these, on these bags.</p>{table}")
+    return (f"<h3>Pairs of products</h3><p>On how many drives (bag and seed) the first has the "
+            "smaller or the larger value, the median of its value over the other's, and the p of "
+            f"an exact two-sided sign test, also corrected for the {len(comparisons)} pairs after "
+            f"Holm; * below {_LEVEL:g}. The p is about drives like these, on these bags.</p>"
+            f"{table}")
 
 
 def _metric_section(folder, tables, metric):
     path = folder.path / f"values_{metric}.png"
     values = tables.values(metric)
-    plot_values({bag: {product: [value for (of, _), value in values[product].items() if of == bag]
-                       for product in tables.products} for bag in tables.bags}, _label(metric), path)
+    by_bag = {bag: {product: [value for (of, _), value in values[product].items() if of == bag]
+                    for product in tables.products} for bag in tables.bags}
+    plot_values(by_bag, _label(metric), path)
     return (f"<section><h2>{html.escape(_label(metric))}</h2>"
-            f"<p>{html.escape(KEYS[metric].meaning)} The table holds the median and, in brackets, the "
-            "first and third quartile over the seeds.</p>"
+            f"<p>{html.escape(KEYS[metric].meaning)} The table holds the median and, in brackets, "
+            "the first and third quartile over the seeds.</p>"
             + _html_table(["product", *tables.bags], _rows(tables, metric))
             + picture(path, _label(metric), "A dot is a run, the line is the median.")
             + _tests(tables, metric) + "</section>")
@@ -111,8 +114,9 @@ def _paths_section(folder, tables):
         if any(runs.values()):
             path = folder.path / f"paths_{number}.png"
             plot_paths(runs, path)
-            text += picture(path, f"Paths on {bag}", f"{bag}. Blue: the path of the run with the median "
-                            "error, moved onto the true one (grey), as the error is reckoned.")
+            caption = (f"{bag}. Blue: the path of the run with the median error, moved onto the "
+                       "true one (grey), as the error is reckoned.")
+            text += picture(path, f"Paths on {bag}", caption)
     return f"<section><h2>Paths</h2>{text}</section>" if text else ""
 
 
@@ -134,11 +138,11 @@ def _failure_section(tables):
 
 
 def _file_section(campaign):
-    return ("<section><h2>The campaign</h2><p>Beside this page: runs.csv, a line for each run with all "
-            "figures; table.csv and tests.csv, what is above; costs.csv, time and memory of the runs, "
-            "which differ from host to host; runs/NAME, the files of a run, which ./slam eval makes "
-            f"pictures of.</p><pre>{html.escape(campaign.path.read_text(encoding='utf-8'))}</pre>"
-            "</section>")
+    return ("<section><h2>The campaign</h2><p>Beside this page: runs.csv, a line for each run with "
+            "all figures; table.csv and tests.csv, what is above; costs.csv, time and memory of "
+            "the runs, which differ from host to host; runs/NAME, the files of a run, which "
+            "./slam eval makes pictures of.</p><pre>"
+            f"{html.escape(campaign.path.read_text(encoding='utf-8'))}</pre></section>")
 
 
 def summary(tables):
@@ -153,6 +157,6 @@ def render(campaign, folder, tables):
     """The page as HTML text; its pictures are written into the folder."""
     sections = [*(_metric_section(folder, tables, metric) for metric in tables.metrics),
                 _paths_section(folder, tables), _failure_section(tables), _file_section(campaign)]
-    remark = (f"{len(tables.products)} products on {len(tables.bags)} bags with {len(tables.seeds)} "
-              f"seeds: {summary(tables)}.")
+    remark = (f"{len(tables.products)} products on {len(tables.bags)} bags with "
+              f"{len(tables.seeds)} seeds: {summary(tables)}.")
     return page(f"Campaign {campaign.name}", remark, sections, "wide")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a plan of a campaign: each drive and run is named by the hash of all that its result depends
-on."""
+"""Makes a plan of a campaign: each drive and run is named by the hash of all that its result
+depends on."""
 import functools
 
 from slam_eval.bench.harness.bag_robot import robot_of

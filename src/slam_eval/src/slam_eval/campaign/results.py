@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What came out of a campaign: a line for each run, medians and quartiles for each product and bag, and
-both as CSV."""
+"""What came out of a campaign: a line for each run, medians and quartiles for each product and bag,
+and both as CSV."""
 import csv
 import dataclasses
 import io
@@ -20,7 +20,8 @@ FIGURES = tuple(key for key in KEYS if key not in COSTS)
 
 @dataclasses.dataclass(frozen=True)
 class Line:
-    """A run: names of bag and product, seed, the run's own name, what became of it, and its figures."""
+    """A run: names of bag and product, seed, the run's own name, what became of it, and its
+    figures."""
 
     bag: str
     product: str
@@ -33,8 +34,8 @@ class Line:
 
 @dataclasses.dataclass(frozen=True)
 class Cell:
-    """A metric of a product on a bag over the seeds: how many have it, how many runs have none because
-    they failed or are missing, and (median, first and third quartile) or None."""
+    """A metric of a product on a bag over the seeds: how many have it, how many runs have none
+    because they failed or are missing, and (median, first and third quartile) or None."""
 
     count: int
     failed: int

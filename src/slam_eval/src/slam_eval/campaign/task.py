@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One drive or one run of a campaign, wherever it is executed. It is there completely or not at all:
-it is made in a folder of its own, which is renamed at the end."""
+"""One drive or one run of a campaign, wherever it is executed. It is there completely or not at
+all: it is made in a folder of its own, which is renamed at the end."""
 import argparse
 import json
 import os
@@ -80,7 +80,7 @@ def judge(folder, world, relations):
                      json.dumps(merge(run.metrics, result.metrics), indent=2) + "\n")
 
 
-def _said(error, work, folder, name, bag=None):
+def said(error, work, folder, name, bag=None):
     """What an error says, without folders and names that differ from host to host."""
     text = " ".join(str(error).split()).replace(str(work), f"runs/{name}")
     text = text.replace(f"{folder.path}/", "")
@@ -104,12 +104,14 @@ def make_run(folder, name):
         shutil.rmtree(work, ignore_errors=True)
         raise
     except (BenchError, InputError) as error:
-        failure = _said(error, work, folder, name, run.bag)
+        failure = said(error, work, folder, name, run.bag)
     write_atomically(work / RESULT, json.dumps({"failure": failure}) + "\n")
-    target = folder.run(name)
-    if target.exists():
-        target.rmdir()  # Snakemake has made it, empty
-    os.rename(work, target)
+    try:
+        os.rename(work, folder.run(name))  # takes the place of the empty one that Snakemake makes
+    except OSError:
+        shutil.rmtree(work, ignore_errors=True)
+        if not folder.result(name).exists():  # else another host was faster
+            raise
 
 
 def make_drive(folder, name):
@@ -125,7 +127,7 @@ def make_drive(folder, name):
         call(command, log)
         result = {"sha256": hash_of_file(bag)}
     except BenchError as error:
-        result = {"failure": f"the drive cannot be simulated: {_said(error, log, folder, name)}"}
+        result = {"failure": f"the drive cannot be simulated: {said(error, log, folder, name)}"}
     write_atomically(folder.drive_result(name), json.dumps(result) + "\n")
 
 
@@ -139,8 +141,9 @@ def make(kind, folder, name):
 
 def main(arguments=None):
     """Entry point: exit code 0 where a result was noted, be it a failure."""
-    parser = argparse.ArgumentParser(prog="slam_campaign_task", description="Makes one drive or run "
-                                     "of a campaign; Snakemake calls it.")
+    parser = argparse.ArgumentParser(prog="slam_campaign_task", description="Makes one drive or "
+                                                                            "run of a campaign; "
+                                                                            "Snakemake calls it.")
     parser.add_argument("kind", choices=("drive", "run"))
     parser.add_argument("folder", type=pathlib.Path, help="the campaign's")
     parser.add_argument("name", help="of the drive or run in plan.json")

@@ -30,7 +30,8 @@ def open_bag(path):
     try:
         return rosbag.Bag(str(path))
     except (rosbag.ROSBagException, OSError) as error:
-        raise BenchError(f"{path} cannot be read as a bag ({' '.join(str(error).split())})") from None
+        why = " ".join(str(error).split())
+        raise BenchError(f"{path} cannot be read as a bag ({why})") from None
 
 
 def has_topic(path, name):

@@ -13,8 +13,8 @@ class Job:
     """What a driver gets: the bag, the folder that takes the results, the seed, a robot file where
     the bag's own does not count, what is set (KEY=VALUE).
 
-    call(command, log) runs a program to its end and returns its Usage; it raises BenchError with what
-    the program said, and ends it where the campaign's time is over.
+    call(command, log) runs a program to its end and returns its Usage; it raises BenchError with
+    what the program said, and ends it where the campaign's time is over.
     """
 
     bag: pathlib.Path
@@ -45,8 +45,8 @@ class Driver:
             raise BenchError(f"the parameter {name} is '{value}', which is no number") from None
 
     def programs(self):
-        """The files (paths) whose content the result depends on, beside the driver. Raises BenchError
-        where one is missing, with the package that brings it."""
+        """The files (paths) whose content the result depends on, beside the driver. Raises
+        BenchError where one is missing, with the package that brings it."""
         raise NotImplementedError
 
     def run(self, job):

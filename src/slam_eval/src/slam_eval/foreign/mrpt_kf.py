@@ -20,8 +20,8 @@ from slam_eval.io.trajectory import interpolate, Trajectory
 
 
 class MrptKf(Driver):
-    """An EKF with landmarks whose ids are known; its trajectory.tum holds the pose after each array of
-    observations."""
+    """An EKF with landmarks whose ids are known; its trajectory.tum holds the pose after each array
+    of observations."""
 
     def programs(self):
         return [program("kf-slam"), workspace_program("slam_eval", "slam_eval_observations")]
@@ -39,20 +39,22 @@ class MrptKf(Driver):
             seen.unlink()
 
     def _sigmas(self, seen):
-        """Standard deviations of range [m] and bearing [rad]: those that are set, else the medians of
-        what the observations claim, for kf-slam knows one for all."""
+        """Standard deviations of range [m] and bearing [rad]: those that are set, else the medians
+        of what the observations claim, for kf-slam knows one for all."""
         claimed = [pair for each in seen for pair in each.sigmas]
         given = (self.parameters["range_sigma"], self.parameters["bearing_sigma_deg"])
         if given == (None, None) and claimed:
             return tuple(float(sigma) for sigma in np.median(claimed, axis=0))
         if None in given:
-            raise BenchError("set both range_sigma and bearing_sigma_deg: the observations claim none")
+            raise BenchError("set both range_sigma and bearing_sigma_deg: the observations claim "
+                             "none")
         return self.number("range_sigma"), math.radians(self.number("bearing_sigma_deg"))
 
     def _noise(self):
-        sigma, turn = self.number("motion_sigma_per_metre"), self.number("motion_sigma_per_radian")
-        return MotionNoise(sigma, 0.0, math.radians(self.number("motion_sigma_deg_per_metre")), turn,
-                           self.number("motion_sigma"), math.radians(self.number("motion_sigma_deg")))
+        heading_by_way = math.radians(self.number("motion_sigma_deg_per_metre"))
+        return MotionNoise(self.number("motion_sigma_per_metre"), 0.0, heading_by_way,
+                           self.number("motion_sigma_per_radian"), self.number("motion_sigma"),
+                           math.radians(self.number("motion_sigma_deg")))
 
     def _write_rawlog(self, job, odometry, seen, sigmas):
         increments = [se2.compose(se2.inverse(a), b) for a, b in

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Odometry and observations of landmarks as a rawlog for MRPT's programs.
 
-The layout of the objects is that of MRPT 2.5: an object begins with 0x80 + the length of its class's
-name, the name and a version byte, and ends with 0x88. Numbers are little-endian.
+The layout of the objects is that of MRPT 2.5: an object begins with 0x80 + the length of its
+class's name, the name and a version byte, and ends with 0x88. Numbers are little-endian.
 """
 import dataclasses
 import gzip
@@ -20,7 +20,8 @@ _SAMPLES = 300  # of a motion model that is not used
 @dataclasses.dataclass(frozen=True)
 class MotionNoise:
     """Standard deviations of a step by MRPT's Gaussian model: along the way [m/m], by the turn
-    [m/rad], of the heading by the way [rad/m] and by the turn [rad/rad], and at least [m], [rad]."""
+    [m/rad], of the heading by the way [rad/m] and by the turn [rad/rad], and at least [m],
+    [rad]."""
 
     way: float
     way_by_turn: float
@@ -32,8 +33,8 @@ class MotionNoise:
 
 @dataclasses.dataclass(frozen=True)
 class Observations:
-    """What a sensor at a pose (x [m], y [m], yaw [rad]) of the robot sees at a stamp: ids, ranges [m]
-    and bearings [rad], and the standard deviations of both where they are known."""
+    """What a sensor at a pose (x [m], y [m], yaw [rad]) of the robot sees at a stamp: ids, ranges
+    [m] and bearings [rad], and the standard deviations of both where they are known."""
 
     stamp: int
     sensor: tuple
@@ -72,8 +73,8 @@ def _frame(seen, sigmas, reach):
 
 
 def write_rawlog(path, increments, observations, noise, sigmas):
-    """Pairs of motion up to, and observations at each stamp. increments (N x 3) [m], [rad]; sigmas of
-    range [m] and bearing [rad]."""
+    """Pairs of motion up to, and observations at each stamp. increments (N x 3) [m], [rad]; sigmas
+    of range [m] and bearing [rad]."""
     reach = float(np.max([r for seen in observations for r in seen.ranges], initial=1.0)) + 1.0
     with open(path, "wb") as file, gzip.GzipFile("", "wb", 6, file, mtime=0) as stream:
         for increment, seen in zip(increments, observations):

@@ -47,7 +47,8 @@ class MrptRbpf(Driver):
         configured = CONFIGURATIONS / self.parameters["configuration"]
         if not configured.is_file():
             raise BenchError(f"there is no {configured}; install mrpt-common")
-        return [program("rbpf-slam"), workspace_program("slam_eval", "slam_eval_rawlog"), configured]
+        exporter = workspace_program("slam_eval", "slam_eval_rawlog")
+        return [program("rbpf-slam"), exporter, configured]
 
     def _rawlog(self, job):
         path, log = job.folder / "bag.rawlog", job.folder / "rawlog.txt"
@@ -61,7 +62,8 @@ class MrptRbpf(Driver):
             "SAVE_POSE_LOG": 0, "LOG_FREQUENCY": 1, "logOutput_dir": job.folder / "map",
             "localizeLinDistance": 0, "localizeAngDistance_deg": 0,
             "sampleSize": int(self.number("particles"))})
-        text = text.replace("[MappingApplication]", f"[MappingApplication]\nRANDOM_SEED = {job.seed}")
+        head = "[MappingApplication]\n"
+        text = text.replace(head, f"{head}RANDOM_SEED = {job.seed}\n")
         path = job.folder / "rbpf-slam.ini"
         path.write_text(text, encoding="utf-8")
         return path

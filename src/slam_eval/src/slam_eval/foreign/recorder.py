@@ -34,7 +34,8 @@ class Recorder:
         for transform in message.transforms:
             frames = transform.header.frame_id.lstrip("/"), transform.child_frame_id.lstrip("/")
             if frames == self._frames:
-                self._poses[transform.header.stamp.to_nsec()] = planar_transform(transform.transform)
+                stamp = transform.header.stamp.to_nsec()
+                self._poses[stamp] = planar_transform(transform.transform)
 
     def _take(self, grid):
         self._grid = grid

@@ -90,12 +90,13 @@ def find_system(text, where):
     known = shipped()
     path = pathlib.Path(text) if "/" in text or text.endswith(".yaml") else known.get(text)
     if path is None:
-        raise UsageError(f"{where}: there is no foreign system '{text}'{did_you_mean(text, known)}; "
-                         f"there are: {', '.join(known)}; a file's name holds a / or ends with .yaml")
+        near = did_you_mean(text, known)
+        raise UsageError(f"{where}: there is no foreign system '{text}'{near}; there are: "
+                         f"{', '.join(known)}; a file's name holds a / or ends with .yaml")
     reader = Reader(path, load(path), _KEYS)
     if reader.raw("version") != _VERSION:
-        raise reader.error(f"the version is {reader.raw('version', 'not given')}, this program reads "
-                           f"'version: {_VERSION}'")
+        raise reader.error(f"the version is {reader.raw('version', 'not given')}, this program "
+                           f"reads 'version: {_VERSION}'")
     driver, driver_path = _driver(reader, path.parent)
     parameters = {str(key): value for key, value in reader.map("parameters").items()}
     return System(path, reader.text("title", path.stem), driver, driver_path, parameters)

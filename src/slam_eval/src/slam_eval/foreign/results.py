@@ -15,8 +15,8 @@ def write_trajectory(path, trajectory):
     lines = []
     for stamp, (x, y, theta) in zip(trajectory.stamps, trajectory.poses):
         half = 0.5 * theta
-        lines.append(f"{stamp // NANOSECONDS}.{stamp % NANOSECONDS:09d} {x:.9f} {y:.9f} 0.000000000 "
-                     f"0.000000000 0.000000000 {np.sin(half):.9f} {np.cos(half):.9f}\n")
+        lines.append(f"{stamp // NANOSECONDS}.{stamp % NANOSECONDS:09d} {x:.9f} {y:.9f} "
+                     f"0.000000000 0.000000000 0.000000000 {np.sin(half):.9f} {np.cos(half):.9f}\n")
     write_atomically(path, "".join(lines))
 
 
@@ -48,13 +48,14 @@ def write_about(job, system, robot, usage, updates):
     settings = "".join(f"  {key}: {json.dumps(value)}\n" for key, value in
                        (setting.split("=", 1) for setting in job.settings))
     write_atomically(job.folder / "config.yaml",
-                     f"version: 1\nproduct: {system}\nrobot: {json.dumps(robot)}\nseed: {job.seed}\n"
+                     f"version: 1\nproduct: {system}\nrobot: {json.dumps(robot)}\n"
+                     f"seed: {job.seed}\n"
                      + (f"set:\n{settings}" if settings else ""))
 
 
 def with_odometry_between(path, odometry):
-    """A trajectory at all stamps of the odometry, from the path's first on: between the path's poses
-    the odometry's motion since the last of them is added."""
+    """A trajectory at all stamps of the odometry, from the path's first on: between the path's
+    poses the odometry's motion since the last of them is added."""
     last = np.searchsorted(path.stamps, odometry.stamps, side="right") - 1
     covered = last >= 0
     at = np.searchsorted(odometry.stamps, path.stamps)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Any ROS node that publishes map -> odom as a foreign system: started by its launch file, it gets the
-bag replayed, and its transform is recorded."""
+"""Any ROS node that publishes map -> odom as a foreign system: started by its launch file, it gets
+the bag replayed, and its transform is recorded."""
 import pathlib
 import socket
 from xml.sax.saxutils import quoteattr
@@ -48,9 +48,9 @@ def map_base(map_odom, odometry, stamps):
 
 
 class RosNode(Driver):
-    """Its parameters: launch (a file beside the system's own), frames, topics that are replayed, stamps
-    (the topic whose stamps the trajectory has), rate, and arg.NAME of the launch file, in which
-    {seed} and {robot} stand for the run's."""
+    """Its parameters: launch (a file beside the system's own), frames, topics that are replayed,
+    stamps (the topic whose stamps the trajectory has), rate, and arg.NAME of the launch file, in
+    which {seed} and {robot} stand for the run's."""
 
     def _launch(self):
         return pathlib.Path(self.parameters["folder"]) / str(self.parameters["launch"])

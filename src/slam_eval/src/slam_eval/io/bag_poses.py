@@ -55,8 +55,8 @@ def _chosen(path, topics, topic, frame):
                          f"with poses are: {', '.join(usable) or 'none'}")
     kind = topics[name].msg_type
     if kind not in KINDS:
-        raise InputError(f"{path}: {name} is of {kind}, which holds no poses; those with poses are: "
-                         f"{', '.join(usable) or 'none'}")
+        raise InputError(f"{path}: {name} is of {kind}, which holds no poses; those with poses "
+                         f"are: {', '.join(usable) or 'none'}")
     if kind == _TRANSFORMS and frame is None:
         raise InputError(f"{path}: {name} holds transforms of many frames; name the robot's, as a "
                          "child, with --truth-frame")
@@ -80,8 +80,8 @@ def _trajectory(path, name, found):
 
 
 def read_bag_poses(path, topic=DEFAULT_TOPIC, frame=None):
-    """The poses of a bag's topic as a Trajectory; of transforms those to a child frame, of a path the
-    last one that was published. Raises InputError."""
+    """The poses of a bag's topic as a Trajectory; of transforms those to a child frame, of a path
+    the last one that was published. Raises InputError."""
     import rosbag
     try:
         with rosbag.Bag(str(path)) as bag:

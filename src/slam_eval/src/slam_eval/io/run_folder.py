@@ -23,8 +23,8 @@ from slam_eval.io.updates import Updates, read_updates
 class RunFolder:
     """One run. What the run did not write is None (metrics: empty, config: empty text).
 
-    truth_is_given: the true poses are of a file that the caller named, so that they may be in another
-    frame than the true landmarks.
+    truth_is_given: the true poses are of a file that the caller named, so that they may be in
+    another frame than the true landmarks.
     """
 
     path: pathlib.Path

@@ -189,7 +189,8 @@ def _detection(run, result):
     """The path's alignment comes first: it needs no ids, and wrong landmarks do not bend it."""
     path = None if run.truth_is_given else result.final_ate or result.ate
     alignment = path or result.landmark_error
-    return alignment and landmark_detection(run.landmarks, run.true_landmarks, alignment.T_truth_map)
+    return alignment and landmark_detection(run.landmarks, run.true_landmarks,
+                                            alignment.T_truth_map)
 
 
 def _drift(name, drift):

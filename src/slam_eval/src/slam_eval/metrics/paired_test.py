@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether one system is better than another on the same data: exact sign tests with Holm's correction,
-and quantiles."""
+"""Whether one system is better than another on the same data: exact sign tests with Holm's
+correction, and quantiles."""
 import dataclasses
 import itertools
 import math
@@ -11,8 +11,8 @@ import numpy as np
 
 @dataclasses.dataclass(frozen=True)
 class Comparison:
-    """Of pairs of values of two systems: how often the first has the smaller one, the larger one, the
-    same; the median of its value over the other's; p of the sign test, and corrected."""
+    """Of pairs of values of two systems: how often the first has the smaller one, the larger one,
+    the same; the median of its value over the other's; p of the sign test, and corrected."""
 
     first: str
     second: str
@@ -54,8 +54,8 @@ def _compared(first, second, pairs):
 def compare_all(values):
     """Comparisons of each two systems. values: by system a dictionary of numbers by (bag, seed).
 
-    A pair of values that stands on a bag with several seeds, as of systems that draw nothing at random
-    on a recorded bag, counts once: it is one drive.
+    A pair of values that stands on a bag with several seeds, as of systems that draw nothing at
+    random on a recorded bag, counts once: it is one drive.
     """
     found = []
     for first, second in itertools.combinations(values, 2):

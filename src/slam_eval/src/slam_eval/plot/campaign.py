@@ -21,8 +21,8 @@ def _strip(axes, values):
             continue
         # Spread across, so that equal values can be counted.
         offsets = np.linspace(-0.18, 0.18, len(numbers)) if len(numbers) > 1 else [0.0]
-        axes.plot(sorted(numbers), place + np.asarray(offsets), "o", color=look.ESTIMATE, markersize=4,
-                  alpha=0.75, zorder=3)
+        axes.plot(sorted(numbers), place + np.asarray(offsets), "o", color=look.ESTIMATE,
+                  markersize=4, alpha=0.75, zorder=3)
         axes.vlines(np.median(numbers), place - 0.32, place + 0.32, color=look.ERROR, linewidth=1.8,
                     zorder=4)
     axes.set_ylim(len(values) - 0.5, -0.5)
@@ -66,8 +66,8 @@ def _draw_run(axes, run):
 
 
 def plot_paths(runs, path):
-    """A panel for each product on one bag: its path, moved onto the true one. runs: by product a run
-    that was read, or None where there is none."""
+    """A panel for each product on one bag: its path, moved onto the true one. runs: by product a
+    run that was read, or None where there is none."""
     columns = min(len(runs), _COLUMNS + 1)
     rows = -(-len(runs) // columns)
     with look.style():
