@@ -15,9 +15,9 @@ from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import package_folder, SYSTEM, workspace_program
 from slam_eval.io.errors import did_you_mean, read_text, UsageError
 
-OWN_LIBRARY = re.compile(r"(libslam_\S+) => (\S+)")
+LIBRARY = re.compile(r"lib(?:slam_|mrpt)\S+ => (\S+)")  # ours, MRPT's
 DIGITS = 16  # of a run's name
-_JUDGES = ("geometry", "io", "metrics")  # the folders of slam_eval that figures come from
+JUDGES = ("geometry", "io", "metrics")  # the folders of slam_eval that figures come from
 
 
 def hash_of(values):
@@ -43,10 +43,10 @@ def hash_of_files(paths):
 
 @functools.lru_cache(maxsize=None)
 def libraries_of(program):
-    """The libraries of ours that a program is linked with."""
-    told = subprocess.run(["ldd", str(program)], stdout=subprocess.PIPE, text=True,
-                          check=False).stdout
-    return tuple(sorted({path for _, path in OWN_LIBRARY.findall(told)}))
+    """The libraries of ours, and MRPT's, that a program is linked with; none of other files."""
+    told = subprocess.run(["ldd", str(program)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True, check=False).stdout
+    return tuple(sorted(set(LIBRARY.findall(told))))
 
 
 def program(package, name):
@@ -81,10 +81,17 @@ def simulators():
     return hash_of_files([path, *libraries_of(path)])
 
 
-def judges():
-    """The hash of what makes figures of a run: the modules of slam_eval."""
+def foreign(files):
+    """The hash of a foreign system: its files, with the libraries of programs, and our side of it."""
+    libraries = {path for file in files for path in libraries_of(file)}
+    return hash_of([hash_of_files([*files, *sorted(libraries)]), modules("foreign")])
+
+
+@functools.lru_cache(maxsize=None)
+def modules(*folders):
+    """The hash of folders of slam_eval's modules."""
     root = pathlib.Path(__file__).resolve().parents[1]
-    return hash_of_files([path for folder in _JUDGES
+    return hash_of_files([path for folder in folders
                           for path in sorted((root / folder).glob("*.py"))])
 
 

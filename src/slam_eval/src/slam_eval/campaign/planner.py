@@ -22,7 +22,7 @@ class Planner:
         self._campaign, self._folder = campaign, folder
         self._where = str(campaign.path)
         self._products = {row.name: self._read_product(row) for row in campaign.products}
-        self._judges = inputs.judges()
+        self._judges = inputs.modules(*inputs.JUDGES)
         self._worlds = {bag.name: str(inputs.world_file(bag.world, self._where))
                         for bag in campaign.bags if bag.world}
         self._robots = {bag.name: str(inputs.simulated_robot_file(bag.robot, self._where))
@@ -38,7 +38,7 @@ class Planner:
         if row.is_foreign:
             system = find_system(row.product, self._where)
             system.require_settings(row.settings, self._where)
-            return str(system.path), inputs.hash_of_files(system.files())
+            return str(system.path), inputs.foreign(system.files())
         path = inputs.product_file(row.product, self._where)
         inputs.require_product(row.product, row.settings, self._where)
         return row.product, inputs.hash_of(
