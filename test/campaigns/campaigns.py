@@ -37,14 +37,27 @@ def require_snakemake():
         raise unittest.SkipTest("snakemake is not installed")
 
 
-def processes_of(folder):
-    """The processes that name a folder in their command line, by /proc."""
+def processes_of(folder, name=""):
+    """The processes that name a folder in their command line, by /proc; of a program alone."""
     found = []
     for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
-            if str(folder).encode() in path.read_bytes():
+            line = path.read_bytes()
+            if str(folder).encode() in line and line.split(b"\0")[0].endswith(name.encode()):
                 found.append(int(path.parent.name))
     return found
+
+
+def kill_one(name, folder, process):
+    """Kills the first process of a program that a campaign (process) runs in its folder; whether
+    there was one."""
+    while process.poll() is None:
+        for each in processes_of(folder, name):
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(each, signal.SIGKILL)
+                return True
+        time.sleep(0.005)
+    return False
 
 
 class InFolder(unittest.TestCase):

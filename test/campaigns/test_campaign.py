@@ -3,10 +3,11 @@
 """Campaigns from end to end: killed and resumed, failed runs, wrong use."""
 import pathlib
 import re
+import subprocess
 import tempfile
 import unittest
 
-from campaigns import InFolder, require_snakemake, results, RUNS, TINY
+from campaigns import InFolder, kill_one, program, require_snakemake, results, RUNS, TINY, WITHIN
 import rospkg
 from slam_eval.campaign.folder import locked
 
@@ -66,6 +67,18 @@ class Campaign(InFolder):
         self.assertEqual({name: after[name] for name in before}, before)
         self.assert_same_tables(self.whole, out)
         self.assertEqual(list((out / "unfinished").iterdir()), [])
+
+    def test_runs_again_what_was_ended_from_outside(self):
+        text = TINY.replace("[segway, turtlebot3]", "[segway]").replace("seeds: 2", "seeds: 1")
+        path = self.write(text.replace("scan_grid, scan_grid_wheel, ekf_wheel",
+                                       "{product: pf_wheel_grid, set: {pf.particles: 400}}"))
+        out = self.folder / "ended"
+        with subprocess.Popen([program("slam_campaign"), path, "--out", out], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
+            self.assertTrue(kill_one("slam_offline", out, process))
+            said, _ = process.communicate(timeout=WITHIN)
+        self.assertEqual(process.returncode, 0, said)
+        self.assertIn("1 of 1 runs are complete", said)
 
     def test_that_grows_runs_what_is_new_alone(self):
         out = self.folder / "grown"
