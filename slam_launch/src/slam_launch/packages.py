@@ -25,6 +25,11 @@ def share():
                            "workspace's setup.bash") from error
 
 
+def is_there(package):
+    """Whether a package is in ROS_PACKAGE_PATH."""
+    return package in rospkg.RosPack().list()
+
+
 def program(package, name):
     """Returns the path of a package's program; rosrun would stumble over a space in it."""
     found = find_in_workspaces(["libexec"], package, name, first_match_only=True)
