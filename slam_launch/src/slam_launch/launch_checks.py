@@ -49,7 +49,7 @@ def check_values(arguments):
 
 def require_rviz():
     """Refuses rviz:=true where it is not installed: a robot without a screen does without."""
-    lacking = [name for name in ("rviz", "slam_rviz") if not packages.is_there(name)]
+    lacking = packages.lacking_for_rviz()
     if lacking:
         raise ProductError(f"rviz:=true needs the package {lacking[0]}, which is not installed: "
                            "install it (beside the command slam: 'sudo apt install "

@@ -25,9 +25,10 @@ def share():
                            "workspace's setup.bash") from error
 
 
-def is_there(package):
-    """Whether a package is in ROS_PACKAGE_PATH."""
-    return package in rospkg.RosPack().list()
+def lacking_for_rviz():
+    """Returns the packages that rviz:=true needs and that are not installed."""
+    there = rospkg.RosPack().list()
+    return [name for name in ("rviz", "slam_rviz") if name not in there]
 
 
 def program(package, name):
