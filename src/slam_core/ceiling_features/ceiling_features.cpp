@@ -86,7 +86,7 @@ void CeilingFeatures::look() {
   observations_->sensor_pose = Pose2(ceiling_.origin().x(), ceiling_.origin().y(), 0.0);
   if (ceiling_.tilt() > kMaxTilt) return;
   const auto& gray = view_->image.gray;
-  const ScaledImage image(gray, config_.size / ceiling_.metresPerPixel());
+  const ScaledImage image(gray, config_.size * height_ / ceiling_.metresPerPixel());
   features_ = selectFeatures(image.spots(config_.min_contrast), gray.size(), ceiling_, config_);
   observe(image);
 }
@@ -96,7 +96,7 @@ void CeilingFeatures::observe(const ScaledImage& image) {
     if (!isLandmark(feature)) continue;
     auto z = observationOf(feature.spot.pixel, ceiling_, config_);
     const auto descriptor = describeSurroundings(image, view_->image.gray.size(), ceiling_,
-                                                 feature.point, config_.spacing);
+                                                 feature.point, config_.spacing * height_);
     if (!z || !descriptor || !faultOf(*z).empty()) {
       feature.rejection = "cut_off";
       continue;

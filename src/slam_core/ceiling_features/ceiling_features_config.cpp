@@ -9,15 +9,15 @@ namespace {
 void describeChoice(CeilingFeaturesConfig& config, Fields& fields) {
   fields
       .add("size", &config.size,
-           "of the spots that are sought on the ceiling: the standard deviation of the Gaussian "
-           "that the image is smoothed by")
-      .unit("m")
+           "of the spots that are sought, as a share of the ceiling's height above the camera: the "
+           "standard deviation of the Gaussian that the image is smoothed by")
+      .unit("1")
       .in(Range::above(0));
   fields
       .add("spacing", &config.spacing,
-           "a landmark is the most distinct spot within this distance, and is described by what "
-           "surrounds it so far")
-      .unit("m")
+           "a landmark is the most distinct spot within this share of the ceiling's height, and is "
+           "described by what surrounds it so far")
+      .unit("1")
       .in(Range::above(0));
   fields
       .add("min_contrast", &config.min_contrast,
@@ -27,9 +27,9 @@ void describeChoice(CeilingFeaturesConfig& config, Fields& fields) {
       .in(Range::open(0, 1));
   fields
       .add("min_range", &config.min_range,
-           "a spot that is nearer to the point above the camera is left out: its bearing is hardly "
-           "defined")
-      .unit("m")
+           "a spot that is nearer to the point above the camera than this share of the ceiling's "
+           "height is left out: its bearing is hardly defined")
+      .unit("1")
       .in(Range::above(0));
   fields.add("max_features", &config.max_features, "of an image, the most distinct ones")
       .in(Range::closed(1, 1000));

@@ -7,15 +7,17 @@
 
 namespace slam::ceiling_features {
 
+/// Lengths are shares of the ceiling's height above the camera, so that they suit any height: seen
+/// from there they are angles.
 struct CeilingFeaturesConfig {
   static constexpr const char* kSection = "ceiling_features";
 
-  double size = 0.03;
-  double spacing = 0.3;
+  double size = 0.018;
+  double spacing = 0.09;
   double min_contrast = 0.1;
-  double min_range = 0.25;
-  int max_features = 15;
-  double pixel_sigma = 0.3;
+  double min_range = 0.15;
+  int max_features = 40;
+  double pixel_sigma = 0.2;
   double relative_sigma = 0.003;
 
   void describe(Fields& fields);

@@ -51,13 +51,15 @@ std::vector<CeilingFeature> selectFeatures(const std::vector<Spot>& spots, const
                                            const CeilingView& ceiling,
                                            const CeilingFeaturesConfig& config) {
   auto features = onCeiling(spots, ceiling);
+  const double spacing = config.spacing * ceiling.height();
+  const double min_range = config.min_range * ceiling.height();
   int chosen = 0;
   for (auto& feature : features) {
-    if (!isDistinct(feature, features, config.spacing))
+    if (!isDistinct(feature, features, spacing))
       feature.rejection = "not_distinct";
-    else if ((feature.point - ceiling.origin()).norm() < config.min_range)
+    else if ((feature.point - ceiling.origin()).norm() < min_range)
       feature.rejection = "too_near";
-    else if (!isWholeInImage(feature.point, config.spacing, ceiling, size))
+    else if (!isWholeInImage(feature.point, spacing, ceiling, size))
       feature.rejection = "cut_off";
     else if (++chosen > config.max_features)
       feature.rejection = "too_many";

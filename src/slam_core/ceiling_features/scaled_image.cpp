@@ -36,16 +36,29 @@ bool isLocalMaximum(const cv::Mat& field, int y, int x) {
   return true;
 }
 
-/// Of the normalised second derivatives. Where it is positive the image has a spot there, where it
-/// is negative a saddle.
-cv::Mat hessianDeterminant(const cv::Mat& image, double sigma) {
-  const double normalised = 0.25 * sigma * sigma;  // Sobel's kernels of second order sum up to 4
-  cv::Mat xx, yy, xy;
-  cv::Sobel(image, xx, CV_32F, 2, 0, 3, normalised, 0.0, cv::BORDER_REPLICATE);
-  cv::Sobel(image, yy, CV_32F, 0, 2, 3, normalised, 0.0, cv::BORDER_REPLICATE);
-  cv::Sobel(image, xy, CV_32F, 1, 1, 3, normalised, 0.0, cv::BORDER_REPLICATE);
-  return xx.mul(yy) - xy.mul(xy);
-}
+/// The determinant of the Hessian, from normalised second derivatives, and how round a spot it is
+/// the top of: the ratio of the lesser curvature to the greater one. Where the determinant is not
+/// positive the image has a saddle or an edge.
+struct HessianField {
+  HessianField(const cv::Mat& image, double sigma) {
+    const double normalised = 0.25 * sigma * sigma;  // Sobel's kernels of second order sum up to 4
+    cv::Mat xx, yy, xy;
+    cv::Sobel(image, xx, CV_32F, 2, 0, 3, normalised, 0.0, cv::BORDER_REPLICATE);
+    cv::Sobel(image, yy, CV_32F, 0, 2, 3, normalised, 0.0, cv::BORDER_REPLICATE);
+    cv::Sobel(image, xy, CV_32F, 1, 1, 3, normalised, 0.0, cv::BORDER_REPLICATE);
+    determinant = xx.mul(yy) - xy.mul(xy);
+    trace = xx + yy;
+  }
+
+  bool isRound(int y, int x) const {
+    constexpr float kLeastRatio = 0.4F;  // what is longer is placed less exactly along it
+    const float t = trace.at<float>(y, x);
+    const float bound = kLeastRatio / ((1.0F + kLeastRatio) * (1.0F + kLeastRatio));
+    return determinant.at<float>(y, x) >= bound * t * t;
+  }
+
+  cv::Mat determinant, trace;  ///< CV_32F
+};
 
 }  // namespace
 
@@ -63,14 +76,15 @@ ScaledImage::ScaledImage(const cv::Mat& gray, double sigma) {
 }
 
 std::vector<Spot> ScaledImage::spots(double min_contrast) const {
-  const cv::Mat field = hessianDeterminant(log_smoothed_, sigma_);
+  const HessianField hessian(log_smoothed_, sigma_);
+  const auto& field = hessian.determinant;
   const double response = min_contrast / kContrastOfResponse;
   const auto least = static_cast<float>(response * response);
   std::vector<Spot> found;
   for (int y = 1; y < field.rows - 1; ++y)
     for (int x = 1; x < field.cols - 1; ++x) {
       const float value = field.at<float>(y, x);
-      if (!(value >= least) || !isLocalMaximum(field, y, x)) continue;
+      if (!(value >= least) || !isLocalMaximum(field, y, x) || !hessian.isRound(y, x)) continue;
       const double dx = vertex(field.at<float>(y, x - 1), value, field.at<float>(y, x + 1));
       const double dy = vertex(field.at<float>(y - 1, x), value, field.at<float>(y + 1, x));
       found.push_back({toPixel({x + dx, y + dy}), kContrastOfResponse * std::sqrt(value)});

@@ -41,7 +41,6 @@ struct Seen {
 class CeilingFeaturesTest : public testing::Test {
  protected:
   CeilingFeaturesTest() {
-    config_.spacing = 0.15;  // the small camera sees 1.9 m by 1.4 m
     config_.relative_sigma = 0.0;
     configure();
   }
@@ -108,24 +107,22 @@ TEST_F(CeilingFeaturesTest, FindsTheSameSpotsFromEverywhereTheyAreInSight) {
       << "the rest was out of sight before";
 }
 
-TEST_F(CeilingFeaturesTest, IsAsWrongAsItSays) {
-  config_.pixel_sigma = 0.3;
-  configure();
-  double nis = 0.0;
+TEST_F(CeilingFeaturesTest, PlacesSpotsAsExactlyAsItSays) {
+  double squares = 0.0;
   int count = 0;
   const auto before = look(Pose2(), {1.0, 0.0, 0.0});
   for (int i = 0; i < 30; ++i) {
     const Pose2 pose(0.01 * i, 0.02 * (i % 7), 0.2 * i);
     for (const auto& [a, b] : sameOnes(before, look(pose))) {
-      const Eigen::Vector2d error = b.place - a.place;
-      nis += error.squaredNorm();
+      squares += (b.place - a.place).squaredNorm();
       ++count;
     }
   }
   ASSERT_GT(count, 60);
-  const double sigma = 0.3 * 1.7 / 280.0;
-  EXPECT_LT(nis / count, 2.0 * 2.0 * sigma * sigma) << "two places, two directions";
-  EXPECT_GT(nis / count, 0.1 * sigma * sigma);
+  const double metres_per_pixel = 1.7 / 280.0;
+  const double sigma = std::sqrt(squares / count / 2.0 / 2.0) / metres_per_pixel;
+  EXPECT_LT(sigma, config_.pixel_sigma) << "two places, two directions [px]";
+  EXPECT_GT(sigma, 0.1 * config_.pixel_sigma);
 }
 
 TEST_F(CeilingFeaturesTest, DescribesASpotTheSameFromEverywhereAndInAnyLight) {
@@ -169,7 +166,6 @@ TEST_F(CeilingFeaturesTest, LeavesOutWhatCannotBeChosenAgain) {
   EXPECT_TRUE(look(Pose2()).empty());
   EXPECT_GT(count("too_near"), 0u);
   config_ = {};
-  config_.spacing = 0.15;
   config_.max_features = 1;
   configure();
   EXPECT_EQ(look(Pose2()).size(), 1u);
