@@ -17,7 +17,7 @@ struct CeilingFeaturesConfig {
   double min_contrast = 0.1;
   double min_range = 0.15;
   int max_features = 40;
-  double pixel_sigma = 0.2;
+  double pixel_sigma = 0.3;
   double relative_sigma = 0.003;
 
   void describe(Fields& fields);
