@@ -4,6 +4,8 @@
 # Installing and building for the front door, which sets repo, home, workspace, command and yes.
 # shellcheck disable=SC2154
 
+called=./slam # as people call the command, in what it and the programs say
+
 fail() { # CODE MESSAGE
   printf 'slam: %s\n' "$2" >&2
   [[ $command != test || $1 == 2 ]] || echo "0 passed, 1 failed"
@@ -12,11 +14,11 @@ fail() { # CODE MESSAGE
 
 lock() { # held until the script ends or calls a program
   if ! mkdir -p "$home" 2>/dev/null || [[ ! -w $home ]]; then
-    fail 1 "cannot write to $home: call ./slam as the owner of this clone, or make your own clone"
+    fail 1 "cannot write to $home: call $called as the owner of this clone, or make your own clone"
   fi
   touch "$home/CATKIN_IGNORE" # keeps an outer workspace out of the folder
   exec 9>>"$home/lock"
-  flock -n 9 || { echo "waiting for another ./slam" >&2 && flock 9; }
+  flock -n 9 || { echo "waiting for another $called" >&2 && flock 9; }
 }
 
 progress() { # LABEL: condenses the per cent lines of make and apt to a bar, or to a few lines in a log
@@ -86,6 +88,37 @@ enclosing_workspace() { # the one that holds this clone and was built by catkin_
   echo "$home"
 }
 
+source_workspace() { # unless it is sourced: then the workspaces on top of it count as well
+  local entry before=() outside=()
+  IFS=: read -ra before <<<"${CMAKE_PREFIX_PATH:-}"
+  ! holds_space "${before[@]}" || return 0
+  set +u # catkin's script reads unset variables
+  # shellcheck disable=SC1091
+  source "$workspace/devel/setup.bash" --
+  set -u
+  for entry in "${before[@]}"; do
+    [[ ! -e $entry/.catkin || :$CMAKE_PREFIX_PATH: == *:$entry:* ]] || outside+=("$entry")
+  done
+  ((${#outside[@]} == 0)) ||
+    echo "slam: the workspace ${outside[0]} is sourced, but not built on top of this one, and left out;" \
+      "source $workspace/devel/setup.bash, build yours from scratch and source it again" >&2
+}
+
+holds_space() { # FOLDERS...: whether one is this workspace's
+  local entry
+  for entry; do [[ ! $entry -ef $workspace/devel ]] || return 0; done
+  return 1
+}
+
+underlay() { # what is sourced beneath this workspace: it must not be built on what lies on top of it
+  local entry entries below=()
+  IFS=: read -ra entries <<<"${CMAKE_PREFIX_PATH:-}"
+  for entry in "${entries[@]}"; do
+    if [[ $entry -ef $workspace/devel ]]; then below=(); else below+=("$entry"); fi
+  done
+  (IFS=: && echo "${below[*]}")
+}
+
 # An enclosing workspace keeps its own flags. The tests of slam_core are built once, with sanitizers
 # (test/run_tests), but for those of statistics.
 build_flags() {
@@ -134,6 +167,6 @@ build() { # TARGET
   [[ $workspace != "$home" || -e $home/build/CMakeCache.txt ]] || flags+=(-DCMAKE_UNITY_BUILD=ON)
   # catkin writes down the tests' environment before the first build, and leaves out what is not there
   mkdir -p "$workspace/devel/lib/python3/dist-packages"
-  logged "building" "$home/build.log" catkin_make -C "$workspace" "${flags[@]}" -j"$(nproc)" "$1"
+  CMAKE_PREFIX_PATH=$(underlay) logged "building" "$home/build.log" catkin_make -C "$workspace" "${flags[@]}" -j"$(nproc)" "$1"
   echo "$now" >"$stamp"
 }

@@ -5,8 +5,9 @@
 # shellcheck disable=SC2034,SC2154
 
 installed=$(dirname -- "$(dirname -- "$repo")") # of PREFIX/share/ros-slam
+called=slam
 home=${XDG_DATA_HOME:-${HOME:-/tmp}/.local/share}/slam
-hidden='/^  \(setup\|test\|docs\|package\) /d; /^setup, demo/d; s/ \[--yes\]//; s|\./slam|slam|g'
+hidden='/^  \(setup\|test\|docs\|package\) /d; /^setup, demo/d; s/ \[--yes\]//; s|\./slam|'$called'|g'
 
 fail() { # CODE MESSAGE
   printf 'slam: %s\n' "$2" >&2
@@ -16,4 +17,5 @@ fail() { # CODE MESSAGE
 missing() { :; } # dpkg has seen to it
 install_missing() { :; }
 build() { :; }
+source_workspace() { :; } # what is sourced lies on top of the packages
 enclosing_workspace() { :; }

@@ -58,6 +58,14 @@ class LaunchChecks(unittest.TestCase):
         self.check(bag=__file__, robot="sim_segway")  # of which its own transform is left out
         self.assertIn('"publish_tf" value="true"', self.parts.read_text(encoding="utf-8"))
 
+    def test_rviz_is_only_needed_where_it_is_to_be_shown(self):
+        bare = str(self.parts.parent)  # beside Debian's packages nothing is there
+        with mock.patch.dict(os.environ, ROS_PACKAGE_PATH=bare):
+            self.expect_refusal("rviz:=true needs the package slam_rviz, which is not installed: "
+                                "install it", rviz="true")
+        self.check(rviz="false")
+        self.check(rviz="true")
+
     def test_refuses_components_that_cannot_be_joined(self):
         sentence = "two components make 'motion'; leave one of them out"
         with mock.patch.object(ports, "require_joined", side_effect=ProductError(sentence)):

@@ -16,6 +16,8 @@
 namespace slam_rviz_plugins {
 namespace {
 
+constexpr int kWatchInterval = 200;  // [ms]
+
 /// Calls a service whose answer is a success and a message.
 template <class Service>
 Answer callFor(ros::NodeHandle& handle, const std::string& name, Service service) {
@@ -52,6 +54,8 @@ QString featuresOf(ros::NodeHandle& handle) {
 ProductLink::ProductLink(QObject* parent) : QObject(parent) {
   calls_.setMaxThreadCount(1);
   connectTo("");
+  connect(&watch_, &QTimer::timeout, this, &ProductLink::noticeProduct);
+  watch_.start(kWatchInterval);
 }
 
 void ProductLink::connectTo(const QString& name_space) {
@@ -62,7 +66,16 @@ void ProductLink::connectTo(const QString& name_space) {
       "pose", 1, [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& message) {
         Q_EMIT poseTold(*message);
       });
+  was_there_ = has_ended_ = false;
   readProduct();
+}
+
+void ProductLink::noticeProduct() {
+  const bool is_there = consistency_.getNumPublishers() > 0;
+  if (is_there && !was_there_) readProduct();
+  if (is_there && has_ended_) Q_EMIT productReplaced();
+  has_ended_ = !is_there && (has_ended_ || was_there_);
+  was_there_ = is_there;
 }
 
 void ProductLink::call(const QString& what, std::function<Answer(ros::NodeHandle&)> service) {

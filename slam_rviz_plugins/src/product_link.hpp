@@ -12,6 +12,7 @@
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
+#include <QTimer>
 #include <functional>
 
 namespace slam_rviz_plugins {
@@ -48,8 +49,10 @@ class ProductLink final : public QObject {
   void eventTold(const QString& sentence);
   void productTold(const QString& features);  ///< empty where no product runs
   void answered(bool success, const QString& message);
+  void productReplaced();  ///< one has started where another one had ended
 
  private:
+  void noticeProduct();
   void call(const QString& what, std::function<Answer(ros::NodeHandle&)> service);
   void readProduct();
   void takeConsistency(const slam_msgs::Consistency& message);
@@ -57,7 +60,10 @@ class ProductLink final : public QObject {
 
   ros::NodeHandle handle_;
   ros::Subscriber consistency_, pose_, events_;
-  QThreadPool calls_;  ///< destroyed first, when the last call has ended
+  QTimer watch_;
+  bool was_there_ = false;  ///< a product, when it was looked for last
+  bool has_ended_ = false;  ///< a product, and none has started since
+  QThreadPool calls_;       ///< destroyed first, when the last call has ended
 };
 
 }  // namespace slam_rviz_plugins

@@ -3,6 +3,9 @@
 
 #include "slam_panel.hpp"
 
+#include <rviz/display_group.h>
+#include <rviz/visualization_manager.h>
+
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -74,6 +77,8 @@ SlamPanel::SlamPanel(QWidget* parent) : rviz::Panel(parent) {
   silence_timer_.start(1000);
 }
 
+void SlamPanel::onInitialize() { displays_ = vis_manager_->getRootDisplayGroup(); }
+
 void SlamPanel::addState(QGridLayout& layout) {
   namespace_ = new QLineEdit;
   namespace_->setObjectName("namespace");
@@ -119,6 +124,7 @@ void SlamPanel::connectLink() {
   connect(&link_, &ProductLink::eventTold, event_,
           [this](const QString& sentence) { write(*event_, sentence); });
   connect(&link_, &ProductLink::answered, this, &SlamPanel::showAnswer);
+  connect(&link_, &ProductLink::productReplaced, this, &SlamPanel::showReplacement);
   connect(&link_, &ProductLink::productTold, product_, [this](const QString& features) {
     product_->setText(features.isEmpty() ? "no product is running" : features);
   });
@@ -184,10 +190,21 @@ void SlamPanel::noticeSilence() {
   write(*doubt_, "");
 }
 
+/// What the product before has drawn is not of this one's map.
+void SlamPanel::showReplacement() {
+  write(*event_, "");
+  setPaused(false);
+  if (displays_ != nullptr) displays_->reset();
+}
+
 void SlamPanel::togglePause() {
-  is_paused_ = !is_paused_;
-  pause_->setText(is_paused_ ? "Go on" : "Pause");
+  setPaused(!is_paused_);
   link_.pause(is_paused_);
+}
+
+void SlamPanel::setPaused(bool paused) {
+  is_paused_ = paused;
+  pause_->setText(paused ? "Go on" : "Pause");
 }
 
 void SlamPanel::resetIfConfirmed() {

@@ -17,6 +17,10 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 
+namespace rviz {
+class DisplayGroup;
+}
+
 namespace slam_rviz_plugins {
 
 /// A panel of rviz for a running product: its features, how far its pose can be relied on and why,
@@ -27,6 +31,7 @@ class SlamPanel final : public rviz::Panel {
  public:
   explicit SlamPanel(QWidget* parent = nullptr);
 
+  void onInitialize() override;
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
 
@@ -39,8 +44,10 @@ class SlamPanel final : public rviz::Panel {
   void showTrust(const QString& trust, const QString& doubt);
   void showPose(const geometry_msgs::PoseWithCovarianceStamped& message);
   void showAnswer(bool success, const QString& message);
+  void showReplacement();
   void noticeSilence();
   void togglePause();
+  void setPaused(bool paused);
   void resetIfConfirmed();
 
   ProductLink link_;
@@ -51,6 +58,7 @@ class SlamPanel final : public rviz::Panel {
   QTimer silence_timer_;
   QElapsedTimer since_news_;
   bool is_paused_ = false;
+  rviz::DisplayGroup* displays_ = nullptr;  ///< rviz's; null before onInitialize
 };
 
 }  // namespace slam_rviz_plugins

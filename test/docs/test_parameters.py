@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """docs/parameters.md says what the programs read: it is what `./slam parameters` prints."""
 
+import os
 import re
 import subprocess
 import unittest
@@ -16,7 +17,7 @@ PROGRAM = find_in_workspaces(["libexec"], "slam_ros", "slam_parameters", first_m
 
 def parameters(*arguments):
     return subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, check=False)
+                          env={**os.environ, "SLAM_COMMAND": "./slam"}, text=True, check=False)
 
 
 class Parameters(unittest.TestCase):

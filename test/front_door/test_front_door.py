@@ -163,6 +163,9 @@ class WithBuild(FrontDoorTest):
         self.expect(call(self.slam, "demo", "al", "--yes"), 2, "there is no product 'al'",
                     "all are the thesis's five", "sena is a real robot's log")
 
+    def test_programs_are_told_how_it_was_called(self):
+        self.expect(call(self.slam, "products"), 0, "'./slam new NAME key=value ...' gives one a")
+
     def test_is_found_through_a_link_from_another_folder(self):
         link = self.folder / "link"
         link.symlink_to(self.slam)
@@ -190,6 +193,77 @@ class WithBuild(FrontDoorTest):
                 self.assertIsNone(waiting.poll())
                 fcntl.flock(lock, fcntl.LOCK_UN)
                 self.assertIn("ekf_wheel  ", waiting.communicate(timeout=300)[0])
+
+
+class WithOverlay(FrontDoorTest):
+    """A user's workspace on top of a clone's, or beside it, which brings a product."""
+
+    OUTSIDE = {name: "" for name in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "PYTHONPATH",
+                                     "LD_LIBRARY_PATH")}
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        root = pathlib.Path(folder.name)
+        cls.slam = make_clone(root / "a clone") / "slam"
+        call(cls.slam, "products", **cls.OUTSIDE)
+        cls.space = root / "a clone/.slam/devel"
+        cls.overlay = cls.make_workspace(root / "on top")
+        cls.calls(cls.space, "catkin_make", "-C", cls.overlay)
+        cls.beside = cls.make_workspace(root / "beside it")
+        call("catkin_make", "-C", cls.beside, **cls.OUTSIDE)
+
+    @staticmethod
+    def make_workspace(folder):
+        package = folder / "src/my_slam"
+        (package / "products").mkdir(parents=True)
+        (package / "package.xml").write_text(
+            "<package format=\"2\"><name>my_slam</name><version>1.0.0</version><description>Mine."
+            "</description><maintainer email=\"me@slam.invalid\">me</maintainer>"
+            "<license>BSD</license><buildtool_depend>catkin</buildtool_depend><exec_depend>slam_launch</exec_depend>"
+            "<export><slam_launch products=\"${prefix}/products\"/></export></package>\n",
+            encoding="utf-8")
+        (package / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.10)\nproject(my_slam)\n"
+            "find_package(catkin REQUIRED)\ncatkin_package()\n", encoding="utf-8")
+        (package / "products/my_product.yaml").write_text(
+            "version: 1\nproduct: my_product\nsentence: A product of mine.\nbackend: ekf\n"
+            "odometry: wheel\n", encoding="utf-8")
+        return folder
+
+    @classmethod
+    def calls(cls, space, *command):
+        """Runs a command where a workspace's setup.bash is sourced, as a user does."""
+        return call("bash", "-c", 'source "$0/setup.bash" && exec "$@"', space, *command,
+                    **cls.OUTSIDE)
+
+    def test_lists_the_products_of_a_workspace_on_top_that_is_sourced(self):
+        result = self.calls(self.overlay / "devel", self.slam, "products")
+        self.expect(result, 0, "ekf_wheel  ", "my_product ")
+        self.assertNotIn("left out", result.stdout)
+        self.assertNotIn("my_product", self.calls(self.space, self.slam, "products").stdout)
+
+    def test_leaves_out_a_workspace_beside_it_and_says_so_in_one_line(self):
+        result = self.calls(self.beside / "devel", self.slam, "products")
+        self.expect(result, 0, "ekf_wheel  ")
+        self.assertNotIn("my_product", result.stdout)
+        said = [line for line in result.stdout.splitlines() if line.startswith("slam: ")]
+        self.assertEqual(len(said), 1, result.stdout)
+        for text in (f"{self.beside}/devel is sourced", "left out",
+                     f"source {self.space}/setup.bash"):
+            self.assertIn(text, said[0])
+
+    def test_is_not_built_on_what_lies_on_top_of_it(self):
+        (self.slam.parent / ".slam/built.all").unlink()
+        (self.slam.parent / "slam_launch/products/other.yaml").write_text(
+            "version: 1\nproduct: other\nsentence: Another one.\nbackend: ekf\nodometry: wheel\n",
+            encoding="utf-8")
+        (self.slam.parent / "slam_launch/CMakeLists.txt").touch()
+        self.expect(self.calls(self.overlay / "devel", self.slam, "products"), 0, "my_product ")
+        log = (self.slam.parent / ".slam/build.log").read_text(encoding="utf-8")
+        self.assertIn("Using CMAKE_PREFIX_PATH: \n", log)
+        self.assertNotIn(str(self.overlay), log)
 
 
 class WithAllPrograms(FrontDoorTest):

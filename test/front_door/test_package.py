@@ -63,10 +63,10 @@ class Installed(FrontDoorTest):
         self.slam.parent.mkdir()
         self.slam.symlink_to("../share/ros-slam/slam")
 
-    def install_program(self, package, name):
+    def install_program(self, package, name, says="$@"):
         path = self.folder / "lib" / package / name
         path.parent.mkdir(parents=True)
-        path.write_text(f'#!/bin/sh\necho {name}: "$@"\n', encoding="utf-8")
+        path.write_text(f'#!/bin/sh\necho {name}: "{says}"\n', encoding="utf-8")
         path.chmod(0o755)
 
     def test_names_the_commands_that_need_no_clone(self):
@@ -79,6 +79,20 @@ class Installed(FrontDoorTest):
         for command in ("setup", "test", "docs", "package"):
             self.expect(call(self.slam, command), 2,
                         f"'{command}' works in a clone of the repository")
+
+    def test_is_named_as_it_is_called(self):
+        self.expect(call(self.slam, "evla"), 2, "did you mean eval? (slam help lists them all)")
+        self.install_program("slam_launch", "products", "$SLAM_COMMAND")
+        self.expect(call(self.slam, "products"), 0, "products: slam\n")
+
+    def test_leaves_a_workspace_on_top_of_the_packages_as_it_is_sourced(self):
+        self.install_program("slam_launch", "products", "$ROS_PACKAGE_PATH:$CMAKE_PREFIX_PATH")
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine/.catkin").touch()
+        result = call(self.slam, "products", ROS_PACKAGE_PATH="/mine/src",
+                      CMAKE_PREFIX_PATH=str(self.folder / "mine"))
+        self.expect(result, 0)
+        self.assertEqual(result.stdout, f"products: /mine/src:{self.folder}/mine\n")
 
     def test_calls_the_installed_programs(self):
         self.install_program("slam_eval", "slam_import")

@@ -72,7 +72,7 @@ class CeilingLaunchTest(SameAsOffline, unittest.TestCase):
 
     def test_what_visual_odometry_cannot_work_with_ends_the_launch(self):
         for setting, sentence in (
-                ("visual_odometry.ceiling_height=0", "visual_odometry.ceiling_height is 0"),
+                ("ceiling_camera.ceiling_height=0", "ceiling_camera.ceiling_height is 0"),
                 ("visual_odometry.features=orbs", "did you mean 'orb'?")):
             output, _ = run_launch(f"bag:={self.bag}", "odometry:=visual", f"set:={setting}")
             self.assertIn(sentence, output)

@@ -12,19 +12,18 @@ import unittest
 from launching import (free_port, largest_error, program, run_offline, SameAsOffline, start_launch)
 import rosbag
 
-SECONDS = 15  # of the drive
+SECONDS = 10  # of the drive
 PRODUCT = "scan_grid_wheel"
-TURTLEBOT = """
-<robot name="turtlebot3">
-  <link name="base_footprint"/> <link name="base_link"/> <link name="base_scan"/>
-  <joint name="base_joint" type="fixed">
-    <parent link="base_footprint"/> <child link="base_link"/> <origin xyz="0 0 0.010"/>
-  </joint>
-  <joint name="scan_joint" type="fixed">
-    <parent link="base_link"/> <child link="base_scan"/> <origin xyz="-0.032 0 0.172"/>
-  </joint>
-</robot>
-"""
+
+
+def description(name, links, laser):
+    """Returns a URDF: a chain of fixed links, of which the last one is the laser at x y z [m]."""
+    places = ["0 0 0"] * (len(links) - 2) + [laser]
+    joints = [f'<joint name="{child}_joint" type="fixed"><parent link="{parent}"/>'
+              f'<child link="{child}"/><origin xyz="{place}"/></joint>'
+              for parent, child, place in zip(links, links[1:], places)]
+    parts = [f'<link name="{link}"/>' for link in links] + joints
+    return f'<robot name="{name}">{"".join(parts)}</robot>'
 
 
 class RobotStatePublisher:
@@ -54,34 +53,59 @@ class RobotStatePublisher:
             process.wait()
 
 
-class TurtleBotTest(SameAsOffline, unittest.TestCase):
+class Bringup(SameAsOffline):
+    """For a TestCase: a product maps with a shipped robot file beside a robot's bringup, which has
+    topics of its own and tells by its robot_state_publisher alone where the laser sits."""
 
     files = ("trajectory.tum", "map.pgm", "map.yaml")
+    robot = None      # the robot file
+    simulated = None  # the simulated robot that takes its place
+    topics = {"/odom": "/odom", "/scan": "/scan"}  # the robot's names by those of the simulator
+    links, laser = None, None  # of its description
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        whole = self.root / "whole.bag"
-        subprocess.run([program("slam_sim", "slam_sim"), whole, "--robot", "turtlebot3", "--only",
+        drive = self.root / "drive.bag"
+        subprocess.run([program("slam_sim", "slam_sim"), drive, "--robot", self.simulated, "--only",
                         "odom,scan", "--duration", str(SECONDS)], check=True,
                        stdout=subprocess.DEVNULL)
-        run_offline(whole, self.root / "offline", product=PRODUCT)
-        self.bag = self.root / "driver.bag"
-        with rosbag.Bag(str(whole)) as source, rosbag.Bag(str(self.bag), "w") as target:
-            for topic, message, stamp in source.read_messages(topics=["/odom", "/scan"]):
-                target.write(topic, message, stamp)
+        whole, self.bag = self.root / "whole.bag", self.root / "driver.bag"
+        with rosbag.Bag(str(drive)) as source, rosbag.Bag(str(whole), "w") as recorded, \
+                rosbag.Bag(str(self.bag), "w") as driver:
+            for topic, message, stamp in source.read_messages():
+                recorded.write(self.topics.get(topic, topic), message, stamp)
+                if topic in self.topics:
+                    driver.write(self.topics[topic], message, stamp)
+        run_offline(whole, self.root / "offline", "--robot", self.robot, product=PRODUCT)
 
     def test_maps_with_the_shipped_robot_file(self):
-        robot = RobotStatePublisher(TURTLEBOT)
+        robot = RobotStatePublisher(description(self.robot, self.links, self.laser))
         self.addCleanup(robot.close)
         run = self.root / "live"
-        launch, _ = start_launch(f"product:={PRODUCT}", "robot:=turtlebot3", f"bag:={self.bag}",
+        launch, _ = start_launch(f"product:={PRODUCT}", f"robot:={self.robot}", f"bag:={self.bag}",
                                  "rate:=0", f"output_dir:={run}", port=robot.port)
         self.addCleanup(launch.kill)
         output = launch.communicate(timeout=60)[0]
         self.assert_same_runs(run, self.root / "offline", output)
         self.assertLess(largest_error(self.root / "offline"), 0.05)
+
+
+class TurtleBot3Test(Bringup, unittest.TestCase):
+    robot, simulated = "turtlebot3", "turtlebot3"
+    links, laser = ("base_footprint", "base_link", "base_scan"), "-0.032 0 0.182"
+
+
+class TurtleBot2Test(Bringup, unittest.TestCase):
+    robot, simulated = "turtlebot2", "turtlebot3"
+    links, laser = ("base_footprint", "base_link", "base_scan"), "-0.032 0 0.182"
+
+
+class HuskyTest(Bringup, unittest.TestCase):
+    robot, simulated = "husky", "omni"  # which slips sideways as well
+    topics = {"/odom": "/husky_velocity_controller/odom", "/scan": "/front/scan"}
+    links, laser = ("base_link", "top_plate_link", "laser"), "0.12 0 0.3"
 
 
 if __name__ == "__main__":

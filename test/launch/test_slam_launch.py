@@ -9,9 +9,10 @@ import subprocess
 import tempfile
 import unittest
 
-from launching import (cut_bag, make_demo_bag, play_into_launch, program, Refusals, run_launch,
-                       run_offline, SameAsOffline)
+from launching import (cut_bag, free_port, make_demo_bag, play_into_launch, program, Refusals,
+                       run_launch, run_offline, SameAsOffline)
 import rospkg
+import yaml
 
 SECONDS = 15  # of the log
 
@@ -123,6 +124,17 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
             self.assertFalse((disk / "run" / "config.yaml").exists())
         finally:
             subprocess.run(["umount", disk], check=True)
+
+    def test_rviz_is_given_a_robot_to_show(self):
+        master = f"http://localhost:{free_port()}"  # where none is
+        for rviz in ("true", "false"):
+            done = subprocess.run(["roslaunch", "--dump-params", "slam_launch", "slam.launch",
+                                   "robot:=husky", f"rviz:={rviz}"], check=True, text=True,
+                                  env={**os.environ, "ROS_MASTER_URI": master},
+                                  stdout=subprocess.PIPE)
+            self.assertEqual("<robot name=\"slam_launch/husky\">" in
+                             yaml.safe_load(done.stdout).get("/robot_description", ""),
+                             rviz == "true")
 
     def test_each_shipped_product_and_robot_loads(self):
         share = pathlib.Path(rospkg.RosPack().get_path("slam_launch"))

@@ -5,6 +5,9 @@
 #include <ros/ros.h>
 #include <rviz/config.h>
 #include <rviz/panel.h>
+#include <rviz/properties/property.h>
+#include <rviz/tool.h>
+#include <slam_msgs/Consistency.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -14,6 +17,7 @@
 #include <QPushButton>
 #include <QTimer>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <pluginlib/class_loader.hpp>
 #include <string>
@@ -36,16 +40,26 @@ class SlamPanelTest : public testing::Test {
   }
   std::string text(const char* label) const { return find<QLabel>(label).text().toStdString(); }
 
-  /// Works as rviz does until a label holds these words.
-  bool shows(const char* label, const std::string& words, int seconds = 30) const {
+  /// Works as rviz does until something has come true.
+  bool comesTrue(const std::function<bool()>& is_true, int seconds = 30) const {
     QElapsedTimer timer;
     timer.start();
-    while (text(label).find(words) == std::string::npos) {
+    while (!is_true()) {
       if (timer.elapsed() > 1000 * seconds) return false;
       ros::spinOnce();
       QApplication::processEvents(QEventLoop::AllEvents, 20);
     }
     return true;
+  }
+
+  bool shows(const char* label, const std::string& words, int seconds = 30) const {
+    return comesTrue([&] { return text(label).find(words) != std::string::npos; }, seconds);
+  }
+
+  void connectTo(const char* name_space) const {
+    rviz::Config config;
+    config.mapSetValue("Namespace", name_space);
+    panel_->load(config);
   }
 
   pluginlib::ClassLoader<rviz::Panel> loader_;
@@ -90,9 +104,7 @@ TEST_F(SlamPanelTest, AsksBeforeItForgetsTheMap) {
 }
 
 TEST_F(SlamPanelTest, KeepsItsNamespaceAndSaysThatNoProductRunsThere) {
-  rviz::Config config;
-  config.mapSetValue("Namespace", "elsewhere");
-  panel_->load(config);
+  connectTo("elsewhere");
   EXPECT_TRUE(shows("trust", "no product runs here")) << text("trust");
   EXPECT_TRUE(shows("product", "no product is running"));
   find<QPushButton>("relocalise").click();
@@ -102,6 +114,27 @@ TEST_F(SlamPanelTest, KeepsItsNamespaceAndSaysThatNoProductRunsThere) {
   QString name_space;
   EXPECT_TRUE(saved.mapGetString("Namespace", &name_space));
   EXPECT_EQ(name_space, "elsewhere");
+}
+
+TEST_F(SlamPanelTest, TakesAProductThatReplacesAnotherForRunning) {
+  connectTo("replaced");
+  ros::NodeHandle handle("replaced");
+  const auto pause = [this] { return find<QPushButton>("pause").text(); };
+  auto product = handle.advertise<slam_msgs::Consistency>("consistency", 1);
+  ASSERT_TRUE(comesTrue([&] { return product.getNumSubscribers() > 0; }));
+  find<QPushButton>("pause").click();
+  EXPECT_FALSE(comesTrue([&] { return pause() == "Pause"; }, 1));
+  product.shutdown();
+  EXPECT_FALSE(comesTrue([&] { return pause() == "Pause"; }, 2));
+  product = handle.advertise<slam_msgs::Consistency>("consistency", 1);
+  EXPECT_TRUE(comesTrue([&] { return pause() == "Pause"; }));
+}
+
+TEST(LandmarkTool, IsFoundByRvizAndTakesItsTopic) {
+  pluginlib::ClassLoader<rviz::Tool> loader("rviz", "rviz::Tool");
+  const std::unique_ptr<rviz::Tool> tool(
+      loader.createUnmanagedInstance("slam_rviz_plugins/LandmarkTool"));
+  EXPECT_EQ(tool->getPropertyContainer()->subProp("Topic")->getValue().toString(), "landmarks");
 }
 
 }  // namespace

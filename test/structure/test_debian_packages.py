@@ -56,11 +56,14 @@ class Packages(unittest.TestCase):
             compiled = COMPILED.search((folder / "CMakeLists.txt").read_text(encoding="utf-8"))
             self.assertEqual(kinds[self.split.debian_name(name)], "any" if compiled else "all", name)
 
-    def test_have_the_version_of_the_catkin_packages_and_of_the_changelog(self):
+    def test_have_the_version_of_all_that_names_one(self):
         version = re.match(r"ros-slam \((.*)\) ", read("debian/changelog")).group(1)
         self.assertEqual({tree.findtext("version") for tree in self.packages.values()}, {version})
-        self.assertEqual(re.search(r"^## ([\d.]+)$", read("CHANGELOG.md"), re.MULTILINE).group(1),
-                         version)
+        for name, pattern in (("CHANGELOG.md", r"^## ([\d.]+)$"), ("CITATION.cff", r"^version: (.*)$"),
+                              ("test/package.xml", r"<version>(.*)</version>"),
+                              ("src/slam_core/CMakeLists.txt", r"^project\(slam_core VERSION (\S+)")):
+            found = re.search(pattern, read(name), re.MULTILINE)
+            self.assertEqual(found and found.group(1), version, name)
 
     def test_depend_on_what_package_xml_names(self):
         keys, kinds = self.split.read_keys(), self.split.architectures()

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line of the roslaunch that asks: roslaunch itself passes over an argument that no
-file has, so that a misspelt one would silently do nothing."""
+"""The commands that people call, in messages, and the command line of the roslaunch that asks:
+roslaunch itself passes over an argument that no file has, so that a misspelt one would silently do
+nothing."""
 
 import os
 import pathlib
@@ -11,6 +12,13 @@ from . import packages
 from .errors import did_you_mean, ProductError
 
 FILE = "slam.launch"
+
+
+def command(name):
+    """Returns what people call for a program of this package: by `./slam` of a clone or the installed
+    `slam`, which say so in the environment, where the caller used that, else by rosrun."""
+    front_door = os.environ.get("SLAM_COMMAND")
+    return f"{front_door} {name}" if front_door else f"rosrun slam_launch {name}"
 
 
 def of_caller():

@@ -9,7 +9,7 @@ import urllib.parse
 
 from catkin.find_in_workspaces import find_in_workspaces
 
-from . import config_files, machines, overrides, parameters, ports, products
+from . import config_files, machines, overrides, packages, parameters, ports, products
 from .errors import did_you_mean, ProductError
 from .feature_model import FeatureModel, text
 
@@ -29,6 +29,8 @@ def check_values(arguments):
             known = list(filter(None, choices))
             raise ProductError(f"{key}:={arguments[key]} is not one of: {', '.join(known)}"
                                f"{did_you_mean(arguments[key], known)}")
+    if arguments.get("rviz", "").lower() in ("true", "1"):
+        require_rviz()
     require_map("mode:=", arguments["mode"], arguments)
     machines.check_machines(arguments)
     if arguments["load_map"] and arguments["load_session"]:
@@ -43,6 +45,15 @@ def check_values(arguments):
                 raise ValueError
         except ValueError:
             raise ProductError(f"{key}:={arguments[key]} is not a number >= 0") from None
+
+
+def require_rviz():
+    """Refuses rviz:=true where it is not installed: a robot without a screen does without."""
+    lacking = packages.lacking_for_rviz()
+    if lacking:
+        raise ProductError(f"rviz:=true needs the package {lacking[0]}, which is not installed: "
+                           "install it (beside the command slam: 'sudo apt install "
+                           "ros-slam-rviz'), or leave out rviz:=true")
 
 
 def require_map(key, mode, arguments):

@@ -4,7 +4,7 @@
 
 import re
 
-from . import products
+from . import command_line, products
 from .errors import ProductError
 from .feature_model import text
 
@@ -48,7 +48,7 @@ def applied(product, words, model):
         if key not in products.swappable(product.features) and value != product.features[key]:
             raise ProductError(f"{key}={value} cannot be set, since the product {product.name} is "
                                f"{text(product.features)}; name a product that has it "
-                               "('./slam products' lists them)")
+                               f"('{command_line.command('products')}' lists them)")
     changed = model.require_valid({**product.features, **features})
     products.require_sections(sections(values), changed, model)
     return products.swapped(product, changed)

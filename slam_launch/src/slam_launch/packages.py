@@ -25,6 +25,12 @@ def share():
                            "workspace's setup.bash") from error
 
 
+def lacking_for_rviz():
+    """Returns the packages that rviz:=true needs and that are not installed."""
+    there = rospkg.RosPack().list()
+    return [name for name in ("rviz", "slam_rviz") if name not in there]
+
+
 def program(package, name):
     """Returns the path of a package's program; rosrun would stumble over a space in it."""
     found = find_in_workspaces(["libexec"], package, name, first_match_only=True)

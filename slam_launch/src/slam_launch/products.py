@@ -8,12 +8,12 @@ import re
 
 import yaml
 
-from . import config_files, parameters, ports
+from . import command_line, config_files, parameters, ports
 from .errors import ProductError
 from .feature_model import text
 
 WRITTEN = """\
-# A product of the SLAM product line; `./slam check {name}` checks it.
+# A product of the SLAM product line; `{check} {name}` checks it.
 """
 IN_FILES = {"detector": "none"}  # what leaving a key out of a product file means, where the model
 #                                  has another default
@@ -207,7 +207,7 @@ def write(product):
     path = folder / f"{product.name}.yaml"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        path.write_text(WRITTEN.format(name=product.name) +
+        path.write_text(WRITTEN.format(name=product.name, check=command_line.command("check")) +
                         yaml.safe_dump(product.content, sort_keys=False, width=100),
                         encoding="utf-8")
     except OSError as error:

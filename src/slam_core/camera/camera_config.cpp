@@ -20,4 +20,15 @@ std::optional<Eigen::Isometry3d> CameraConfig::mount(const std::string& section)
   return mountOf(sensor_pose, section + ".sensor_pose");
 }
 
+void CeilingCameraConfig::describe(Fields& fields) {
+  CameraConfig::describe(fields);
+  fields
+      .add("ceiling_height", &ceiling_height,
+           "of the ceiling above the camera, which gives all that is seen there its scale; 0: not "
+           "told")
+      .unit("m")
+      .in(Range::atLeast(0))
+      .ofRobot();
+}
+
 }  // namespace slam

@@ -28,6 +28,10 @@ struct CameraConfig {
 /// The same of the camera that looks at the ceiling.
 struct CeilingCameraConfig : CameraConfig {
   static constexpr const char* kSection = "ceiling_camera";
+
+  double ceiling_height = 0.0;
+
+  void describe(Fields& fields);
 };
 
 }  // namespace slam

@@ -74,7 +74,7 @@ bool isNear(const LandmarkObservation& z, const Landmark& line, const PoseEstima
 
 LandmarksByPlace landmarksByPlace(const LandmarkObservationArray& array, const EkfState& state,
                                   const ObservationModel& model, double gate) {
-  const auto map = state.map();
+  const auto map = state.boundedMap();
   const auto pose = state.pose();
   LandmarksByPlace result;
   for (const auto& z : array.observations) {

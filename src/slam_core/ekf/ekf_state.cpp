@@ -306,16 +306,30 @@ Landmark EkfState::landmark(Eigen::Index landmark, const LandmarkPoint& point) c
   return {id, point.now, Eigen::Matrix2d::Zero()};
 }
 
-LandmarkMap EkfState::map() const {
-  const auto points = allPoints();
-  const auto marginals = neighbourhood_.marginals(transports(points));
+/// @param covariance_of a landmark by its number
+template <class CovarianceOf>
+LandmarkMap EkfState::mapOf(const std::vector<LandmarkPoint>& points,
+                            const CovarianceOf& covariance_of) const {
   LandmarkMap map;
   map.reserve(ids_.size());
   for (const auto i : orderById()) {
     map.push_back(landmark(i, points[at(i)]));
-    map.back().covariance = marginals[at(i)];
+    map.back().covariance = covariance_of(i);
   }
   return map;
+}
+
+LandmarkMap EkfState::map() const {
+  const auto points = allPoints();
+  const auto marginals = neighbourhood_.marginals(transports(points));
+  return mapOf(points, [&](Eigen::Index i) { return marginals[at(i)]; });
+}
+
+LandmarkMap EkfState::boundedMap() const {
+  const auto points = allPoints();
+  const auto bounds = neighbourhood_.varianceBounds(transports(points));
+  return mapOf(points,
+               [&](Eigen::Index i) -> Eigen::Matrix2d { return bounds.col(i).asDiagonal(); });
 }
 
 MapState EkfState::state() const {

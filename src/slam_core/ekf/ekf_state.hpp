@@ -124,6 +124,9 @@ class EkfState {
   PoseEstimate pose() const { return {robot_, covariance().robot()}; }
   std::vector<association::LandmarkPlace> places() const;  ///< of points, sorted by id
   LandmarkMap map() const;                                 ///< sorted by id, with marginals
+  /// The same with diagonal covariances that are no less than the marginals, at a fraction of the
+  /// cost.
+  LandmarkMap boundedMap() const;
   /// Sorted by id, with the joint covariance of (pose, parameters if any, landmarks).
   MapState state() const;
 
@@ -139,6 +142,9 @@ class EkfState {
   double turn() const { return neighbourhood_.correction()(DenseCovariance::kHeadingRow); }
   std::vector<LandmarkPoint> allPoints() const;
   Eigen::Matrix2Xd transports(const std::vector<LandmarkPoint>& points) const;
+  template <class CovarianceOf>
+  LandmarkMap mapOf(const std::vector<LandmarkPoint>& points,
+                    const CovarianceOf& covariance_of) const;
   Landmark landmark(Eigen::Index landmark, const LandmarkPoint& point) const;
   void correctRobot(const Eigen::Vector3d& dx);
   void renew();

@@ -265,6 +265,20 @@ std::vector<Eigen::Matrix2d> Neighbourhood::marginals(const Eigen::Matrix2Xd& c)
   return marginals;
 }
 
+Eigen::Matrix2Xd Neighbourhood::varianceBounds(const Eigen::Matrix2Xd& c) const {
+  Eigen::Matrix2Xd bounds(2, landmarks());
+  const double heading_sigma = std::sqrt(local_(kHeading, kHeading));
+  for (Index landmark = 0; landmark < landmarks(); ++landmark)
+    for (Index axis = 0; axis < 2; ++axis) {
+      const Index i = slot(landmark) < 0 ? priorRow(landmark) + axis
+                                         : DenseCovariance::row(slot(landmark)) + axis;
+      const double variance = slot(landmark) < 0 ? prior_(i, i) : local_(i, i);
+      const double sigma = std::sqrt(variance) + std::abs(c(axis, landmark)) * heading_sigma;
+      bounds(axis, landmark) = sigma * sigma;
+    }
+  return bounds;
+}
+
 void Neighbourhood::renew(const Eigen::Matrix2Xd& c) {
   const auto others = rest();
   const bool is_same = is_fresh_ && !is_updated_ && c.isZero(0.0) && known_ == landmarks();

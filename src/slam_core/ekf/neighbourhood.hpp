@@ -72,6 +72,9 @@ class Neighbourhood {
   /// e_theta is the error of the reference's heading [rad], c the landmark's column
   /// (Linearization::landmarkTransport).
   std::vector<Eigen::Matrix2d> marginals(const Eigen::Matrix2Xd& c) const;
+  /// Upper bounds of the variances in marginals(), a column each, at a fraction of the cost: they
+  /// leave out what the interval's updates have told of landmarks that were not taken.
+  Eigen::Matrix2Xd varianceBounds(const Eigen::Matrix2Xd& c) const;
   /// The global update, after which nothing is taken; c as above.
   void renew(const Eigen::Matrix2Xd& c);
   /// The covariance of (reference, landmarks) when the interval began: right after renew() that of

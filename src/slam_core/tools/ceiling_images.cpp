@@ -26,7 +26,7 @@ namespace slam {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: {} CALIBRATION.yaml LOG.txt visual_odometry.ceiling_height=METRES "
+    "usage: {} CALIBRATION.yaml LOG.txt ceiling_camera.ceiling_height=METRES "
     "[SECTION.KEY=VALUE]...\n"
     "  CALIBRATION.yaml  as ROS's camera calibration writes it\n"
     "  SECTION.KEY       of a product's or robot's file\n";

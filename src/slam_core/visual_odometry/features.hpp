@@ -8,8 +8,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "slam_core/camera/ceiling_view.hpp"
 #include "slam_core/camera/mat_archive.hpp"
-#include "slam_core/visual_odometry/ceiling_view.hpp"
 #include "slam_core/visual_odometry/point_match.hpp"
 #include "slam_core/visual_odometry/visual_odometry_config.hpp"
 

@@ -36,7 +36,14 @@ void VisualOdometry::configure(const VisualOdometryConfig& config) {
 }
 
 void VisualOdometry::configure(Settings& settings) {
-  configure(settings.read<VisualOdometryConfig>());
+  VisualOdometryConfig config;
+  CeilingCameraConfig camera;
+  FaultCollector faults;
+  faults.attempt([&] { config = settings.read<VisualOdometryConfig>(); });
+  faults.attempt([&] { camera = settings.read<CeilingCameraConfig>(); });
+  faults.raise();
+  if (config.ceiling_height == 0.0) config.ceiling_height = camera.ceiling_height;
+  configure(config);
 }
 
 void VisualOdometry::describe(Ports& ports) {

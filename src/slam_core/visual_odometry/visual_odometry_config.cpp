@@ -43,7 +43,8 @@ void describeImages(VisualOdometryConfig& config, Fields& fields) {
 void describeRobot(VisualOdometryConfig& config, Fields& fields) {
   fields
       .add("ceiling_height", &config.ceiling_height,
-           "of the ceiling above the camera, which gives the motion its scale; 0: not told")
+           "of the ceiling above the camera, where it differs from ceiling_camera.ceiling_height; "
+           "0: it does not")
       .unit("m")
       .in(Range::atLeast(0))
       .ofRobot();
@@ -107,7 +108,7 @@ void VisualOdometryConfig::describe(Fields& fields) {
 void VisualOdometryConfig::requireHeight() const {
   if (ceiling_height > 0.0) return;
   throw ConfigError(
-      "visual_odometry.ceiling_height is 0: visual odometry needs the height of the ceiling above "
+      "ceiling_camera.ceiling_height is 0: visual odometry needs the height of the ceiling above "
       "the camera [m], above 0, in the robot file");
 }
 

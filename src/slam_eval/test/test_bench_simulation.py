@@ -13,7 +13,7 @@ import numpy as np
 from slam_eval.bench import fiducial, office
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.process import Usage
-from slam_eval.bench.harness.products import sensors_for, twin_of
+from slam_eval.bench.harness.products import sensors_for, Twin, twin_of
 from slam_eval.bench.harness.table import mean_row
 from slam_eval.io.landmarks import LandmarkMap
 from slam_eval.metrics import latency
@@ -26,9 +26,10 @@ def landmark_map(ids):
     return LandmarkMap(list(ids), np.zeros((len(ids), 2)), np.zeros((len(ids), 2, 2)))
 
 
-def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None):
+def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None, own_ids=False):
     """The numbers of a seed's line."""
     run = types.SimpleNamespace(landmarks=landmark_map(mapped), true_landmarks=landmark_map(true))
+    run.landmarks.has_own_ids = own_ids
     result = types.SimpleNamespace(metrics={
         "ate_rmse_m": ate, "odometry_ate_rmse_m": drift, "landmark_rmse_m": 0.01,
         "nees_mean": nees, "nis_mean": 1.0})
@@ -37,9 +38,9 @@ def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None):
 
 class Office(unittest.TestCase):
 
-    def verdicts(self, rows, world="office"):
+    def verdicts(self, rows, world="office", twin=None):
         """The lines below the table."""
-        return office.verdicts(world, mean_row("mean", rows), office.worst_row(rows))
+        return office.verdicts(world, mean_row("mean", rows), office.worst_row(rows), twin)
 
     def cell(self, row, column):
         """A number of a line."""
@@ -48,6 +49,12 @@ class Office(unittest.TestCase):
     def test_a_marker_that_does_not_exist_is_false_and_not_mapped(self):
         row = seed_row(1, 0.02, [1, 2, 99], [1, 2, 3])
         self.assertEqual([self.cell(row, c) for c in ("mapped", "of", "false markers")], [2, 3, 1])
+
+    def test_landmarks_with_ids_of_their_own_are_no_markers(self):
+        row = seed_row(1, 0.02, [1, 2], [1, 2], own_ids=True)
+        self.assertEqual([self.cell(row, c) for c in ("mapped", "of", "false markers")],
+                         [None, None, None])
+        self.assertNotIn("markers", self.verdicts([row]))
 
     def test_a_run_without_a_map_has_mapped_nothing(self):
         run = types.SimpleNamespace(landmarks=None, true_landmarks=landmark_map([1, 2]))
@@ -76,13 +83,16 @@ class Office(unittest.TestCase):
             self.assertEqual([part.startswith("- " + what) for part in missed], [True], missed)
 
     def test_a_product_that_looks_up_is_measured_by_that_with_wheels(self):
-        for name, twin in (("pf_visual", "pf_wheel"), ("ekf_visual_wheel", "ekf_wheel"),
+        for name, twin in (("pf_visual", Twin("pf_wheel", 1.1)),
+                           ("ekf_visual_wheel", Twin("ekf_wheel", 1.1)),
+                           ("graph_ceiling", Twin("pf_visual", 1.5)),
                            ("pf_wheel", None), ("/tmp/mine.yaml", None)):
             self.assertEqual(twin_of(name), twin)
             self.assertEqual("ceiling_camera" in sensors_for(name), twin is not None)
         for wheels, word in ((0.019, "reached"), (0.018, "MISSED")):
             text = self.verdicts([seed_row(1, 0.02, [1], [1], drift=0.01,
-                                           twin={"ate_rmse_m": wheels})])
+                                           twin={"ate_rmse_m": wheels})],
+                                 twin=Twin("pf_wheel", 1.1))
             self.assertIn(f"<= 1.1: {word}", text)
             self.assertNotIn("dead reckoning", text)  # it is to be good
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "slam_ros/conversions.hpp"
-#include "slam_ros/markers.hpp"
 
 namespace slam_ros {
 
@@ -15,7 +14,7 @@ LandmarkPublisher::LandmarkPublisher(ros::NodeHandle handle, const slam::Landmar
     : mapper_(mapper),
       map_frame_(std::move(map_frame)),
       landmarks_(handle.advertise<slam_msgs::LandmarkMap>("landmarks", 1)),
-      markers_(handle.advertise<visualization_msgs::MarkerArray>("landmark_markers", 1)),
+      marker_publisher_(handle.advertise<visualization_msgs::MarkerArray>("landmark_markers", 1)),
       rate_(rate) {}
 
 void LandmarkPublisher::update(slam::Stamp stamp) {
@@ -25,7 +24,7 @@ void LandmarkPublisher::update(slam::Stamp stamp) {
 }
 
 void LandmarkPublisher::flush() {
-  const auto subscribers = landmarks_.getNumSubscribers() + markers_.getNumSubscribers();
+  const auto subscribers = landmarks_.getNumSubscribers() + marker_publisher_.getNumSubscribers();
   if (subscribers > 0 && (is_new_ || subscribers > subscribers_)) publish();
   subscribers_ = subscribers;
 }
@@ -35,12 +34,8 @@ void LandmarkPublisher::publish() {
   const auto map = mapper_.landmarks();
   const auto message = toMsg(map, stamp_, map_frame_);
   landmarks_.publish(message);
-  if (markers_.getNumSubscribers() == 0) return;
-  auto markers = toMarkers(map, message.header);
-  if (map.size() < markers_shown_)
-    markers.markers.insert(markers.markers.begin(), clearMarkers(message.header));
-  markers_shown_ = map.size();
-  markers_.publish(markers);
+  if (marker_publisher_.getNumSubscribers() > 0)
+    marker_publisher_.publish(markers_.next(map, message.header));
 }
 
 }  // namespace slam_ros

@@ -4,6 +4,7 @@
 #include "slam_ros/markers.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "slam_ros/conversions.hpp"
@@ -76,6 +77,14 @@ Marker text(const std_msgs::Header& header, const slam::Landmark& landmark) {
   return message;
 }
 
+Marker clearing(const std_msgs::Header& header) {
+  Marker message;
+  message.header = header;
+  message.action = Marker::DELETEALL;
+  message.pose.orientation.w = 1.0;
+  return message;
+}
+
 /// The part of a wall that was seen.
 Marker segment(const std_msgs::Header& header, const slam::Landmark& landmark) {
   auto message = marker(header, "landmark", landmark, Marker::LINE_LIST);
@@ -106,12 +115,16 @@ visualization_msgs::MarkerArray toMarkers(const slam::LandmarkMap& landmarks,
   return array;
 }
 
-visualization_msgs::Marker clearMarkers(const std_msgs::Header& header) {
-  Marker message;
-  message.header = header;
-  message.action = Marker::DELETEALL;
-  message.pose.orientation.w = 1.0;
-  return message;
+visualization_msgs::MarkerArray LandmarkMarkers::next(const slam::LandmarkMap& landmarks,
+                                                      const std_msgs::Header& header) {
+  auto array = toMarkers(landmarks, header);
+  Shown shown;
+  shown.reserve(landmarks.size());
+  for (const auto& landmark : landmarks) shown.emplace_back(landmark.id, landmark.kind);
+  if (!shown_ || !std::includes(shown.begin(), shown.end(), shown_->begin(), shown_->end()))
+    array.markers.insert(array.markers.begin(), clearing(header));
+  shown_ = std::move(shown);
+  return array;
 }
 
 }  // namespace slam_ros

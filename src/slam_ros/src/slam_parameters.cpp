@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 
@@ -18,10 +19,16 @@ constexpr int kFailed = 1, kWrongUse = 2;
 constexpr const char* kTopLevel = "top";
 constexpr const char* kHead =
     "# Parameters\n\n"
-    "What a product file and a robot file may hold. `./slam parameters` prints this page from the\n"
-    "descriptions that also check the files; `./slam parameters SECTION` prints a part of it. A "
-    "value\n"
+    "What a product file and a robot file may hold. `{0}` prints this page from the\n"
+    "descriptions that also check the files; `{0} SECTION` prints a part of it. A value\n"
     "is set in the file, or for one run by `--set section.key=value` (roslaunch: `set:=`).\n";
+
+/// What people call: the front door of a clone or of Debian packages, where this was called by it.
+std::string calledAs() {
+  const char* front_door = std::getenv("SLAM_COMMAND");
+  return front_door == nullptr ? "rosrun slam_ros slam_parameters"
+                               : std::string(front_door) + " parameters";
+}
 
 /// The page's sections: a table by the section's name, the top level first.
 std::map<std::string, std::string> sections() {
@@ -46,7 +53,7 @@ std::vector<std::string> names(const std::map<std::string, std::string>& tables)
 int print(const std::string& section) {
   const auto tables = sections();
   if (section.empty()) {
-    fmt::print("{}", kHead);
+    fmt::print(kHead, calledAs());
     for (const auto& entry : tables) fmt::print("\n{}", entry.second);
     return 0;
   }

@@ -259,6 +259,37 @@ TEST(Neighbourhood, ReplacesALandmarkAsTheWholeMatrixWould) {
       ASSERT_NEAR(neighbourhood.prior(i, j), expected(i, j), 1e-12) << i << ", " << j;
 }
 
+TEST(Neighbourhood, BoundsTheMarginalsFromAbove) {
+  constexpr int kLandmarks = 8;
+  constexpr Eigen::Index kSize = 3 + 2 * kLandmarks;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    RandomStream random(seed, 0);
+    const auto gaussian = [&](Eigen::Index rows, Eigen::Index columns) {
+      return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.gaussian(); }).eval();
+    };
+    const Eigen::MatrixXd A = gaussian(kSize, 40);
+    Neighbourhood neighbourhood(A * A.transpose() / 40);
+    for (const Eigen::Index taken : {6, 2}) neighbourhood.take(taken);
+    const auto& P = neighbourhood.covariance();
+    Eigen::MatrixXd prior(P.size(), P.size());
+    for (Eigen::Index row = 0; row < P.size(); ++row)
+      for (Eigen::Index column = 0; column < P.size(); ++column)
+        prior(row, column) = P(row, column);
+    const Eigen::MatrixXd H = gaussian(2, P.size());
+    const Eigen::MatrixXd S = H * prior * H.transpose() + Eigen::Matrix2d::Identity();
+    const Eigen::MatrixXd L = S.llt().matrixL();
+    const Eigen::MatrixXd W = L.triangularView<Eigen::Lower>().solve(H * prior).transpose();
+    neighbourhood.update(W, Eigen::VectorXd::Zero(P.size()));
+    const Eigen::Matrix2Xd c = gaussian(2, kLandmarks);
+    const auto marginals = neighbourhood.marginals(c);
+    const auto bounds = neighbourhood.varianceBounds(c);
+    for (std::size_t i = 0; i < marginals.size(); ++i) {
+      const Eigen::Vector2d bound = bounds.col(static_cast<Eigen::Index>(i));
+      ASSERT_TRUE((marginals[i].diagonal().array() <= bound.array() + 1e-12).all());
+    }
+  }
+}
+
 TEST(Neighbourhood, KeepsTheRestOfALargeMapUntilItEnds) {
   const int landmarks = 30;
   RandomStream random(3, 0);

@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "slam_core/camera/image.hpp"
+#include "slam_core/camera/test/ceiling_picture.hpp"
 #include "slam_core/product/test/product_drives.hpp"
-#include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
 namespace slam::test {
 
 /// A drive under a ceiling that a camera sees, 1.7 m above it; on some metres it is dark. Landmarks
 /// are seen, too.
 inline std::vector<ProductInput> ceilingInputs(std::uint64_t seed) {
-  namespace ceilings = visual_odometry::test;
   constexpr int kSteps = 40;
   LateWheels drive(seed);
   SimulatedWorld world(seed);

@@ -4,16 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "slam_core/camera/image.hpp"
+#include "slam_core/camera/test/ceiling_picture.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
-#include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
 namespace slam {
 namespace {
 
 using test::oneSays;
-namespace ceilings = visual_odometry::test;
+namespace ceilings = test::ceilings;
 
 std::vector<std::string> faultsOf(const std::vector<std::string>& overrides) {
   return test::faultsOf([&] {

@@ -11,12 +11,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "slam_core/camera/test/ceiling_picture.hpp"
 #include "slam_core/common/test/temporary_folder.hpp"
 #include "slam_core/fiducial/test/marker_picture.hpp"
 #include "slam_core/grid_map/grid_file.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 #include "slam_core/point_map/test/room.hpp"
-#include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
 // The components as programs of their own, without ROS: logs with a known answer in, text out.
 
@@ -90,15 +90,15 @@ TEST(WheelLog, NamesTheLineOfAFault) {
 
 TEST(CeilingImages, FollowsTheRobot) {
   const TemporaryFolder folder;
-  writeCalibration(folder, visual_odometry::test::smallCamera());
-  const visual_odometry::test::Ceiling ceiling;
+  writeCalibration(folder, test::ceilings::smallCamera());
+  const test::ceilings::Ceiling ceiling;
   const Pose2 step(0.08, 0.03, 0.1);
   Pose2 truth;
   std::ostringstream log;
   for (int i = 0; i < 4; ++i, truth = truth * step) {
     const auto name = "image " + std::to_string(i) + ".png";
     cv::Mat gray;
-    ceiling.seenBy(visual_odometry::test::mountUp(), truth).convertTo(gray, CV_8U);
+    ceiling.seenBy(test::ceilings::mountUp(), truth).convertTo(gray, CV_8U);
     cv::imwrite(folder / name, gray);
     log << "image " << 1000000000 + i * 100000000 << ' ' << name << '\n';
   }
@@ -118,7 +118,7 @@ TEST(CeilingImages, FollowsTheRobot) {
 
 TEST(CeilingImages, NamesAnImageThatIsNotThere) {
   const TemporaryFolder folder;
-  writeCalibration(folder, visual_odometry::test::smallCamera());
+  writeCalibration(folder, test::ceilings::smallCamera());
   folder.write("log.txt", "image 1000000000 none.png\n");
   const auto run = call(folder, "slam_core_ceiling_images",
                         "camera.yaml log.txt visual_odometry.ceiling_height=1.7");

@@ -10,14 +10,16 @@
 #include <opencv2/core/utility.hpp>
 
 #include "slam_core/camera/test/camera_feed.hpp"
+#include "slam_core/camera/test/ceiling_picture.hpp"
 #include "slam_core/common/test/faults.hpp"
-#include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
 namespace slam::visual_odometry {
 namespace {
 
-using test::Ceiling;
-using test::Exposure;
+namespace ceilings = slam::test::ceilings;
+
+using ceilings::Ceiling;
+using ceilings::Exposure;
 
 const Ceiling& ceiling() {
   static const Ceiling kCeiling;
@@ -28,12 +30,12 @@ class VisualOdometryTest : public testing::TestWithParam<FeatureKind> {
  protected:
   VisualOdometryTest() { configure(); }
 
-  void configure(const CameraMount& mount = test::mountUp()) {
+  void configure(const CameraMount& mount = ceilings::mountUp()) {
     config_.features = GetParam();
     config_.ceiling_height = 1.7;
     odometry_.configure(config_);
     mount_ = mount;
-    camera_.gate.set(test::smallCamera());
+    camera_.gate.set(ceilings::smallCamera());
     camera_.gate.set(mount);
   }
 
@@ -49,7 +51,7 @@ class VisualOdometryTest : public testing::TestWithParam<FeatureKind> {
   }
   cv::Mat picture(const Pose2& pose, const Exposure& exposure = {}) {
     const auto light = ceiling().seenBy(mount_, pose);
-    return test::exposed(light, exposure, ++pictures_);
+    return ceilings::exposed(light, exposure, ++pictures_);
   }
   Status look(const Pose2& pose, const Exposure& exposure = {}) {
     return show(picture(pose, exposure));
@@ -94,7 +96,7 @@ TEST_P(FeaturesTest, FollowsWaysAndTurns) {
 }
 
 TEST_P(VisualOdometryTest, TakesACameraThatIsOffCentreTurnedAndTilted) {
-  configure(test::mountUp(-0.3, 2.0, 0.15));
+  configure(ceilings::mountUp(-0.3, 2.0, 0.15));
   const Pose2 step(0.05, 0.0, 0.12);
   Pose2 truth;
   look(truth);
@@ -217,15 +219,15 @@ TEST_P(VisualOdometryTest, SaysWhenAnotherSurfaceIsSeen) {
   look(Pose2());
   const Ceiling lower(2.3);
   const auto light = lower.seenBy(mount_, Pose2());
-  const auto status = show(test::exposed(light, {}, 99));
+  const auto status = show(ceilings::exposed(light, {}, 99));
   EXPECT_NE(status.message.find("another surface is seen"), std::string::npos) << status.message;
   EXPECT_EQ(count("scale"), 1u);
 }
 
 TEST_P(VisualOdometryTest, WarnsOfACameraThatDoesNotLookUp) {
-  configure(test::mountUp(0.0, 0.0, 0.5));
+  configure(ceilings::mountUp(0.0, 0.0, 0.5));
   EXPECT_NE(look(Pose2()).message.find("tilted by 29 deg"), std::string::npos);
-  configure(test::mountUp(0.0, 0.0, 1.5));
+  configure(ceilings::mountUp(0.0, 0.0, 1.5));
   look(Pose2());
   EXPECT_NE(look(Pose2()).message.find("tilted by 86 deg"), std::string::npos);
   EXPECT_EQ(count("camera_direction"), 2u);

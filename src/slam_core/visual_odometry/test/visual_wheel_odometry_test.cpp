@@ -8,13 +8,15 @@
 #include <optional>
 
 #include "slam_core/camera/test/camera_feed.hpp"
+#include "slam_core/camera/test/ceiling_picture.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/product/product_config.hpp"
 #include "slam_core/product/test/component_driver.hpp"
-#include "slam_core/visual_odometry/test/ceiling_picture.hpp"
 
 namespace slam::visual_odometry {
 namespace {
+
+namespace ceilings = slam::test::ceilings;
 
 Stamp at(double t) { return Stamp(std::chrono::seconds(10)) + durationFromSeconds(t); }
 
@@ -27,8 +29,8 @@ class VisualWheelTest : public testing::Test {
     Settings settings({}, {}, {"visual_odometry.ceiling_height=1.7"});
     source_->configure(settings);
     inputs_.emplace(*source_);
-    camera_.gate.set(test::smallCamera());
-    camera_.gate.set(test::mountUp());
+    camera_.gate.set(ceilings::smallCamera());
+    camera_.gate.set(ceilings::mountUp());
   }
 
   void execute() {
@@ -46,10 +48,10 @@ class VisualWheelTest : public testing::Test {
     execute();
   }
   void look(double t, bool dark = false) {
-    static const test::Ceiling kCeiling;
-    const auto light = kCeiling.seenBy(test::mountUp(), Pose2(0.5 * t, 0.0, 0.0));
-    const test::Exposure exposure{dark ? 0.0 : 1.0, 0.0, 2.0};
-    const Image image{at(t), "ceiling_camera", test::exposed(light, exposure, ++images_), ""};
+    static const ceilings::Ceiling kCeiling;
+    const auto light = kCeiling.seenBy(ceilings::mountUp(), Pose2(0.5 * t, 0.0, 0.0));
+    const ceilings::Exposure exposure{dark ? 0.0 : 1.0, 0.0, 2.0};
+    const Image image{at(t), "ceiling_camera", ceilings::exposed(light, exposure, ++images_), ""};
     camera_.show(image, [&](const CameraView& view) {
       inputs_->set(view);
       execute();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_ros/markers.hpp"
 #include "slam_ros/rate_limit.hpp"
 
 namespace slam_ros {
@@ -32,10 +33,10 @@ class LandmarkPublisher {
 
   const slam::LandmarkMapper& mapper_;
   std::string map_frame_;
-  ros::Publisher landmarks_, markers_;
+  ros::Publisher landmarks_, marker_publisher_;
   RateLimit rate_;
   slam::Stamp stamp_;
-  std::size_t markers_shown_ = 0;
+  LandmarkMarkers markers_;
   bool is_new_ = false;
   std::uint32_t subscribers_ = 0;
 };

@@ -7,6 +7,7 @@ import fcntl
 import importlib.machinery
 import importlib.util
 import io
+import json
 import os
 import pathlib
 import socket
@@ -47,6 +48,21 @@ class Odometry(unittest.TestCase):
         self.assertTrue(self.of("odometry: visual\n"))
         self.assertTrue(self.of("odometry: visual_wheel\n"))
         self.assertFalse(self.of("odometry: none\n"))
+
+
+class Origin(unittest.TestCase):
+    def command(self, **environment):
+        with unittest.mock.patch.dict(os.environ, environment):
+            if not environment:
+                os.environ.pop("SLAM_COMMAND", None)
+            arguments = slam_run.parse_arguments(REQUIRED)
+            return json.loads(slam_run.origin_of(arguments, REQUIRED))["command"]
+
+    def test_names_the_command_as_it_was_called(self):
+        words = " ".join(REQUIRED)
+        self.assertEqual(self.command(SLAM_COMMAND="./slam"), f"./slam run {words}")
+        self.assertEqual(self.command(SLAM_COMMAND="slam"), f"slam run {words}")
+        self.assertEqual(self.command(), f"rosrun slam_ros slam_run {words}")
 
 
 class WrongUse(unittest.TestCase):

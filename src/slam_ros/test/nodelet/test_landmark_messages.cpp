@@ -91,5 +91,27 @@ TEST(LandmarkMarkers, DrawALineAsLongAsItWasSeen) {
   EXPECT_EQ(ellipses, 1) << "of the point";
 }
 
+bool clearsFirst(const visualization_msgs::MarkerArray& array) {
+  return array.markers.front().action == Marker::DELETEALL;
+}
+
+TEST(LandmarkMarkers, ClearWhatNoLongerIsInTheMapAndWhatRanBefore) {
+  LandmarkMarkers markers;
+  auto map = pointAndWall();
+  const auto first = markers.next(map, {});
+  EXPECT_TRUE(clearsFirst(first));
+  EXPECT_EQ(first.markers.size(), 1 + toMarkers(map, {}).markers.size());
+  EXPECT_FALSE(clearsFirst(markers.next(map, {})));
+  map.push_back(map.back());
+  map.back().id = 9;
+  EXPECT_FALSE(clearsFirst(markers.next(map, {}))) << "one was added";
+  map.back().id = 10;
+  EXPECT_TRUE(clearsFirst(markers.next(map, {}))) << "one took the place of another";
+  map.back().kind = slam::LandmarkKind::kPoint;
+  EXPECT_TRUE(clearsFirst(markers.next(map, {}))) << "a wall has other markers than a point";
+  map.clear();
+  EXPECT_EQ(markers.next(map, {}).markers.size(), 1U);
+}
+
 }  // namespace
 }  // namespace slam_ros

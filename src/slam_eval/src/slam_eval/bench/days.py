@@ -53,7 +53,7 @@ def _run(context, product):
     if path.suffix != ".yaml":
         path = package_folder("slam_launch") / "products" / f"{product}.yaml"
     if not path.is_file():
-        raise BenchError(f"there is no product {product}; `./slam products` lists them")
+        raise BenchError(f"there is no product {product}; name one of slam_launch/products, or a file")
     log = context.work / f"days_{path.stem}.csv"
     call(context, product,
          [workspace_program("slam_eval", "slam_eval_days"), path, "--out",

@@ -54,7 +54,8 @@ def sensor_of(product):
     try:
         features = yaml.safe_load(path.read_text(encoding="utf-8"))
     except OSError:
-        raise BenchError(f"there is no product {product}; `./slam products` lists them") from None
+        raise BenchError(f"there is no product {product}; name one of slam_launch/products, or a "
+                         "file") from None
     if makes_a_grid(features):
         return SCANS
     if features.get("map") == "landmarks" and features.get("odometry") == "wheel":

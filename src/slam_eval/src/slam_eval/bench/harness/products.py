@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The products that are measured, and what a simulated drive has to hold for them."""
+import dataclasses
 
 import yaml
 
@@ -13,15 +14,26 @@ SENSORS = "odom,camera"
 ODOMETRY_OF_LOGS = ("none", "wheel", "laser", "laser_wheel")
 
 
+@dataclasses.dataclass(frozen=True)
+class Twin:
+    """A product that another one is compared with on the same drives."""
+
+    product: str
+    limit: float  # of the mean error over this one's [1]
+
+
 def sensors_for(product):
     """What a drive for this product has to hold."""
     return f"{SENSORS},ceiling_camera" if twin_of(product) else SENSORS
 
 
 def twin_of(product):
-    """For one of our products that look at the ceiling the one with wheels instead, else None."""
-    backend, _, odometry = product.partition("_")
-    return f"{backend}_wheel" if odometry in ("visual", "visual_wheel") else None
+    """For one of our products that look at the ceiling the one with wheels instead, where the ceiling
+    takes the markers' place the one with markers; else None."""
+    backend, _, rest = product.partition("_")
+    if rest == "ceiling":
+        return Twin("pf_visual", 1.5)
+    return Twin(f"{backend}_wheel", 1.1) if rest in ("visual", "visual_wheel") else None
 
 
 def makes_a_grid(features):

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/visual_odometry/ceiling_view.hpp"
+#include "slam_core/camera/ceiling_view.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace slam::visual_odometry {
+namespace slam {
 namespace {
 
 constexpr double kMinElevation = 0.2;  // sine of the angle above the horizon
@@ -36,4 +36,4 @@ std::optional<Eigen::Vector2d> CeilingView::toPixel(const Eigen::Vector2d& point
   return camera_.project(T_base_camera_.linear().transpose() * ray);
 }
 
-}  // namespace slam::visual_odometry
+}  // namespace slam

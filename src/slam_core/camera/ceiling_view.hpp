@@ -8,7 +8,7 @@
 
 #include "slam_core/camera/camera_model.hpp"
 
-namespace slam::visual_odometry {
+namespace slam {
 
 /// The ceiling as an upward-looking camera sees it: a horizontal plane at a known height above the
 /// camera. Its points are given by x and y of the robot's base frame [m], so that the motion of the
@@ -25,6 +25,11 @@ class CeilingView {
   /// The pixel that sees a point; it may lie outside the image.
   std::optional<Eigen::Vector2d> toPixel(const Eigen::Vector2d& point) const;
 
+  /// The point right above the camera, which is the sensor's place in the robot's plane as well
+  /// [m].
+  Eigen::Vector2d origin() const { return T_base_camera_.translation().head<2>(); }
+  /// Of the ceiling above the camera [m].
+  double height() const { return height_; }
   /// Size of a pixel on the ceiling, right above the camera [m/px].
   double metresPerPixel() const { return metres_per_pixel_; }
   /// Angle between the camera's axis and straight up [rad].
@@ -36,4 +41,4 @@ class CeilingView {
   double height_ = 0.0, metres_per_pixel_ = 0.0, tilt_ = 0.0;
 };
 
-}  // namespace slam::visual_odometry
+}  // namespace slam

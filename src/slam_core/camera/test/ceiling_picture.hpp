@@ -15,7 +15,7 @@
 
 // Pictures of a speckled ceiling for tests that need the truth.
 
-namespace slam::visual_odometry::test {
+namespace slam::test::ceilings {
 
 constexpr double kCeilingHeight = 2.5;  ///< above the floor [m]
 
@@ -129,4 +129,4 @@ inline cv::Mat exposed(const cv::Mat& light, const Exposure& exposure, std::uint
   return gray;
 }
 
-}  // namespace slam::visual_odometry::test
+}  // namespace slam::test::ceilings
