@@ -95,7 +95,7 @@ def modules(*folders):
                           for path in sorted((root / folder).glob("*.py"))])
 
 
-def _is_path(text):
+def is_path(text):
     return "/" in text or text.endswith(".yaml")
 
 
@@ -111,7 +111,7 @@ def _product_folders():
 
 def _file_of(text, kind, folders, where):
     """The file that a name stands for in folders, or a file's path. Raises UsageError."""
-    if _is_path(text):
+    if is_path(text):
         path = pathlib.Path(text)
         if not path.is_file():
             raise UsageError(f"{where}: there is no {kind} {path}; check the path, which is "

@@ -72,11 +72,12 @@ class Planner:
 
     @functools.lru_cache(maxsize=None)
     def _robot_content(self, robot, bag_path, sha256):
-        """What names the robot file that counts, by what it holds. It depends on the bag's SHA-256
-        where the bag names it."""
+        """The robot file that counts, by its name, where it has one, and what it holds. It depends
+        on the bag's SHA-256 where the bag names it."""
         try:
             name = robot or robot_of(self._folder.path / bag_path)
-            return name and [name, inputs.hash_of_file(inputs.robot_file(name, self._where))]
+            content = name and inputs.hash_of_file(inputs.robot_file(name, self._where))
+            return ["" if name and inputs.is_path(name) else name, content]
         except (BenchError, UsageError):
             return [sha256, "unknown"]  # the run says what is wrong
 
