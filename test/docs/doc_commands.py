@@ -3,7 +3,8 @@
 """The shell commands that stand in Markdown: fenced blocks of the language sh.
 
 A comment in the line before a block, <!-- not run: REASON -->, says that no test can run it;
-<!-- needs: NAME --> that it needs a folder of the data that tests may find.
+<!-- needs: NAME --> that it needs a folder of the data that tests may find, or a program that need
+not be installed.
 """
 
 import dataclasses
@@ -24,7 +25,7 @@ class Block:
     language: str
     text: str
     not_run: str = ""  # the reason
-    needs: str = ""    # a folder of the data
+    needs: str = ""    # a folder of the data, or a program
 
     def __str__(self):
         return f"{self.file.relative_to(REPO)}:{self.line}"

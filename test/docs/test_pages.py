@@ -94,7 +94,7 @@ class Release(unittest.TestCase):
                          version)
 
     def test_names_each_package_that_is_installed(self):
-        lines = [line for name in ("packages.txt", "package_tools.txt", "fuzz_tools.txt")
+        lines = [line for name in ("packages.txt", "campaign_tools.txt", "package_tools.txt", "fuzz_tools.txt")
                  for line in read(REPO / "tools" / name).splitlines()]
         names = [line.split("#")[0].strip() for line in lines]
         notice = read(REPO / "THIRD_PARTY.md")

@@ -56,7 +56,7 @@ class WithoutBuild(FrontDoorTest):
 
     def test_names_every_command_when_called_without_one(self):
         commands = ("setup demo test products parameters check new menu import sim run doctor "
-                    "merge tune eval docs package bench")
+                    "merge tune eval campaign docs package bench")
         self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands.split()])
 
     def test_names_the_commands_that_explain_their_arguments(self):

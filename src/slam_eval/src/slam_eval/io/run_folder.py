@@ -21,7 +21,11 @@ from slam_eval.io.updates import Updates, read_updates
 
 @dataclasses.dataclass
 class RunFolder:
-    """One run. What the run did not write is None (metrics: empty, config: empty text)."""
+    """One run. What the run did not write is None (metrics: empty, config: empty text).
+
+    truth_is_given: the true poses are of a file that the caller named, so that they may be in
+    another frame than the true landmarks.
+    """
 
     path: pathlib.Path
     trajectory: Trajectory
@@ -29,6 +33,7 @@ class RunFolder:
     odometry: Optional[Trajectory] = None
     wheels: Optional[Trajectory] = None
     truth: Optional[Trajectory] = None
+    truth_is_given: bool = False
     updates: Optional[Updates] = None
     landmarks: Optional[LandmarkMap] = None
     grid: Optional[GridMap] = None

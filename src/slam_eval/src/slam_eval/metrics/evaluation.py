@@ -13,6 +13,7 @@ from slam_eval.metrics.chi_square import two_sided_bounds
 from slam_eval.metrics.drift import Drift, segment_drift
 from slam_eval.metrics.honesty import (
     DOUBTFUL, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
+from slam_eval.metrics.landmark_detection import landmark_detection, LandmarkDetection
 from slam_eval.metrics.map_agreement import MapAgreement
 from slam_eval.metrics.relations import RelationErrors
 from slam_eval.metrics.relative_error import relative_metrics
@@ -73,6 +74,7 @@ class Evaluation:
     wheels_ate: Optional[TrajectoryError] = None
     wheels_drift: Optional[Drift] = None
     landmark_error: Optional[LandmarkError] = None
+    detection: Optional[LandmarkDetection] = None
     consistency: Optional[PoseConsistency] = None
     claim: Optional[PositionClaim] = None
     relations: Optional[RelationErrors] = None
@@ -178,8 +180,17 @@ def evaluate(run, relations=None, agreement=None):
             result.claim = position_claim(run.trajectory, run.updates, run.truth)
     if run.landmarks is not None and run.true_landmarks is not None:
         result.landmark_error = landmark_error(run.landmarks, run.true_landmarks)
+        result.detection = _detection(run, result)
     result.metrics = _collect(run, result)
     return result
+
+
+def _detection(run, result):
+    """The path's alignment comes first: it needs no ids, and wrong landmarks do not bend it."""
+    path = None if run.truth_is_given else result.final_ate or result.ate
+    alignment = path or result.landmark_error
+    return alignment and landmark_detection(run.landmarks, run.true_landmarks,
+                                            alignment.T_truth_map)
 
 
 def _drift(name, drift):
@@ -199,6 +210,7 @@ def _collect(run, result):
         "wheel_odometry_ate_rmse_m": result.wheels_ate and result.wheels_ate.rmse,
         **_drift("wheel_odometry", result.wheels_drift),
         "landmark_rmse_m": result.landmark_error and result.landmark_error.rmse,
+        **(result.detection.metrics if result.detection else {}),
         "landmarks": None if run.landmarks is None else len(run.landmarks),
         "nees_mean": result.consistency and float(np.mean(result.consistency.nees)),
         "nis_mean": None if run.updates is None else nis_mean(run.updates),

@@ -6,9 +6,10 @@ import json
 import pathlib
 
 from slam_eval.io.atomic_file import write_atomically
+from slam_eval.io.bag_poses import DEFAULT_TOPIC, read_bag_poses
 from slam_eval.io.errors import exit_code_of
 from slam_eval.io.run_folder import read_run
-from slam_eval.io.trajectory import NANOSECONDS
+from slam_eval.io.trajectory import NANOSECONDS, read_truth
 from slam_eval.io.world_plan import read_world
 from slam_eval.metrics.evaluation import evaluate
 from slam_eval.metrics.map_agreement import judge_map
@@ -77,12 +78,15 @@ def draw(run, result, reference, world):
     return pictures
 
 
-def evaluate_folder(folder, reference="ground truth", world_file=None, judge_relations=None):
+def evaluate_folder(folder, reference="ground truth", world_file=None, judge_relations=None,
+                    truth=None):
     """Evaluate a run folder: metrics.json, pictures, report and a table on stdout.
 
-    judge_relations returns the RelationErrors of a run.
+    judge_relations returns the RelationErrors of a run; truth: true poses instead of the run's own.
     """
     run = read_run(folder)
+    if truth is not None:
+        run.truth, run.truth_is_given = truth, True
     world = read_world(world_file) if world_file else None
     relations = judge_relations(run) if judge_relations else None
     result = evaluate(run, relations, judge_map(run, world, world_file))
@@ -112,6 +116,25 @@ def relation_judge(options):
                                  options.tolerance or TOLERANCE)
 
 
+def given_truth(options):
+    """The true poses that the options name, or None. Raises InputError."""
+    if options.truth is None:
+        return None
+    if options.truth.suffix != ".bag":
+        return read_truth(options.truth)
+    return read_bag_poses(options.truth, options.truth_topic or DEFAULT_TOPIC, options.truth_frame)
+
+
+def require_together(parser, options):
+    """Refuses options that go with another one."""
+    for option, other in (("stamps", "relations"), ("tolerance", "relations"),
+                          ("truth_topic", "truth"), ("truth_frame", "truth")):
+        if getattr(options, option) and not getattr(options, other):
+            parser.error(f"--{option.replace('_', '-')} goes with --{other}")
+    if (options.truth_topic or options.truth_frame) and options.truth.suffix != ".bag":
+        parser.error("--truth-topic and --truth-frame go with a bag")
+
+
 def main(arguments=None):
     """Entry point: exit code 0 done, 1 the evaluation failed, 2 wrong use."""
     parser = argparse.ArgumentParser(
@@ -129,10 +152,17 @@ def main(arguments=None):
     parser.add_argument("--tolerance", metavar="SECONDS", type=seconds,
                         help="largest difference between a relation's stamp and its scan's; "
                         "default: 0.01, as logs round")
+    parser.add_argument("--truth", metavar="FILE", type=pathlib.Path,
+                        help="true poses instead of the run's own: lines 'stamp tx ty tz qx qy qz qw', "
+                        "or a bag")
+    parser.add_argument("--truth-topic", metavar="TOPIC",
+                        help="of that bag: odometry, poses, points, a path or transforms; default: "
+                        + DEFAULT_TOPIC)
+    parser.add_argument("--truth-frame", metavar="FRAME",
+                        help="of transforms the robot's frame, as a child")
     options = parser.parse_args(arguments)
-    for option in ("stamps", "tolerance"):
-        if getattr(options, option) and not options.relations:
-            parser.error(f"--{option} goes with --relations")
+    require_together(parser, options)
     judge = relation_judge(options) if options.relations else None
     return exit_code_of("slam_eval", lambda: evaluate_folder(
-        options.folder, options.reference_title, options.world, judge), options.folder)
+        options.folder, options.reference_title, options.world, judge, given_truth(options)),
+        options.folder)

@@ -69,6 +69,14 @@ KEYS = {
         "Landmark error", "m", ".4f",
         "Root mean square distance between estimated and true landmarks, matched by id, after "
         "their own rigid alignment.", "Accuracy", True),
+    "landmark_precision_percent": Key(
+        "Landmarks that are there", "%", ".1f",
+        "Share of the map's landmarks that are paired with a true one at most 0.5 m away, the map moved "
+        "onto the truth by the alignment of the path; each in one pair at most, whatever their ids.",
+        "Accuracy", True),
+    "landmark_recall_percent": Key(
+        "Landmarks that were found", "%", ".1f",
+        "Share of all true landmarks, seen or not, that are in such a pair.", "Accuracy", True),
     "landmarks": Key(
         "Landmarks", "", "d", "Number of landmarks in the map at the end.", "Accuracy", True),
     "nees_mean": Key(

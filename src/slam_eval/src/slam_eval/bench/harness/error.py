@@ -8,6 +8,14 @@ class BenchError(Exception):
     """A benchmark that cannot go on. Its text is one sentence: what, where, remedy."""
 
 
+class ProgramError(BenchError):
+    """A program that ended with an error. code: its exit code, below 0 the signal that ended it."""
+
+    def __init__(self, sentence, code):
+        super().__init__(sentence)
+        self.code = code
+
+
 @dataclasses.dataclass(frozen=True)
 class Failure:
     """A run that ended with an error, and what it said."""

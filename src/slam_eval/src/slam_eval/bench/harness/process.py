@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 import time
 
-from slam_eval.bench.harness.error import BenchError
+from slam_eval.bench.harness.error import BenchError, ProgramError
 
 _POLL = 0.02  # [s]
 
@@ -82,5 +82,5 @@ def run(command, log, cwd=None, watch=None):
     if code != 0:
         why = f"signal {-code}" if code < 0 else f"exit code {code}"
         said = _last_line(errors if errors.stat().st_size else log)
-        raise BenchError(f"{name} ended with {why}: {said}")
+        raise ProgramError(f"{name} ended with {why}: {said}", code)
     return usage

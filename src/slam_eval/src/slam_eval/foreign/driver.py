@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What runs a foreign system on a bag."""
+import dataclasses
+import pathlib
+from typing import Callable, Optional
+
+from slam_eval.bench.harness.error import BenchError
+
+
+@dataclasses.dataclass(frozen=True)
+class Job:
+    """What a driver gets: the bag, the folder that takes the results, the seed, a robot file where
+    the bag's own does not count, what is set (KEY=VALUE).
+
+    call(command, log) runs a program to its end and returns its Usage; it raises BenchError with
+    what the program said, and ends it where the campaign's time is over.
+    """
+
+    bag: pathlib.Path
+    folder: pathlib.Path
+    seed: int
+    robot: Optional[str]
+    settings: tuple
+    call: Callable
+
+
+class Driver:
+    """Runs a foreign system. A class derived from it brings programs() and run().
+
+    The system's file names the class and gives the defaults of its parameters.
+    """
+
+    def __init__(self, parameters):
+        """parameters: those of the system's file, with the values that the campaign sets, and
+        'folder', where that file is."""
+        self.parameters = parameters
+
+    def number(self, name):
+        """A parameter as a number. Raises BenchError."""
+        value = self.parameters[name]
+        try:
+            return float(value)
+        except (TypeError, ValueError):
+            raise BenchError(f"the parameter {name} is '{value}', which is no number") from None
+
+    def programs(self):
+        """The files (paths) whose content the result depends on, beside the driver. Raises
+        BenchError where one is missing, with the package that brings it."""
+        raise NotImplementedError
+
+    def run(self, job):
+        """Runs the system on job.bag and leaves in job.folder what an own product would:
+        trajectory.tum (needed), and of trajectory_final.tum, odometry.tum, landmarks.yaml, map.yaml
+        with map.pgm what there is. Returns the Usage of the system alone. Raises BenchError.
+        """
+        raise NotImplementedError

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Any ROS node that publishes map -> odom as a foreign system: started by its launch file, it gets
+the bag replayed, and its transform is recorded."""
+import pathlib
+import socket
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from slam_eval.bench.harness.bag_robot import robot_of
+from slam_eval.bench.harness.error import BenchError
+from slam_eval.bench.harness.programs import system_program, workspace_program
+from slam_eval.foreign.bag_data import messages, read_odometry
+from slam_eval.foreign.driver import Driver
+from slam_eval.foreign.results import write_about, write_trajectory
+from slam_eval.geometry import se2
+from slam_eval.io.errors import InputError
+from slam_eval.io.trajectory import interpolate, read_trajectory, Trajectory
+
+MAP_ODOM = "map_odom.tum"  # what the recorder has heard
+_LONGEST_GAP = 5.0  # [s] between two transforms
+_ARGUMENT = "arg."  # before the name of an argument of the launch file
+_LAUNCH = """<launch>
+  <param name="/use_sim_time" value="true"/>
+  <include file={launch}>{arguments}</include>
+  <node pkg="slam_eval" type="foreign_recorder" name="foreign_recorder" required="true"
+        output="screen" args={recorder}/>
+</launch>
+"""
+
+
+def free_port():
+    """A port that nobody listens on, for a master of our own."""
+    with socket.socket() as listener:
+        listener.bind(("", 0))
+        return listener.getsockname()[1]
+
+
+def map_base(map_odom, odometry, stamps):
+    """The robot's poses in the map at stamps: what tf would answer for map -> base there, of the
+    transforms map -> odom that were published and the bag's odometry."""
+    corrections, known = interpolate(map_odom, stamps, _LONGEST_GAP)
+    poses, covered = interpolate(odometry, stamps)
+    valid = known & covered
+    poses = [se2.compose(a, b) for a, b in zip(corrections[valid], poses[valid])]
+    return Trajectory(np.asarray(stamps)[valid], np.array(poses).reshape(-1, 3))
+
+
+class RosNode(Driver):
+    """Its parameters: launch (a file beside the system's own), frames, topics that are replayed,
+    stamps (the topic whose stamps the trajectory has), rate, and arg.NAME of the launch file, in
+    which {seed} and {robot} stand for the run's."""
+
+    def _launch(self):
+        return pathlib.Path(self.parameters["folder"]) / str(self.parameters["launch"])
+
+    def programs(self):
+        if not self._launch().is_file():
+            raise BenchError(f"there is no launch file {self._launch()}")
+        if system_program("roslaunch") is None:
+            raise BenchError("there is no roslaunch; source ROS's setup.bash")
+        return [self._launch(), workspace_program("slam_eval", "foreign_recorder")]
+
+    def _arguments(self, job, robot):
+        values = {name[len(_ARGUMENT):]: str(value) for name, value in self.parameters.items()
+                  if name.startswith(_ARGUMENT)}
+        return "".join(f"<arg name={quoteattr(name)} value="
+                       f"{quoteattr(value.format(seed=job.seed, robot=robot))}/>"
+                       for name, value in values.items())
+
+    def _write_launch(self, job, robot):
+        topics = str(self.parameters["topics"]).split()
+        words = [str(job.bag), str(job.folder), str(self.parameters["map_frame"]),
+                 str(self.parameters["odom_frame"]), str(self.number("rate")), *topics]
+        path = job.folder / "foreign.launch"
+        path.write_text(_LAUNCH.format(
+            launch=quoteattr(str(self._launch())), arguments=self._arguments(job, robot),
+            recorder=quoteattr(" ".join(f"'{word}'" for word in words))), encoding="utf-8")
+        return path
+
+    def run(self, job):
+        robot = job.robot or robot_of(job.bag)
+        job.call([system_program("roslaunch"), "-p", free_port(), self._write_launch(job, robot)],
+                 job.folder / "log.txt")
+        try:
+            heard = read_trajectory(job.folder / MAP_ODOM)
+        except InputError:
+            raise BenchError("it published no transform "
+                             f"{self.parameters['map_frame']} -> {self.parameters['odom_frame']} "
+                             "while the bag was replayed; the run's log.txt says more") from None
+        odometry = read_odometry(job.bag)
+        stamps = [stamp for stamp, _ in messages(job.bag, str(self.parameters["stamps"]))]
+        found = map_base(heard, odometry, stamps)
+        if len(found) < 2:
+            raise BenchError(f"its transform is known at {len(found)} stamps of the bag's "
+                             f"{self.parameters['stamps']} only")
+        write_trajectory(job.folder / "trajectory.tum", found)
+        write_trajectory(job.folder / "odometry.tum",
+                         Trajectory(found.stamps, interpolate(odometry, found.stamps)[0]))
+        write_about(job, "ros_node", robot, None, len(found))
