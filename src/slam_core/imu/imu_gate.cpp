@@ -16,7 +16,7 @@ constexpr Duration kImuPatience = std::chrono::seconds(1);
 const GateRegistrar<ImuGate> kImuGateRegistrar(ImuConfig::kSection);
 const SectionRegistrar<ImuConfig> kImuSectionRegistrar;
 
-std::string unknownImuMount(const std::string& frame) {
+std::string unknownMount(const std::string& frame) {
   return "it is not known how the IMU of frame '" + frame +
          "' is mounted; publish its static transform to the robot's base frame or give "
          "imu.sensor_pose in the robot file";
@@ -89,11 +89,11 @@ bool ImuGate::hasMount(const ImuReading& reading) const {
 
 Status ImuGate::waiting() const {
   const bool worth_a_word = held_.back().stamp - held_.front().stamp > kImuPatience;
-  return worth_a_word ? Status::warning(unknownImuMount(held_.front().frame)) : Status::ok();
+  return worth_a_word ? Status::warning(unknownMount(held_.front().frame)) : Status::ok();
 }
 
 Status ImuGate::take(const ImuReading& reading) {
-  if (!hasMount(reading)) return reject("no_mount", unknownImuMount(reading.frame));
+  if (!hasMount(reading)) return reject("no_mount", unknownMount(reading.frame));
   if (!mount_fault_.empty())
     return reject("bad_mount", "the IMU's mount cannot be used: " + mount_fault_ +
                                    "; correct its transform to the robot's base frame or "

@@ -15,6 +15,8 @@ constexpr double kVoteRate = 0.1;                   // of the wheels, that tells
 constexpr double kStraightTurn = 0.15;
 /// Robot files may say too little of the wheels' noise.
 constexpr double kNoiseSigmas = 5.0;
+/// Of a turn that tells, at most: robot files count a wheelbase that is wrong as noise.
+constexpr double kMostNoise = 0.5;
 constexpr double kMostTurn = 0.5;  // that one vote counts for [rad]
 /// Gyro over wheels: wheels that slip, or whose base is not known, are wrong by less.
 constexpr double kLeastRatio = 0.2, kMostRatio = 5.0;
@@ -42,12 +44,17 @@ void GyroTrust::Turns::add(double turned, const Motion& motion) {
   way += motion.increment.position().norm();
 }
 
-double GyroTrust::Turns::doubt() const {
-  return kVoteRate * seconds + kStraightTurn * way + kNoiseSigmas * std::sqrt(variance);
+double GyroTrust::Turns::straight() const { return kVoteRate * seconds + kStraightTurn * way; }
+
+double GyroTrust::Turns::noise() const { return kNoiseSigmas * std::sqrt(variance); }
+
+bool GyroTrust::Turns::tell() const {
+  const double turned = std::abs(wheels);
+  return turned >= straight() + std::min(kMostNoise * turned, noise());
 }
 
 bool GyroTrust::Turns::contradict(double bias_sigma) const {
-  const double slack = doubt() + kNoiseSigmas * bias_sigma * seconds;
+  const double slack = straight() + noise() + kNoiseSigmas * bias_sigma * seconds;
   return std::abs(gyro - wheels) > slack && !isRatioOfWheels(gyro, wheels);
 }
 
@@ -57,9 +64,8 @@ void GyroTrust::add(double gyro, const Motion& wheels, double bias_sigma) {
   if (contradicts || is_full) is_doubted_ = contradicts;
   if (is_full) block_ = {};
   since_vote_.add(gyro, wheels);
-  const bool tells = std::abs(since_vote_.wheels) >= since_vote_.doubt();
-  if (since_vote_.seconds < (tells ? kVoteTime : kMostTime)) return;
-  if (tells) vote();
+  if (since_vote_.seconds < (since_vote_.tell() ? kVoteTime : kMostTime)) return;
+  if (since_vote_.tell()) vote();
   since_vote_ = {};
 }
 

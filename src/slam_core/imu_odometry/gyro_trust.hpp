@@ -44,8 +44,11 @@ class GyroTrust {
     double variance = 0.0, way = 0.0;                ///< of the wheels' turn [rad^2], [m]
 
     void add(double turned, const Motion& motion);
-    /// Up to where wheels do not turn beyond doubt [rad].
-    double doubt() const;
+    /// What wheels may measure that go straight, and by how much they may be off [rad].
+    double straight() const;
+    double noise() const;
+    /// Whether the wheels have turned beyond doubt.
+    bool tell() const;
     bool contradict(double bias_sigma) const;
 
     template <class Archive>

@@ -145,13 +145,13 @@ Status WheelImuOdometry::explain(Duration interval, Heading heading, bool has_me
   if (heading == Heading::kStuck) counters_.add("gyro_stuck");
   if (heading == Heading::kImplausible) counters_.add("gyro_implausible");
   silent_for_ = heading == Heading::kSilent ? silent_for_ + interval : Duration{};
-  const auto sentence = explanationOf(heading);
+  const auto sentence = sentenceOf(heading);
   if (sentence.empty() || said_ == heading) return Status::ok();
   said_ = heading;
   return Status::warning(sentence + "; the wheels' heading is used meanwhile");
 }
 
-std::string WheelImuOdometry::explanationOf(Heading heading) const {
+std::string WheelImuOdometry::sentenceOf(Heading heading) const {
   using Verdict = GyroTrust::Verdict;
   if (heading == Heading::kSilent && silent_for_ >= kGyroPatience)
     return "the IMU is silent; see whether its driver runs and whether its stamps are right";

@@ -68,7 +68,7 @@ class WheelImuOdometry final : public OdometrySource {
   Motion turned(const Motion& wheels, const GyroTurn& turn) const;
   void learn(const Motion& wheels, const std::optional<GyroTurn>& turn, Heading heading);
   Status explain(Duration interval, Heading heading, bool has_measured_turn);
-  std::string explanationOf(Heading heading) const;
+  std::string sentenceOf(Heading heading) const;
 
   std::unique_ptr<OdometrySource> wheels_;
   Ports wheel_ports_;

@@ -45,6 +45,13 @@ TEST_F(GyroTrustTest, IsProvenByTurnsEvenIfWheelsAreWrongByAFactorOfTwo) {
   }
 }
 
+TEST_F(GyroTrustTest, IsProvenAlsoWhereTheRobotFileCallsTheWheelsBad) {
+  auto wheels = wheelsThat(0.5);
+  wheels.covariance(2, 2) = 0.12 * 0.5 * kInterval;
+  for (int i = 0; i < 100; ++i) trust.add(0.35 * kInterval, wheels, 0.01);
+  EXPECT_EQ(trust.verdict(), Verdict::kProven);
+}
+
 TEST_F(GyroTrustTest, NamesWhatIsWrong) {
   const std::pair<double, Verdict> cases[] = {{57.3, Verdict::kTooLarge},
                                               {-57.3, Verdict::kTooLarge},
