@@ -14,7 +14,7 @@ namespace {
 
 /// Ten times the range of the fastest MEMS gyros in degrees [rad/s].
 constexpr double kFastestRate = 20000.0;
-/// Of one reading, above which a covariance tells nothing [rad^2/s^2].
+/// Of one reading, above which a covariance says nothing [rad^2/s^2].
 constexpr double kLargestRateVariance = 100.0;
 
 bool isGiven(const Eigen::Matrix3d& covariance) {

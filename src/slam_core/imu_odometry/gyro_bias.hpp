@@ -8,7 +8,7 @@
 namespace slam::imu_odometry {
 
 /// What the gyro measures at rest, its bias: a Kalman filter whose state is the bias [rad/s] and,
-/// since wheels can tell the bias only as far as they are right, the systematic errors of their
+/// since wheels show the bias only as far as they are right, the systematic errors of their
 /// heading: a drift on each metre of the way [rad/m], of wheels of unequal size, and a share of
 /// each turn, of a wheelbase that is not the true one (Borenstein and Feng 1996). On a robot that
 /// steers by slipping that share is a third and more, and changes with the ground. All three walk
@@ -35,7 +35,7 @@ class GyroBias {
   /// The gyro's mean rate while the robot stood [rad/s], with its variance.
   void observeAtRest(double rate, double variance);
   /// The gyro's mean rate less the wheels', at this speed [m/s], with its variance. Nothing is
-  /// learnt from a contradiction: where wheels slip they tell nothing.
+  /// learnt from a contradiction: wheels that slip show nothing.
   /// @param turn_rate of the robot [rad/s]
   void observeBesideWheels(double excess, double speed, double turn_rate, double variance);
   /// How far a rate measured at rest is from the bias, in standard deviations.

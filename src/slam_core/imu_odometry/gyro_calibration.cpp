@@ -33,7 +33,7 @@ GyroCalibration::GyroCalibration(const ImuConfig& config)
       noise_(config.gyro_noise) {}
 
 double GyroCalibration::variance(const GyroTurn& turn) const {
-  const double noise = std::max(noise_.variance() * turn.seconds, turn.told_variance);
+  const double noise = std::max(noise_.variance() * turn.seconds, turn.given_variance);
   const double turned = angle(turn);
   const double scale = square(turned) + 2.0 * std::abs(turned) * recent_turns_[turned > 0.0];
   return noise + square(scale_sigma_) * scale + bias_.headingVariance(turn.seconds);

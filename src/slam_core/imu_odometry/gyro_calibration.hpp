@@ -26,9 +26,9 @@ class GyroCalibration {
   double noiseVariance() const { return noise_.variance(); }  ///< [rad^2/s]
   /// The turn without bias [rad].
   double angle(const GyroTurn& turn) const { return turn.angle - turn.seconds * bias(); }
-  /// Of that angle [rad^2]: noise (the messages' where they tell of more), bias and scale.
+  /// Of that angle [rad^2]: noise (the messages' where it is larger), bias and scale.
   double variance(const GyroTurn& turn) const;
-  /// Whether a robot whose wheels stand does not turn, as far as the gyro can tell.
+  /// Whether a robot whose wheels stand does not turn, as far as the gyro shows.
   bool rests(const GyroTurn& turn) const;
 
   /// Time goes on. @param turned [rad] @param drifts the gyro gave the heading meanwhile

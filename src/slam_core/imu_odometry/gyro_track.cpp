@@ -86,7 +86,7 @@ std::optional<GyroTurn> GyroTrack::between(Stamp start, Stamp end) const {
     turn.pieces.push_back({dt, dt * (a.rate + middle * (b.rate - a.rate))});
     turn.seconds += dt;
     turn.angle += turn.pieces.back().angle;
-    turn.told_variance += dt * seconds(b.stamp - a.stamp) * b.variance;
+    turn.given_variance += dt * seconds(b.stamp - a.stamp) * b.variance;
     turn.is_repeated = a.repeats >= kRepeatsOfStuck && a.same_since <= start;
     reached = until;
   }

@@ -19,11 +19,11 @@ struct GyroTurn {
     double seconds = 0.0;
     double angle = 0.0;  ///< [rad]
   };
-  std::vector<Piece> pieces;   ///< one after the other
-  double seconds = 0.0;        ///< of all pieces
-  double angle = 0.0;          ///< of all pieces [rad]
-  double told_variance = 0.0;  ///< of the angle, by the messages' covariances [rad^2]; 0: none
-  bool is_repeated = false;    ///< of one value that came again and again, since before the turn
+  std::vector<Piece> pieces;    ///< one after the other
+  double seconds = 0.0;         ///< of all pieces
+  double angle = 0.0;           ///< of all pieces [rad]
+  double given_variance = 0.0;  ///< of the angle, by the messages' covariances [rad^2]; 0: none
+  bool is_repeated = false;     ///< of one value that came again and again, since before the turn
 };
 
 /// The last samples of a gyro, from which the turn between any two stamps follows: the rate is

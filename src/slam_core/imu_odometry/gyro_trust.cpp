@@ -10,18 +10,18 @@ namespace slam::imu_odometry {
 namespace {
 
 constexpr double kVoteTime = 0.5, kMostTime = 2.0;  // [s]
-constexpr double kVoteRate = 0.1;                   // of the wheels, that tells nothing [rad/s]
+constexpr double kVoteRate = 0.1;                   // of the wheels, that says nothing [rad/s]
 /// By which wheels of unequal size seem to turn on a straight way [rad/m].
 constexpr double kStraightTurn = 0.15;
 /// Robot files may say too little of the wheels' noise.
 constexpr double kNoiseSigmas = 5.0;
-/// Of a turn that tells, at most: robot files count a wheelbase that is wrong as noise.
+/// Of a turn that counts, at most: robot files count a wheelbase that is wrong as noise.
 constexpr double kMostNoise = 0.5;
 constexpr double kMostTurn = 0.5;  // that one vote counts for [rad]
 /// Gyro over wheels: wheels that slip, or whose base is not known, are wrong by less.
 constexpr double kLeastRatio = 0.2, kMostRatio = 5.0;
 /// Turns that prove it, that refute what is not proven, and by kind what is [rad]. Wheels that spin
-/// on the spot tell of turns that do not happen.
+/// on the spot report turns that do not happen.
 constexpr double kProves = 0.5, kRefutesUnproven = 1.0;
 constexpr std::array<double, 3> kRefutesProven = {1.0, 1.0, 10.0};
 
@@ -48,7 +48,7 @@ double GyroTrust::Turns::straight() const { return kVoteRate * seconds + kStraig
 
 double GyroTrust::Turns::noise() const { return kNoiseSigmas * std::sqrt(variance); }
 
-bool GyroTrust::Turns::tell() const {
+bool GyroTrust::Turns::isTurn() const {
   const double turned = std::abs(wheels);
   return turned >= straight() + std::min(kMostNoise * turned, noise());
 }
@@ -64,8 +64,8 @@ void GyroTrust::add(double gyro, const Motion& wheels, double bias_sigma) {
   if (contradicts || is_full) is_doubted_ = contradicts;
   if (is_full) block_ = {};
   since_vote_.add(gyro, wheels);
-  if (since_vote_.seconds < (since_vote_.tell() ? kVoteTime : kMostTime)) return;
-  if (since_vote_.tell()) vote();
+  if (since_vote_.seconds < (since_vote_.isTurn() ? kVoteTime : kMostTime)) return;
+  if (since_vote_.isTurn()) vote();
   since_vote_ = {};
 }
 

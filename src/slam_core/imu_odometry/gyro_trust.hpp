@@ -10,7 +10,7 @@
 
 namespace slam::imu_odometry {
 
-/// Whether the gyro measures the turns that the wheels measure, as far as wheels can tell: they may
+/// Whether the gyro measures the turns that the wheels measure, as far as wheels show it: they may
 /// be wrong by a factor of a few, not by one of 57 and not by the sign. While turns have not shown
 /// it, what differs much is not believed; once they have, the gyro is believed over the wheels
 /// until turn after turn says otherwise.
@@ -48,7 +48,7 @@ class GyroTrust {
     double straight() const;
     double noise() const;
     /// Whether the wheels have turned beyond doubt.
-    bool tell() const;
+    bool isTurn() const;
     bool contradict(double bias_sigma) const;
 
     template <class Archive>

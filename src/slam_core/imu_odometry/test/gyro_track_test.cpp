@@ -74,7 +74,7 @@ TEST_F(GyroTrackTest, NotesAValueThatComesAgainAndAgain) {
 
 TEST_F(GyroTrackTest, AddsUpWhatTheDriverSaysOfTheNoise) {
   for (int i = 0; i <= 100; ++i) add(0.01 * i, 0.2, 4e-4);  // a density of 2e-3
-  EXPECT_NEAR(track.between(at(0.0), at(1.0))->told_variance, 4e-6, 1e-12);
+  EXPECT_NEAR(track.between(at(0.0), at(1.0))->given_variance, 4e-6, 1e-12);
 }
 
 TEST_F(GyroTrackTest, ForgetsWhatIsNotAskedForAnyMore) {

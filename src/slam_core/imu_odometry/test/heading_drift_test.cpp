@@ -147,7 +147,7 @@ Nees neesOf(const TurningRobot& robot, const std::vector<Motion>& motions, std::
   return {nees.of_pose / pieces, nees.of_heading / pieces};
 }
 
-/// Errors that last, of bias and scale, cannot be told as independent ones for each length of way:
+/// Errors that last, of bias and scale, cannot be independent ones for each length of way:
 /// the covariances are made to fit seconds to half a minute, and are too large for less.
 TEST(HeadingDrift, CovarianceIsAsLargeAsTheErrors) {
   const struct {
