@@ -164,7 +164,8 @@ class ShippedModel(unittest.TestCase):
         self.assertEqual(self.model.launch_files(features)["frontend"],
                          ["slam_frontend/launch/detector.launch"])
         self.assertEqual(self.model.needed_by("wheel_odometry", features),
-                         "odometry=wheel or odometry=visual_wheel or odometry=laser_wheel")
+                         "odometry=wheel or odometry=wheel_imu or odometry=visual_wheel or "
+                         "odometry=laser_wheel")
 
     def test_the_grid_back_end_maps_no_landmarks(self):
         sentence = ("makes no product: The grid back-end maps what a laser sees and no landmarks, "

@@ -47,7 +47,8 @@ class LaunchChecks(unittest.TestCase):
             self.expect_refusal(f"jump_limit:={limit} is not a number >= 0", jump_limit=limit)
 
     def test_the_transform_of_the_odometry_is_its_sources_but_for_that_of_a_driver(self):
-        for given, published in (({}, "false"), ({"odometry": "visual"}, "true"),
+        for given, published in (({}, "false"), ({"odometry": "wheel_imu"}, "false"),
+                                 ({"odometry": "visual"}, "true"),
                                  ({"odometry": "visual_wheel"}, "true"),
                                  ({"odometry": "visual", "publish_tf": "false"}, "false"),
                                  ({"publish_tf": "true"}, "true")):

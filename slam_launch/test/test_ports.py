@@ -58,6 +58,7 @@ class Told(Ports):
     def test_each_sensor_has_its_gate_once(self):
         for name, sensors in (("ekf_wheel", ["camera"]), ("pf_wheel_grid", ["laser"]),
                               ("ekf_visual_wheel", ["ceiling_camera", "camera"]),
+                              ("ekf_wheel_imu", ["imu", "camera"]),
                               ("ekf_wheel_pointmap", ["camera", "laser"])):
             self.assertEqual([gate.name for gate in self.of(name).gates], sensors, name)
 
@@ -71,7 +72,8 @@ class Told(Ports):
                               for port in backend.inputs}, expected)
 
     def test_the_transform_of_the_odometry_follows_from_what_its_source_takes_in(self):
-        for name, owns in (("ekf_wheel", False), ("pf_visual", True), ("pf_visual_wheel", True)):
+        for name, owns in (("ekf_wheel", False), ("ekf_wheel_imu", False), ("pf_visual", True),
+                           ("pf_visual_wheel", True)):
             self.assertEqual(self.of(name).owns_odometry_edge, owns, name)
 
 

@@ -73,7 +73,8 @@ class Reading(ProductFiles):
         self.expect_refusal("has no version; this program reads version 1", FEATURES)
 
     def test_refuses_an_unknown_feature_and_names_the_nearest(self):
-        self.expect_refusal("odometry=wheels is not a feature; odometry is one of: wheel, visual",
+        self.expect_refusal("odometry=wheels is not a feature; odometry is one of: wheel, "
+                            "wheel_imu, visual",
                             HEAD + FEATURES.replace("wheel", "wheels"))
 
     def test_refuses_a_missing_mandatory_feature(self):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The thesis's five products (6.2.1 to 6.2.5), graphs and the one without odometry: nodelets, one nodelet
-and the offline program write the same files from the same bag, byte for byte."""
+"""The thesis's five products (6.2.1 to 6.2.5) and others: nodelets, one nodelet and the offline program
+write the same files from the same bag, byte for byte."""
 
 import pathlib
 import subprocess
@@ -12,7 +12,8 @@ from launching import program, run_launch
 
 SECONDS = 10  # of the office, as fast as it goes
 PRODUCTS = ("ekf_wheel", "pf_wheel", "pf_visual", "ekf_wheel_pointmap", "pf_wheel_grid",
-            "scan_grid", "ekf_laser", "ekf_wheel_lines", "graph_wheel", "graph_wheel_grid")
+            "scan_grid", "ekf_laser", "ekf_wheel_imu", "ekf_wheel_lines", "graph_wheel",
+            "graph_wheel_grid")
 MAPS = {"ekf_wheel_pointmap": {"landmarks.yaml", "points.pcd"},
         "pf_wheel_grid": {"map.pgm", "map.yaml"},
         "scan_grid": {"map.pgm", "map.yaml"},
@@ -34,8 +35,8 @@ class CompositionsTest(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.root = pathlib.Path(folder.name)
         cls.bag = cls.root / "office.bag"
-        subprocess.run([program("slam_sim", "slam_sim"), cls.bag, "--duration", str(SECONDS)],
-                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([program("slam_sim", "slam_sim"), cls.bag, "--robot", "skid", "--duration",
+                        str(SECONDS)], check=True, stdout=subprocess.DEVNULL)
 
     def offline(self, product):
         run = self.root / product

@@ -60,8 +60,8 @@ def published(record):
 
 
 def simulate(path):
-    subprocess.run([program("slam_sim", "slam_sim"), path, "--duration", str(SECONDS), "--only",
-                    "odom,scan,camera,ceiling_camera"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program("slam_sim", "slam_sim"), path, "--robot", "skid", "--duration",
+                    str(SECONDS), "--only", "odom,scan,imu,camera,ceiling_camera"], check=True, stdout=subprocess.DEVNULL)
 
 
 def with_made(bag, record, path, made_of):

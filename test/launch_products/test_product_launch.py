@@ -104,7 +104,7 @@ class BadInputTest(Refusals, ProductLaunch):
                             "backend:=efk", ROBOT)
         self.assert_refused("did you mean 'aruco'?", "detector:=aruko", ROBOT)
         self.assert_file_refused("odometry=visul is not a feature; odometry is one of: wheel, "
-                                 "visual, visual_wheel, laser, laser_wheel, none (did you mean "
+                                 "wheel_imu, visual, visual_wheel, laser, laser_wheel, none (did you mean "
                                  "'visual'?)",
                                  "version: 1\nbackend: ekf\nodometry: visul\n")
 
@@ -112,7 +112,8 @@ class BadInputTest(Refusals, ProductLaunch):
         self.assert_refused("did you mean 'pf_wheel'?", "product:=fp_wheel", ROBOT)
 
     def test_a_missing_mandatory_feature_is_named(self):
-        self.assert_file_refused("a product needs odometry (one of: wheel, visual, visual_wheel",
+        self.assert_file_refused("a product needs odometry (one of: wheel, wheel_imu, visual, "
+                                 "visual_wheel",
                                  "version: 1\nbackend: ekf\n")
 
     def test_two_of_a_one_of_group_are_named(self):

@@ -34,16 +34,16 @@ class OdometrySource : public Component {
 };
 
 /// Whether the transform odom -> base_link is the source's to publish (REP-105: an edge has one
-/// publisher). A source that takes in only the wheel driver's odometry moves along that driver's
-/// frame, and the driver publishes the edge. A source that takes in none of it, or the data of
-/// other sensors as well, has an odometry frame of its own.
+/// publisher). A source that takes in the wheel driver's odometry and has no name of its own moves
+/// along that driver's frame, and the driver publishes the edge. A source that takes in none of it,
+/// or that has a name, has an odometry frame of its own.
 inline bool ownsOdometryEdge(OdometrySource& source) {
   const auto ports = portsOf(source);
   const auto& inputs = ports.inputs();
   const auto is_of_driver = [](const InputPort& input) {
     return input.kind == kindOf<OdometrySample>();
   };
-  return inputs.empty() || !std::all_of(inputs.begin(), inputs.end(), is_of_driver);
+  return !source.name().empty() || std::none_of(inputs.begin(), inputs.end(), is_of_driver);
 }
 
 }  // namespace slam

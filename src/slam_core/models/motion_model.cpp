@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "slam_core/common/policy_table.hpp"
+#include "slam_core/models/arc_jacobian.hpp"
 
 namespace slam {
 namespace {
@@ -19,22 +20,6 @@ Eigen::Matrix2d directed(const Eigen::Vector2d& direction, double along, double 
 Eigen::Vector2d unitOrForward(const Eigen::Vector2d& v) {
   const double length = v.norm();
   return length > 0.0 ? Eigen::Vector2d(v / length) : Eigen::Vector2d::UnitX();
-}
-
-/// The Jacobian of Pose2::exp(twist) in the twist. The position is V(theta) (x, y), and
-/// theta dV/dtheta = R(theta) - V.
-Eigen::Matrix3d arcJacobian(const Eigen::Vector3d& twist) {
-  const double theta = twist.z();
-  const Pose2 end = Pose2::exp(twist);
-  Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
-  J.block<2, 1>(0, 0) = Pose2::exp({1.0, 0.0, theta}).position();
-  J.block<2, 1>(0, 1) = Pose2::exp({0.0, 1.0, theta}).position();
-  if (std::abs(theta) > 1e-4)
-    J.block<2, 1>(0, 2) = (end.rotation() * twist.head<2>() - end.position()) / theta;
-  else  // the quotient loses its digits
-    J.block<2, 1>(0, 2) =
-        0.5 * Eigen::Vector2d(-twist.y(), twist.x()) - theta / 3.0 * twist.head<2>();
-  return J;
 }
 
 }  // namespace

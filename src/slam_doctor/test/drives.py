@@ -15,7 +15,7 @@ from slam_doctor.expectations import all_products, Expectations, NO_ROBOT, read_
 from slam_doctor.record.bag import read_bag
 from slam_eval.bench.harness import bag_edit
 
-ODOMETRY, SCAN = bag_edit.ODOMETRY, bag_edit.SCAN
+ODOMETRY, SCAN, IMU = bag_edit.ODOMETRY, bag_edit.SCAN, "sensor_msgs/Imu"
 FOLDER = pathlib.Path(tempfile.mkdtemp(prefix="slam_doctor_test_"))
 atexit.register(shutil.rmtree, FOLDER, ignore_errors=True)
 

@@ -5,7 +5,7 @@ faults has none."""
 import math
 import unittest
 
-from drives import drive, Edit, edited, diagnose, faults, ODOMETRY, SCAN, simulate
+from drives import drive, Edit, edited, diagnose, faults, IMU, ODOMETRY, SCAN, simulate
 import genpy
 from slam_eval.bench.adverse import changes
 from slam_eval.bench.harness import miscalibration
@@ -34,6 +34,51 @@ class Clean(unittest.TestCase):
         bag = drive().with_name("people.bag")
         rewrite(drive(), bag, people=People(5, 3.0))
         self.assertEqual(faults(diagnose(bag)), {})
+
+
+def of_imu(change):
+    """An edit of the angular velocities."""
+    def edit(kind, message, time):
+        velocity = message.angular_velocity
+        velocity.x, velocity.y, velocity.z = change(velocity.x, velocity.y, velocity.z)
+    return Edit((IMU,), edit)
+
+
+class Imu(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.bag = simulate("imu", "--robot", "skid", "--only", "odom,imu", "--duration", "30")
+
+    def diagnose(self, name, change, left_out=()):
+        return diagnose(edited(f"imu_{name}", change, self.bag, left_out), "sim_skid")
+
+    def test_is_right_though_it_hangs_upside_down(self):
+        found = diagnose(self.bag, "sim_skid")
+        self.assertEqual(faults(found), {})
+        self.assertAlmostEqual(found["imu.turns"].value, 1 / 1.41, delta=0.1)
+        self.assertAlmostEqual(found["imu.rest"].value, 0.009, delta=0.002)
+
+    def test_in_degrees(self):
+        found = self.diagnose("degrees", of_imu(lambda *rate: [math.degrees(r) for r in rate]))
+        self.assertEqual(found["imu.turns"].level.name, "ERROR")
+        self.assertIn("imu.units", found["imu.turns"].advice)
+
+    def test_whose_mount_does_not_say_that_it_hangs_upside_down(self):
+        found = self.diagnose("opposite", of_imu(lambda *rate: [-r for r in rate]))
+        self.assertEqual(found["imu.turns"].level.name, "ERROR")
+        self.assertIn("upside down", found["imu.turns"].advice)
+
+    def test_that_measures_about_another_axis(self):
+        found = self.diagnose("axis", of_imu(lambda x, y, z: [x, z, y]))
+        self.assertEqual(found["imu.turns"].level.name, "ERROR")
+
+    def test_without_a_mount(self):
+        found = self.diagnose("no_mount", of_imu(lambda *rate: rate), ("/tf_static",))
+        self.assertEqual(found["imu.mount"].level.name, "ERROR")
+
+    def test_of_no_numbers(self):
+        found = self.diagnose("nan", of_imu(lambda *rate: [math.nan, 0.0, 0.0]))
+        self.assertEqual(found["imu.numbers"].level.name, "ERROR")
 
 
 class Laser(unittest.TestCase):

@@ -76,6 +76,7 @@ if(CATKIN_ENABLE_TESTING)
     test/bags/test_flow_and_metrics.cpp
     test/bags/test_offline_run.cpp
     test/bags/test_run_origin.cpp
+    test/bags/test_imu_bags.cpp
     test/bags/test_scan_bags.cpp
     test/bags/test_carried_data.cpp
     test/bags/test_topic_matching.cpp

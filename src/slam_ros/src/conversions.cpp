@@ -219,6 +219,16 @@ slam::LaserSweep fromMsg(const sensor_msgs::LaserScan& message) {
   return sweep;
 }
 
+slam::ImuReading fromMsg(const sensor_msgs::Imu& message) {
+  const auto& rate = message.angular_velocity;
+  slam::ImuReading reading;
+  reading.stamp = fromRos(message.header.stamp);
+  reading.frame = frameId(message.header.frame_id);
+  reading.angular_velocity = {rate.x, rate.y, rate.z};
+  reading.covariance = squareMatrix<3>(message.angular_velocity_covariance);
+  return reading;
+}
+
 slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,
                              const std::string& frame) {
   slam_msgs::LandmarkMap message;

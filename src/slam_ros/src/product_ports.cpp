@@ -10,6 +10,7 @@
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/imu/imu_reading.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/product/product_components.hpp"
 #include "slam_ros/camera_topics.hpp"
@@ -31,7 +32,8 @@ std::string topicOf(const slam::InputPort& input) {
   const auto topic = TopicsConfig().of(input.name);
   if (input.kind == slam::kindOf<slam::CameraCalibration>()) return cameraTopics(topic).info;
   const bool is_mount = input.kind == slam::kindOf<slam::CameraMount>() ||
-                        input.kind == slam::kindOf<slam::LaserMount>();
+                        input.kind == slam::kindOf<slam::LaserMount>() ||
+                        input.kind == slam::kindOf<slam::ImuMount>();
   return is_mount ? "tf_static" : topic;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "slam_core/camera/image.hpp"
+#include "slam_core/imu/imu_reading.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
@@ -40,7 +41,8 @@ std::vector<std::pair<std::string, slam::Kind>> TopicsConfig::inputs() {
           {"observations", slam::kindOf<slam::LandmarkObservationArray>()},
           {"camera", slam::kindOf<slam::Image>()},
           {"ceiling_camera", slam::kindOf<slam::Image>()},
-          {"scan", slam::kindOf<slam::LaserSweep>()}};
+          {"scan", slam::kindOf<slam::LaserSweep>()},
+          {"imu", slam::kindOf<slam::ImuReading>()}};
 }
 
 }  // namespace slam_ros

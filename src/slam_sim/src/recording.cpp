@@ -25,6 +25,7 @@ ros::Time stampOf(Duration time) { return slam_ros::toRos(kStart + time); }
 
 std::vector<std::string> streamNames(const RobotModel& robot) {
   std::vector<std::string> names = {"odom", "scan"};
+  if (robot.imu) names.push_back("imu");
   for (const auto& camera : robot.cameras) names.push_back(camera.name);
   return names;
 }
@@ -36,6 +37,7 @@ Recording::Recording(World world, RobotModel robot, RecordingOptions options)
       drive_(world_.path, robot_),
       sensors_(world_, robot_, options_.seed),
       odometer_(WheelEncoders(robot_.wheels, robot_.noise)),
+      gyro_(robot_.imu.value_or(ImuModel())),
       duration_(drive_.duration() + 2.0 * kRest) {
   requireClearance(drive_, sensors_.plan(), robot_.radius);
   if (options_.duration > 0.0) duration_ = std::min(duration_, options_.duration);
@@ -45,6 +47,7 @@ Recording::Recording(World world, RobotModel robot, RecordingOptions options)
 void Recording::scheduleAll() {
   schedule("odom", robot_.odometry, Kind::kOdometry);
   schedule("scan", robot_.laser.pace, Kind::kScan);
+  if (robot_.imu) schedule("imu", robot_.imu->pace, Kind::kImu);
   for (std::size_t i = 0; i < robot_.cameras.size(); ++i)
     schedule(robot_.cameras[i].name, robot_.cameras[i].pace, Kind::kImage, i);
   std::stable_sort(events_.begin(), events_.end(),
@@ -99,6 +102,7 @@ void Recording::writeEvents(slam_ros::BagFile& bag, Progress& progress,
     const auto& event = events_[i];
     if (event.kind == Kind::kOdometry) writeOdometry(bag, event);
     if (event.kind == Kind::kScan) writeScan(bag, event);
+    if (event.kind == Kind::kImu) writeImu(bag, event);
     if (event.kind == Kind::kImage) writeImage(bag, event, images.next());
     progress.update(i + 1);
   }
@@ -122,6 +126,13 @@ void Recording::writeScan(slam_ros::BagFile& bag, const Event& event) {
   put(bag, "/scan",
       scanMessage(robot_.laser, stampOf(event.time),
                   sensors_.scan(truth(seconds(event.time)), event.reading)));
+}
+
+void Recording::writeImu(slam_ros::BagFile& bag, const Event& event) {
+  auto noise = sensors_.imuNoise(event.reading);
+  const double now = seconds(event.time);
+  const double rate = turnRate([&](double offset) { return truth(now + offset); });
+  put(bag, "/imu", imuMessage(*robot_.imu, stampOf(event.time), gyro_.measure(rate, noise)));
 }
 
 sensor_msgs::CompressedImage Recording::takeImage(const Event& event) const {

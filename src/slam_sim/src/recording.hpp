@@ -14,6 +14,7 @@
 #include "slam_core/common/progress.hpp"
 #include "slam_ros/bag_file.hpp"
 #include "slam_sim/drive.hpp"
+#include "slam_sim/gyroscope.hpp"
 #include "slam_sim/sensors.hpp"
 
 namespace slam::sim {
@@ -31,7 +32,7 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "odom", "scan" and the names of the cameras.
+/// "odom", "scan", "imu" where there is one, and the names of the cameras.
 std::vector<std::string> streamNames(const RobotModel& robot);
 
 /// A robot's drive through a world as a bag: what its sensors say, and the truth.
@@ -52,7 +53,7 @@ class Recording {
   void write(const std::string& path, Progress& progress, const std::atomic<bool>& stop);
 
  private:
-  enum class Kind { kOdometry, kScan, kImage };
+  enum class Kind { kOdometry, kScan, kImu, kImage };
   struct Event {
     Duration time;  ///< after the start
     Kind kind;
@@ -67,6 +68,7 @@ class Recording {
   void writeEvents(slam_ros::BagFile& bag, Progress& progress, const std::atomic<bool>& stop);
   void writeOdometry(slam_ros::BagFile& bag, const Event& event);
   void writeScan(slam_ros::BagFile& bag, const Event& event);
+  void writeImu(slam_ros::BagFile& bag, const Event& event);
   void writeImage(slam_ros::BagFile& bag, const Event& event, sensor_msgs::CompressedImage image);
   sensor_msgs::CompressedImage takeImage(const Event& event) const;
   template <class Message>
@@ -78,6 +80,7 @@ class Recording {
   Drive drive_;
   Sensors sensors_;
   WheelOdometer odometer_;
+  Gyroscope gyro_;
   double duration_;
   std::vector<Event> events_;                       ///< in the order of time
   std::map<std::string, std::uint32_t> sequences_;  ///< of each topic's headers

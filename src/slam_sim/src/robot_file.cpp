@@ -85,6 +85,28 @@ void readLaser(YamlMap map, LaserModel& laser) {
   map.finish();
 }
 
+/// Of x y z [m] roll pitch yaw [rad]; where there are not so many it is said.
+Eigen::Isometry3d readPose(YamlMap& map) {
+  std::vector<double> pose(6, 0.0);
+  map.require("pose", pose);
+  if (pose.size() == 6) return poseOf(pose);
+  map.fault("needs a pose of 6 numbers: x y z [m] roll pitch yaw [rad]");
+  return Eigen::Isometry3d::Identity();
+}
+
+ImuModel readImu(YamlMap map) {
+  ImuModel imu;
+  map.read("frame", imu.frame);
+  imu.T_base_imu = readPose(map);
+  readPace(map, imu.pace);
+  map.read("gyro_bias", imu.gyro_bias, Range::closed(-1.0, 1.0));
+  map.read("gyro_bias_random_walk", imu.gyro_bias_random_walk, kNotNegative);
+  map.read("gyro_noise", imu.gyro_noise, kNotNegative);
+  map.read("gyro_scale", imu.gyro_scale, kScale);
+  map.finish();
+  return imu;
+}
+
 void readOptics(YamlMap map, CameraOptics& optics) {
   map.read("exposure", optics.exposure, kNotNegative);
   map.read("brightness", optics.brightness, kPositive);
@@ -111,21 +133,16 @@ void readCalibration(YamlMap map, CameraCalibration& calibration) {
 
 CameraModel readCamera(YamlMap& map) {
   CameraModel camera;
-  std::vector<double> pose(6, 0.0);
   map.require("name", camera.name);
   camera.link_frame = camera.name + "_link";
   camera.optical_frame = camera.name + "_optical_frame";
   map.read("link_frame", camera.link_frame);
   map.read("optical_frame", camera.optical_frame);
-  map.require("pose", pose);
+  camera.T_base_link = readPose(map);
   readPace(map, camera.pace);
   readCalibration(map.map("calibration"), camera.calibration);
   readOptics(map.map("optics"), camera.optics);
   map.finish();
-  if (pose.size() == 6)
-    camera.T_base_link = poseOf(pose);
-  else
-    map.fault("needs a pose of 6 numbers: x y z [m] roll pitch yaw [rad]");
   if (camera.optics.exposure * camera.pace.rate > 1.0)
     map.fault("exposes longer than there is time between two images");
   return camera;
@@ -162,6 +179,7 @@ RobotModel readRobotFile(const std::string& path) {
   readOdometry(root.map("odometry"), robot);
   readLimits(root.map("limits"), robot.limits);
   readLaser(root.map("laser"), robot.laser);
+  if (root.has("imu")) robot.imu = readImu(root.map("imu"));
   for (auto& camera : root.list("cameras")) robot.cameras.push_back(readCamera(camera));
   checkNames(robot, root);
   root.finish();

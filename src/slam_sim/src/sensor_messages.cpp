@@ -13,6 +13,7 @@ namespace slam::sim {
 namespace {
 
 constexpr int kJpegQuality = 80;
+constexpr double kGravity = 9.81;  // [m/s^2]
 
 geometry_msgs::TransformStamped mount(const std::string& parent, const std::string& child,
                                       const ros::Time& stamp, const Eigen::Isometry3d& T) {
@@ -64,6 +65,9 @@ tf2_msgs::TFMessage mountMessage(const RobotModel& robot, const ros::Time& stamp
   laser.translation() = robot.laser.position;
   laser.linear() = Eigen::AngleAxisd(robot.laser.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   message.transforms.push_back(mount(robot.base_frame, robot.laser.frame, stamp, laser));
+  if (robot.imu)
+    message.transforms.push_back(
+        mount(robot.base_frame, robot.imu->frame, stamp, robot.imu->T_base_imu));
   for (const auto& camera : robot.cameras) {
     message.transforms.push_back(
         mount(robot.base_frame, camera.link_frame, stamp, camera.T_base_link));
@@ -86,6 +90,24 @@ sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& sta
   message.range_max = static_cast<float>(laser.max_range);
   message.ranges = std::move(readings.ranges);
   message.intensities = std::move(readings.intensities);
+  return message;
+}
+
+sensor_msgs::Imu imuMessage(const ImuModel& imu, const ros::Time& stamp,
+                            const Eigen::Vector3d& rate) {
+  const Eigen::Vector3d up = kGravity * imu.T_base_imu.linear().row(2);
+  const double variance = imu.gyro_noise * imu.gyro_noise * imu.pace.rate;
+  sensor_msgs::Imu message;
+  message.header.stamp = stamp;
+  message.header.frame_id = imu.frame;
+  message.orientation_covariance[0] = -1.0;  // REP-145: there is none
+  message.angular_velocity.x = rate.x();
+  message.angular_velocity.y = rate.y();
+  message.angular_velocity.z = rate.z();
+  message.angular_velocity_covariance = {variance, 0, 0, 0, variance, 0, 0, 0, variance};
+  message.linear_acceleration.x = up.x();
+  message.linear_acceleration.y = up.y();
+  message.linear_acceleration.z = up.z();
   return message;
 }
 

@@ -9,6 +9,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <slam_msgs/LandmarkMap.h>
 #include <tf2_msgs/TFMessage.h>
@@ -35,6 +36,9 @@ tf2_msgs::TFMessage mountMessage(const RobotModel& robot, const ros::Time& stamp
 
 sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& stamp,
                                    LaserReadings readings);
+/// Without orientation. @param rate measured, in the IMU's frame [rad/s]
+sensor_msgs::Imu imuMessage(const ImuModel& imu, const ros::Time& stamp,
+                            const Eigen::Vector3d& rate);
 sensor_msgs::CameraInfo cameraInfoMessage(const CameraModel& camera, const ros::Time& stamp);
 /// mono8
 sensor_msgs::Image imageMessage(const CameraModel& camera, const ros::Time& stamp,

@@ -9,7 +9,7 @@ namespace slam::sim {
 namespace {
 
 /// The random streams of the sensors.
-constexpr std::uint32_t kWheels = 1, kLaser = 2, kFirstCamera = 16;
+constexpr std::uint32_t kWheels = 1, kLaser = 2, kImu = 3, kFirstCamera = 16;
 
 Eigen::Isometry3d spatial(const Pose2& pose) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -35,6 +35,10 @@ void Sensors::openCamera(std::size_t camera) {
 
 RandomStream Sensors::wheelNoise(std::uint64_t reading) const {
   return RandomStream(seed_, reading, kWheels);
+}
+
+RandomStream Sensors::imuNoise(std::uint64_t reading) const {
+  return RandomStream(seed_, reading, kImu);
 }
 
 LaserReadings Sensors::scan(const Pose2& T_world_base, std::uint64_t reading) const {

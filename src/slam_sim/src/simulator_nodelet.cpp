@@ -23,6 +23,7 @@
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/product_files.hpp"
 #include "slam_ros/report_failure.hpp"
+#include "slam_sim/gyroscope.hpp"
 #include "slam_sim/live_robot.hpp"
 #include "slam_sim/world_file.hpp"
 
@@ -66,6 +67,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
     const auto config = slam_ros::parametersFromRos<NodeletConfig>(getPrivateNodeHandle());
     const auto world = readWorldFile(fileOf("worlds", "world", config.world));
     model_ = readRobotFile(fileOf("robots", "simulated robot", config.robot));
+    if (model_.imu) gyro_ = Gyroscope(*model_.imu);
     robot_ = std::make_unique<LiveRobot>(world, model_, config.seed, config.drive == "path");
     waits_for_listeners_ = config.drive == "path";
     announce(world);
@@ -101,6 +103,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
     odom_ = handle.advertise<nav_msgs::Odometry>("odom", kQueue);
     truth_ = handle.advertise<geometry_msgs::PoseStamped>("ground_truth/pose", kQueue);
     scan_ = handle.advertise<sensor_msgs::LaserScan>("scan", kQueue);
+    if (model_.imu) imu_ = handle.advertise<sensor_msgs::Imu>("imu", kQueue);
     for (std::size_t i = 0; i < model_.cameras.size(); ++i) {
       robot_->sensors().openCamera(i);
       cameras_.push_back(
@@ -114,6 +117,9 @@ class SimulatorNodelet : public nodelet::Nodelet {
                                          &SimulatorNodelet::onOdometry, this));
     timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.laser.pace.rate),
                                          &SimulatorNodelet::onScan, this));
+    if (model_.imu)
+      timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.imu->pace.rate),
+                                           &SimulatorNodelet::onImu, this));
     for (std::size_t i = 0; i < cameras_.size(); ++i)
       timers_.push_back(
           getMTNodeHandle().createTimer(ros::Duration(1.0 / model_.cameras[i].pace.rate),
@@ -161,6 +167,13 @@ class SimulatorNodelet : public nodelet::Nodelet {
     scan_.publish(scanMessage(model_.laser, stamp, robot_->sensors().scan(pose, scans_++)));
   }
 
+  void onImu(const ros::TimerEvent&) {
+    const auto stamp = ros::Time::now();
+    auto noise = robot_->sensors().imuNoise(imu_readings_++);
+    const Eigen::Vector3d rate = gyro_.measure(turnRate(poseAround(stamp)), noise);
+    imu_.publish(imuMessage(*model_.imu, stamp, rate));
+  }
+
   void onCamera(std::size_t camera) {
     const auto stamp = ros::Time::now();
     cameras_[camera]->publish(stamp, robot_->sensors(), poseAround(stamp));
@@ -182,10 +195,11 @@ class SimulatorNodelet : public nodelet::Nodelet {
   std::mutex mutex_;  ///< of robot_'s motion and the next two
   bool waits_for_listeners_ = false;
   ros::Time start_;
-  std::uint64_t scans_ = 0;
+  std::uint64_t scans_ = 0, imu_readings_ = 0;
+  Gyroscope gyro_;
   tf2_ros::TransformBroadcaster transforms_;
   tf2_ros::StaticTransformBroadcaster mounts_;
-  ros::Publisher name_, landmarks_, odom_, truth_, scan_;
+  ros::Publisher name_, landmarks_, odom_, truth_, scan_, imu_;
   ros::Subscriber cmd_vel_;  // with what follows last: no callback may find the others gone
   std::vector<ros::Timer> timers_;
   std::optional<slam_ros::AfterLoad> start_obeying_;

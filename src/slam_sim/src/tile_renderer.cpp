@@ -13,7 +13,7 @@ namespace {
 constexpr float kFarthest = 1e-3F;  // inverse depth; nothing is seen beyond [1/m]
 constexpr float kNothing = 0.3F;    // light from where there is nothing
 constexpr int kPixels = CameraRays::kTilePixels;
-constexpr int kEdge = CameraRays::kTileEdge;
+constexpr int kTileEdge = CameraRays::kTileEdge;
 
 /// Light on the surface where a ray meets it, or at its edge nearest to there.
 float lightAt(const Surface& surface, const PlaneView& view, float x, float y) {
@@ -72,13 +72,13 @@ void TileRenderer::prepare(Entry& entry) const {
   const float upper_right = scale * lightAt(surface, view, rays.x_max, rays.y_min);
   const float lower_left = scale * lightAt(surface, view, rays.x_min, rays.y_max);
   const float lower_right = scale * lightAt(surface, view, rays.x_max, rays.y_max);
-  for (int row = 0; row < kEdge; ++row) {
-    const float down = (static_cast<float>(row) + 0.5F) / kEdge;
+  for (int row = 0; row < kTileEdge; ++row) {
+    const float down = (static_cast<float>(row) + 0.5F) / kTileEdge;
     const float left = upper_left + down * (lower_left - upper_left);
     const float right = upper_right + down * (lower_right - upper_right);
-    float* out = &entry.light[static_cast<std::size_t>(row * kEdge)];
-    for (int column = 0; column < kEdge; ++column) {
-      out[column] = left + (static_cast<float>(column) + 0.5F) / kEdge * (right - left);
+    float* out = &entry.light[static_cast<std::size_t>(row * kTileEdge)];
+    for (int column = 0; column < kTileEdge; ++column) {
+      out[column] = left + (static_cast<float>(column) + 0.5F) / kTileEdge * (right - left);
     }
   }
 }

@@ -75,6 +75,7 @@ TEST(ProductComponentsTest, OfALibraryThatIsMissingAreRefusedWithItsName) {
 
 TEST(OdometryEdge, IsTheDriversWhereTheSourceTakesInNothingElse) {
   EXPECT_FALSE(ownsEdge("wheel"));
+  EXPECT_FALSE(ownsEdge("wheel_imu")) << "it moves along the driver's frame";
   EXPECT_TRUE(ownsEdge("visual"));
   EXPECT_TRUE(ownsEdge("visual_wheel"));
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "slam_core/imu/imu_reading.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
@@ -66,6 +67,30 @@ inline std::vector<ProductInput> landmarkInputs(std::uint64_t seed) {
     auto step = world.next();
     for (auto& z : step.observations.observations)
       if (random.uniform() < 0.05) z.range += 1.0 + random.uniform();
+    drive.add(step.motion, "observations", step.observations);
+  }
+  return drive.take();
+}
+
+/// The same with an IMU that hangs upside down; its mount comes after the first readings.
+inline std::vector<ProductInput> gyroInputs(std::uint64_t seed) {
+  constexpr int kReadings = 5;  // in a step
+  LateWheels drive(seed);
+  SimulatedWorld world(seed);
+  RandomStream random(seed, 2);
+  ImuReading reading;
+  reading.frame = "imu_link";
+  for (int i = 0; i < 160; ++i) {
+    const auto step = world.next();
+    const auto interval = step.motion.end - step.motion.start;
+    const double rate = step.motion.increment.theta() / seconds(interval);
+    for (int k = 0; k < kReadings; ++k) {
+      reading.stamp = step.motion.start + k * interval / kReadings;
+      reading.angular_velocity.z() = -rate + 0.01 + 0.002 * random.gaussian();
+      drive.give("imu", reading);
+    }
+    const Eigen::AngleAxisd upside_down(M_PI, Eigen::Vector3d::UnitX());
+    if (i == 3) drive.give("imu", ImuMount{"imu_link", Eigen::Isometry3d(upside_down)});
     drive.add(step.motion, "observations", step.observations);
   }
   return drive.take();

@@ -107,6 +107,7 @@ std::vector<ResumedProduct> products() {
        {"backend=ekf", "association=jcbb", "ekf.linearization=right_invariant"},
        landmarkInputs},
       {"ekf_carried_away", {"backend=ekf"}, carriedInputs},
+      {"ekf_wheel_imu", {"backend=ekf", "odometry=wheel_imu"}, gyroInputs},
       {"grid", {"backend=grid", "map=grid"}, scans},
       {"grid_without_odometry", {"backend=grid", "map=grid", "odometry=none"}, scans},
       {"grid_laser_odometry", {"backend=grid", "map=grid", "odometry=laser"}, scans},

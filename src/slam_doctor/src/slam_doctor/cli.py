@@ -6,8 +6,8 @@ import difflib
 import sys
 
 from slam_doctor.case import Case
-from slam_doctor.checks import agreement, camera, frames, laser, machine, markers, odometry, timing
-from slam_doctor.checks import observations, topics
+from slam_doctor.checks import agreement, camera, frames, imu, laser, machine, markers, odometry
+from slam_doctor.checks import observations, timing, topics
 from slam_doctor.errors import InputError, UsageError
 from slam_doctor.expectations import (all_products, Expectations, NO_ROBOT, read_product,
                                        read_robot, Robot)
@@ -18,7 +18,8 @@ DESCRIPTION = "Checks a bag or a running robot for what makes SLAM fail, and say
 EPILOG = "Exit codes: 0 no ERROR, 1 an ERROR or a bag that cannot be read, 2 wrong use."
 LIVE = "live"
 GROUPS = {"Inputs": [topics], "Times": [timing], "Frames and mounts": [frames],
-          "Odometry": [odometry], "Laser": [laser], "Laser against odometry": [agreement],
+          "Odometry": [odometry], "IMU": [imu], "Laser": [laser],
+          "Laser against odometry": [agreement],
           "Cameras and landmarks": [camera, markers, observations], "Computer": [machine]}
 
 

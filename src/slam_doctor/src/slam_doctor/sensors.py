@@ -5,11 +5,12 @@ import dataclasses
 import posixpath
 from typing import Optional
 
-from slam_doctor.record.recording import (CALIBRATION, COMPRESSED, IMAGE, MOTION, OBSERVATIONS,
-                                          ODOMETRY, SCAN, Topic)
+from slam_doctor.record.recording import (CALIBRATION, COMPRESSED, IMAGE, IMU, MOTION,
+                                          OBSERVATIONS, ODOMETRY, SCAN, Topic)
 
 # The messages that bring a kind of data (slam_ros, README: Bindings).
 MESSAGES = {"slam::OdometrySample": (ODOMETRY,), "slam::LaserScan": (SCAN,),
+            "slam::ImuSample": (IMU,),
             "slam::CameraView": (IMAGE, COMPRESSED), "slam::Motion": (MOTION,),
             "slam::LandmarkObservationArray": (OBSERVATIONS,)}
 OF_A_RUN = ("detections/", "visual_odometry/", "laser_odometry/")  # published by a product

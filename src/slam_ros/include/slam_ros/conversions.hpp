@@ -8,6 +8,7 @@
 #include <geometry_msgs/Transform.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <slam_msgs/LandmarkMap.h>
 #include <slam_msgs/LandmarkObservationArray.h>
@@ -15,6 +16,7 @@
 
 #include <string>
 
+#include "slam_core/imu/imu_reading.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/landmark_observation.hpp"
@@ -54,6 +56,9 @@ slam::LandmarkObservationArray fromMsg(const slam_msgs::LandmarkObservationArray
 
 /// Its intensities are not used.
 slam::LaserSweep fromMsg(const sensor_msgs::LaserScan& message);
+
+/// Its orientation and accelerations are not used.
+slam::ImuReading fromMsg(const sensor_msgs::Imu& message);
 
 slam_msgs::LandmarkMap toMsg(const slam::LandmarkMap& landmarks, slam::Stamp stamp,
                              const std::string& frame);

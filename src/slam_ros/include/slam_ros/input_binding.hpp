@@ -35,7 +35,8 @@ struct InputContext {
   ros::NodeHandle handle;  ///< the product's namespace
   TopicsConfig topics;
   slam::FramesConfig frames;
-  bool has_laser_mount = false;  ///< from the robot file, else it comes as a transform
+  /// From the robot file, else they come as transforms.
+  bool has_laser_mount = false, has_imu_mount = false;
   InputOptions options;
   Pass pass;  ///< what callbacks go through
   Put put;

@@ -25,6 +25,7 @@ struct TopicsConfig {
   std::string camera = "camera/image_raw";
   std::string ceiling_camera = "ceiling_camera/image_raw";
   std::string scan = "scan";
+  std::string imu = "imu";
 
   /// The inputs that have names here, with the kinds of their data, in the order that sentences
   /// list them in.
@@ -37,7 +38,8 @@ struct TopicsConfig {
     if (input == "motion") return motion;
     if (input == "camera") return camera;
     if (input == "ceiling_camera") return ceiling_camera;
-    return input == "scan" ? scan : input;
+    if (input == "scan") return scan;
+    return input == "imu" ? imu : input;
   }
 
   void describe(slam::Fields& fields) {
@@ -53,6 +55,7 @@ struct TopicsConfig {
     add("ceiling_camera", &ceiling_camera,
         "raw images of the camera that looks at the ceiling; others as of the camera");
     add("scan", &scan, "the laser's sensor_msgs/LaserScan");
+    add("imu", &imu, "the IMU's sensor_msgs/Imu");
   }
 };
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "slam_ros/laser_input.hpp"
+#include "slam_ros/mounted_input.hpp"
 
 namespace slam_ros {
 namespace {

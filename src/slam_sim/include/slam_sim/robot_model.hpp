@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,17 @@ struct CameraModel {
   Eigen::Isometry3d T_base_optical() const { return T_base_link * linkToOptical(); }
 };
 
+/// An IMU, of which only the gyro errs. Vectors are in its own frame.
+struct ImuModel {
+  std::string frame = "imu_link";
+  Eigen::Isometry3d T_base_imu = Eigen::Isometry3d::Identity();
+  Pace pace;
+  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();  ///< at the start [rad/s]
+  double gyro_bias_random_walk = 0.0;                   ///< [rad/s/sqrt(s)]
+  double gyro_noise = 0.0;                              ///< density [rad/sqrt(s)]
+  double gyro_scale = 1.0;                              ///< measured over true rate
+};
+
 /// All that the simulation knows of a robot.
 struct RobotModel {
   std::string name;  ///< of the robot file of slam_launch that goes with it
@@ -78,6 +90,7 @@ struct RobotModel {
   Pace odometry;
   OdometryNoise noise;  ///< of LinearMotionModel: what one way errs does not depend on the rate
   LaserModel laser;
+  std::optional<ImuModel> imu;
   std::vector<CameraModel> cameras;
 };
 

@@ -39,6 +39,7 @@ class Sensors {
   void openCamera(std::size_t camera);
 
   RandomStream wheelNoise(std::uint64_t reading) const;
+  RandomStream imuNoise(std::uint64_t reading) const;
   LaserReadings scan(const Pose2& T_world_base, std::uint64_t reading) const;
   /// 8 bit, one channel; the path's second 0 is the middle of the exposure.
   cv::Mat image(std::size_t camera, const BasePath& T_world_base, std::uint64_t reading) const;

@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All that a bag or a running robot has said."""
 from slam_doctor.record.camera import CalibrationRecord, ImageRecord
+from slam_doctor.record.imu import ImuRecord
 from slam_doctor.record.laser import LaserRecord
 from slam_doctor.record.observations import ObservationRecord
 from slam_doctor.record.odometry import heading_of, OdometryRecord
 from slam_doctor.record.stream import Stream
 from slam_doctor.record.transforms import TransformRecord
 
-ODOMETRY, SCAN = "nav_msgs/Odometry", "sensor_msgs/LaserScan"
+ODOMETRY, SCAN, IMU = "nav_msgs/Odometry", "sensor_msgs/LaserScan", "sensor_msgs/Imu"
 IMAGE, COMPRESSED = "sensor_msgs/Image", "sensor_msgs/CompressedImage"
 CALIBRATION, OBSERVATIONS = "sensor_msgs/CameraInfo", "slam_msgs/LandmarkObservationArray"
 MOTION, TEXT = "slam_msgs/Motion", "std_msgs/String"
-SENSORS = (ODOMETRY, SCAN, IMAGE, COMPRESSED, OBSERVATIONS)
+SENSORS = (ODOMETRY, SCAN, IMU, IMAGE, COMPRESSED, OBSERVATIONS)
 TRANSFORMS = ("tf2_msgs/TFMessage", "tf/tfMessage")
 ROBOT = "robot"  # the topic that names the robot file
 
@@ -29,6 +30,8 @@ class Topic:
             self.record = OdometryRecord(start)
         elif kind == SCAN:
             self.record = LaserRecord(start)
+        elif kind == IMU:
+            self.record = ImuRecord(start)
         elif kind in (IMAGE, COMPRESSED):
             self.record = ImageRecord(start, kind == COMPRESSED)
         elif kind == CALIBRATION:

@@ -11,7 +11,7 @@ import signal
 import sys
 import tempfile
 
-from slam_eval.bench import (command_line, days, fiducial, kills, office, online, pointmap,
+from slam_eval.bench import (command_line, days, fiducial, imu, kills, office, online, pointmap,
                              threads, vo)
 from slam_eval.bench.adverse import drives as adverse_drives
 from slam_eval.bench.association import circles as association_circles
@@ -131,6 +131,9 @@ BENCHMARKS = {
         "visual odometry", "drift and time of visual odometry in the simulated office",
         {"time": vo.measure_time, "drive": vo.measure_drives,
          "still": vo.measure_still}, command_line.add_vo),
+    "imu": Benchmark(
+        "wheels with an IMU", "drift of the heading beside that of the wheels alone, in simulated "
+        "worlds; a minute", {"heading": imu.measure}, command_line.add_imu),
     "online": Benchmark(
         "a product online", "latency, losses and CPU of a product as nodes, in real time",
         {"online": online.measure}, command_line.add_online),

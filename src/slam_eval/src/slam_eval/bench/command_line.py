@@ -179,6 +179,12 @@ def add_fiducial(parser):
                         help="photograph to measure the time on as well")
 
 
+def add_imu(parser):
+    """Options of `slam_bench imu`."""
+    parser.add_argument("--seeds", metavar="N", type=count, default=5,
+                        help="drives in each world, with the seeds 1 to N (%(default)s)")
+
+
 def add_vo(parser):
     """Options of `slam_bench vo`."""
     parser.add_argument("--world", metavar="FILE", type=_file,
