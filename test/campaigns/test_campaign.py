@@ -24,12 +24,15 @@ class Campaign(InFolder):
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="slam_campaigns_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.path = pathlib.Path(folder.name) / "tiny.yaml"
+        cls.home = tempfile.TemporaryDirectory(prefix="slam_campaigns_")
+        cls.path = pathlib.Path(cls.home.name) / "tiny.yaml"
         cls.path.write_text(TINY, encoding="utf-8")
-        cls.whole = pathlib.Path(folder.name) / "whole"
+        cls.whole = pathlib.Path(cls.home.name) / "whole"
         cls.done = cls.call(cls.path, "--out", cls.whole, "--jobs", 2)
+
+    @classmethod
+    def tearDownClass(cls):  # nose calls no class cleanups
+        cls.home.cleanup()
 
     def test_makes_tables_and_a_page(self):
         self.assertEqual(self.done.returncode, 0, self.done.stdout)
