@@ -3,11 +3,14 @@
 """Campaigns from end to end: killed and resumed, failed runs, wrong use."""
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
-from campaigns import InFolder, kill_one, program, require_snakemake, results, RUNS, TINY, WITHIN
+from campaigns import (InFolder, kill_one, processes_of, program, require_snakemake, results, RUNS,
+                       TINY, WITHIN)
 import rospkg
 from slam_eval.campaign.folder import locked
 
@@ -21,12 +24,15 @@ class Campaign(InFolder):
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="slam_campaigns_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.path = pathlib.Path(folder.name) / "tiny.yaml"
+        cls.home = tempfile.TemporaryDirectory(prefix="slam_campaigns_")
+        cls.path = pathlib.Path(cls.home.name) / "tiny.yaml"
         cls.path.write_text(TINY, encoding="utf-8")
-        cls.whole = pathlib.Path(folder.name) / "whole"
+        cls.whole = pathlib.Path(cls.home.name) / "whole"
         cls.done = cls.call(cls.path, "--out", cls.whole, "--jobs", 2)
+
+    @classmethod
+    def tearDownClass(cls):  # nose calls no class cleanups
+        cls.home.cleanup()
 
     def test_makes_tables_and_a_page(self):
         self.assertEqual(self.done.returncode, 0, self.done.stdout)
@@ -79,6 +85,16 @@ class Campaign(InFolder):
             said, _ = process.communicate(timeout=WITHIN)
         self.assertEqual(process.returncode, 0, said)
         self.assertIn("1 of 1 runs are complete", said)
+
+    def test_that_is_ended_leaves_nothing_behind(self):
+        out = self.folder / "left"
+        with subprocess.Popen([program("slam_campaign"), self.path, "--out", out],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            while not results(out) and process.poll() is None:
+                time.sleep(0.05)
+            process.terminate()
+            self.assertEqual(process.wait(WITHIN), 128 + signal.SIGTERM)
+        self.assertEqual(processes_of(out), [])
 
     def test_that_grows_runs_what_is_new_alone(self):
         out = self.folder / "grown"

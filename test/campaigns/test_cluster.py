@@ -31,10 +31,13 @@ class Cluster(InFolder):
         require_snakemake()
         if missing := slurm_cluster.missing():
             raise unittest.SkipTest(f"{', '.join(missing)} of Slurm are not installed")
-        folder = tempfile.TemporaryDirectory(prefix="slam_slurm_")
-        cls.addClassCleanup(folder.cleanup)
-        cls.cluster = slurm_cluster.Cluster(pathlib.Path(folder.name))
-        cls.addClassCleanup(cls.cluster.close)
+        cls.home = tempfile.TemporaryDirectory(prefix="slam_slurm_")
+        cls.cluster = slurm_cluster.Cluster(pathlib.Path(cls.home.name))
+
+    @classmethod
+    def tearDownClass(cls):  # nose calls no class cleanups
+        cls.cluster.close()
+        cls.home.cleanup()
 
     def setUp(self):
         super().setUp()

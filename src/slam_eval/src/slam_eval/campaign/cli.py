@@ -4,6 +4,8 @@
 import argparse
 import pathlib
 import shutil
+import signal
+import sys
 
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import package_folder
@@ -124,6 +126,8 @@ def main(arguments=None):
                         "one of ~/.config/snakemake")
     parser.add_argument("--retry", action="store_true", help="run again what failed")
     options = parser.parse_args(arguments)
+    for request in (signal.SIGTERM, signal.SIGHUP):  # ends what was started as well, as Ctrl-C does
+        signal.signal(request, lambda number, _: sys.exit(128 + number))
     try:
         return exit_code_of("slam_campaign", lambda: run_campaign(options), options.out or ".")
     except KeyboardInterrupt:

@@ -94,8 +94,7 @@ class Executor:
             finally:
                 _end(process)
                 watch.close()
-        if process.returncode != 0 and not watch.has_seen_some and not any(
-                path.exists() for path in missing.values()):
+        if process.returncode != 0 and not watch.has_seen_some:
             raise InputError(f"Snakemake could make none of the {what}; it said: "
                              f"{_last_words(self._folder.log, started)} (all of it is in "
                              f"{self._folder.log})")
