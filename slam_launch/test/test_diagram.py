@@ -84,7 +84,8 @@ class Components(Diagrams):
     def test_are_refused_where_no_launch_file_starts_one(self):
         kconfig = (packages.share() / "features" / "Kconfig").read_text(encoding="utf-8")
         file = self.folder / "Kconfig"
-        file.write_text(kconfig.replace("if ODOMETRY_WHEEL\n", "if BACKEND_NONE\n"),
+        file.write_text(kconfig.replace("if ODOMETRY_WHEEL || ODOMETRY_WHEEL_IMU\n",
+                                        "if BACKEND_NONE\n"),
                         encoding="utf-8")
         model = FeatureModel([file])
         self.expect_refusal("no LAUNCH_... starts the odometry source 'wheel', which odometry names",

@@ -19,7 +19,7 @@ FORMATS = ("svg", "png", "pdf", "dot")
 FRONT_END = {"motion", "observations"}  # what a component of the front-end publishes
 BACK_END = "pose"
 SENSORS = {"odom": "wheel encoders", "camera/image_raw": "front camera",
-           "ceiling_camera/image_raw": "camera that looks up", "scan": "laser",
+           "ceiling_camera/image_raw": "camera that looks up", "scan": "laser", "imu": "IMU",
            "observations": "landmark observations of others", "motion": "motion of others"}
 RESULTS = "robot, rviz"
 INPROCESS = "slam_launch/launch/inprocess.launch"

@@ -47,14 +47,15 @@ def of_imu(change):
 class Imu(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.bag = simulate("imu", "--robot", "skid", "--only", "odom,imu", "--duration", "30")
+        cls.bag = simulate("imu", "--robot", "skid", "--only", "odom,imu,scan", "--duration",
+                           "30")
 
     def diagnose(self, name, change, left_out=()):
         return diagnose(edited(f"imu_{name}", change, self.bag, left_out), "sim_skid")
 
     def test_is_right_though_it_hangs_upside_down(self):
         found = diagnose(self.bag, "sim_skid")
-        self.assertEqual(faults(found), {})
+        self.assertEqual(faults(found), {"odom.turn_scale": "ERROR"}, "as its wheels are")
         self.assertAlmostEqual(found["imu.turns"].value, 1 / 1.41, delta=0.1)
         self.assertAlmostEqual(found["imu.rest"].value, 0.009, delta=0.002)
 

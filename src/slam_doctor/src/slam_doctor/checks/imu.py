@@ -8,7 +8,7 @@ import numpy as np
 from slam_doctor.finding import error, judged, ok, unknown, warn
 
 BIAS = (0.05, 0.3)  # at rest, above: WARN, ERROR [rad/s]
-RESTS = 3           # pieces of a rest that say something
+RESTS = 2           # pieces of a rest that say something
 TURNED = 0.1        # of odometry in a piece that counts [rad]
 TURNS = 5           # such pieces that say something
 DEGREES = 10.0      # times the turns of odometry: no wheels are wrong by so much
