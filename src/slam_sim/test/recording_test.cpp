@@ -9,11 +9,13 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <slam_msgs/LandmarkMap.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -138,6 +140,30 @@ TEST_F(RecordingOfTheOffice, TheMountsLeadFromTheBaseToEverySensor) {
   EXPECT_EQ(parents["camera_optical_frame"], "camera_link");
   EXPECT_EQ(parents["camera_link"], "base_link");
   EXPECT_EQ(parents["ceiling_camera_optical_frame"], "ceiling_camera_link");
+}
+
+TEST_F(RecordingOfTheOffice, HoldsAnImuWithItsMountWhereTheRobotHasOne) {
+  const auto robot = readRobotFile(folder() + "/robots/skid.yaml");
+  Recording recording(readWorldFile(folder() + "/worlds/office.yaml"), robot,
+                      {1, {"odom", "imu"}, 6.0, 1});
+  std::ostringstream log;
+  Progress progress(log, false);
+  recording.write(files_ / "imu.bag", progress, stop_);
+  const auto readings = messages<sensor_msgs::Imu>(files_ / "imu.bag", "/imu");
+  const auto truth = messages<geometry_msgs::PoseStamped>(files_ / "imu.bag", "/ground_truth/pose");
+  EXPECT_EQ(readings.size(), 600u);
+  double turned = 0.0;
+  for (const auto& reading : readings) turned -= 0.01 * (reading->angular_velocity.z - 0.009);
+  const auto heading = [](const auto& pose) {
+    return 2.0 * std::atan2(pose->pose.orientation.z, pose->pose.orientation.w);
+  };
+  EXPECT_NEAR(turned, std::remainder(heading(truth.back()) - heading(truth.front()), 2.0 * M_PI),
+              0.02)
+      << "it hangs upside down";
+  EXPECT_EQ(readings[0]->orientation_covariance[0], -1.0);
+  EXPECT_LT(readings[0]->linear_acceleration.z, -9.0);
+  const auto mounts = messages<tf2_msgs::TFMessage>(files_ / "imu.bag", "/tf_static");
+  EXPECT_EQ(mounts[0]->transforms[1].child_frame_id, robot.imu->frame);
 }
 
 TEST_F(RecordingOfTheOffice, LeavesNothingWhenItIsInterrupted) {
