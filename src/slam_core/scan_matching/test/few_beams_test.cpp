@@ -145,6 +145,31 @@ TEST_P(FewBeams, KnowWhereTheyAreBeforeAWallAtTheEnd) {
   }
 }
 
+/// What a search finds along a bare corridor is the best of many places by chance.
+TEST_P(FewBeams, AreRecognisedOnlyWhereTheyTellTheirPlace) {
+  const SearchWindow window{0.9, 0.2};
+  for (const std::optional<double> wall_at_end : {std::optional<double>(), {5.0}}) {
+    const BareCorridor corridor{1.1, 0.02, wall_at_end};
+    RandomStream random{2, 0};
+    ScanMap map{grid_map::GridMapConfig()};
+    drawTo(4.0, corridor, random, map);
+    int recognised = 0;
+    for (double x = 2.5; x < 4.0; x += 0.37) {
+      const Pose2 truth = corridor.inMap({x, 0, 0});
+      const auto found =
+          ScanToMapMatcher().recognise(map.view(), scanAt({x, 0, 0}, corridor, random),
+                                       vaguePrior(truth, corridor, random), window);
+      if (!found) continue;
+      ++recognised;
+      EXPECT_LT((found->pose.position() - truth.position()).norm(), 0.06);
+    }
+    if (wall_at_end)
+      EXPECT_GE(recognised, 3);
+    else
+      EXPECT_EQ(recognised, 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Lasers, FewBeams,
     testing::Values(Beams{"one each degree, 3.5 m", 360, 6.2657, 3.5, 0.015},
