@@ -172,11 +172,9 @@ Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
   const auto& pose = tracker_.robot().pose;
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);
-  if (!found.is_determined) {
+  if (!found.is_determined || isVaguer(tracker_.robot(), drift_)) {
     drift_.restart(this->pose());
     tracker_.anchor();
-  } else if (isVaguer(tracker_.robot(), drift_)) {
-    drift_.restart(tracker_.robot());
   } else {
     drift_.add(pose);
   }
