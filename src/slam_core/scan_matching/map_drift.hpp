@@ -29,6 +29,10 @@ class MapDrift {
   /// The covariance, in (x, y, theta), of a robot that knows exactly where it is relative to the
   /// parts around it.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
+  /// Whether the robot knows less of its place among the parts of the map around it than is known
+  /// of theirs, and so little that what it draws may be out of place. The map then goes on from
+  /// there with the covariance of both.
+  bool isSurerThan(const PoseEstimate& robot) const;
 
   template <class Archive>
   void persist(Archive& archive) {

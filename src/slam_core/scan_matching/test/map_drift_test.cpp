@@ -52,5 +52,17 @@ TEST(MapDrift, ALoadedMapIsTheReference) {
   EXPECT_LT(drift.covarianceAt(Pose2(30.0, 4.0, 0.0)).norm(), 1e-12);
 }
 
+TEST(MapDrift, IsSurerThanARobotThatIsVagueAndVaguerThanTheParts) {
+  MapDrift drift(0.01, 0.002);
+  const auto robot = [](double sigma) {
+    return PoseEstimate{Pose2(), sigma * sigma * Eigen::Matrix3d::Identity()};
+  };
+  drift.restart(robot(0.01));
+  EXPECT_TRUE(drift.isSurerThan(robot(0.3)));
+  EXPECT_FALSE(drift.isSurerThan(robot(0.05))) << "it is not vague";
+  drift.restart(robot(1.0));
+  EXPECT_FALSE(drift.isSurerThan(robot(0.3))) << "the parts are vaguer";
+}
+
 }  // namespace
 }  // namespace slam::scan_matching
