@@ -56,6 +56,14 @@ bool MapDrift::isSurerThan(const PoseEstimate& robot) const {
   return variance > kVague * kVague && variance > positionVariance(covarianceAt(robot.pose));
 }
 
+void MapDrift::continueWith(const PoseEstimate& robot) {
+  const double way = last_.pose.between(robot.pose).position().norm();
+  const bool is_left_vague =
+      positionVariance(robot.covariance) > 2.0 * way * variance_per_metre_.head<2>().sum();
+  if (!is_left_vague) return add(robot.pose);
+  restart({robot.pose, robot.covariance + covarianceAt(robot.pose)});
+}
+
 void MapDrift::add(const Pose2& pose) {
   last_ = {pose, covarianceAt(pose)};
   oldest_.emplace(squareOf(pose, 0, 0), Place{oldest_.size(), last_});

@@ -26,6 +26,9 @@ class MapDrift {
   void restart(const PoseEstimate& first);
   /// A scan from there, which fits the parts around it, has gone into the map.
   void add(const Pose2& pose);
+  /// The same of a robot that is off by its own covariance as well. Where that is more than what
+  /// the map drifts by on the way, as along a corridor, the map starts over with both.
+  void continueWith(const PoseEstimate& robot);
   /// The covariance, in (x, y, theta), of a robot that knows exactly where it is relative to the
   /// parts around it.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
