@@ -17,6 +17,10 @@ std::uint64_t squareOf(const Pose2& pose, int right, int up) {
   return std::uint64_t{index(pose.x(), right)} << 32 | index(pose.y(), up);
 }
 
+double positionVariance(const Eigen::Matrix3d& covariance) {
+  return covariance.topLeftCorner<2, 2>().trace();
+}
+
 }  // namespace
 
 void MapDrift::restart(const PoseEstimate& first) {
@@ -44,6 +48,20 @@ Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
   Eigen::Matrix3d P = J_place * place.covariance * J_place.transpose();
   P.diagonal() += way.position().norm() * variance_per_metre_;
   return P;
+}
+
+bool MapDrift::isSurerThan(const PoseEstimate& robot) const {
+  constexpr double kVague = 0.2;  // [m]
+  const double variance = positionVariance(robot.covariance);
+  return variance > kVague * kVague && variance > positionVariance(covarianceAt(robot.pose));
+}
+
+void MapDrift::continueWith(const PoseEstimate& robot) {
+  const double way = last_.pose.between(robot.pose).position().norm();
+  const bool is_left_vague =
+      positionVariance(robot.covariance) > 2.0 * way * variance_per_metre_.head<2>().sum();
+  if (!is_left_vague) return add(robot.pose);
+  restart({robot.pose, robot.covariance + covarianceAt(robot.pose)});
 }
 
 void MapDrift::add(const Pose2& pose) {
