@@ -25,7 +25,7 @@ void CeilingCameraConfig::describe(Fields& fields) {
   fields
       .add("ceiling_height", &ceiling_height,
            "of the ceiling above the camera, which gives all that is seen there its scale; 0: not "
-           "told")
+           "known")
       .unit("m")
       .in(Range::atLeast(0))
       .ofRobot();

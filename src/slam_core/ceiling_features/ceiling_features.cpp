@@ -74,7 +74,7 @@ Status CeilingFeatures::execute() {
   array.sequence = next_sequence_++;
   array.stamp = view_->stamp;
   array.sensor_frame = view_->image.frame;
-  if (!view_->isUsable()) return Status::ok();  // its gate has said why
+  if (!view_->isUsable()) return Status::ok();  // its input gate has reported why
 
   look();
   count();

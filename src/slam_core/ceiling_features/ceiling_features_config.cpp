@@ -12,7 +12,7 @@ void describeChoice(CeilingFeaturesConfig& config, Fields& fields) {
            "of the spots that are sought, as a share of the ceiling's height above the camera: the "
            "standard deviation of the Gaussian that the image is smoothed by")
       .unit("1")
-      .in(Range::above(0));
+      .in(Range::open(0, 0.2));
   fields
       .add("spacing", &config.spacing,
            "a landmark is the most distinct spot within this share of the ceiling's height, and is "

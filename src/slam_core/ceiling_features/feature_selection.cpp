@@ -4,7 +4,8 @@
 #include "slam_core/ceiling_features/feature_selection.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "slam_core/ceiling_features/ring.hpp"
 
 namespace slam::ceiling_features {
 namespace {
@@ -12,22 +13,6 @@ namespace {
 /// How much more distinct than its neighbours a landmark has to be: noise must not change the
 /// order.
 constexpr double kLead = 1.15;
-
-/// Whether the image holds all that is within the spacing of a point: something more distinct may
-/// be just outside of it.
-bool isWholeInImage(const Eigen::Vector2d& point, double spacing, const CeilingView& ceiling,
-                    const cv::Size& size) {
-  constexpr int kDirections = 8;
-  for (int i = 0; i < kDirections; ++i) {
-    const double angle = 2.0 * M_PI * i / kDirections;
-    const auto pixel =
-        ceiling.toPixel(point + spacing * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
-    if (!pixel || pixel->x() < 0.0 || pixel->y() < 0.0 || pixel->x() > size.width - 1 ||
-        pixel->y() > size.height - 1)
-      return false;
-  }
-  return true;
-}
 
 bool isDistinct(const CeilingFeature& feature, const std::vector<CeilingFeature>& all,
                 double spacing) {
@@ -59,8 +44,8 @@ std::vector<CeilingFeature> selectFeatures(const std::vector<Spot>& spots, const
       feature.rejection = "not_distinct";
     else if ((feature.point - ceiling.origin()).norm() < min_range)
       feature.rejection = "too_near";
-    else if (!isWholeInImage(feature.point, spacing, ceiling, size))
-      feature.rejection = "cut_off";
+    else if (!pixelsOfRing(ceiling, feature.point, spacing, size))
+      feature.rejection = "cut_off";  // something more distinct may be just outside of the image
     else if (++chosen > config.max_features)
       feature.rejection = "too_many";
   }

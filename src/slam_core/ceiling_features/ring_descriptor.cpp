@@ -3,13 +3,15 @@
 
 #include "slam_core/ceiling_features/ring_descriptor.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "slam_core/ceiling_features/ring.hpp"
 
 namespace slam::ceiling_features {
 namespace {
 
 constexpr int kRings = Descriptor::kMostElements / 2;
-constexpr int kSamples = 24;  // of a ring
 /// By how much the numbers of one point differ from view to view, in the logarithm of the
 /// brightness: the light's direction, the lens's shading, the sampling of the rings.
 constexpr float kSigma = 0.03F;
@@ -18,25 +20,18 @@ struct Ring {
   double mean = 0.0, deviation = 0.0;
 };
 
-bool isInside(const Eigen::Vector2d& pixel, const cv::Size& size) {
-  return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= size.width - 1 &&
-         pixel.y() <= size.height - 1;
-}
-
 std::optional<Ring> ringOf(const ScaledImage& image, const cv::Size& size, const CeilingView& view,
                            const Eigen::Vector2d& point, double radius) {
+  const auto pixels = pixelsOfRing(view, point, radius, size);
+  if (!pixels) return std::nullopt;
   double sum = 0.0, squares = 0.0;
-  for (int i = 0; i < kSamples; ++i) {
-    const double angle = 2.0 * M_PI * i / kSamples;
-    const auto pixel =
-        view.toPixel(point + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
-    if (!pixel || !isInside(*pixel, size)) return std::nullopt;
-    const double value = image.at(*pixel);
+  for (const auto& pixel : *pixels) {
+    const double value = image.at(pixel);
     sum += value;
     squares += value * value;
   }
-  const double mean = sum / kSamples;
-  return Ring{mean, std::sqrt(std::max(0.0, squares / kSamples - mean * mean))};
+  const double mean = sum / kRingPixels;
+  return Ring{mean, std::sqrt(std::max(0.0, squares / kRingPixels - mean * mean))};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFinestSigma = 1.0;   // a Gaussian that pixels still sample [px]
 constexpr double kWorkingSigma = 2.5;  // a wider one gains nothing over a smaller image [px]
+constexpr int kLeastEdge = 3;          // of an image that may have a spot [px]
 /// Of a spot whose profile is the Gaussian itself, which smoothing flattens to half its height.
 constexpr double kContrastOfResponse = 4.0;
 constexpr float kDarkCurrent =
@@ -64,7 +65,8 @@ struct HessianField {
 
 ScaledImage::ScaledImage(const cv::Mat& gray, double sigma) {
   sigma = std::max(sigma, kFinestSigma);
-  reduction_ = std::max(1.0, std::floor(sigma / kWorkingSigma));
+  const double most = std::max(1, std::min(gray.cols, gray.rows) / kLeastEdge);
+  reduction_ = std::clamp(std::floor(sigma / kWorkingSigma), 1.0, most);
   sigma_ = sigma / reduction_;
   const int step = static_cast<int>(reduction_);
   const cv::Size size(gray.cols / step, gray.rows / step);

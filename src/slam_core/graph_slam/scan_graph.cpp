@@ -101,10 +101,9 @@ void ScanGraph::correctPath(bool is_determined) {
   path_.relocate({T_map_odom * now.pose, coordinateCovariance(T_map_odom, now.covariance)});
 }
 
-/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there. So
-/// it does along a corridor, of which the scan shows nothing that tells one place from the next:
-/// what the robot is off by there is that of the map drawn from there too, and the motion to the
-/// next node does not err by it again.
+/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there. A
+/// scan that is drawn defines the map around it, so that relative to that map the robot is exact
+/// from there: its error is counted once, in the motion to this node, and not again in the next.
 Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points,
                          const scan_matching::Match& found, Counters& counters) {
   if (!grid_map::isWithinMemory(mostBytes() + scan_matching::mostBytesFor(points), grid_config_)) {

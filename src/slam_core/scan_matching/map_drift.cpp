@@ -3,6 +3,7 @@
 
 #include "slam_core/scan_matching/map_drift.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slam::scan_matching {
@@ -57,9 +58,11 @@ bool MapDrift::isSurerThan(const PoseEstimate& robot) const {
 }
 
 void MapDrift::continueWith(const PoseEstimate& robot) {
-  const double way = last_.pose.between(robot.pose).position().norm();
+  constexpr double kLeastWay = 0.2;  // [m], a robot that turns on the spot is not vague for that
+  constexpr double kExcess = 2.0;    // over the drift, of which a match has about as much again
+  const double way = std::max(kLeastWay, last_.pose.between(robot.pose).position().norm());
   const bool is_left_vague =
-      positionVariance(robot.covariance) > 2.0 * way * variance_per_metre_.head<2>().sum();
+      positionVariance(robot.covariance) > kExcess * way * variance_per_metre_.head<2>().sum();
   if (!is_left_vague) return add(robot.pose);
   restart({robot.pose, robot.covariance + covarianceAt(robot.pose)});
 }

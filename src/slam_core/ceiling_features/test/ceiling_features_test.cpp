@@ -203,6 +203,13 @@ TEST_F(CeilingFeaturesTest, ATinyImageIsNotAFault) {
   EXPECT_TRUE(observations().empty());
 }
 
+TEST_F(CeilingFeaturesTest, SpotsNearlyAsLargeAsTheImageAreNotAFault) {
+  config_.size = 0.19;
+  configure();
+  look(Pose2());
+  EXPECT_LE(observations().size(), 1u);
+}
+
 TEST_F(CeilingFeaturesTest, SaysThatTheCameraDoesNotLookUp) {
   configure(ceilings::mountUp(0.0, 0.0, 0.5));
   EXPECT_NE(show(cv::Mat(240, 320, CV_8U, cv::Scalar(9))).message.find("tilted by 29 deg"),

@@ -76,5 +76,14 @@ TEST(MapDrift, GoesOnWithWhatACorridorHasLeftOfTheRobotsError) {
   EXPECT_NEAR(drift.covarianceAt(Pose2(8, 0, 0))(0, 0), 8 * 1e-4, 1e-5) << "as of add()";
 }
 
+TEST(MapDrift, ARobotThatTurnsOnTheSpotIsAsSureAtItsOldPartsAsBefore) {
+  MapDrift drift(0.01, 0.002);
+  drift.restart({});
+  for (int i = 1; i <= 20; ++i)
+    drift.continueWith({Pose2(8, 0, 0.3 * i), 1e-6 * Eigen::Matrix3d::Identity()});
+  EXPECT_NEAR(drift.covarianceAt(Pose2(0, 0, 0))(0, 0), 0.0, 1e-9) << "where the map starts";
+  EXPECT_NEAR(drift.covarianceAt(Pose2(8, 0, 0))(0, 0), 8 * 1e-4, 1e-5);
+}
+
 }  // namespace
 }  // namespace slam::scan_matching
