@@ -10,7 +10,8 @@ namespace slam::scan_matching {
 namespace {
 
 constexpr double kMostTilt = 0.1;  // of a line [rad^2], beyond that the ends lie on a curve
-constexpr double kSigmas = 4.0;    // nearer ends may be in the wrong order, and tell no direction
+constexpr double kApartSigmas =
+    4.0;  // nearer ends may be in the wrong order, and tell no direction
 
 /// The nearest end before (step -1) or after (step 1) another one that is not close to it.
 const Eigen::Vector2d* neighbourOf(const std::vector<Eigen::Vector2d>& ends,
@@ -43,7 +44,7 @@ std::optional<ScanLine> lineOf(const Eigen::Vector2d* first, const Eigen::Vector
 
 std::optional<ScanLine> scanLineAt(const std::vector<Eigen::Vector2d>& ends, std::size_t index,
                                    double reach, double variance) {
-  const double apart = std::max(reach, kSigmas * std::sqrt(variance));
+  const double apart = std::max(reach, kApartSigmas * std::sqrt(variance));
   const auto* const end = &ends[index];
   const auto* const before = neighbourOf(ends, end, -1, apart);
   const auto* const after = neighbourOf(ends, end, 1, apart);
