@@ -10,8 +10,8 @@ namespace slam::scan_matching {
 namespace {
 
 constexpr double kMostTilt = 0.1;  // of a line [rad^2], beyond that the ends lie on a curve
-constexpr double kApartSigmas =
-    4.0;  // nearer ends may be in the wrong order, and tell no direction
+/// Nearer ends may be in the wrong order, and tell no direction.
+constexpr double kApartSigmas = 4.0;
 
 /// The nearest end before (step -1) or after (step 1) another one that is not close to it.
 const Eigen::Vector2d* neighbourOf(const std::vector<Eigen::Vector2d>& ends,
