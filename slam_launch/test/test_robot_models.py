@@ -68,12 +68,14 @@ class Models(unittest.TestCase):
 
     def test_have_the_sensors_where_the_simulator_has_them(self):
         folder = rospkg.RosPack().get_path("slam_sim")
-        for name in ("segway", "omni", "car", "turtlebot3"):
+        for name in ("segway", "omni", "skid", "car", "turtlebot3"):
             with open(f"{folder}/robots/{name}.yaml", encoding="utf-8") as file:
                 robot = yaml.safe_load(file)
             mounts = {"laser": robot["laser"]["position"]}
             for camera in robot.get("cameras", []):
                 mounts[camera["name"]] = camera["pose"][:3]
+            if "imu" in robot:
+                mounts["imu"] = robot["imu"]["pose"][:3]
             link = ElementTree.parse(robot_models.path_of(robot["robot"])).find("link")
             shown = {visual.get("name"): [float(word) for word in
                                           visual.find("origin").get("xyz").split()]

@@ -7,6 +7,7 @@
 #include <OgreQuaternion.h>
 #include <OgreVector.h>
 #include <OgreViewport.h>
+#include <ros/exception.h>
 #include <ros/message_traits.h>
 #include <rviz/display_context.h>
 #include <rviz/frame_manager.h>
@@ -55,21 +56,32 @@ LandmarkTool::LandmarkTool()
 void LandmarkTool::onInitialize() { setName("Landmark"); }
 
 void LandmarkTool::activate() {
+  is_active_ = true;
   setStatus("Point at a landmark. Buttons and wheel move the view.");
   subscribe();
 }
 
 void LandmarkTool::deactivate() {
+  is_active_ = false;
   QToolTip::hideText();
   subscriber_.shutdown();
   map_.reset();
 }
 
+/// An exception must not go through Qt's event loop: it would end rviz.
 void LandmarkTool::subscribe() {
+  if (!is_active_) return;
   map_.reset();
-  subscriber_ = handle_.subscribe<slam_msgs::LandmarkMap>(
-      topic_->getTopicStd(), 1,
-      [this](const slam_msgs::LandmarkMapConstPtr& message) { map_ = message; });
+  subscriber_.shutdown();
+  fault_.clear();
+  try {
+    subscriber_ = handle_.subscribe<slam_msgs::LandmarkMap>(
+        topic_->getTopicStd(), 1,
+        [this](const slam_msgs::LandmarkMapConstPtr& message) { map_ = message; });
+  } catch (const ros::Exception& exception) {
+    fault_ = QString("the landmark tool's Topic cannot be used: %1").arg(exception.what());
+    setStatus(fault_);
+  }
 }
 
 int LandmarkTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
@@ -114,6 +126,7 @@ std::vector<LandmarkPlace> LandmarkTool::placesIn(const Ogre::Viewport& viewport
 }
 
 QString LandmarkTool::sentenceWithoutMap() const {
+  if (!fault_.isEmpty()) return fault_;
   return QString("no landmarks on %1: is a product running that has them?")
       .arg(QString::fromStdString(subscriber_.getTopic()));
 }

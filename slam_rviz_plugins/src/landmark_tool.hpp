@@ -7,6 +7,7 @@
 #include <ros/subscriber.h>
 #include <slam_msgs/LandmarkMap.h>
 
+#include <QString>
 #include <vector>
 
 #ifndef Q_MOC_RUN
@@ -40,6 +41,7 @@ class LandmarkTool final : public rviz::Tool {
   int processMouseEvent(rviz::ViewportMouseEvent& event) override;
 
  private Q_SLOTS:
+  /// Does nothing while the tool is not chosen. rviz calls it whenever the property changes.
   void subscribe();
 
  private:
@@ -50,6 +52,8 @@ class LandmarkTool final : public rviz::Tool {
 
   ros::NodeHandle handle_;
   ros::Subscriber subscriber_;
+  bool is_active_ = false;              ///< the tool is chosen
+  QString fault_;                       ///< of the topic; empty: none
   slam_msgs::LandmarkMapConstPtr map_;  ///< the last one that came; null: none
   rviz::RosTopicProperty* topic_;       ///< owned by the tool's property container
 };

@@ -3,6 +3,7 @@
 
 #include "product_link.hpp"
 
+#include <ros/exception.h>
 #include <slam_msgs/LoadMap.h>
 #include <slam_msgs/SaveMap.h>
 #include <std_srvs/Empty.h>
@@ -58,7 +59,27 @@ ProductLink::ProductLink(QObject* parent) : QObject(parent) {
   watch_.start(kWatchInterval);
 }
 
+/// An exception must not go through Qt's event loop: it would end rviz.
 void ProductLink::connectTo(const QString& name_space) {
+  disconnectFromProduct();
+  try {
+    subscribeIn(name_space);
+    readProduct();
+  } catch (const ros::Exception& exception) {
+    disconnectFromProduct();
+    fault_ = QString("this namespace cannot be used: %1").arg(exception.what());
+    Q_EMIT productTold("");
+    Q_EMIT answered(false, fault_);
+  }
+}
+
+void ProductLink::disconnectFromProduct() {
+  for (auto* subscriber : {&consistency_, &events_, &pose_}) subscriber->shutdown();
+  was_there_ = has_ended_ = false;
+  fault_.clear();
+}
+
+void ProductLink::subscribeIn(const QString& name_space) {
   handle_ = ros::NodeHandle(name_space.toStdString());
   consistency_ = handle_.subscribe("consistency", 1, &ProductLink::takeConsistency, this);
   events_ = handle_.subscribe("events", 10, &ProductLink::takeEvent, this);
@@ -66,8 +87,6 @@ void ProductLink::connectTo(const QString& name_space) {
       "pose", 1, [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& message) {
         Q_EMIT poseTold(*message);
       });
-  was_there_ = has_ended_ = false;
-  readProduct();
 }
 
 void ProductLink::noticeProduct() {
@@ -79,6 +98,10 @@ void ProductLink::noticeProduct() {
 }
 
 void ProductLink::call(const QString& what, std::function<Answer(ros::NodeHandle&)> service) {
+  if (!fault_.isEmpty()) {
+    Q_EMIT answered(false, what + ": " + fault_);
+    return;
+  }
   calls_.start([this, what, handle = handle_, service = std::move(service)]() mutable {
     const auto answer = service(handle);
     const auto sentence = what + ": " + answer.message;
@@ -93,7 +116,8 @@ void ProductLink::readProduct() {
   calls_.start([this, handle = handle_]() mutable {
     const auto features = featuresOf(handle);
     QMetaObject::invokeMethod(
-        this, [this, features] { Q_EMIT productTold(features); }, Qt::QueuedConnection);
+        this, [this, features] { Q_EMIT productTold(fault_.isEmpty() ? features : ""); },
+        Qt::QueuedConnection);
   });
 }
 

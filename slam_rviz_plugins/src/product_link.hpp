@@ -32,7 +32,9 @@ class ProductLink final : public QObject {
  public:
   explicit ProductLink(QObject* parent = nullptr);
 
-  /// Topics and services are those in this namespace; "" is the global one.
+  /// Topics and services are those in this namespace; "" is the global one. One that is no name
+  /// ends in answered(), and so does each service from then on: nothing of the one before is
+  /// called.
   void connectTo(const QString& name_space);
 
   void reset();
@@ -52,12 +54,15 @@ class ProductLink final : public QObject {
   void productReplaced();  ///< one has started where another one had ended
 
  private:
+  void disconnectFromProduct();
+  void subscribeIn(const QString& name_space);
   void noticeProduct();
   void call(const QString& what, std::function<Answer(ros::NodeHandle&)> service);
   void readProduct();
   void takeConsistency(const slam_msgs::Consistency& message);
   void takeEvent(const slam_msgs::Event& message);
 
+  QString fault_;  ///< of the namespace; empty: it is a name
   ros::NodeHandle handle_;
   ros::Subscriber consistency_, pose_, events_;
   QTimer watch_;

@@ -8,6 +8,7 @@
 #include <rviz/properties/property.h>
 #include <rviz/tool.h>
 #include <slam_msgs/Consistency.h>
+#include <slam_msgs/LandmarkMap.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -116,6 +117,18 @@ TEST_F(SlamPanelTest, KeepsItsNamespaceAndSaysThatNoProductRunsThere) {
   EXPECT_EQ(name_space, "elsewhere");
 }
 
+TEST_F(SlamPanelTest, SaysThatANamespaceIsNoNameAndCallsNothingOfTheOneBefore) {
+  ASSERT_TRUE(shows("trust", "confident"));
+  connectTo("my robot");
+  EXPECT_TRUE(shows("answer", "this namespace cannot be used", 2)) << text("answer");
+  find<QPushButton>("pause").click();
+  EXPECT_TRUE(shows("answer", "Pause: this namespace", 2)) << text("answer");
+  EXPECT_FALSE(shows("trust", "confident", 1));
+  EXPECT_TRUE(shows("product", "no product is running", 2));
+  connectTo("");
+  EXPECT_TRUE(shows("trust", "confident")) << text("trust");
+}
+
 TEST_F(SlamPanelTest, TakesAProductThatReplacesAnotherForRunning) {
   connectTo("replaced");
   ros::NodeHandle handle("replaced");
@@ -130,11 +143,29 @@ TEST_F(SlamPanelTest, TakesAProductThatReplacesAnotherForRunning) {
   EXPECT_TRUE(comesTrue([&] { return pause() == "Pause"; }));
 }
 
-TEST(LandmarkTool, IsFoundByRvizAndTakesItsTopic) {
-  pluginlib::ClassLoader<rviz::Tool> loader("rviz", "rviz::Tool");
-  const std::unique_ptr<rviz::Tool> tool(
-      loader.createUnmanagedInstance("slam_rviz_plugins/LandmarkTool"));
-  EXPECT_EQ(tool->getPropertyContainer()->subProp("Topic")->getValue().toString(), "landmarks");
+class LandmarkToolTest : public testing::Test {
+ protected:
+  LandmarkToolTest()
+      : loader_("rviz", "rviz::Tool"),
+        tool_(loader_.createUnmanagedInstance("slam_rviz_plugins/LandmarkTool")) {}
+
+  rviz::Property& topic() const { return *tool_->getPropertyContainer()->subProp("Topic"); }
+
+  pluginlib::ClassLoader<rviz::Tool> loader_;
+  std::unique_ptr<rviz::Tool> tool_;
+};
+
+TEST_F(LandmarkToolTest, IsFoundByRvizAndTakesItsTopic) {
+  EXPECT_EQ(topic().getValue().toString(), "landmarks");
+}
+
+TEST_F(LandmarkToolTest, TakesAnyTopicAndListensToNoneWhileItIsNotChosen) {
+  ros::NodeHandle handle;
+  const auto publisher = handle.advertise<slam_msgs::LandmarkMap>("others/landmarks", 1);
+  for (const char* name : {"my topic", "", "~landmarks", "others/landmarks"})
+    EXPECT_NO_THROW(topic().setValue(name)) << name;
+  ros::WallDuration(1.0).sleep();
+  EXPECT_EQ(publisher.getNumSubscribers(), 0u);
 }
 
 }  // namespace

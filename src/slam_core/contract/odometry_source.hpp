@@ -23,7 +23,9 @@ class OdometrySource : public Component {
   /// Backend is seeded before it is configured).
   virtual void seed(std::uint64_t /*seed*/) {}
   /// Of a source that has an odometry frame of its own, such as "visual": it is shown on the topic
-  /// `NAME_odometry/odom`. Empty: it moves along another frame and is not shown.
+  /// `NAME_odometry/odom`. Empty: it is not shown; where it takes in the wheel driver's odometry it
+  /// moves along that driver's frame. So the name also says who publishes odom -> base_link, see
+  /// ownsOdometryEdge().
   virtual std::string name() const { return ""; }
   /// To be called after restoreState() where the robot has gone on without this process. A source
   /// that measures motion by what it saw itself starts afresh, since what it sees now is of another
@@ -34,9 +36,10 @@ class OdometrySource : public Component {
 };
 
 /// Whether the transform odom -> base_link is the source's to publish (REP-105: an edge has one
-/// publisher). A source that takes in the wheel driver's odometry and has no name of its own moves
-/// along that driver's frame, and the driver publishes the edge. A source that takes in none of it,
-/// or that has a name, has an odometry frame of its own.
+/// publisher). A source has a name() where it has an odometry frame of its own. One that has none
+/// and takes in the wheel driver's odometry moves along that driver's frame, and the driver
+/// publishes the edge. A source that takes in none of the driver's odometry has a frame of its own
+/// as well.
 inline bool ownsOdometryEdge(OdometrySource& source) {
   const auto ports = portsOf(source);
   const auto& inputs = ports.inputs();

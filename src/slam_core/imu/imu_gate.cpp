@@ -16,6 +16,11 @@ constexpr Duration kImuPatience = std::chrono::seconds(1);
 const GateRegistrar<ImuGate> kImuGateRegistrar(ImuConfig::kSection);
 const SectionRegistrar<ImuConfig> kImuSectionRegistrar;
 
+constexpr const char* kNoGyro =
+    "the IMU says that it has no gyro: all its rates are zero, and their covariance begins with "
+    "-1; name the topic of an IMU that has one in topics.imu of the robot file, or correct what "
+    "its driver sends";
+
 std::string unknownMount(const std::string& frame) {
   return "it is not known how the IMU of frame '" + frame +
          "' is mounted; publish its static transform to the robot's base frame or give "
@@ -43,7 +48,8 @@ void ImuGate::describe(Ports& ports) {
 }
 
 std::uint64_t ImuGate::dropped() const {
-  return counters_["bad_reading"] + counters_["bad_mount"] + counters_["no_mount"];
+  return counters_["bad_reading"] + counters_["bad_mount"] + counters_["no_mount"] +
+         counters_["no_gyro"];
 }
 
 Counters ImuGate::held() const {
@@ -92,17 +98,19 @@ Status ImuGate::waiting() const {
   return worth_a_word ? Status::warning(unknownMount(held_.front().frame)) : Status::ok();
 }
 
-Status ImuGate::take(const ImuReading& reading) {
-  if (!hasMount(reading)) return reject("no_mount", unknownMount(reading.frame));
+Status ImuGate::take(const ImuReading& driven) {
+  if (!hasMount(driven)) return reject("no_mount", unknownMount(driven.frame));
   if (!mount_fault_.empty())
     return reject("bad_mount", "the IMU's mount cannot be used: " + mount_fault_ +
                                    "; correct its transform to the robot's base frame or "
                                    "imu.sensor_pose in the robot file");
+  const bool is_in_degrees = config_.units == ImuConfig::Units::kDegrees;
+  const auto reading = is_in_degrees ? fromDegrees(driven) : driven;
   if (const auto fault = faultOf(reading); !fault.empty())
     return reject("bad_reading", "a reading of the IMU cannot be used: " + fault +
                                      "; correct what the IMU's driver sends");
-  const bool is_in_degrees = config_.units == ImuConfig::Units::kDegrees;
-  sample_ = toSample(is_in_degrees ? fromDegrees(reading) : reading, *mount_);
+  if (saysNoGyro(reading)) return reject("no_gyro", kNoGyro);
+  sample_ = toSample(reading, *mount_);
   return Status::ok();
 }
 

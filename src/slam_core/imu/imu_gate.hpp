@@ -19,7 +19,8 @@ namespace slam {
 /// mount when one behind it can be used, nor the oldest when too many are held.
 ///
 /// Call order: configure(), set(...) of what has come, execute() until sample() is empty.
-/// Counted, of readings that did not come out: "bad_reading", "bad_mount", "no_mount".
+/// Counted, of readings that did not come out: "bad_reading", "bad_mount", "no_mount",
+/// "no_gyro".
 class ImuGate final : public Gate {
  public:
   static constexpr std::size_t kCapacity = 2000;
@@ -60,7 +61,7 @@ class ImuGate final : public Gate {
   bool hasMount(const ImuReading& reading) const;
   bool frontMayWait() const;
   Status waiting() const;
-  Status take(const ImuReading& reading);
+  Status take(const ImuReading& driven);
   Status reject(const std::string& reason, const std::string& sentence);
 
   ImuConfig config_;

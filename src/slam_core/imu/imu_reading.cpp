@@ -35,6 +35,10 @@ std::string faultOf(const ImuReading& reading) {
 
 std::string faultOf(const ImuMount& mount) { return faultOfMount(mount.T_base_imu); }
 
+bool saysNoGyro(const ImuReading& reading) {
+  return reading.covariance(0, 0) == -1.0 && reading.angular_velocity.isZero(0.0);
+}
+
 ImuReading fromDegrees(const ImuReading& reading) {
   constexpr double kRadians = M_PI / 180.0;
   auto converted = reading;

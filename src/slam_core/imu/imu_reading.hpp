@@ -12,7 +12,7 @@
 namespace slam {
 
 /// One message of an IMU's driver, not checked (sensor_msgs/Imu). Accelerations and orientation are
-/// not used.
+/// not used. Of a driver that counts in degrees it holds degrees until fromDegrees().
 struct ImuReading {
   Stamp stamp;
   std::string frame;
@@ -42,7 +42,12 @@ std::string faultOf(const ImuReading& reading);
 /// Empty, or what makes the mount unusable: no rotation.
 std::string faultOf(const ImuMount& mount);
 
-/// The same reading of a driver that counts in degrees.
+/// Whether the reading says that its IMU has no gyro: by sensor_msgs/Imu, -1 as the first element
+/// of the covariance. Drivers of gyros set that as well where they know no covariance; so only a
+/// reading whose rates are all exactly zero says it.
+bool saysNoGyro(const ImuReading& reading);
+
+/// The same reading in radians, of a driver that counts in degrees.
 ImuReading fromDegrees(const ImuReading& reading);
 
 /// The reading seen from the base. A covariance that is none is left out: drivers that give none

@@ -3,9 +3,11 @@
 
 #include "slam_core/imu_odometry/gyro_bias.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "slam_core/geometry/covariance.hpp"
+#include "slam_core/imu_odometry/squared.hpp"
 
 namespace slam::imu_odometry {
 namespace {
@@ -15,8 +17,6 @@ constexpr double kDriftSigma = 0.1, kDriftWalk = 0.01;  // [rad/m], [rad/m/sqrt(
 constexpr double kShareSigma = 0.5, kShareWalk = 0.05;  // [1], [1/sqrt(s)]
 constexpr double kMemory = 15.0;                        // of the heading's error [s]
 constexpr double kGate = 4.0;                           // [standard deviations]
-
-double squared(double x) { return x * x; }
 
 }  // namespace
 

@@ -7,18 +7,18 @@
 
 namespace slam::imu_odometry {
 
-/// What the gyro measures at rest, its bias: a Kalman filter whose state is the bias [rad/s] and,
-/// since wheels show the bias only as far as they are right, the systematic errors of their
-/// heading: a drift on each metre of the way [rad/m], of wheels of unequal size, and a share of
-/// each turn, of a wheelbase that is not the true one (Borenstein and Feng 1996). On a robot that
-/// steers by slipping that share is a third and more, and changes with the ground. All three walk
-/// at random.
+/// A Kalman filter of the gyro's bias, which is what it measures at rest [rad/s]. Wheels show the
+/// bias only as far as they are right. So the state has the systematic errors of their heading as
+/// well (Borenstein and Feng 1996): a drift on each metre of the way [rad/m], of wheels of unequal
+/// size, and a share of each turn, of a wheelbase that is not the true one. On a robot that steers
+/// by slipping that share is a third and more, and changes with the ground. All three walk at
+/// random.
 ///
 /// Errors of the bias add up coherently, while back-ends take the increments' errors for
 /// independent. So the filter keeps the covariance of bias and heading as well (Schmidt's consider
 /// filter: the heading is not corrected afterwards), as far as the heading has gone wrong within
-/// the last quarter of a minute: then the variances of increments add up to the true one over half
-/// a minute, are too large over less, too small over more.
+/// the last quarter of a minute. Then the variances of increments add up to the true one over half
+/// a minute. Over less they are too large, over more too small.
 class GyroBias {
  public:
   GyroBias() = default;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "slam_core/imu_odometry/squared.hpp"
+
 namespace slam::imu_odometry {
 namespace {
 
@@ -23,8 +25,6 @@ constexpr double kSlip = 0.1;
 /// By which the stamps of gyro and wheels may be wrong [s].
 constexpr double kStampError = 0.1;
 
-double square(double x) { return x * x; }
-
 }  // namespace
 
 GyroCalibration::GyroCalibration(const ImuConfig& config)
@@ -35,8 +35,8 @@ GyroCalibration::GyroCalibration(const ImuConfig& config)
 double GyroCalibration::variance(const GyroTurn& turn) const {
   const double noise = std::max(noise_.variance() * turn.seconds, turn.given_variance);
   const double turned = angle(turn);
-  const double scale = square(turned) + 2.0 * std::abs(turned) * recent_turns_[turned > 0.0];
-  return noise + square(scale_sigma_) * scale + bias_.headingVariance(turn.seconds);
+  const double scale = squared(turned) + 2.0 * std::abs(turned) * recent_turns_[turned > 0.0];
+  return noise + squared(scale_sigma_) * scale + bias_.headingVariance(turn.seconds);
 }
 
 bool GyroCalibration::rests(const GyroTurn& turn) const {
@@ -91,9 +91,9 @@ void GyroCalibration::learnBesideWheels(const GyroTurn& turn, const Motion& whee
   if (window.seconds < kWindow) return;
   const auto full = std::exchange(beside_, {});
   const double T = full.seconds, turn_rate = full.gyro / T - bias();
-  const double variance = full.variance / square(T) + noise_.variance() / T +
-                          square(kSlip * turn_rate) +
-                          square(kStampError * (full.last_rate - full.first_rate) / T);
+  const double variance = full.variance / squared(T) + noise_.variance() / T +
+                          squared(kSlip * turn_rate) +
+                          squared(kStampError * (full.last_rate - full.first_rate) / T);
   bias_.observeBesideWheels((full.gyro - full.wheels) / T, full.way / T, turn_rate, variance);
 }
 

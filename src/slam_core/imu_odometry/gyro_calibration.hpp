@@ -71,8 +71,9 @@ class GyroCalibration {
   double scale_sigma_ = 0.0;
   GyroBias bias_;
   GyroNoise noise_;
-  /// To the right, to the left, which the gyro's scale has made wrong [rad]. What it makes wrong to
-  /// one side is not made up for by the other: the way in between has been wrong.
+  /// Sums of recent turns to the right and to the left, which fade with a time constant of 3 s
+  /// [rad]: their errors by the gyro's scale add up. What the scale makes wrong to one
+  /// side is not made up for by the other: the way in between has been wrong.
   std::array<double, 2> recent_turns_{};
   RestBlocks blocks_;
   Window beside_;

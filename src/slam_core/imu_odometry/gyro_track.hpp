@@ -35,7 +35,7 @@ class GyroTrack {
  public:
   void add(const ImuSample& sample, Counters& counters);
   void clear() { *this = {}; }
-  /// What lies before is not asked for any more.
+  /// Drops readings that no turn after this stamp needs.
   void forgetBefore(Stamp stamp);
 
   /// Up to where the gyro has come.

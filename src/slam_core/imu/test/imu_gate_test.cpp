@@ -152,6 +152,27 @@ TEST_F(ImuGateTest, LeavesOutWhatIsNoAngularVelocity) {
   sampleOf(readingAt(1.2));
 }
 
+TEST_F(ImuGateTest, ChecksWhatADriverCountsInDegreesInRadians) {
+  ImuConfig config;
+  config.units = ImuConfig::Units::kDegrees;
+  gate.configure(config);
+  gate.set(mount());
+  const auto rate_of = [](double degrees) { return Eigen::Vector3d(0, 0, degrees); };
+  EXPECT_TRUE(says(refusalOf(readingAt(1.0, rate_of(1.8e8)), "bad_reading"), "3.14159e+06 rad/s"));
+  EXPECT_NEAR(sampleOf(readingAt(1.1, rate_of(36000))).angular_velocity.z(), 200 * M_PI, 1e-9);
+}
+
+TEST_F(ImuGateTest, LeavesOutZerosOfAnImuThatSaysThatItHasNoGyro) {
+  gate.set(mount());
+  auto reading = readingAt(1.0, Eigen::Vector3d::Zero());
+  sampleOf(reading);  // a gyro may measure zero
+  reading.covariance(0, 0) = -1.0;
+  EXPECT_TRUE(says(refusalOf(reading, "no_gyro"), "it has no gyro"));
+  EXPECT_EQ(gate.dropped(), 1u);
+  reading.angular_velocity.x() = 1e-3;  // a driver that knows no covariance
+  sampleOf(reading);
+}
+
 TEST_F(ImuGateTest, LeavesOutReadingsWhoseMountIsNone) {
   Eigen::Isometry3d broken = Eigen::Isometry3d::Identity();
   broken.linear() *= 2.0;

@@ -32,8 +32,8 @@ def numbers(record):
                       record.not_finite, "readings")]
     if record.says_none:
         return [warn("imu.numbers", f"{record.says_none} of {record.count} readings say that there "
-                     "is no angular velocity (covariance -1)", "They are used all the same; does "
-                     "this IMU have a gyro?", record.says_none, "readings")]
+                     "is no angular velocity (covariance -1)", "Of those, readings of zero about all "
+                     "axes are left out; does this IMU have a gyro?", record.says_none, "readings")]
     return [ok("imu.numbers", "all readings hold numbers")]
 
 

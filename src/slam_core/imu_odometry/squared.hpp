@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace slam::imu_odometry {
+
+inline double squared(double x) { return x * x; }
+
+}  // namespace slam::imu_odometry
