@@ -23,7 +23,7 @@ _CAMPAIGN_KEYS = ("version", "campaign", "bags", "products", "seeds", "metrics",
 _DRIVE_KEYS = ("name", "world", "robot", "seed", "duration", "only")
 _BAG_KEYS = ("name", "bag", "robot", "remap", "relations")
 _PRODUCT_KEYS = ("name", "product", "foreign", "set", "vary")
-_SENSORS = ("odom", "scan", "camera", "ceiling_camera")
+SENSORS = ("odom", "scan", "imu", "camera", "ceiling_camera")  # of any simulated robot
 
 
 @dataclasses.dataclass(frozen=True)
@@ -107,6 +107,8 @@ def _settings(reader, key):
         if isinstance(value, dict) or key == "set" and isinstance(value, list):
             raise reader.error(f"{key}: {name} is a {type(value).__name__}, where one value "
                                "belongs; write SECTION.KEY: VALUE")
+        if value == []:
+            raise reader.error(f"{key}: {name} is an empty list; give one value at least")
     return values
 
 
@@ -137,9 +139,9 @@ def _drives(folder, reader):
     """The drives of an entry: one for each combination of worlds, robots, seeds and durations."""
     only = tuple(map(str, reader.many("only")))
     for sensor in only:
-        if sensor not in _SENSORS:
-            raise reader.error(f"there is no sensor '{sensor}'{did_you_mean(sensor, _SENSORS)}; "
-                               f"there are: {', '.join(_SENSORS)}")
+        if sensor not in SENSORS:
+            raise reader.error(f"there is no sensor '{sensor}'{did_you_mean(sensor, SENSORS)}; "
+                               f"there are: {', '.join(SENSORS)}")
     choices = {key: reader.many(key, [default]) for key, default in (
         ("world", None), ("robot", "segway"), ("seed", None), ("duration", None))}
     varied = [key for key, values in choices.items() if len(values) > 1]
