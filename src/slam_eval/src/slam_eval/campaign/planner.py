@@ -113,5 +113,5 @@ class Planner:
                         run = self._run(bag, product, seed, path, sha256)
                         name = self._name_of(run, self._products[product.name][1])
                         runs[name] = run
-                    rows.append(Row(bag.name, product.name, seed, name, failure))
+                    rows.append(Row(bag.name, product.name, seed, name, failure, sha256))
         return Plan(self.drives[0], runs, rows)

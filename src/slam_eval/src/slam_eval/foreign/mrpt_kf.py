@@ -45,9 +45,14 @@ class MrptKf(Driver):
         given = (self.parameters["range_sigma"], self.parameters["bearing_sigma_deg"])
         if given == (None, None) and claimed:
             return tuple(float(sigma) for sigma in np.median(claimed, axis=0))
+        if given == (None, None):
+            raise BenchError("the observations claim no standard deviations; set range_sigma and "
+                             "bearing_sigma_deg")
         if None in given:
-            raise BenchError("set both range_sigma and bearing_sigma_deg: the observations claim "
-                             "none")
+            names = ("range_sigma", "bearing_sigma_deg")
+            lacking, there = names if given[0] is None else reversed(names)
+            raise BenchError(f"{there} is set and {lacking} is not; set both, or neither where the "
+                             "observations claim them")
         return self.number("range_sigma"), math.radians(self.number("bearing_sigma_deg"))
 
     def _noise(self):
