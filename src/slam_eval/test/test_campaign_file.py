@@ -19,7 +19,7 @@ bags:
     robot: [segway, omni]
     only: [odom, scan]
     duration: 20
-  - {name: own, bag: own.bag, robot: turtlebot2, remap: "scan:=laser"}
+  - {name: own, bag: own.bag, robot: turtlebot2}
 products:
   - ekf_wheel
   - product: pf_wheel
@@ -68,9 +68,13 @@ class GoodFile(InFolder):
         self.assertEqual(campaign.size, 54)
 
     def test_finds_files_from_its_own_folder(self):
-        own = self.read(GOOD).bags[2]
-        self.assertEqual(own.path, self.folder / "own.bag")
+        self.assertEqual(self.read(GOOD).bags[2].path, self.folder / "own.bag")
+
+    def test_may_remap_topics_of_a_bag(self):
+        text = GOOD.replace("turtlebot2}", 'turtlebot2, remap: "scan:=laser"}')
+        own = self.read(text.replace("foreign: mrpt_rbpf", "pf_wheel_grid")).bags[2]
         self.assertEqual(own.remap, ("scan:=laser",))
+        self.refuses(text, "the bag own has 'remap'", "the foreign system mrpt_rbpf does not take")
 
     def test_simulates_with_the_seed_of_the_run_or_its_own(self):
         drive = self.read(GOOD).bags[0]

@@ -228,6 +228,16 @@ def _metrics(reader):
     return list(dict.fromkeys(metrics))
 
 
+def _require_topics(reader, bags, products):
+    """Refuses topics of other names where a foreign system is to read them."""
+    bag = next((bag for bag in bags if bag.remap), None)
+    row = next((row for row in products if row.is_foreign), None)
+    if bag and row:
+        raise reader.error(f"the bag {bag.name} has 'remap', which the foreign system {row.name} "
+                           "does not take; give it a bag whose topics have the usual names, or "
+                           "make two campaigns of it")
+
+
 def read_campaign(path):
     """The campaign of a file. Raises UsageError."""
     path = pathlib.Path(path).absolute()
@@ -244,6 +254,7 @@ def read_campaign(path):
     _require_names(path, "campaign", [name])
     _require_names(path, "bag", [bag.name for bag in bags])
     _require_names(path, "product", [row.name for row in products])
+    _require_topics(reader, bags, products)
     campaign = Campaign(path, name, bags, products, _seeds(reader), _metrics(reader),
                         reader.number("time_limit", TIME_LIMIT))
     if campaign.size > MOST_RUNS:
