@@ -38,7 +38,7 @@ class Planner:
         if row.is_foreign:
             system = find_system(row.product, self._where)
             system.require_settings(row.settings, self._where)
-            return str(system.path), inputs.foreign(system.files())
+            return str(system.path), inputs.foreign(system.files(row.settings))
         path = inputs.product_file(row.product, self._where)
         inputs.require_product(row.product, row.settings, self._where)
         return row.product, inputs.hash_of(

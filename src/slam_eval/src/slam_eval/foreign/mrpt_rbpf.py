@@ -43,8 +43,11 @@ class MrptRbpf(Driver):
     """A particle filter with grids; its trajectory.tum is what it estimated frame by frame, with
     odometry between, its trajectory_final.tum the path of the most likely particle at the end."""
 
+    required = ("configuration",)
+    numbers = ("particles", "distance", "angle")
+
     def programs(self):
-        configured = CONFIGURATIONS / self.parameters["configuration"]
+        configured = CONFIGURATIONS / str(self.parameters["configuration"])
         if not configured.is_file():
             raise BenchError(f"there is no {configured}; install mrpt-common")
         exporter = workspace_program("slam_eval", "slam_eval_rawlog")
