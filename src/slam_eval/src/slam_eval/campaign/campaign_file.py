@@ -8,7 +8,7 @@ import re
 from typing import Optional
 
 from slam_eval.io.errors import did_you_mean, UsageError
-from slam_eval.io.strict_yaml import load, Reader
+from slam_eval.io.strict_yaml import is_path, load, Reader
 from slam_eval.report.metric_table import KEYS
 
 VERSION = 1
@@ -91,7 +91,7 @@ def _path(folder, text):
 
 
 def _file_or_name(folder, text):
-    return str(_path(folder, text)) if text and ("/" in text or text.endswith(".yaml")) else text
+    return str(_path(folder, text)) if text and is_path(text) else text
 
 
 def _scalar(value):

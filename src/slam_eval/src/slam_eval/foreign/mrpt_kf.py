@@ -5,11 +5,11 @@ import math
 
 import numpy as np
 
-from slam_eval.bench.harness.bag_robot import robot_of
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.bench.peers.mrpt_config import kf_slam_ini, scene_name
-from slam_eval.foreign.bag_data import has_topic, read_observations, read_odometry
+from slam_eval.foreign.bag_data import (
+    has_topic, read_observations, read_odometry, robot_of)
 from slam_eval.foreign.driver import Driver
 from slam_eval.foreign.mrpt import program
 from slam_eval.foreign.mrpt_rawlog import MotionNoise, write_rawlog

@@ -4,11 +4,11 @@
 from matplotlib import image
 import numpy as np
 
-from slam_eval.bench.harness.bag_robot import robot_of
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.bench.peers.bag_rawlog import BagRawlog, parse_scans, read_path
 from slam_eval.bench.peers.rbpf_slam import configuration, CONFIGURATIONS, map_picture
+from slam_eval.foreign.bag_data import robot_of
 from slam_eval.foreign.driver import Driver
 from slam_eval.foreign.mrpt import program
 from slam_eval.foreign.results import (

@@ -12,7 +12,7 @@ from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import package_folder
 from slam_eval.foreign.driver import Driver
 from slam_eval.io.errors import did_you_mean, InputError, UsageError
-from slam_eval.io.strict_yaml import load, Reader
+from slam_eval.io.strict_yaml import is_path, load, Reader
 
 _KEYS = ("version", "system", "title", "driver", "parameters")
 _VERSION = 1
@@ -115,7 +115,7 @@ def _driver(reader, folder):
 def find_system(text, where):
     """The foreign system of a name or file. Raises UsageError, which says where it was named."""
     known = shipped()
-    path = pathlib.Path(text) if "/" in text or text.endswith(".yaml") else known.get(text)
+    path = pathlib.Path(text) if is_path(text) else known.get(text)
     if path is None:
         near = did_you_mean(text, known)
         raise UsageError(f"{where}: there is no foreign system '{text}'{near}; there are: "

@@ -8,10 +8,9 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from slam_eval.bench.harness.bag_robot import robot_of
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import system_program, workspace_program
-from slam_eval.foreign.bag_data import messages, read_odometry
+from slam_eval.foreign.bag_data import messages, read_odometry, robot_of
 from slam_eval.foreign.driver import Driver
 from slam_eval.foreign.results import write_about, write_trajectory
 from slam_eval.geometry import se2

@@ -47,6 +47,11 @@ def load(path):
     return content
 
 
+def is_path(text):
+    """Whether a value names a file by its path, rather than something by its name."""
+    return "/" in text or text.endswith(".yaml")
+
+
 class Reader:
     """Takes values out of a map, and says what is wrong with one. where: the file and the entry."""
 
