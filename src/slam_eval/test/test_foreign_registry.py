@@ -82,6 +82,9 @@ class Drivers(InFolder):
     def test_that_stumble_before_the_start_are_refused(self):
         self.write(programs="[self.parameters['nothing']]")
         self.refuses("own cannot be run", "own.py fails", "KeyError", "nothing")
+        for programs in ("None", "[3]"):
+            self.write(programs=programs)
+            self.refuses("own cannot be run", "own.py fails", "TypeError")
 
     def test_check_their_parameters(self):
         self.write()

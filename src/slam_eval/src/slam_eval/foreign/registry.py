@@ -45,8 +45,8 @@ class System:
         try:
             driver = self.make(settings)
             driver.check()
-            driver.programs()
-        except BenchError as error:
+            _ = [pathlib.Path(path) for path in driver.programs()]
+        except (BenchError, InputError) as error:
             raise UsageError(f"{where}: {self.path.stem} cannot be run: {error}") from None
         except Exception as error:  # whatever somebody's driver stumbles over
             raise UsageError(f"{where}: {self.path.stem} cannot be run: its driver "
