@@ -128,7 +128,8 @@ class Campaign(InFolder):
 
     def test_refuses_the_folder_that_another_call_works_in(self):
         with locked(self.whole / "lock", wait=False):
-            self.refuses(self.path, "--out", self.whole, says=["another ./slam campaign works"])
+            self.refuses(self.path, "--out", self.whole, SLAM_COMMAND="slam",
+                         says=["another call of slam campaign works in", "wait for its end"])
 
 
 class Shipped(InFolder):

@@ -14,7 +14,7 @@ ORDER = ["geometry", "io", "metrics", "plot", "report", "bench", "foreign", "cam
 BENCH_ORDER = ["harness", "peers"]  # what comes after is a benchmark
 LISTS_THE_BENCHMARKS = "cli.py"
 NEED_ROS = {"bench", "foreign"}
-READS_BAGS = "io/bag_poses.py"  # imports ROS when it is called
+READS_BAGS = "io/bag.py"  # imports ROS when it is called
 ROS = {"catkin_pkg", "rosbag", "roslib", "roslaunch", "rospkg", "rospy", "tf2_ros"}
 
 

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Campaign files: what they say, and one sentence for each thing that is wrong with one."""
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
 import run_maker  # noqa: F401, before slam_eval: it finds the source tree
-from slam_eval.campaign.campaign_file import read_campaign
+from slam_eval.bench.harness.programs import package_folder, workspace_program
+from slam_eval.campaign.campaign_file import read_campaign, SENSORS
 from slam_eval.io.errors import UsageError
 
 GOOD = """
@@ -17,7 +19,7 @@ bags:
     robot: [segway, omni]
     only: [odom, scan]
     duration: 20
-  - {name: own, bag: own.bag, robot: turtlebot2, remap: "scan:=laser"}
+  - {name: own, bag: own.bag, robot: turtlebot2}
 products:
   - ekf_wheel
   - product: pf_wheel
@@ -66,9 +68,13 @@ class GoodFile(InFolder):
         self.assertEqual(campaign.size, 54)
 
     def test_finds_files_from_its_own_folder(self):
-        own = self.read(GOOD).bags[2]
-        self.assertEqual(own.path, self.folder / "own.bag")
+        self.assertEqual(self.read(GOOD).bags[2].path, self.folder / "own.bag")
+
+    def test_may_remap_topics_of_a_bag(self):
+        text = GOOD.replace("turtlebot2}", 'turtlebot2, remap: "scan:=laser"}')
+        own = self.read(text.replace("foreign: mrpt_rbpf", "pf_wheel_grid")).bags[2]
         self.assertEqual(own.remap, ("scan:=laser",))
+        self.refuses(text, "the bag own has 'remap'", "the foreign system mrpt_rbpf does not take")
 
     def test_simulates_with_the_seed_of_the_run_or_its_own(self):
         drive = self.read(GOOD).bags[0]
@@ -78,6 +84,18 @@ class GoodFile(InFolder):
 
     def test_may_list_its_seeds(self):
         self.assertEqual(self.read(GOOD.replace("seeds: 3", "seeds: [4, 2]")).seeds, [4, 2])
+
+    def test_may_name_every_sensor_of_the_simulated_robots(self):
+        named = set()
+        for robot in sorted((package_folder("slam_sim") / "robots").glob("*.yaml")):
+            done = subprocess.run([workspace_program("slam_sim", "slam_sim"), self.folder / "x.bag",
+                                   "--robot", robot, "--only", "nothing"], text=True, check=False,
+                                  stderr=subprocess.PIPE)
+            self.assertIn("there are: ", done.stderr)
+            named.update(done.stderr.partition("there are: ")[2].strip().split(", "))
+        self.assertEqual(named, set(SENSORS))
+        only = self.read(GOOD.replace("odom, scan", ", ".join(SENSORS))).bags[0].only
+        self.assertEqual(only, SENSORS)
 
 
 class BadFile(InFolder):
@@ -89,6 +107,11 @@ class BadFile(InFolder):
         self.refuses("version: 1\ncampaign: [\n", "some.yaml:3", "no valid YAML")
         self.refuses("just words\n", "not a map of keys and values")
         self.refuses("", "not a map of keys and values")
+
+    def test_with_a_key_that_is_a_list_or_a_map_is_refused_with_the_place(self):
+        for key in ("[1, 2]", "{a: b}", "? [1, 2]\n"):
+            self.refuses(GOOD + f"{key}: 3\n", f"some.yaml:{GOOD.count(chr(10)) + 1}",
+                         "column", "a key is one word or number")
 
     def test_with_a_key_twice_is_refused(self):
         self.refuses(GOOD + "seeds: 4\n", "the key 'seeds' stands there a second time")
@@ -131,6 +154,8 @@ class BadFile(InFolder):
         self.refuses(GOOD.replace("{pf.resample_below: 0.4}", "[1]"), "a map of parameters")
         self.refuses(GOOD.replace("{pf.resample_below: 0.4}", "{pf: {particles: 3}}"),
                      "SECTION.KEY: VALUE")
+        self.refuses(GOOD.replace("[30, 100]", "[]"),
+                     "vary: pf.particles is an empty list; give one value at least")
         self.refuses(GOOD.replace("campaign: some", "campaign: a/b"), "is no name of a campaign")
 
     def test_with_an_unknown_metric_is_refused(self):

@@ -75,6 +75,16 @@ class Tables(InFolder):
         found, = self.tables().comparisons["ate_rmse_m"]
         self.assertEqual((found.smaller, found.larger), (2, 0))
 
+    def test_count_equal_values_once_where_the_bag_is_the_same(self):
+        for product, error in (("a", 0.1), ("b", 0.2)):
+            self.made(product, ate_rmse_m=error)
+        for bags, count in ((("same", "same"), 1), (("one", "other"), 2)):
+            rows = [Row("x", product, seed, product, None, bag)
+                    for product in "ab" for seed, bag in zip((1, 2), bags)]
+            tables = results.Tables(self.campaign, results.read_lines(self.folder, rows))
+            found, = tables.comparisons["ate_rmse_m"]
+            self.assertEqual(found.smaller, count)
+
 
 class Page(InFolder):
     def test_shows_tables_pictures_and_what_failed(self):

@@ -31,7 +31,13 @@ class Programs(unittest.TestCase):
 
     def test_that_take_too_long_are_ended(self):
         with self.assertRaisesRegex(BenchError, "longer than 0.2 s, the campaign's time_limit"):
-            task.call(["sleep", "60"], self.log, 0.2)
+            task.call(["sleep", "60"], self.log, task.deadline(0.2))
+
+    def test_share_the_limit_of_their_run(self):
+        watch = task.deadline(2.0)
+        task.call(["sleep", "1.2"], self.log, watch)
+        with self.assertRaisesRegex(BenchError, "longer than 2 s, the campaign's time_limit"):
+            task.call(["sleep", "1.2"], self.log, watch)
 
     def test_are_quoted_without_what_differs_from_host_to_host(self):
         folder = Folder(self.folder)

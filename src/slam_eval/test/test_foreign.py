@@ -10,8 +10,11 @@ import unittest
 import run_maker  # noqa: F401, before slam_eval: it finds the source tree
 import numpy as np
 import rosbag
+from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.foreign.bag_data import has_topic, planar, read_observations, read_odometry
+from slam_eval.foreign.driver import Job
+from slam_eval.foreign.mrpt_kf import MrptKf
 from slam_eval.foreign.mrpt_rawlog import MotionNoise, Observations, write_rawlog
 from slam_eval.foreign.results import (
     with_odometry_between, write_grid, write_landmarks, write_trajectory)
@@ -63,6 +66,30 @@ class Rawlog(InFolder):
         write_rawlog(self.folder / "b.rawlog", self.increments, self.seen, NOISE, (0.02, 0.01))
         self.assertEqual((self.folder / "a.rawlog").read_bytes(),
                          (self.folder / "b.rawlog").read_bytes())
+
+    def refused_by_kf_slam(self, bag, **sigmas):
+        """What the driver says before it calls a program."""
+        with self.assertRaises(BenchError) as caught:
+            MrptKf({"range_sigma": None, "bearing_sigma_deg": None, **sigmas}).run(
+                Job(bag, self.folder, 1, None, (), None))
+        return str(caught.exception)
+
+    def test_needs_both_standard_deviations_or_none(self):
+        self.assertIn("range_sigma is set and bearing_sigma_deg is not; set both",
+                      self.refused_by_kf_slam(self.bag, range_sigma=0.1))
+        self.assertIn("bearing_sigma_deg is set and range_sigma is not; set both",
+                      self.refused_by_kf_slam(self.bag, bearing_sigma_deg=1.0))
+
+    def test_without_standard_deviations_needs_them_set(self):
+        bare = self.folder / "bare.bag"
+        with rosbag.Bag(str(self.bag)) as bag, rosbag.Bag(str(bare), "w") as copy:
+            for topic, message, stamp in bag.read_messages():
+                if topic.lstrip("/") == "observations":
+                    for each in message.observations:
+                        each.covariance = [0.0] * len(each.covariance)
+                copy.write(topic, message, stamp)
+        self.assertIn("the observations claim no standard deviations; set range_sigma and "
+                      "bearing_sigma_deg", self.refused_by_kf_slam(bare))
 
     def test_is_told_from_other_topics(self):
         self.assertTrue(has_topic(self.bag, "observations"))

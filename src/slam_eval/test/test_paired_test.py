@@ -38,8 +38,20 @@ class Comparisons(unittest.TestCase):
     def test_count_a_drive_once_that_seeds_do_not_change(self):
         values = {"a": {("x", seed): 1.0 for seed in range(8)},
                   "b": {("x", seed): 2.0 for seed in range(8)}}
-        found, = compare_all(values)
+        found, = compare_all(values, {("x", seed): "of x" for seed in range(8)})
         self.assertEqual((found.smaller, found.p), (1, 1.0))
+
+    def test_count_drives_apart_whose_values_are_equal(self):
+        values = {"a": {("x", seed): 1.0 for seed in range(8)},
+                  "b": {("x", seed): 2.0 for seed in range(8)}}
+        for drives in ({("x", seed): f"of {seed}" for seed in range(8)}, None):
+            found, = compare_all(values, drives)
+            self.assertEqual((found.smaller, found.p), (8, 2.0 / 2 ** 8))
+
+    def test_count_a_drive_twice_that_seeds_change(self):
+        values = {"a": {("x", 1): 1.0, ("x", 2): 3.0}, "b": {("x", 1): 2.0, ("x", 2): 2.0}}
+        found, = compare_all(values, {("x", seed): "of x" for seed in (1, 2)})
+        self.assertEqual((found.smaller, found.larger), (1, 1))
 
     def test_of_systems_without_a_common_drive_there_are_none(self):
         self.assertEqual(compare_all({"a": {("x", 1): 1.0}, "b": {("y", 1): 1.0}}), [])

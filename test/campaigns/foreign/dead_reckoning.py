@@ -9,6 +9,8 @@ from slam_eval.foreign.results import write_about, write_trajectory
 
 
 class DeadReckoning(Driver):
+    numbers = ("scale",)
+
     def programs(self):
         return [pathlib.Path(__file__)]
 

@@ -8,7 +8,7 @@ import re
 from typing import Optional
 
 from slam_eval.io.errors import did_you_mean, UsageError
-from slam_eval.io.strict_yaml import load, Reader
+from slam_eval.io.strict_yaml import is_path, load, Reader
 from slam_eval.report.metric_table import KEYS
 
 VERSION = 1
@@ -23,7 +23,7 @@ _CAMPAIGN_KEYS = ("version", "campaign", "bags", "products", "seeds", "metrics",
 _DRIVE_KEYS = ("name", "world", "robot", "seed", "duration", "only")
 _BAG_KEYS = ("name", "bag", "robot", "remap", "relations")
 _PRODUCT_KEYS = ("name", "product", "foreign", "set", "vary")
-_SENSORS = ("odom", "scan", "camera", "ceiling_camera")
+SENSORS = ("odom", "scan", "imu", "camera", "ceiling_camera")  # of any simulated robot
 
 
 @dataclasses.dataclass(frozen=True)
@@ -91,7 +91,7 @@ def _path(folder, text):
 
 
 def _file_or_name(folder, text):
-    return str(_path(folder, text)) if text and ("/" in text or text.endswith(".yaml")) else text
+    return str(_path(folder, text)) if text and is_path(text) else text
 
 
 def _scalar(value):
@@ -107,6 +107,8 @@ def _settings(reader, key):
         if isinstance(value, dict) or key == "set" and isinstance(value, list):
             raise reader.error(f"{key}: {name} is a {type(value).__name__}, where one value "
                                "belongs; write SECTION.KEY: VALUE")
+        if value == []:
+            raise reader.error(f"{key}: {name} is an empty list; give one value at least")
     return values
 
 
@@ -137,9 +139,9 @@ def _drives(folder, reader):
     """The drives of an entry: one for each combination of worlds, robots, seeds and durations."""
     only = tuple(map(str, reader.many("only")))
     for sensor in only:
-        if sensor not in _SENSORS:
-            raise reader.error(f"there is no sensor '{sensor}'{did_you_mean(sensor, _SENSORS)}; "
-                               f"there are: {', '.join(_SENSORS)}")
+        if sensor not in SENSORS:
+            raise reader.error(f"there is no sensor '{sensor}'{did_you_mean(sensor, SENSORS)}; "
+                               f"there are: {', '.join(SENSORS)}")
     choices = {key: reader.many(key, [default]) for key, default in (
         ("world", None), ("robot", "segway"), ("seed", None), ("duration", None))}
     varied = [key for key, values in choices.items() if len(values) > 1]
@@ -226,6 +228,16 @@ def _metrics(reader):
     return list(dict.fromkeys(metrics))
 
 
+def _require_topics(reader, bags, products):
+    """Refuses topics of other names where a foreign system is to read them."""
+    bag = next((bag for bag in bags if bag.remap), None)
+    row = next((row for row in products if row.is_foreign), None)
+    if bag and row:
+        raise reader.error(f"the bag {bag.name} has 'remap', which the foreign system {row.name} "
+                           "does not take; give it a bag whose topics have the usual names, or "
+                           "make two campaigns of it")
+
+
 def read_campaign(path):
     """The campaign of a file. Raises UsageError."""
     path = pathlib.Path(path).absolute()
@@ -242,6 +254,7 @@ def read_campaign(path):
     _require_names(path, "campaign", [name])
     _require_names(path, "bag", [bag.name for bag in bags])
     _require_names(path, "product", [row.name for row in products])
+    _require_topics(reader, bags, products)
     campaign = Campaign(path, name, bags, products, _seeds(reader), _metrics(reader),
                         reader.number("time_limit", TIME_LIMIT))
     if campaign.size > MOST_RUNS:

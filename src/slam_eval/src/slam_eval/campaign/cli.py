@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program behind `./slam campaign FILE`."""
 import argparse
+import os
 import pathlib
 import shutil
 import signal
@@ -19,6 +20,13 @@ from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.errors import did_you_mean, exit_code_of, InputError, UsageError
 
 _FILES = ("runs.csv", "table.csv", "tests.csv", "costs.csv", "report.html")
+
+
+def _command():
+    """What people call: `./slam` of a clone or the installed `slam`, which say so in the
+    environment, else rosrun."""
+    front_door = os.environ.get("SLAM_COMMAND")
+    return f"{front_door} campaign" if front_door else "rosrun slam_eval slam_campaign"
 
 
 def campaign_file(text):
@@ -91,8 +99,8 @@ def run_campaign(options):
     except BenchError as error:
         raise UsageError(str(error)) from None
     folder.take_for(campaign.name)
-    with locked(folder.path / "lock", wait=False, refusal=f"another ./slam campaign works in "
-                f"{folder.path}; wait for its end, or name another folder with --out"):
+    with locked(folder.path / "lock", wait=False, refusal=f"another call of {_command()} works "
+                f"in {folder.path}; wait for its end, or name another folder with --out"):
         plan = _make(planner, folder, executor, options.retry)
         tables = results.Tables(campaign, results.read_lines(folder, plan.rows))
         write_results(campaign, folder, tables)

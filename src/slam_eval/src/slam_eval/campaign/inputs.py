@@ -14,6 +14,7 @@ import yaml
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import package_folder, SYSTEM, workspace_program
 from slam_eval.io.errors import did_you_mean, read_text, UsageError
+from slam_eval.io.strict_yaml import is_path
 
 LIBRARY = re.compile(r"lib(?:slam_|mrpt)\S+ => (\S+)")  # ours, MRPT's
 DIGITS = 16  # of a run's name
@@ -93,10 +94,6 @@ def modules(*folders):
     root = pathlib.Path(__file__).resolve().parents[1]
     return hash_of_files([path for folder in folders
                           for path in sorted((root / folder).glob("*.py"))])
-
-
-def is_path(text):
-    return "/" in text or text.endswith(".yaml")
 
 
 def _product_folders():

@@ -141,7 +141,7 @@ def _file_section(campaign):
     return ("<section><h2>The campaign</h2><p>Beside this page: runs.csv, a line for each run with "
             "all figures; table.csv and tests.csv, what is above; costs.csv, time and memory of "
             "the runs, which differ from host to host; runs/NAME, the files of a run, which "
-            "./slam eval makes pictures of.</p><pre>"
+            "slam_eval makes pictures of.</p><pre>"
             f"{html.escape(campaign.path.read_text(encoding='utf-8'))}</pre></section>")
 
 

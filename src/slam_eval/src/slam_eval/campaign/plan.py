@@ -38,13 +38,15 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Row:
-    """A line of the results: names of the file, and the run; or why there can be none."""
+    """A line of the results: names of the file, and the run; or why there can be none. drive: the
+    SHA-256 of the bag."""
 
     bag: str
     product: str
     seed: int
     run: Optional[str]
     failure: Optional[str] = None
+    drive: Optional[str] = None
 
 
 def read_result(path):

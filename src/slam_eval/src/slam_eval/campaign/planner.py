@@ -4,12 +4,12 @@
 depends on."""
 import functools
 
-from slam_eval.bench.harness.bag_robot import robot_of
-from slam_eval.bench.harness.error import BenchError
 from slam_eval.campaign import inputs
 from slam_eval.campaign.plan import Drive, Plan, read_result, Row, Run
+from slam_eval.foreign.bag_data import robot_of
 from slam_eval.foreign.registry import find_system
-from slam_eval.io.errors import UsageError
+from slam_eval.io.errors import InputError
+from slam_eval.io.strict_yaml import is_path
 
 NOT_SIMULATED = "its drive was not simulated; call the campaign again"
 
@@ -38,7 +38,7 @@ class Planner:
         if row.is_foreign:
             system = find_system(row.product, self._where)
             system.require_settings(row.settings, self._where)
-            return str(system.path), inputs.foreign(system.files())
+            return str(system.path), inputs.foreign(system.files(row.settings))
         path = inputs.product_file(row.product, self._where)
         inputs.require_product(row.product, row.settings, self._where)
         return row.product, inputs.hash_of(
@@ -77,8 +77,8 @@ class Planner:
         try:
             name = robot or robot_of(self._folder.path / bag_path)
             content = name and inputs.hash_of_file(inputs.robot_file(name, self._where))
-            return ["" if name and inputs.is_path(name) else name, content]
-        except (BenchError, UsageError):
+            return ["" if name and is_path(name) else name, content]
+        except InputError:
             return [sha256, "unknown"]  # the run says what is wrong
 
     def _run(self, bag, product, seed, path, sha256):
@@ -113,5 +113,5 @@ class Planner:
                         run = self._run(bag, product, seed, path, sha256)
                         name = self._name_of(run, self._products[product.name][1])
                         runs[name] = run
-                    rows.append(Row(bag.name, product.name, seed, name, failure))
+                    rows.append(Row(bag.name, product.name, seed, name, failure, sha256))
         return Plan(self.drives[0], runs, rows)

@@ -20,8 +20,8 @@ FIGURES = tuple(key for key in KEYS if key not in COSTS)
 
 @dataclasses.dataclass(frozen=True)
 class Line:
-    """A run: names of bag and product, seed, the run's own name, what became of it, and its
-    figures."""
+    """A run: names of bag and product, seed, the run's own name, what became of it, its figures,
+    and the SHA-256 of its bag."""
 
     bag: str
     product: str
@@ -30,6 +30,7 @@ class Line:
     outcome: str
     why: str
     metrics: dict
+    drive: Optional[str] = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,7 +52,7 @@ def _line(folder, row):
     failure = read_result(path).get("failure")
     metrics = {} if failure else read_metrics(folder.run(row.run) / "metrics.json")
     return Line(row.bag, row.product, row.seed, row.run, FAILED if failure else DONE, failure or "",
-                metrics)
+                metrics, row.drive)
 
 
 def read_lines(folder, rows):
@@ -98,6 +99,7 @@ class Tables:
 
     def __init__(self, campaign, lines):
         self.lines = lines
+        self._drives = {(line.bag, line.seed): line.drive for line in lines if line.drive}
         self.bags = [bag.name for bag in campaign.bags]
         self.products = [row.name for row in campaign.products]
         self.seeds = list(campaign.seeds)
@@ -116,7 +118,7 @@ class Tables:
         return found
 
     def _compared(self, metric):
-        return compare_all(self.values(metric))
+        return compare_all(self.values(metric), self._drives)
 
     def count(self, outcome):
         """How many runs came out so."""

@@ -11,6 +11,7 @@ import shutil
 import signal
 import sys
 import tempfile
+import time
 
 from slam_eval.bench.harness import process
 from slam_eval.bench.harness.error import BenchError, ProgramError
@@ -38,12 +39,19 @@ class Interrupted(InputError):
     """A run that somebody ended."""
 
 
-def call(command, log, limit=None):
-    """Runs a program. Raises BenchError with what it said, Interrupted where it was ended from
-    outside. limit [s] of its time."""
-    def watch(seconds):
-        if limit is not None and seconds > limit:
+def deadline(limit):
+    """What watches the programs of a run, which share a limit [s] of the wall clock from now on."""
+    end = time.monotonic() + limit
+
+    def watch(_):
+        if time.monotonic() > end:
             raise BenchError(f"it took longer than {limit:g} s, the campaign's time_limit")
+    return watch
+
+
+def call(command, log, watch=None):
+    """Runs a program. Raises BenchError with what it said, Interrupted where it was ended from
+    outside. watch: a deadline."""
     try:
         return process.run(command, log, watch=watch)
     except ProgramError as error:
@@ -60,13 +68,13 @@ def _run_ours(run, bag, work):
     command += ["--robot", run.robot] if run.robot else []
     command += [word for setting in run.settings for word in ("--set", setting)]
     command += [word for remap in run.remap for word in ("--remap", remap)]
-    call(command, work / "log.txt", run.time_limit)
+    call(command, work / "log.txt", deadline(run.time_limit))
 
 
 def _run_foreign(run, bag, work):
-    system = find_system(run.product, run.product)
+    system, watch = find_system(run.product, run.product), deadline(run.time_limit)
     system.run(Job(bag, work, run.seed, run.robot, run.settings,
-                   lambda command, log: call(command, log, run.time_limit)))
+                   lambda command, log: call(command, log, watch)))
     call([program("slam_ros", "slam_ground_truth"), bag, work], work / "ground_truth.txt")
 
 

@@ -4,34 +4,30 @@
 import math
 
 import numpy as np
-import rosbag
 
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.foreign.mrpt_rawlog import Observations
+from slam_eval.io.bag import open_bag, yaw
 from slam_eval.io.trajectory import Trajectory
-
-
-def _yaw(q):
-    return math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
 
 
 def planar(pose):
     """x [m], y [m], heading [rad] of a geometry_msgs/Pose."""
-    return pose.position.x, pose.position.y, _yaw(pose.orientation)
+    return pose.position.x, pose.position.y, yaw(pose.orientation)
 
 
 def planar_transform(transform):
     """The same of a geometry_msgs/Transform."""
-    return transform.translation.x, transform.translation.y, _yaw(transform.rotation)
+    return transform.translation.x, transform.translation.y, yaw(transform.rotation)
 
 
-def open_bag(path):
-    """The bag. Raises BenchError."""
-    try:
-        return rosbag.Bag(str(path))
-    except (rosbag.ROSBagException, OSError) as error:
-        why = " ".join(str(error).split())
-        raise BenchError(f"{path} cannot be read as a bag ({why})") from None
+def robot_of(path):
+    """The robot file's name in a bag's topic robot, or None. Raises InputError where it is no
+    bag."""
+    with open_bag(path) as bag:
+        for _, message, _ in bag.read_messages(topics=["robot", "/robot"]):
+            return str(message.data)
+    return None
 
 
 def has_topic(path, name):

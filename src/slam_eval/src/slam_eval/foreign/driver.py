@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What runs a foreign system on a bag."""
 import dataclasses
+import math
 import pathlib
 from typing import Callable, Optional
 
@@ -31,6 +32,9 @@ class Driver:
     The system's file names the class and gives the defaults of its parameters.
     """
 
+    required = ()  # the parameters that need a value
+    numbers = ()   # of these, those that are numbers
+
     def __init__(self, parameters):
         """parameters: those of the system's file, with the values that the campaign sets, and
         'folder', where that file is."""
@@ -38,11 +42,23 @@ class Driver:
 
     def number(self, name):
         """A parameter as a number. Raises BenchError."""
-        value = self.parameters[name]
+        value = self.parameters.get(name)
         try:
-            return float(value)
+            number = float(value)
         except (TypeError, ValueError):
-            raise BenchError(f"the parameter {name} is '{value}', which is no number") from None
+            number = math.nan
+        if not math.isfinite(number):
+            raise BenchError(f"the parameter {name} is '{value}', which is no number")
+        return number
+
+    def check(self):
+        """Refuses parameters before anything starts. Raises BenchError."""
+        for name in self.required:
+            if self.parameters.get(name) is None:
+                raise BenchError(f"the parameter {name} has no value; give it one under "
+                                 "'parameters' in the system's file")
+        for name in self.numbers:
+            self.number(name)
 
     def programs(self):
         """The files (paths) whose content the result depends on, beside the driver. Raises

@@ -5,11 +5,11 @@ import math
 
 import numpy as np
 
-from slam_eval.bench.harness.bag_robot import robot_of
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.bench.peers.mrpt_config import kf_slam_ini, scene_name
-from slam_eval.foreign.bag_data import has_topic, read_observations, read_odometry
+from slam_eval.foreign.bag_data import (
+    has_topic, read_observations, read_odometry, robot_of)
 from slam_eval.foreign.driver import Driver
 from slam_eval.foreign.mrpt import program
 from slam_eval.foreign.mrpt_rawlog import MotionNoise, write_rawlog
@@ -18,10 +18,16 @@ from slam_eval.geometry import se2
 from slam_eval.io.mrpt_files import read_kf_slam_map
 from slam_eval.io.trajectory import interpolate, Trajectory
 
+_SIGMAS = ("range_sigma", "bearing_sigma_deg")  # [m], [deg]; both or none are set
+
 
 class MrptKf(Driver):
     """An EKF with landmarks whose ids are known; its trajectory.tum holds the pose after each array
     of observations."""
+
+    required = ("detector_product",)
+    numbers = ("motion_sigma_per_metre", "motion_sigma_per_radian", "motion_sigma_deg_per_metre",
+               "motion_sigma", "motion_sigma_deg")
 
     def programs(self):
         return [program("kf-slam"), workspace_program("slam_eval", "slam_eval_observations")]
@@ -42,12 +48,16 @@ class MrptKf(Driver):
         """Standard deviations of range [m] and bearing [rad]: those that are set, else the medians
         of what the observations claim, for kf-slam knows one for all."""
         claimed = [pair for each in seen for pair in each.sigmas]
-        given = (self.parameters["range_sigma"], self.parameters["bearing_sigma_deg"])
+        given = tuple(self.parameters.get(name) for name in _SIGMAS)
         if given == (None, None) and claimed:
             return tuple(float(sigma) for sigma in np.median(claimed, axis=0))
+        if given == (None, None):
+            raise BenchError("the observations claim no standard deviations; set range_sigma and "
+                             "bearing_sigma_deg")
         if None in given:
-            raise BenchError("set both range_sigma and bearing_sigma_deg: the observations claim "
-                             "none")
+            lacking, there = _SIGMAS if given[0] is None else reversed(_SIGMAS)
+            raise BenchError(f"{there} is set and {lacking} is not; set both, or neither where the "
+                             "observations claim them")
         return self.number("range_sigma"), math.radians(self.number("bearing_sigma_deg"))
 
     def _noise(self):

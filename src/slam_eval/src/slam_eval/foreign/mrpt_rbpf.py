@@ -4,11 +4,11 @@
 from matplotlib import image
 import numpy as np
 
-from slam_eval.bench.harness.bag_robot import robot_of
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import workspace_program
 from slam_eval.bench.peers.bag_rawlog import BagRawlog, parse_scans, read_path
 from slam_eval.bench.peers.rbpf_slam import configuration, CONFIGURATIONS, map_picture
+from slam_eval.foreign.bag_data import robot_of
 from slam_eval.foreign.driver import Driver
 from slam_eval.foreign.mrpt import program
 from slam_eval.foreign.results import (
@@ -43,8 +43,11 @@ class MrptRbpf(Driver):
     """A particle filter with grids; its trajectory.tum is what it estimated frame by frame, with
     odometry between, its trajectory_final.tum the path of the most likely particle at the end."""
 
+    required = ("configuration",)
+    numbers = ("particles", "distance", "angle")
+
     def programs(self):
-        configured = CONFIGURATIONS / self.parameters["configuration"]
+        configured = CONFIGURATIONS / str(self.parameters["configuration"])
         if not configured.is_file():
             raise BenchError(f"there is no {configured}; install mrpt-common")
         exporter = workspace_program("slam_eval", "slam_eval_rawlog")

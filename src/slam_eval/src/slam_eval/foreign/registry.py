@@ -6,14 +6,22 @@ import importlib
 import importlib.util
 import pathlib
 import sys
+import traceback
 
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import package_folder
-from slam_eval.io.errors import did_you_mean, UsageError
-from slam_eval.io.strict_yaml import load, Reader
+from slam_eval.foreign.driver import Driver
+from slam_eval.io.errors import did_you_mean, InputError, UsageError
+from slam_eval.io.strict_yaml import is_path, load, Reader
 
 _KEYS = ("version", "system", "title", "driver", "parameters")
 _VERSION = 1
+TRACEBACK = "driver.txt"  # in the run's folder
+
+
+def _said(error):
+    """An exception of somebody's driver in one line: its type and text."""
+    return " ".join(f"{type(error).__name__}: {error}".split())
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,29 +35,43 @@ class System:
     parameters: dict
 
     def require_settings(self, settings, where):
-        """Refuses KEY=VALUE of which the system has no KEY, and programs that are missing."""
+        """Refuses KEY=VALUE of which the system has no KEY, values that it cannot use, and programs
+        that are missing."""
         for key, _ in (setting.split("=", 1) for setting in settings):
             if key not in self.parameters:
                 raise UsageError(f"{where}: {self.path.stem} has no parameter '{key}'"
                                  f"{did_you_mean(key, self.parameters)}; it has: "
                                  f"{', '.join(self.parameters) or 'none'}")
         try:
-            self.make({}).programs()
-        except BenchError as error:
+            driver = self.make(settings)
+            driver.check()
+            _ = [pathlib.Path(path) for path in driver.programs()]
+        except (BenchError, InputError) as error:
             raise UsageError(f"{where}: {self.path.stem} cannot be run: {error}") from None
+        except Exception as error:  # whatever somebody's driver stumbles over
+            raise UsageError(f"{where}: {self.path.stem} cannot be run: its driver "
+                             f"{self.driver_path} fails ({_said(error)})") from None
 
-    def files(self):
+    def files(self, settings):
         """The files that a result depends on."""
-        return [self.path, self.driver_path, *self.make({}).programs()]
+        return [self.path, self.driver_path, *self.make(settings).programs()]
 
-    def make(self, values):
-        """The driver, with other values for some parameters. folder: where relative files are."""
+    def make(self, settings):
+        """The driver, with KEY=VALUE for some parameters. folder: where relative files are."""
+        values = dict(setting.split("=", 1) for setting in settings)
         return self.driver({**self.parameters, **values, "folder": str(self.path.parent)})
 
     def run(self, job):
-        """Runs the system on a bag. Raises BenchError."""
-        values = dict(setting.split("=", 1) for setting in job.settings)
-        return self.make(values).run(job)
+        """Runs the system on a bag. Raises BenchError, also for what somebody's driver stumbles
+        over, of which the run's folder holds the traceback."""
+        try:
+            return self.make(job.settings).run(job)
+        except (BenchError, InputError):
+            raise
+        except Exception as error:
+            (job.folder / TRACEBACK).write_text(traceback.format_exc(), encoding="utf-8")
+            raise BenchError(f"the driver of {self.path.stem} failed ({_said(error)}); the run's "
+                             f"{TRACEBACK} says where") from None
 
 
 def shipped():
@@ -58,20 +80,24 @@ def shipped():
     return {path.stem: path for path in sorted(folder.glob("*.yaml"))}
 
 
-def _module(reader, text, folder):
-    """The module of a name, or of a FILE.py beside the system's own."""
-    if not text.endswith(".py"):
-        try:
-            return importlib.import_module(text)
-        except ImportError as error:
-            raise reader.error(f"the driver's module {text} cannot be imported ({error})") from None
-    path = folder / text
-    if not path.is_file():
-        raise reader.error(f"there is no {path}, which the driver is to be in")
+def _loaded(path):
+    """The module of a file."""
     spec = importlib.util.spec_from_file_location(f"slam_foreign_{path.stem}", path)
     module = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def _module(reader, text, folder):
+    """The module of a name, or of a FILE.py beside the system's own."""
+    path = folder / text
+    if text.endswith(".py") and not path.is_file():
+        raise reader.error(f"there is no {path}, which the driver is to be in")
+    try:
+        return _loaded(path) if text.endswith(".py") else importlib.import_module(text)
+    except Exception as error:  # whatever somebody's file raises
+        raise reader.error(f"the driver's module {text} cannot be imported "
+                           f"({_said(error)})") from None
 
 
 def _driver(reader, folder):
@@ -80,15 +106,16 @@ def _driver(reader, folder):
     if not colon:
         raise reader.error(f"driver is '{text}', where MODULE:CLASS or FILE.py:CLASS belongs")
     module = _module(reader, text, folder)
-    if not hasattr(module, name):
-        raise reader.error(f"{module.__file__} has no class '{name}'")
-    return getattr(module, name), pathlib.Path(module.__file__)
+    found = getattr(module, name, None)
+    if not isinstance(found, type) or not issubclass(found, Driver):
+        raise reader.error(f"{text} has no class '{name}' that is a Driver")
+    return found, pathlib.Path(module.__file__)
 
 
 def find_system(text, where):
     """The foreign system of a name or file. Raises UsageError, which says where it was named."""
     known = shipped()
-    path = pathlib.Path(text) if "/" in text or text.endswith(".yaml") else known.get(text)
+    path = pathlib.Path(text) if is_path(text) else known.get(text)
     if path is None:
         near = did_you_mean(text, known)
         raise UsageError(f"{where}: there is no foreign system '{text}'{near}; there are: "

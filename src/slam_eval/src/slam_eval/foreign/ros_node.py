@@ -8,10 +8,9 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from slam_eval.bench.harness.bag_robot import robot_of
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import system_program, workspace_program
-from slam_eval.foreign.bag_data import messages, read_odometry
+from slam_eval.foreign.bag_data import messages, read_odometry, robot_of
 from slam_eval.foreign.driver import Driver
 from slam_eval.foreign.results import write_about, write_trajectory
 from slam_eval.geometry import se2
@@ -47,10 +46,26 @@ def map_base(map_odom, odometry, stamps):
     return Trajectory(np.asarray(stamps)[valid], np.array(poses).reshape(-1, 3))
 
 
+def _filled(name, text, seed, robot):
+    """The value of an argument for a run. Raises BenchError."""
+    try:
+        return text.format(seed=seed, robot=robot)
+    except (AttributeError, LookupError, TypeError, ValueError):
+        raise BenchError(f"the parameter {name} is '{text}', in which braces stand for something "
+                         "else than {seed} and {robot}; write {{ and }} for braces") from None
+
+
 class RosNode(Driver):
     """Its parameters: launch (a file beside the system's own), frames, topics that are replayed,
     stamps (the topic whose stamps the trajectory has), rate, and arg.NAME of the launch file, in
     which {seed} and {robot} stand for the run's."""
+
+    required = ("launch", "map_frame", "odom_frame", "topics", "stamps")
+    numbers = ("rate",)
+
+    def check(self):
+        super().check()
+        self._arguments(0, "")
 
     def _launch(self):
         return pathlib.Path(self.parameters["folder"]) / str(self.parameters["launch"])
@@ -62,11 +77,10 @@ class RosNode(Driver):
             raise BenchError("there is no roslaunch; source ROS's setup.bash")
         return [self._launch(), workspace_program("slam_eval", "foreign_recorder")]
 
-    def _arguments(self, job, robot):
-        values = {name[len(_ARGUMENT):]: str(value) for name, value in self.parameters.items()
-                  if name.startswith(_ARGUMENT)}
-        return "".join(f"<arg name={quoteattr(name)} value="
-                       f"{quoteattr(value.format(seed=job.seed, robot=robot))}/>"
+    def _arguments(self, seed, robot):
+        values = {name[len(_ARGUMENT):]: _filled(name, str(value), seed, robot)
+                  for name, value in self.parameters.items() if name.startswith(_ARGUMENT)}
+        return "".join(f"<arg name={quoteattr(name)} value={quoteattr(value)}/>"
                        for name, value in values.items())
 
     def _write_launch(self, job, robot):
@@ -75,7 +89,7 @@ class RosNode(Driver):
                  str(self.parameters["odom_frame"]), str(self.number("rate")), *topics]
         path = job.folder / "foreign.launch"
         path.write_text(_LAUNCH.format(
-            launch=quoteattr(str(self._launch())), arguments=self._arguments(job, robot),
+            launch=quoteattr(str(self._launch())), arguments=self._arguments(job.seed, robot),
             recorder=quoteattr(" ".join(f"'{word}'" for word in words))), encoding="utf-8")
         return path
 

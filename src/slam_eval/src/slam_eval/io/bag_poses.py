@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Poses out of a bag, whatever message they come in. The only reader here that needs ROS, which it
-imports when it is called."""
+"""Poses out of a bag, whatever message they come in."""
 import numpy as np
 
+from slam_eval.io.bag import open_bag, yaw
 from slam_eval.io.errors import did_you_mean, InputError
 from slam_eval.io.trajectory import Trajectory
 
@@ -40,7 +40,7 @@ def _planar(position, q):
     """x, y, heading; no heading (NaN) where there is no quaternion or one of zeros."""
     if q is None or (q.x, q.y, q.z, q.w) == (0.0, 0.0, 0.0, 0.0):
         return position.x, position.y, np.nan
-    heading = np.arctan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
+    heading = yaw(q)
     if not np.isfinite(heading):
         return np.inf, np.inf, 0.0  # told apart from a heading that is not known
     return position.x, position.y, heading
@@ -82,16 +82,11 @@ def _trajectory(path, name, found):
 def read_bag_poses(path, topic=DEFAULT_TOPIC, frame=None):
     """The poses of a bag's topic as a Trajectory; of transforms those to a child frame, of a path
     the last one that was published. Raises InputError."""
-    import rosbag
-    try:
-        with rosbag.Bag(str(path)) as bag:
-            name, kind = _chosen(path, bag.get_type_and_topic_info().topics, topic, frame)
-            found = []
-            for _, message, _ in bag.read_messages(topics=[name]):
-                if kind == _PATH:
-                    found.clear()
-                found.extend(_poses_of(kind, message, frame))
-    except (rosbag.ROSBagException, OSError) as error:
-        raise InputError(f"{path}: cannot be read as a bag ({' '.join(str(error).split())}); check "
-                         "the path, or mend it with 'rosbag reindex'") from None
+    with open_bag(path) as bag:
+        name, kind = _chosen(path, bag.get_type_and_topic_info().topics, topic, frame)
+        found = []
+        for _, message, _ in bag.read_messages(topics=[name]):
+            if kind == _PATH:
+                found.clear()
+            found.extend(_poses_of(kind, message, frame))
     return _trajectory(path, name, found)

@@ -7,11 +7,16 @@ from slam_eval.io.errors import did_you_mean, UsageError
 
 
 class _Loader(yaml.SafeLoader):
-    """Refuses a key that stands in a map twice, of which YAML would take the last."""
+    """Refuses a key that stands in a map twice, of which YAML would take the last, and a list or a
+    map as a key, which Python cannot look up."""
 
     def construct_mapping(self, node, deep=False):
         seen = set()
         for key, _ in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                raise yaml.constructor.ConstructorError(
+                    None, None, f"at column {key.start_mark.column + 1} a list or a map stands as a "
+                    "key; a key is one word or number", key.start_mark)
             if key.value in seen:
                 raise yaml.constructor.ConstructorError(
                     None, None, f"the key '{key.value}' stands there a second time", key.start_mark)
@@ -40,6 +45,11 @@ def load(path):
     if not isinstance(content, dict):
         raise UsageError(f"{path}: not a map of keys and values")
     return content
+
+
+def is_path(text):
+    """Whether a value names a file by its path, rather than something by its name."""
+    return "/" in text or text.endswith(".yaml")
 
 
 class Reader:

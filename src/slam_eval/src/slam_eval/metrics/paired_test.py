@@ -51,15 +51,18 @@ def _compared(first, second, pairs):
                       float(np.median(ratios)) if ratios else math.nan, exact_p(smaller, larger))
 
 
-def compare_all(values):
-    """Comparisons of each two systems. values: by system a dictionary of numbers by (bag, seed).
+def compare_all(values, drives=None):
+    """Comparisons of each two systems. values: by system a dictionary of numbers by (bag, seed);
+    drives: by (bag, seed) what names the drive, such as the SHA-256 of its bag; without it each is
+    a drive of its own.
 
-    A pair of values that stands on a bag with several seeds, as of systems that draw nothing at
-    random on a recorded bag, counts once: it is one drive.
+    A pair of values that stands on one drive with several seeds, as of systems that draw nothing at
+    random, counts once.
     """
+    drives = drives or {}
     found = []
     for first, second in itertools.combinations(values, 2):
-        pairs = {(key[0], values[first][key], values[second][key])
+        pairs = {(drives.get(key, key), values[first][key], values[second][key])
                  for key in values[first] if key in values[second]}
         if pairs:
             found.append(_compared(first, second, sorted(pair[1:] for pair in pairs)))
