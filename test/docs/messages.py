@@ -16,7 +16,7 @@ NAME = re.compile(r"[a-z]+(?:_[a-z]+)*_?")
 # Where a counter is named: in the call that counts, or by who gives a reason to such a call.
 COUNTED = re.compile(r"\b\w*(?:counters?_?|held|all|sinks)\.(?:add|count)\(")
 BY_REASON = re.compile(r"counters?_?\.add\((?:\w*->reason|rejection|hindrance|fault|reason\b)|"
-                       r"counters_\.add\(marker\.rejection")
+                       r"counters_\.add\(\w+\.rejection")
 REASON = re.compile(r'Fault\{"|\brejection = |\bre(?:ject|fuse)\("|'
                     r'\breturn (?:[^;{}"]*\? )?"\w*"(?: : "\w*")?;')
 REASONS = re.compile(r"std::string \w*[rR]easonOf\(.*?\n\}", re.DOTALL)

@@ -150,9 +150,11 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
                                           stderr=subprocess.PIPE, text=True, check=False)
                     if any(name in product.stem for name in ("pointmap", "grid", "laser")):
                         self.assertIn("lacks laser scans", done.stderr)
-                    elif "visual" not in product.stem:
+                    elif "imu" in product.stem:
+                        self.assertIn("an IMU's angular velocities", done.stderr)
+                    elif not any(name in product.stem for name in ("visual", "ceiling")):
                         self.assertEqual(done.returncode, 0, done.stderr)
-                    elif "visual_odometry:" in robot.read_text(encoding="ascii"):
+                    elif "ceiling_height:" in robot.read_text(encoding="ascii"):
                         self.assertIn("lacks images of the ceiling", done.stderr)
                     else:
                         self.assertIn("ceiling_height is 0", done.stderr)
