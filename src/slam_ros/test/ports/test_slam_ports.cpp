@@ -112,13 +112,14 @@ TEST(SlamPorts, AnOdometryThatLooksThroughACameraShowsWhatItMakes) {
   EXPECT_EQ(namesOf(portsOf("odometry=wheel")["components"][0]["outputs"]), Names{"motion"});
 }
 
-TEST(SlamPorts, OnlyASourceThatTakesTheDriversOdometryAndNothingElseLeavesItTheTransform) {
+TEST(SlamPorts, OnlyASourceThatMovesAlongTheDriversFrameLeavesItTheTransform) {
   EXPECT_FALSE(ownsEdge("wheel"));
+  EXPECT_FALSE(ownsEdge("wheel_imu"));
+  EXPECT_FALSE(ownsEdge("content"));  // it has no name, whatever else it takes in
   EXPECT_FALSE(ownsEdge("driven"));  // whatever it and its input are called
   EXPECT_FALSE(ownsEdge("none"));
   EXPECT_TRUE(ownsEdge("visual"));
   EXPECT_TRUE(ownsEdge("visual_wheel"));
-  EXPECT_TRUE(ownsEdge("content"));
   EXPECT_TRUE(ownsEdge("blind"));
 }
 
