@@ -64,7 +64,7 @@ struct RobotType {
   TurningRobot::Rates rates;
 };
 
-const RobotType kRobots[] = {
+const RobotType kRobotTypes[] = {
     {"two wheels, MEMS",
      {0.02, 0.04, {5e-5, 1e-5, 5e-5, 1e-4}},
      {0.008, 2e-5, 2e-4, 0.005},
@@ -96,7 +96,7 @@ const struct {
 
 TEST(HeadingDrift, IsAtMostAFifthOfTheWheels) {
   std::printf("drift of the heading in 15 s, in degrees, root mean square of 5 seeds\n");
-  for (const auto& type : kRobots)
+  for (const auto& type : kRobotTypes)
     for (const auto& drive : kDrives) {
       double gyro = 0.0, wheels = 0.0;
       constexpr int kSeeds = 5;
