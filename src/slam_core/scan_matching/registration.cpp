@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/scan_matching/scan_line.hpp"
 #include "slam_core/scan_matching/surface.hpp"
 
 // Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
@@ -87,48 +86,38 @@ NormalEquations NormalEquations::withoutNoise() const {
 class Fit {
  public:
   Fit(const grid_map::GridMap& map, const ScanPoints& scan, double sigma)
-      : scan_(scan),
-        finder_(map),
-        lines_(scan.ends, SurfaceFinder::kReach),
-        variance_(std::pow(scan.cells_per_metre * sigma, 2)) {}
+      : scan_(scan), finder_(map), variance_(std::pow(scan.cells_per_metre * sigma, 2)) {}
 
   NormalEquations at(const Pose2& pose) {
     NormalEquations sum;
-    const Eigen::Matrix2d R = pose.rotation();
+    const double c = std::cos(pose.theta()), s = std::sin(pose.theta());
     const Eigen::Vector2d position = scan_.cells_per_metre * pose.position();
-    for (std::size_t i = 0; i < scan_.ends.size(); ++i) {
-      const Eigen::Vector2d turned = R * scan_.ends[i];
-      const auto* const surface = finder_.nearest(turned + position);
-      if (surface == nullptr) continue;
-      const double variance = varianceOf(scan_.ends[i]);
-      const auto* const line = surface->goesOn() ? nullptr : lines_.at(i, variance);
-      if (line == nullptr)
-        add(turned, turned + position, variance, *surface, sum);
-      else
-        add(turned, turned + position, variance,
-            surface->alongLine(R * line->direction, line->tilt), sum);
+    for (const auto& end : scan_.ends) {
+      const Eigen::Vector2d turned(c * end.x() - s * end.y(), s * end.x() + c * end.y());
+      add(turned, turned + position, end, sum);
     }
     return sum;
   }
 
  private:
-  double varianceOf(const Eigen::Vector2d& end) const {
-    return variance_ +
-           scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
-  }
-  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, double variance,
-           const Surface& surface, NormalEquations& sum) const {
-    const Eigen::Vector2d& n = surface.normal;
-    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface.point;
+  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, const Eigen::Vector2d& end,
+           NormalEquations& sum) {
+    const auto* const surface = finder_.nearest(p);
+    if (surface == nullptr) return;
+    const double range_variance =
+        scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
+    const double variance = variance_ + range_variance;
+    const Eigen::Vector2d& n = surface->normal;
+    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface->point;
     const double across = r.dot(n), along = r.dot(t);
-    const double W_across = 1.0 / (variance + surface.across);
-    const double W_along = surface.goesOn() ? 0.0 : 1.0 / (variance + surface.along);
+    const double W_across = 1.0 / (variance + surface->across);
+    const double W_along = surface->goesOn() ? 0.0 : 1.0 / (variance + surface->along);
     const double squared = W_across * across * across + W_along * along * along;
     const double root = 1.0 / (1.0 + squared), w = root * root;
     if (!(w >= kLeastWeight)) return;
     const auto J_along = jacobian(t, turned, scan_.cells_per_metre);
     sum.add(w * W_across, across, jacobian(n, turned, scan_.cells_per_metre));
-    sum.addNoise(w * W_across, surface.tilt, J_along);
+    sum.addNoise(w * W_across, surface->tilt, J_along);
     if (W_along > 0.0) sum.add(w * W_along, along, J_along);
     ++sum.ends;
     sum.weights += w;
@@ -137,7 +126,6 @@ class Fit {
 
   const ScanPoints& scan_;
   SurfaceFinder finder_;
-  ScanLines lines_;  ///< what the scan shows of surfaces where the map shows dots
   double variance_;
 };
 

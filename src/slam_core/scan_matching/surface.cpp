@@ -19,7 +19,7 @@ using grid_map::CellIndex;
 using grid_map::GridMap;
 using grid_map::Tile;
 
-constexpr auto kReach = SurfaceFinder::kReach;
+constexpr std::int32_t kReach = 2;      // cells on either side, for the nearest and for its line
 constexpr int kFewestOfLine = 3;        // cells
 constexpr double kStretchOfLine = 4.0;  // of a line, variance along over variance across
 constexpr double kOffsets = 256.0;      // of a mean, in a cell
@@ -110,16 +110,6 @@ Surface surfaceAbout(const GridMap& map, CellIndex middle) {
 }
 
 }  // namespace
-
-Surface Surface::alongLine(const Eigen::Vector2d& direction, double variance_of_direction) const {
-  Surface line = *this;
-  line.normal = {-direction.y(), direction.x()};
-  const double cosine = normal.dot(line.normal);
-  line.across = along + cosine * cosine * (across - along);
-  line.along = std::numeric_limits<double>::infinity();
-  line.tilt = variance_of_direction;
-  return line;
-}
 
 const Surface* SurfaceFinder::nearest(const Eigen::Vector2d& place) {
   const auto cell = nearestOccupied(map_, place);

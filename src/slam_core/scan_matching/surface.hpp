@@ -21,17 +21,12 @@ struct Surface {
   double tilt = 0.0;  ///< variance of the normal's direction, as the ends lie about a line [rad^2]
 
   bool goesOn() const { return std::isinf(along); }
-  /// The same ends as a piece of a surface that goes on in a direction which is known otherwise.
-  Surface alongLine(const Eigen::Vector2d& direction, double variance_of_direction) const;
 };
 
 /// Finds the surfaces of one map. It remembers those that it has looked at: of a scan that is moved
 /// about, an end asks for the same one many times. The map must not change meanwhile.
 class SurfaceFinder {
  public:
-  /// Cells on either side, for the nearest one and for its line.
-  static constexpr std::int32_t kReach = 2;
-
   explicit SurfaceFinder(const grid_map::GridMap& map) : map_(map), seen_(kSlots) {}
 
   /// The surface about the occupied cell that is nearest to a place [cells]; null where none is
