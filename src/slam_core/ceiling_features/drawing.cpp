@@ -3,19 +3,14 @@
 
 #include "slam_core/ceiling_features/drawing.hpp"
 
-#include <cmath>
 #include <opencv2/imgproc.hpp>
+
+#include "slam_core/camera/drawn_point.hpp"
 
 namespace slam::ceiling_features {
 namespace {
 
 const cv::Scalar kGreen(0, 200, 0), kRed(80, 80, 255);
-constexpr int kFractionBits = 4;  // centres are drawn to a 16th of a pixel
-
-cv::Point toPoint(const Eigen::Vector2d& pixel) {
-  return {static_cast<int>(std::lround(pixel.x() * (1 << kFractionBits))),
-          static_cast<int>(std::lround(pixel.y() * (1 << kFractionBits)))};
-}
 
 }  // namespace
 
@@ -26,7 +21,7 @@ cv::Mat draw(const cv::Mat& gray, const std::vector<CeilingFeature>& features) {
   for (const auto& feature : features) {
     const bool is_landmark = feature.rejection.empty();
     const int radius = (is_landmark ? 10 : 2) << kFractionBits;
-    cv::circle(picture, toPoint(feature.spot.pixel), radius, is_landmark ? kGreen : kRed,
+    cv::circle(picture, drawnAt(feature.spot.pixel), radius, is_landmark ? kGreen : kRed,
                is_landmark ? 2 : cv::FILLED, cv::LINE_AA, kFractionBits);
   }
   return picture;

@@ -4,20 +4,18 @@
 #include "slam_core/fiducial/drawing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
+
+#include "slam_core/camera/drawn_point.hpp"
 
 namespace slam::fiducial {
 namespace {
 
 const cv::Scalar kGreen(0, 230, 0), kRed(80, 80, 255), kBlack(0, 0, 0);
-constexpr int kFractionBits = 4;  // corners are drawn to a 16th of a pixel
 
 std::vector<cv::Point> outline(const Corners& corners) {
   std::vector<cv::Point> points;
-  for (const auto& corner : corners)
-    points.emplace_back(static_cast<int>(std::lround(corner.x() * (1 << kFractionBits))),
-                        static_cast<int>(std::lround(corner.y() * (1 << kFractionBits))));
+  for (const auto& corner : corners) points.push_back(drawnAt(corner));
   return points;
 }
 
