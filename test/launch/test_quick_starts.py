@@ -12,7 +12,7 @@ import unittest
 from launching import (free_port, largest_error, program, run_offline, SameAsOffline, start_launch)
 import rosbag
 
-SECONDS = 10  # of the drive
+SECONDS = 15  # of the drive
 PRODUCT = "scan_grid_wheel"
 
 
