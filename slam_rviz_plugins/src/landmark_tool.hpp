@@ -46,7 +46,8 @@ class LandmarkTool final : public rviz::Tool {
 
  private:
   void show(rviz::ViewportMouseEvent& event);
-  /// Of the landmarks in front of the camera; empty where their frame is not known.
+  /// The places in the window of the landmarks in front of the camera. It is empty where the
+  /// landmarks' frame is not known.
   std::vector<LandmarkPlace> placesIn(const Ogre::Viewport& viewport) const;
   QString sentenceWithoutMap() const;
 

@@ -190,7 +190,7 @@ void SlamPanel::noticeSilence() {
   write(*doubt_, "");
 }
 
-/// What the product before has drawn is not of this one's map.
+/// Clears what the product before has drawn, which does not belong to this one's map.
 void SlamPanel::showReplacement() {
   write(*event_, "");
   setPaused(false);

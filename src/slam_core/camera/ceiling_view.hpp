@@ -28,7 +28,7 @@ class CeilingView {
   /// The point right above the camera, which is the sensor's place in the robot's plane as well
   /// [m].
   Eigen::Vector2d origin() const { return T_base_camera_.translation().head<2>(); }
-  /// Of the ceiling above the camera [m].
+  /// The height of the ceiling above the camera's centre [m].
   double height() const { return height_; }
   /// Size of a pixel on the ceiling, right above the camera [m/px].
   double metresPerPixel() const { return metres_per_pixel_; }

@@ -8,7 +8,7 @@
 namespace slam::ceiling_features {
 namespace {
 
-/// Of a point of the ceiling by the pixel that sees it [m/px].
+/// The derivative of a point of the ceiling by the pixel that sees it [m/px].
 std::optional<Eigen::Matrix2d> jacobian(const Eigen::Vector2d& pixel, const CeilingView& ceiling) {
   Eigen::Matrix2d J_point_pixel;
   for (int i = 0; i < 2; ++i) {

@@ -10,7 +10,7 @@
 namespace slam::ceiling_features {
 namespace {
 
-/// How much more distinct than its neighbours a landmark has to be: noise must not change the
+/// A landmark is so many times as distinct as its neighbours, so that noise does not change their
 /// order.
 constexpr double kLead = 1.15;
 

@@ -13,7 +13,8 @@ namespace {
 constexpr double kFinestSigma = 1.0;   // a Gaussian that pixels still sample [px]
 constexpr double kWorkingSigma = 2.5;  // a wider one gains nothing over a smaller image [px]
 constexpr int kLeastEdge = 3;          // of an image that may have a spot [px]
-/// Of a spot whose profile is the Gaussian itself, which smoothing flattens to half its height.
+/// A spot whose profile is the Gaussian itself has a contrast of so many times its response, since
+/// smoothing flattens it to half its height.
 constexpr double kContrastOfResponse = 4.0;
 constexpr float kDarkCurrent =
     4.0F;  // keeps the noise of a dark image's logarithm bounded [of 255]

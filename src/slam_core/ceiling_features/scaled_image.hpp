@@ -27,7 +27,8 @@ class ScaledImage {
   /// of the Hessian (Lindeberg 1998, whose normalised derivatives do not depend on the scale),
   /// placed to a part of a pixel by a parabola in each direction.
   std::vector<Spot> spots(double min_contrast) const;
-  /// By bilinear interpolation. @pre the pixel is inside the image
+  /// The smoothed logarithm at a pixel, which bilinear interpolation gives.
+  /// @pre the pixel is inside the image
   double at(const Eigen::Vector2d& pixel) const;
 
  private:

@@ -31,8 +31,8 @@ class ImuGate final : public Gate {
   void configure(const ImuConfig& config);
   void configure(Settings& settings) override { configure(settings.read<ImuConfig>()); }
 
-  /// For readings of its frame, in force for all that have not come out. Where the configuration
-  /// gives the mount it counts for nothing.
+  /// The mount counts for all readings of its frame that have not come out. It is ignored where the
+  /// configuration gives a mount.
   void set(const ImuMount& mount);
   void set(const ImuReading& reading) { held_.push_back(reading); }
 

@@ -12,7 +12,7 @@
 namespace slam::imu_odometry {
 namespace {
 
-/// Of wheels nobody knows anything of: a robot that steers by slipping.
+/// The sigmas suit wheels of which nothing is known, as of a robot that steers by slipping.
 constexpr double kDriftSigma = 0.1, kDriftWalk = 0.01;  // [rad/m], [rad/m/sqrt(s)]
 constexpr double kShareSigma = 0.5, kShareWalk = 0.05;  // [1], [1/sqrt(s)]
 constexpr double kMemory = 15.0;                        // of the heading's error [s]

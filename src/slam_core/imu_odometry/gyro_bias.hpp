@@ -38,7 +38,8 @@ class GyroBias {
   /// learnt from a contradiction: wheels that slip show nothing.
   /// @param turn_rate of the robot [rad/s]
   void observeBesideWheels(double excess, double speed, double turn_rate, double variance);
-  /// How far a rate measured at rest is from the bias, in standard deviations.
+  /// The distance between a rate that was measured at rest and the bias, in standard deviations of
+  /// both.
   double deviationOf(double rate, double variance) const;
   bool hasRested() const { return has_rested_; }
   /// The bias is another one than was known.

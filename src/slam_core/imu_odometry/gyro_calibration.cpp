@@ -20,9 +20,9 @@ constexpr double kOtherDeviation = 5.0;                      // [standard deviat
 constexpr double kSteadyTime = 5.0, kFirstSteadyTime = 0.5;  // [s]
 constexpr double kSteadyRate = 0.003;  // by which blocks may differ, at least [rad/s]
 constexpr double kWindow = 1.0;        // [s]
-/// Of the wheels' turn rate, by which a slip differs from one second to the next.
+/// A slip differs by this share of the wheels' turn rate from one second to the next.
 constexpr double kSlip = 0.1;
-/// By which the stamps of gyro and wheels may be wrong [s].
+/// The stamps of gyro and wheels may differ by so much for the same instant [s].
 constexpr double kStampError = 0.1;
 
 }  // namespace

@@ -26,7 +26,8 @@ class GyroCalibration {
   double noiseVariance() const { return noise_.variance(); }  ///< [rad^2/s]
   /// The turn without bias [rad].
   double angle(const GyroTurn& turn) const { return turn.angle - turn.seconds * bias(); }
-  /// Of that angle [rad^2]: noise (the messages' where it is larger), bias and scale.
+  /// The variance of angle() [rad^2]. It has the noise (that of the messages where it is larger),
+  /// the bias and the scale in it.
   double variance(const GyroTurn& turn) const;
   /// Whether a robot whose wheels stand does not turn, as far as the gyro shows.
   bool rests(const GyroTurn& turn) const;
@@ -35,7 +36,7 @@ class GyroCalibration {
   void predict(double seconds, double turned, bool drifts);
   void learnAtRest(const GyroTurn& turn);
   void learnBesideWheels(const GyroTurn& turn, const Motion& wheels);
-  /// Nothing was measured for a while, or what was measured is not to be learnt from.
+  /// The gyro measured nothing for a while, or nothing that the calibration may learn from.
   void pause();
 
   template <class Archive>

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kWeightOfFile = 4.0;
 constexpr double kMostWeight = 400.0;  // then old differences fade
-/// Of what the robot file says: a gyro that rounds to coarse steps has noise as well.
+/// The noise is at least this share of the robot file's: a gyro that rounds to coarse steps has
+/// noise as well.
 constexpr double kLeastShare = 1e-4;
 
 }  // namespace

@@ -14,9 +14,9 @@ class GyroNoise {
   /// @param density [rad/sqrt(s)]
   explicit GyroNoise(double density);
 
-  /// Of two neighbouring mean rates [rad/s], each over this time [s].
+  /// Takes in the difference of two neighbouring mean rates [rad/s], each over its time [s].
   void add(double difference, double seconds_before, double seconds_after);
-  /// Of the angle that the gyro measures, for each second [rad^2/s].
+  /// The variance that each second adds to the angle that the gyro measures [rad^2/s].
   double variance() const { return sum_ / weight_; }
 
   template <class Archive>

@@ -9,16 +9,16 @@
 namespace slam::imu_odometry {
 namespace {
 
-/// Between two samples; over more the rate is not known.
+/// Between two samples that are farther apart the rate is not known.
 constexpr Duration kLongestHole = std::chrono::milliseconds(150);
-/// Of samples, for who asks late.
+/// Samples are kept for so long for those who ask late.
 constexpr Duration kGyroKept = std::chrono::seconds(30);
 /// A noisy gyro does not measure the same value so often in a row.
 constexpr std::size_t kRepeatsOfStuck = 10;
 
 bool isNext(Stamp before, Stamp stamp) { return stamp > before && stamp <= before + kStampJump; }
 
-/// Of the way from a to b.
+/// The share of the way from a to b at which the stamp lies.
 double shareAt(Stamp a, Stamp b, Stamp at) { return seconds(at - a) / seconds(b - a); }
 
 }  // namespace

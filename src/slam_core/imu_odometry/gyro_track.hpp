@@ -38,9 +38,9 @@ class GyroTrack {
   /// Drops readings that no turn after this stamp needs.
   void forgetBefore(Stamp stamp);
 
-  /// Up to where the gyro has come.
+  /// The stamp of the newest sample.
   std::optional<Stamp> end() const;
-  /// Nothing where samples do not cover all of it without a hole.
+  /// The turn between two stamps. It is empty where the samples leave a hole in between.
   std::optional<GyroTurn> between(Stamp start, Stamp end) const;
 
   template <class Archive>

@@ -11,17 +11,17 @@ namespace {
 
 constexpr double kVoteTime = 0.5, kMostTime = 2.0;  // [s]
 constexpr double kVoteRate = 0.1;                   // of the wheels, that says nothing [rad/s]
-/// By which wheels of unequal size seem to turn on a straight way [rad/m].
+/// Wheels of unequal size may measure this turn on each metre of a straight way [rad/m].
 constexpr double kStraightTurn = 0.15;
 /// Robot files may say too little of the wheels' noise.
 constexpr double kNoiseSigmas = 5.0;
-/// Of a turn that counts, at most: robot files count a wheelbase that is wrong as noise.
+/// Noise takes at most this share of a turn: robot files count a wrong wheelbase as noise.
 constexpr double kMostNoise = 0.5;
 constexpr double kMostTurn = 0.5;  // that one vote counts for [rad]
-/// Gyro over wheels: wheels that slip, or whose base is not known, are wrong by less.
+/// Wheels that slip, or whose base is not known, leave the ratio of gyro to wheels within these.
 constexpr double kLeastRatio = 0.2, kMostRatio = 5.0;
-/// Turns that prove it, that refute what is not proven, and by kind what is [rad]. Wheels that spin
-/// on the spot report turns that do not happen.
+/// So large turns prove the gyro, refute one that is not proven, and refute, by kind, one that is
+/// [rad]. Wheels that spin on the spot report turns that do not happen: those prove little.
 constexpr double kProves = 0.5, kRefutesUnproven = 1.0;
 constexpr std::array<double, 3> kRefutesProven = {1.0, 1.0, 10.0};
 

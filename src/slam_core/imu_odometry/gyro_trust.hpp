@@ -44,8 +44,9 @@ class GyroTrust {
     double variance = 0.0, way = 0.0;                ///< of the wheels' turn [rad^2], [m]
 
     void add(double turned, const Motion& motion);
-    /// What wheels may measure that go straight, and by how much they may be off [rad].
+    /// The turn that wheels of unequal size may measure on a straight way [rad].
     double straight() const;
+    /// The error that noise may give the wheels' turn [rad].
     double noise() const;
     /// Whether the wheels have turned beyond doubt.
     bool isTurn() const;

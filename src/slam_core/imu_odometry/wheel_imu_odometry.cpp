@@ -14,7 +14,7 @@ namespace {
 
 const Registrar<OdometrySource, WheelImuOdometry> kWheelImuRegistrar("wheel_imu");
 
-/// For how long the wheels' motion waits for the gyro, and a silent gyro is not worth a word.
+/// The wheels' motion waits so long for the gyro; only then is a silent gyro reported.
 constexpr Duration kGyroPatience = std::chrono::seconds(1);
 constexpr double kTurnRate = 0.05;  // above which wheels turn, or contradict [rad/s]
 

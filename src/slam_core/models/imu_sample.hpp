@@ -13,7 +13,7 @@ namespace slam {
 struct ImuSample {
   Stamp stamp;
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< of and in the base [rad/s]
-  /// As the driver gives it, in the base [rad^2/s^2]; zero where it gives none.
+  /// The driver's, turned into the base [rad^2/s^2]; it is zero where the driver gives none.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
   template <class Archive>

@@ -23,7 +23,8 @@ constexpr const char* kHead =
     "descriptions that also check the files; `{0} SECTION` prints a part of it. A value\n"
     "is set in the file, or for one run by `--set section.key=value` (roslaunch: `set:=`).\n";
 
-/// What people call: the front door of a clone or of Debian packages, where this was called by it.
+/// The command that people call: the front door of a clone or of Debian packages where it has
+/// called this program, else rosrun.
 std::string calledAs() {
   const char* front_door = std::getenv("SLAM_COMMAND");
   return front_door == nullptr ? "rosrun slam_ros slam_parameters"

@@ -85,7 +85,7 @@ void readLaser(YamlMap map, LaserModel& laser) {
   map.finish();
 }
 
-/// Of x y z [m] roll pitch yaw [rad]; where there are not so many it is said.
+/// The transform that x y z [m] roll pitch yaw [rad] give; another number of values is a fault.
 Eigen::Isometry3d readPose(YamlMap& map) {
   std::vector<double> pose(6, 0.0);
   map.require("pose", pose);

@@ -77,7 +77,7 @@ class CeilingFeaturesTest : public testing::Test {
   std::uint64_t pictures_ = 0;
 };
 
-/// Of each in `now` that the same place is among `before`.
+/// The pairs of an observation before and one now that are of the same place.
 std::vector<std::pair<Seen, Seen>> sameOnes(const std::vector<Seen>& before,
                                             const std::vector<Seen>& now) {
   std::vector<std::pair<Seen, Seen>> pairs;

@@ -47,7 +47,7 @@ class ImuGateTest : public testing::Test {
     next();
     return gate.sample().value();
   }
-  /// What is said of a reading that does not come out.
+  /// The sentence that the gate reports of a reading that it rejects.
   std::string refusalOf(const ImuReading& reading, const std::string& reason) {
     const auto before = gate.counters()[reason];
     gate.set(reading);

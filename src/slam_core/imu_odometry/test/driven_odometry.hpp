@@ -39,7 +39,7 @@ class DrivenOdometry {
     } while (odometry.isBusy());
   }
 
-  /// As live: in the order of stamps.
+  /// Gives wheels and gyro in the order of their stamps, as they come live.
   void take(const std::vector<OdometrySample>& wheels, const std::vector<ImuSample>& gyro) {
     auto sample = gyro.begin();
     for (const auto& of_wheels : wheels) {
@@ -56,7 +56,7 @@ class DrivenOdometry {
       return message.find(words) != std::string::npos;
     });
   }
-  /// From the first motion on.
+  /// The sum of all motions since the first one.
   Pose2 pose() const {
     Pose2 pose;
     for (const auto& motion : motions) pose = pose * motion.increment;
@@ -68,7 +68,7 @@ class DrivenOdometry {
   std::vector<std::string> messages;
 };
 
-/// How far the heading has gone wrong at the end [rad].
+/// The error of the heading at the end [rad].
 inline double headingError(const DrivenOdometry& driven, const TurningRobot& robot) {
   return robot.truth()[driven.motions.size()].pose.between(driven.pose()).theta();
 }

@@ -35,7 +35,7 @@ struct InputContext {
   ros::NodeHandle handle;  ///< the product's namespace
   TopicsConfig topics;
   slam::FramesConfig frames;
-  /// From the robot file, else they come as transforms.
+  /// Whether the robot file gives the mount; else it comes as a transform.
   bool has_laser_mount = false, has_imu_mount = false;
   InputOptions options;
   Pass pass;  ///< what callbacks go through

@@ -25,7 +25,7 @@ class Gyroscope {
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();
 };
 
-/// How fast the base turns at the path's second 0 [rad/s].
+/// The base's turn rate at the path's second 0 [rad/s].
 double turnRate(const BasePath& T_world_base);
 
 }  // namespace slam::sim
