@@ -3,8 +3,6 @@
 """test/run_tests leaves nothing behind of a test, neither of one that hangs nor after Ctrl-C, and
 tells a test that failed from a sanitizer that crashed."""
 
-from importlib.machinery import SourceFileLoader
-import importlib.util
 import os
 import pathlib
 import signal
@@ -14,7 +12,10 @@ import tempfile
 import time
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parents[1] / "run_tests"
+from runner import processes
+from runner.report import Report
+
+processes.GRACE = 1
 WITHIN = 60  # [s]
 # As a launch does: one process in a session of its own, which the script writes down, and it does
 # not listen.
@@ -22,20 +23,11 @@ HANGS = ('setsid bash -c "trap : INT TERM; echo \\$\\$ > {0}.part; mv {0}.part {
          'while :; do sleep 1; done"')
 CALLS = """
 import pathlib, sys
-from importlib.machinery import SourceFileLoader
-run_tests = SourceFileLoader("run_tests", sys.argv[1]).load_module()
-run_tests.GRACE = 1
-run_tests.heed_interrupts()
-run_tests.call(["bash", "-c", sys.argv[2]], pathlib.Path(sys.argv[3]))
+from runner import processes
+processes.GRACE = 1
+processes.heed_interrupts()
+processes.call(["bash", "-c", sys.argv[1]], pathlib.Path(sys.argv[2]))
 """
-
-
-def load():
-    loader = SourceFileLoader("run_tests", str(SCRIPT))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("run_tests", loader))
-    loader.exec_module(module)
-    module.GRACE = 1
-    return module
 
 
 def is_alive(process):
@@ -63,24 +55,23 @@ class Leftovers(unittest.TestCase):
 
     def test_a_test_that_hangs_is_ended_with_all_that_it_has_started(self):
         command = ["bash", "-c", HANGS.format(self.note) + " & wait"]
-        self.assertEqual(load().call(command, self.log, timeout=3), 124)
+        self.assertEqual(processes.call(command, self.log, timeout=3), 124)
         self.assertFalse(is_alive(self.noted()))
         self.assertIn("it took longer than 3 s", self.log.read_text(encoding="utf-8"))
 
     def test_a_node_that_outlives_its_test_is_ended(self):
         wait = f" & while [ ! -e {self.note} ]; do sleep 0.1; done; exit 3"
         command = ["bash", "-c", HANGS.format(self.note) + wait]
-        self.assertEqual(load().call(command, self.log), 3)
+        self.assertEqual(processes.call(command, self.log), 3)
         self.assertFalse(is_alive(self.noted()))
 
     def test_a_test_beside_it_is_left_alone(self):
-        run_tests = load()
         with subprocess.Popen(["sleep", "100"],
-                              env={**os.environ, run_tests.MARK: f"{os.getpid()}.10"}) as other:
-            run_tests.call(["true"], self.log)  # number 0
-            run_tests.end(f"{os.getpid()}.1", signal.SIGTERM)
+                              env={**os.environ, processes.MARK: f"{os.getpid()}.10"}) as other:
+            processes.call(["true"], self.log)  # number 0
+            processes.end(f"{os.getpid()}.1", signal.SIGTERM)
             self.assertIsNone(other.poll())
-            run_tests.end(str(os.getpid()), signal.SIGTERM)
+            processes.end(str(os.getpid()), signal.SIGTERM)
             self.assertEqual(other.wait(WITHIN), -signal.SIGTERM)
 
     def test_ctrl_c_ends_all(self):
@@ -93,7 +84,7 @@ class Leftovers(unittest.TestCase):
 
     def assert_ends_all(self, request):
         command = HANGS.format(self.note) + " & wait"
-        with subprocess.Popen([sys.executable, "-c", CALLS, str(SCRIPT), command,
+        with subprocess.Popen([sys.executable, "-c", CALLS, command,
                                str(self.log)]) as tests:
             hanging = self.noted()
             tests.send_signal(request)
@@ -106,10 +97,8 @@ class BrokenTracer(unittest.TestCase):
                'echo "==1==LeakSanitizer has encountered a fatal error."; exit 1')
 
     def report_on(self, code_without_leaks):
-        run_tests = load()
         with tempfile.TemporaryDirectory() as folder:
-            run_tests.LOGS = pathlib.Path(folder)
-            report = run_tests.Report()
+            report = Report(pathlib.Path(folder))
             report.run("some", ["bash", "-c", self.PROGRAM.format(code_without_leaks)],
                        env={**os.environ, "ASAN_OPTIONS": "detect_leaks=1"})
         return report
