@@ -3,15 +3,10 @@
 
 #include "slam_core/imu/imu_gate.hpp"
 
-#include <algorithm>
-
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam {
 namespace {
-
-/// Readings that wait longer than this are worth a word: the first ones come before the transform.
-constexpr Duration kImuPatience = std::chrono::seconds(1);
 
 const GateRegistrar<ImuGate> kImuGateRegistrar(ImuConfig::kSection);
 const SectionRegistrar<ImuConfig> kImuSectionRegistrar;
@@ -32,12 +27,8 @@ std::string unknownMount(const std::string& frame) {
 void ImuGate::configure(const ImuConfig& config) {
   validate(config);
   config_ = config;
-  mount_.reset();
-  mount_fault_.clear();
-  const auto configured = config.mount();
-  is_mount_configured_ = false;
-  if (configured) set(ImuMount{"", *configured});
-  is_mount_configured_ = configured.has_value();
+  const auto pose = config.mount();
+  readings_.restart(pose ? std::optional(ImuMount{"", *pose}) : std::nullopt);
   reset();
 }
 
@@ -54,54 +45,36 @@ std::uint64_t ImuGate::dropped() const {
 
 Counters ImuGate::held() const {
   Counters held;
-  held.add("no_mount", held_.size());
+  held.add("no_mount", readings_.size());
   return held;
 }
 
 void ImuGate::reset() {
-  held_.clear();
+  readings_.clear();
   sample_.reset();
   counters_.clear();
-}
-
-void ImuGate::set(const ImuMount& mount) {
-  if (is_mount_configured_) return;
-  mount_ = mount;
-  mount_fault_ = faultOf(mount);
 }
 
 Status ImuGate::execute() {
   sample_.reset();
   Status status;
-  while (!sample_ && !held_.empty()) {
-    if (frontMayWait()) return moreUrgent(status, waiting());
-    status = moreUrgent(status, take(held_.front()));
-    held_.pop_front();
+  while (!sample_) {
+    const auto reading = readings_.pop();
+    if (!reading) return moreUrgent(status, waiting());
+    status = moreUrgent(status, take(*reading));
   }
   return status;
 }
 
-/// Whether the oldest reading may wait for its mount: as long as it holds up none that could be
-/// used.
-bool ImuGate::frontMayWait() const {
-  return held_.size() <= kCapacity &&
-         std::none_of(held_.begin(), held_.end(), [&](const auto& r) { return hasMount(r); });
-}
-
-/// A mount of another frame is another IMU's.
-bool ImuGate::hasMount(const ImuReading& reading) const {
-  return mount_ && (is_mount_configured_ || mount_->imu_frame == reading.frame);
-}
-
 Status ImuGate::waiting() const {
-  const bool worth_a_word = held_.back().stamp - held_.front().stamp > kImuPatience;
-  return worth_a_word ? Status::warning(unknownMount(held_.front().frame)) : Status::ok();
+  const auto frame = readings_.missingFrame();
+  return frame ? Status::warning(unknownMount(*frame)) : Status::ok();
 }
 
 Status ImuGate::take(const ImuReading& driven) {
-  if (!hasMount(driven)) return reject("no_mount", unknownMount(driven.frame));
-  if (!mount_fault_.empty())
-    return reject("bad_mount", "the IMU's mount cannot be used: " + mount_fault_ +
+  if (!readings_.hasMount(driven)) return reject("no_mount", unknownMount(driven.frame));
+  if (const auto& fault = readings_.mountFault(); !fault.empty())
+    return reject("bad_mount", "the IMU's mount cannot be used: " + fault +
                                    "; correct its transform to the robot's base frame or "
                                    "imu.sensor_pose in the robot file");
   const bool is_in_degrees = config_.units == ImuConfig::Units::kDegrees;
@@ -110,7 +83,7 @@ Status ImuGate::take(const ImuReading& driven) {
     return reject("bad_reading", "a reading of the IMU cannot be used: " + fault +
                                      "; correct what the IMU's driver sends");
   if (saysNoGyro(reading)) return reject("no_gyro", kNoGyro);
-  sample_ = toSample(reading, *mount_);
+  sample_ = toSample(reading, readings_.mount());
   return Status::ok();
 }
 

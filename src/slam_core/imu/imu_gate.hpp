@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
 
 #include "slam_core/contract/gate.hpp"
+#include "slam_core/contract/mount_queue.hpp"
 #include "slam_core/imu/imu_config.hpp"
 #include "slam_core/imu/imu_reading.hpp"
 
@@ -33,8 +33,8 @@ class ImuGate final : public Gate {
 
   /// The mount counts for all readings of its frame that have not come out. It is ignored where the
   /// configuration gives a mount.
-  void set(const ImuMount& mount);
-  void set(const ImuReading& reading) { held_.push_back(reading); }
+  void set(const ImuMount& mount) { readings_.set(mount); }
+  void set(const ImuReading& reading) { readings_.push(reading); }
 
   /// Lets the next sample out that is due. Says what was wrong with those before it, or what the
   /// readings wait for.
@@ -54,21 +54,16 @@ class ImuGate final : public Gate {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(mount_, mount_fault_, held_, sample_, counters_);
+    archive(readings_, sample_, counters_);
   }
 
  private:
-  bool hasMount(const ImuReading& reading) const;
-  bool frontMayWait() const;
   Status waiting() const;
   Status take(const ImuReading& driven);
   Status reject(const std::string& reason, const std::string& sentence);
 
   ImuConfig config_;
-  bool is_mount_configured_ = false;
-  std::optional<ImuMount> mount_;
-  std::string mount_fault_;
-  std::deque<ImuReading> held_;
+  MountQueue<ImuReading, ImuMount> readings_{kCapacity};
   std::optional<ImuSample> sample_;
   Counters counters_;
 };

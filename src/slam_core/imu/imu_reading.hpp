@@ -27,12 +27,12 @@ struct ImuReading {
 
 /// Where an IMU is mounted: its frame in the robot's base frame.
 struct ImuMount {
-  std::string imu_frame;
+  std::string frame;  ///< the IMU's
   Eigen::Isometry3d T_base_imu = Eigen::Isometry3d::Identity();
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(imu_frame, T_base_imu.matrix());
+    archive(frame, T_base_imu.matrix());
   }
 };
 

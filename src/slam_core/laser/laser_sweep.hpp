@@ -32,12 +32,12 @@ struct LaserSweep {
 /// Where a laser is mounted: its frame (x ahead, y left, beams in the plane of both) in the robot's
 /// base frame.
 struct LaserMount {
-  std::string laser_frame;
+  std::string frame;  ///< the laser's
   Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(laser_frame, T_base_laser.matrix());
+    archive(frame, T_base_laser.matrix());
   }
 };
 

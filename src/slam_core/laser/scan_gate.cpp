@@ -5,15 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam {
 namespace {
 
-/// Scans that wait longer than this are worth a word: the first ones come before the transform.
+/// A laser that has been blind longer than this is worth a word.
 constexpr Duration kPatience = std::chrono::seconds(1);
 
 const GateRegistrar<ScanGate> kRegistrar(LaserConfig::kSection);
@@ -30,11 +27,8 @@ std::string unknownMount(const std::string& frame) {
 void ScanGate::configure(const LaserConfig& config) {
   validate(config);
   config_ = config;
-  mount_.reset();
-  const auto configured = config.mount();
-  is_mount_configured_ = false;
-  if (configured) set(LaserMount{"", *configured});
-  is_mount_configured_ = configured.has_value();
+  const auto pose = config.mount();
+  sweeps_.restart(pose ? std::optional(LaserMount{"", *pose}) : std::nullopt);
   reset();
 }
 
@@ -46,35 +40,26 @@ void ScanGate::describe(Ports& ports) {
 
 Counters ScanGate::held() const {
   Counters held;
-  held.add("no_mount", held_.size());
+  held.add("no_mount", sweeps_.size());
   return held;
 }
 
 void ScanGate::reset() {
-  held_.clear();
+  sweeps_.clear();
   scan_.reset();
   sequence_ = 0;
   blind_since_.reset();
   counters_.clear();
 }
 
-void ScanGate::set(const LaserMount& mount) {
-  if (is_mount_configured_) return;
-  mount_ = mount;
-  mount_fault_ = faultOf(mount);
-}
-
-void ScanGate::set(LaserSweep sweep) { held_.push_back(std::move(sweep)); }
-
 Status ScanGate::execute() {
   scan_.reset();
-  if (held_.empty()) return Status::ok();
-  if (frontMayWait()) {
-    const bool worth_a_word = held_.back().stamp - held_.front().stamp > kPatience;
-    return worth_a_word ? Status::warning(unknownMount(held_.front().frame)) : Status::ok();
+  auto next = sweeps_.pop();
+  if (!next) {
+    const auto frame = sweeps_.missingFrame();
+    return frame ? Status::warning(unknownMount(*frame)) : Status::ok();
   }
-  auto sweep = std::move(held_.front());
-  held_.pop_front();
+  auto& sweep = *next;
   const auto usable = static_cast<float>(config_.range_max);
   if (usable > 0.0f && !(sweep.range_max < usable)) sweep.range_max = usable;
   const auto fault = faultOfSweep(sweep);
@@ -84,7 +69,7 @@ Status ScanGate::execute() {
     scan_->stamp = sweep.stamp;
     scan_->sensor_frame = sweep.frame;
   } else {
-    scan_ = toScan(sweep, *mount_);
+    scan_ = toScan(sweep, sweeps_.mount());
     scan_->relative_sigma = config_.relative_sigma;
   }
   scan_->sequence = sequence_++;
@@ -105,21 +90,10 @@ Status ScanGate::watchBlindness() {
                   scan_->sensor_frame, seconds(*blind_since_ - Stamp())));
 }
 
-/// Whether the oldest sweep may wait for its mount: as long as it holds up none that could be used.
-bool ScanGate::frontMayWait() const {
-  return held_.size() <= kCapacity &&
-         std::none_of(held_.begin(), held_.end(), [&](const auto& s) { return hasMount(s); });
-}
-
-/// A mount of another frame is another laser's.
-bool ScanGate::hasMount(const LaserSweep& sweep) const {
-  return mount_ && (is_mount_configured_ || mount_->laser_frame == sweep.frame);
-}
-
 std::optional<ScanGate::Fault> ScanGate::faultOfSweep(const LaserSweep& sweep) const {
-  if (!hasMount(sweep)) return Fault{"no_mount", unknownMount(sweep.frame)};
-  if (!mount_fault_.empty())
-    return Fault{"bad_mount", "the laser's mount cannot be used: " + mount_fault_ +
+  if (!sweeps_.hasMount(sweep)) return Fault{"no_mount", unknownMount(sweep.frame)};
+  if (const auto& fault = sweeps_.mountFault(); !fault.empty())
+    return Fault{"bad_mount", "the laser's mount cannot be used: " + fault +
                                   "; correct its transform to the robot's base frame or "
                                   "laser.sensor_pose in the robot file"};
   if (const auto fault = faultOf(sweep); !fault.empty())

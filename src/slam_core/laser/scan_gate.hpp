@@ -3,11 +3,12 @@
 
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "slam_core/contract/gate.hpp"
+#include "slam_core/contract/mount_queue.hpp"
 #include "slam_core/laser/laser_config.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
 
@@ -34,8 +35,8 @@ class ScanGate final : public Gate {
 
   /// For scans of its frame, in force for all that have not come out. Where the configuration gives
   /// the mount it counts for nothing.
-  void set(const LaserMount& mount);
-  void set(LaserSweep sweep);
+  void set(const LaserMount& mount) { sweeps_.set(mount); }
+  void set(LaserSweep sweep) { sweeps_.push(std::move(sweep)); }
 
   /// Lets the next scan out that is due. Says what is wrong with it, or what the scans wait for.
   Status execute() override;
@@ -53,7 +54,7 @@ class ScanGate final : public Gate {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(mount_, mount_fault_, held_, sequence_, blind_since_, scan_, counters_);
+    archive(sweeps_, sequence_, blind_since_, scan_, counters_);
   }
 
  private:
@@ -61,16 +62,11 @@ class ScanGate final : public Gate {
     std::string reason, sentence;
   };
 
-  bool hasMount(const LaserSweep& sweep) const;
-  bool frontMayWait() const;
   std::optional<Fault> faultOfSweep(const LaserSweep& sweep) const;
   Status watchBlindness();
 
   LaserConfig config_;
-  bool is_mount_configured_ = false;
-  std::optional<LaserMount> mount_;
-  std::string mount_fault_;
-  std::deque<LaserSweep> held_;
+  MountQueue<LaserSweep, LaserMount> sweeps_{kCapacity};
   std::uint64_t sequence_ = 0;
   std::optional<Stamp> blind_since_;  ///< all sweeps from there on had no range
   std::optional<LaserScan> scan_;

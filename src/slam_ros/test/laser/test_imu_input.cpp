@@ -44,7 +44,7 @@ TEST(ImuInput, PassesReadingsOnAsTheyCameAndTheMountOnce) {
   EXPECT_EQ(slam::nanoseconds(reading.stamp), 7000000005);
   EXPECT_EQ(reading.angular_velocity, Eigen::Vector3d(1.0, 0.0, -2.0));
   EXPECT_EQ(reading.covariance(0, 1), 2.0);
-  EXPECT_EQ(mount.imu_frame, "imu_link");
+  EXPECT_EQ(mount.frame, "imu_link");
   EXPECT_DOUBLE_EQ(mount.T_base_imu.linear()(2, 2), -1.0);
 }
 

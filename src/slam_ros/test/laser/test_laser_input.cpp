@@ -72,7 +72,7 @@ TEST_F(LaserInputTest, TheMountIsTheWholeChainOfTransforms) {
   laser.take(edge("mast", "laser", 0.5, M_PI));
   laser.take(scan("laser"));
   EXPECT_EQ(came, (Order{"mount", "scan"}));
-  EXPECT_EQ(mount.laser_frame, "laser");
+  EXPECT_EQ(mount.frame, "laser");
   EXPECT_DOUBLE_EQ(mount.T_base_laser.translation().x(), 1.5);
   EXPECT_DOUBLE_EQ(mount.T_base_laser.linear()(2, 2), -1.0);
 }
