@@ -75,7 +75,7 @@ Status ScanGraph::take(const LaserScan& scan, Counters& counters) {
   }
   const bool is_due = submaps_.current().isEmpty() || trigger_.isDue(tracker_.robot().pose);
   if (config_.mapIsFixed() || !is_due || levels[0].beams.empty()) return Status::ok();
-  return insert(scan, levels, found.is_determined, counters);
+  return insert(scan, levels, found, counters);
 }
 
 Pose2 ScanGraph::mapFromOdom() const {
@@ -101,18 +101,21 @@ void ScanGraph::correctPath(bool is_determined) {
   path_.relocate({T_map_odom * now.pose, coordinateCovariance(T_map_odom, now.covariance)});
 }
 
-/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there.
-Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points, bool is_determined,
-                         Counters& counters) {
+/// A scan that fits nothing shows what the map does not have yet: the robot goes on from there. A
+/// scan that is drawn defines the map around it, so that relative to that map the robot is exact
+/// from there: its error is counted once, in the motion to this node, and not again in the next.
+Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points,
+                         const scan_matching::Match& found, Counters& counters) {
   if (!grid_map::isWithinMemory(mostBytes() + scan_matching::mostBytesFor(points), grid_config_)) {
     counters.add("scans_without_memory");
     return Status::warning(
         "the graph's scans would need more than grid_map.largest_memory and the map is kept as it "
         "is: raise it or grid_map.resolution");
   }
-  if (!is_determined) tracker_.anchor();
-  const auto& robot = tracker_.robot();
-  const auto node = told_.insert(robot, is_determined);
+  const auto robot = tracker_.robot();
+  const Eigen::Matrix3d of_scan = robot.covariance * found.information * robot.covariance;
+  const auto node = told_.insert(robot, symmetric(of_scan), found.is_determined);
+  tracker_.anchor();
   const auto shared = inserted_ = std::make_shared<const LaserScan>(scan);
   submaps_.insert(shared, points, node, robot.pose);
   trigger_.note(robot.pose);

@@ -71,8 +71,8 @@ class ScanGraph {
                              Counters& counters);
   Pose2 mapFromOdom() const;
   void correctPath(bool is_determined);
-  Status insert(const LaserScan& scan, const scan_matching::ScanLevels& points, bool is_determined,
-                Counters& counters);
+  Status insert(const LaserScan& scan, const scan_matching::ScanLevels& points,
+                const scan_matching::Match& found, Counters& counters);
   void closeLoops(const scan_matching::ScanLevels& scan, graph::Key node, Counters& counters);
 
   PathGraph& path_;

@@ -56,13 +56,14 @@ bool ScanPath::follow(const PoseEstimate& robot, bool is_determined) {
   return true;
 }
 
-graph::Key ScanPath::insert(const PoseEstimate& robot, bool is_determined) {
+graph::Key ScanPath::insert(const PoseEstimate& robot, const Eigen::Matrix3d& of_scan,
+                            bool is_determined) {
   const auto& tail = path_.tail();
   if (is_determined && last_ && last_->node != reference_->node && last_->told && tail.motion)
     join(robot);
   else if (!tail.node || tail.motion)
     path_.addNode();
-  last_ = reference_ = Place{*tail.node, robot, {}};
+  last_ = reference_ = Place{*tail.node, {robot.pose, of_scan}, {}};
   reference_->in_odom.covariance.setZero();
   return last_->node;
 }

@@ -39,7 +39,8 @@ class ScanPath {
   bool follow(const PoseEstimate& robot, bool is_determined);
   /// The node of a scan that is drawn in the submap: the reference from now on. What later scans
   /// are off by they owe to it, so that it counts as exact in the odom frame.
-  graph::Key insert(const PoseEstimate& robot, bool is_determined);
+  /// @param of_scan what the scan's own errors contribute to the robot's covariance
+  graph::Key insert(const PoseEstimate& robot, const Eigen::Matrix3d& of_scan, bool is_determined);
 
   template <class Archive>
   void persist(Archive& archive) {

@@ -22,18 +22,6 @@ const SectionRegistrar<GridSlamConfig> kSectionRegistrar;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
-double positionVariance(const Eigen::Matrix3d& covariance) {
-  return covariance.topLeftCorner<2, 2>().trace();
-}
-
-/// Whether the robot knows less of its place among the parts of the map around it than is known of
-/// theirs, and so little that what it draws may be out of place.
-bool isVaguer(const PoseEstimate& robot, const MapDrift& parts) {
-  constexpr double kVague = 0.2;  // [m]
-  const double variance = positionVariance(robot.covariance);
-  return variance > kVague * kVague && variance > positionVariance(parts.covarianceAt(robot.pose));
-}
-
 }  // namespace
 
 void GridSlam::configure(const GridSlamConfig& config, const grid_map::GridMapConfig& grid,
@@ -172,11 +160,9 @@ Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
   const auto& pose = tracker_.robot().pose;
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);
-  if (!found.is_determined) {
+  if (!found.is_determined || drift_.isSurerThan(tracker_.robot())) {
     drift_.restart(this->pose());
     tracker_.anchor();
-  } else if (isVaguer(tracker_.robot(), drift_)) {
-    drift_.restart(tracker_.robot());
   } else {
     drift_.add(pose);
   }

@@ -151,6 +151,7 @@ void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp) {
   if (is_first) last_sure_ = stamp;
   if (!is_elsewhere && !is_first && !(is_sure_ && trigger_.isDue(pose))) return;
   map_->insert(scan, pose);
+  tracker_.anchor();
   trigger_.note(pose);
 }
 

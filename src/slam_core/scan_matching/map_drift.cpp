@@ -3,6 +3,7 @@
 
 #include "slam_core/scan_matching/map_drift.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slam::scan_matching {
@@ -15,6 +16,10 @@ std::uint64_t squareOf(const Pose2& pose, int right, int up) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(length / kEdge)) + more);
   };
   return std::uint64_t{index(pose.x(), right)} << 32 | index(pose.y(), up);
+}
+
+double positionVariance(const Eigen::Matrix3d& covariance) {
+  return covariance.topLeftCorner<2, 2>().trace();
 }
 
 }  // namespace
@@ -44,6 +49,22 @@ Eigen::Matrix3d MapDrift::covarianceAt(const Pose2& pose) const {
   Eigen::Matrix3d P = J_place * place.covariance * J_place.transpose();
   P.diagonal() += way.position().norm() * variance_per_metre_;
   return P;
+}
+
+bool MapDrift::isSurerThan(const PoseEstimate& robot) const {
+  constexpr double kVague = 0.2;  // [m]
+  const double variance = positionVariance(robot.covariance);
+  return variance > kVague * kVague && variance > positionVariance(covarianceAt(robot.pose));
+}
+
+void MapDrift::continueWith(const PoseEstimate& robot) {
+  constexpr double kLeastWay = 0.2;  // [m], a robot that turns on the spot is not vague for that
+  constexpr double kExcess = 2.0;    // over the drift, of which a match has about as much again
+  const double way = std::max(kLeastWay, last_.pose.between(robot.pose).position().norm());
+  const bool is_left_vague =
+      positionVariance(robot.covariance) > kExcess * way * variance_per_metre_.head<2>().sum();
+  if (!is_left_vague) return add(robot.pose);
+  restart({robot.pose, robot.covariance + covarianceAt(robot.pose)});
 }
 
 void MapDrift::add(const Pose2& pose) {

@@ -67,6 +67,15 @@ double largestEigenvalue(const Eigen::Matrix2d& covariance) {
       .eigenvalues()(1);
 }
 
+/// Whether the scan tells the place in every direction. Where it does not, as along a wall, a
+/// search has found the best of many cells by chance.
+bool showsOnePlace(const Match& match) {
+  constexpr double kSigmas = 2.0;
+  const Eigen::Matrix3d P = match.information.inverse();
+  return kSigmas * std::sqrt(largestEigenvalue(P.topLeftCorner<2, 2>())) <= kOtherPlace.position &&
+         kSigmas * std::sqrt(P(2, 2)) <= kOtherPlace.heading;
+}
+
 double endsOf(const ScanLevels& scan) { return static_cast<double>(scan[0].ends.size()); }
 
 bool isBetter(const Match& found, const Match& best, double surplus) {
@@ -115,9 +124,10 @@ std::optional<Match> ScanToMapMatcher::recognise(const MapView& map, const ScanL
   const auto found = is_local ? matchNearby(map, scan, prior)
                               : searched(map, scan, prior.pose, window.position, window.heading);
   const bool fits = found.is_determined && found.agreement.agreeing > enough && !isDoubtful(found);
-  if (!fits || (!is_local && hasRival(found, map, scan, prior.pose, window, kBetterThanRivals)))
-    return std::nullopt;
-  return found;
+  if (!fits) return std::nullopt;
+  const bool is_known = is_local || (showsOnePlace(found) && !hasRival(found, map, scan, prior.pose,
+                                                                       window, kBetterThanRivals));
+  return is_known ? std::make_optional(found) : std::nullopt;
 }
 
 std::optional<Match> ScanToMapMatcher::recogniseAnywhere(const MapView& map, const ScanLevels& scan,

@@ -16,7 +16,7 @@ Eigen::Matrix3d covarianceOf(double sigma) { return sigma * sigma * Eigen::Matri
 struct ScannedPath {
   ScannedPath() {
     path.addNode();
-    reference = scans.insert(seen(Pose2()), true);
+    reference = scans.insert(seen(Pose2()), covarianceOf(kScanSigma), true);
   }
   static PoseEstimate seen(const Pose2& robot) { return {robot, covarianceOf(kScanSigma)}; }
   void move(const Pose2& increment) {
@@ -129,7 +129,8 @@ TEST(ScanPath, DrawsAScanAtTheNodeThatItHas) {
   drive.move(kTold);
   const auto of_landmark = drive.path.addNode();
   drive.scan(kScanStep);
-  EXPECT_EQ(drive.scans.insert(ScannedPath::seen(kScanStep), true), of_landmark);
+  EXPECT_EQ(drive.scans.insert(ScannedPath::seen(kScanStep), covarianceOf(kScanSigma), true),
+            of_landmark);
   drive.move(kTold);
   drive.path.addNode();
   drive.scan(kScanStep * kScanStep);
@@ -141,7 +142,8 @@ TEST(ScanPath, GoesOnWhereItsNodesAreRemoved) {
     ScannedPath drive;
     drive.move(kTold);
     drive.scan(kScanStep);
-    drive.reference = drive.scans.insert(ScannedPath::seen(kScanStep), true);
+    drive.reference =
+        drive.scans.insert(ScannedPath::seen(kScanStep), covarianceOf(kScanSigma), true);
     Pose2 truth = kScanStep;
     for (int i = 0; i < 4; ++i) {
       drive.move(kTold);
