@@ -5,6 +5,7 @@
 The descriptions stand in the components and nowhere else; the program slam_parameters has them.
 """
 
+import functools
 import re
 import subprocess
 
@@ -37,11 +38,29 @@ def require_valid_parameters(words, libraries):
 
 def of_name(key):
     """Returns SECTION.KEY of all parameters that have this name."""
+    return [f"{section}.{key}" for section, table in tables().items()
+            if re.search(rf"^\| `{re.escape(key)}` \| ", table, re.M)]
+
+
+def values_of(name):
+    """Returns the values that SECTION.KEY may have, and its default, of a parameter that is a
+    choice."""
+    section, _, key = name.partition(".")
+    row = re.search(rf"^\| `{re.escape(key)}` \|.*$", tables().get(section, ""), re.M)
+    cells = [re.findall(r"`(\w+)`", cell) for cell in row[0].split(" | ")] if row else []
+    values = max(cells, key=len, default=[])
+    default = next((cell[0] for cell in cells[1:] if len(cell) == 1), None)
+    if default not in values or len(values) < 2:
+        raise ProductError(f"the feature model: {name} is no parameter with a choice of values")
+    return values, default
+
+
+@functools.lru_cache(maxsize=None)
+def tables():
+    """Returns the table of each section's parameters, in Markdown."""
     done = subprocess.run([packages.program("slam_ros", "slam_parameters")], text=True,
                           stdout=subprocess.PIPE, check=False)
-    tables = re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)", done.stdout, re.M | re.S)
-    return [f"{section}.{key}" for section, table in tables
-            if re.search(rf"^\| `{re.escape(key)}` \| ", table, re.M)]
+    return dict(re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)", done.stdout, re.M | re.S))
 
 
 def options(name, values):
