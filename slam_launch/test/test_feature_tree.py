@@ -101,6 +101,14 @@ class Whole(Tree):
                          ["filter=gauss", "filter=cloud", "filter=grid"])
 
 
+    def test_menus_of_one_title_are_one(self):
+        menu = 'menu "More"\nconfig {0}\n\tbool "{0}"\nendmenu\n'
+        root = FeatureTree(small_model(KCONFIG + menu.format("A"), menu.format("B"))).root()
+        menus = [node for node in nodes_of(root) if node.title == "More"]
+        self.assertEqual([[child.name for child in menu.children] for menu in menus],
+                         [["a=true", "b=true"]])
+
+
 class Marks(unittest.TestCase):
     def setUp(self):
         root = FeatureTree(small_model(KCONFIG + SMALL)).root()

@@ -57,10 +57,16 @@ class FeatureTree:
                     children=tuple(self._children(self.model.kconfig.top_node)))
 
     def _children(self, parent):
-        node = parent.list
-        while node:
-            yield from self._nodes(node)
-            node = node.next
+        """Returns the nodes below one; menus of one title, which packages open again, are one."""
+        nodes = {}
+        for below in below_of(parent):
+            for node in self._nodes(below):
+                same = nodes.get((node.name, node.title))
+                if same:
+                    node = dataclasses.replace(same, children=same.children + node.children,
+                                               state=same.state or node.state)
+                nodes[node.name, node.title] = node
+        return list(nodes.values())
 
     def _nodes(self, node):
         item = node.item
@@ -80,7 +86,7 @@ class FeatureTree:
             yield Node(title_of(item), OR, state=self._state(item.tri_value == 2))
 
     def _menu(self, node):
-        children = list(self._children(node))
+        children = self._children(node)
         symbols = {below.item for below in below_of(node)}
         for group in self.some_of & symbols:
             children = self._as_some_of(group, children)
