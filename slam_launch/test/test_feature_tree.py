@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
+import rospkg
 from slam_launch import packages, parameters, ports, products, tree_diagram, tree_text
 from slam_launch.errors import ProductError
 from slam_launch.feature_model import FeatureModel
@@ -89,6 +90,20 @@ class Whole(Tree):
             with self.assertRaises(ProductError) as caught:
                 parameters.values_of(name)
             self.assertIn(f"{name} is no parameter with a choice", str(caught.exception))
+
+    def test_what_runs_beside_products_is_a_launch_file(self):
+        files = [node.name for node in nodes_of(self.root) if node.name.endswith(".launch")]
+        self.assertIn("slam_labels/launch/labels.launch", files)
+        for name in files:
+            package, _, file = name.partition("/")
+            self.assertTrue((pathlib.Path(rospkg.RosPack().get_path(package)) / file).exists(), name)
+
+    def test_what_runs_beside_products_is_excluded_where_they_lack_what_it_needs(self):
+        name = "slam_labels/launch/labels.launch"
+        self.assertEqual(self.instance("ekf_wheel")[name].state, "")
+        node = self.instance("scan_grid")[name]
+        self.assertEqual(node.state, EXCLUDED)
+        self.assertIn("no landmarks", node.notes[0])
 
     def test_says_what_a_feature_needs(self):
         node = next(node for node in nodes_of(self.root) if node.name == "detector=laser_lines")

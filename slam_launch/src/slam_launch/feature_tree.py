@@ -82,6 +82,8 @@ class FeatureTree:
             yield self._feature(item, OPTIONAL)
         elif item.name.startswith("PARAMETER_"):
             yield self._parameter(item)
+        elif item.name.startswith("BESIDE_"):
+            yield self._beside(item)
         elif item.name.startswith("MODEL_"):
             yield Node(title_of(item), OR, state=self._state(item.tri_value == 2))
 
@@ -157,6 +159,17 @@ class FeatureTree:
         return Node(title_of(symbol), OPTIONAL, name, state=CHOSEN if is_there else "",
                     children=tuple(Node(value, ALTERNATIVE, state=CHOSEN if is_there and
                                         value == chosen else "") for value in values))
+
+    def _beside(self, symbol):
+        """What a launch file of its own adds to products; none of them has chosen it."""
+        value, condition = symbol.defaults[0]
+        is_excluded = self.features is not None and not symbol.str_value
+        needs = [sentence(term, self.model.describe)
+                 for term in kconfiglib.split_expr(condition, kconfiglib.AND)
+                 if term is not self.model.kconfig.y]
+        return Node(title_of(symbol), OPTIONAL, value.name,
+                    tuple(needs) if is_excluded or self.features is None else (),
+                    EXCLUDED if is_excluded else "")
 
     def _state(self, is_chosen):
         return CHOSEN if self.features is not None and is_chosen else ""
