@@ -10,7 +10,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from slam_launch import new_component, packages
+from slam_launch import new_component, packages, ports, products
 from slam_launch.errors import ProductError
 from slam_launch.feature_model import FeatureModel
 
@@ -65,6 +65,16 @@ class NewComponent(unittest.TestCase):
             self.assertIn("my_own", model.groups[key].symbols)
         self.assertEqual(model.groups["my_own"].symbols, {"false": "MY_OWN", "true": "MY_OWN"})
         model.require_valid({"backend": "my_own", "odometry": "my_own", "my_own": "true"})
+
+    def test_of_a_module_leaves_the_products_of_others_as_they_are(self):
+        files = [packages.share() / "features" / "Kconfig",
+                 self.write(role="map") / "features" / "Kconfig"]
+        model = FeatureModel(files)
+        for product in (products.find("ekf_wheel", model), products.without_file(
+                model.complete({"backend": "ekf", "odometry": "wheel"}), model)):
+            self.assertEqual(product.features["my_own"], "false")
+            self.assertNotIn("my_own", product.content)
+            ports.require_joined(product)  # whose libraries do not know the module
 
     def test_is_the_example_itself_under_the_examples_name(self):
         for role in new_component.ROLES:

@@ -109,7 +109,8 @@ def ask(product, *options):
 
 
 def feature_words(product):
-    return [f"{key}={value}" for key, value in product.features.items()]
+    """Modules that are left out are not mentioned: another package's is not known without it."""
+    return [f"{key}={value}" for key, value in product.features.items() if value != "false"]
 
 
 def library_words(product):
