@@ -63,8 +63,9 @@ class NewComponent(unittest.TestCase):
         model = FeatureModel(files)
         for key in keys.values():
             self.assertIn("my_own", model.groups[key].symbols)
-        self.assertEqual(model.groups["my_own"].symbols, {"false": "MY_OWN", "true": "MY_OWN"})
-        model.require_valid({"backend": "my_own", "odometry": "my_own", "my_own": "true"})
+        self.assertEqual(model.groups["map_my_own"].symbols,
+                         {"false": "MAP_MY_OWN", "true": "MAP_MY_OWN"})
+        model.require_valid({"backend": "my_own", "odometry": "my_own", "map_my_own": "true"})
 
     def test_of_a_module_leaves_the_products_of_others_as_they_are(self):
         files = [packages.share() / "features" / "Kconfig",
@@ -72,8 +73,8 @@ class NewComponent(unittest.TestCase):
         model = FeatureModel(files)
         for product in (products.find("ekf_wheel", model), products.without_file(
                 model.complete({"backend": "ekf", "odometry": "wheel"}), model)):
-            self.assertEqual(product.features["my_own"], "false")
-            self.assertNotIn("my_own", product.content)
+            self.assertEqual(product.features["map_my_own"], "false")
+            self.assertNotIn("map_my_own", product.content)
             ports.require_joined(product)  # whose libraries do not know the module
 
     def test_is_the_example_itself_under_the_examples_name(self):
@@ -96,10 +97,11 @@ class NewComponent(unittest.TestCase):
 
     def test_refuses_a_name_that_exists(self):
         for name, role in (("ekf", "backend"), ("wheel", "odometry"), ("aruco", "detector"),
-                           ("none", "detector"), ("pointmap", "map")):
-            self.assertIn("already; give another name", self.refusal(name, role))
-        for name in ("slam", "backend", "seed"):
-            self.assertIn("means something else", self.refusal(name, "map"))
+                           ("none", "detector"), ("grid", "map")):
+            self.assertIn(" already; give another name", self.refusal(name, role))
+        for name, role in (("frames", "backend"), ("map", "backend"), ("seed", "backend"),
+                           ("point", "map"), ("visual", "odometry")):
+            self.assertIn("; give another name", self.refusal(name, role))
 
     def test_refuses_a_folder_that_is_there_already(self):
         self.write()

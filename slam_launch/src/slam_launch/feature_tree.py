@@ -46,6 +46,8 @@ class FeatureTree:
                      for value, name in group.symbols.items() if value != "false"}
         self.branches = [symbol for symbol in model.kconfig.unique_defined_syms
                          if symbol.name.startswith("BRANCH_")]
+        self.libraries = [value.name for symbol in model.kconfig.unique_defined_syms
+                          if symbol.name.startswith("LIBRARY_") for value, _ in symbol.defaults]
         self.some_of = {term for term in kconfiglib.expr_items(model.root().direct_dep)
                         if term.name} if model.root() else set()
         self.choices = set()
@@ -152,7 +154,7 @@ class FeatureTree:
     def _parameter(self, symbol):
         """A variation point within a component: the values that its description allows."""
         name = next(value.str_value or value.name for value, _ in symbol.defaults)
-        values, default = parameters.values_of(name)
+        values, default = parameters.values_of(name, self.libraries)
         section, _, key = name.partition(".")
         chosen = (self.content.get(section) or {}).get(key, default)
         is_there = self.features is not None and bool(symbol.str_value)

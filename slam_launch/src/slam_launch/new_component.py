@@ -13,7 +13,7 @@ import shutil
 
 import rospkg
 
-from . import packages, ports
+from . import packages, parameters, ports
 from .errors import did_you_mean, ProductError
 
 EXAMPLE = "toy"  # the name of each example's component
@@ -22,7 +22,7 @@ ROLES = {"backend": "estimates pose and map: the textbook's EKF-SLAM to begin wi
          "detector": "finds landmarks: edges in a laser's scans to begin with",
          "map": "an additional module, which draws something of what the back-end says: the cells "
                 "where the robot was to begin with"}
-TAKEN = ("version", "product", "sentence", "libraries", "seed", "mode", "robot")  # of product files
+TOP_LEVEL = ("version", "product", "sentence", "libraries", "seed")  # keys of product files
 
 
 def write(name, role, into, model):
@@ -59,14 +59,14 @@ def require_name(name, role, model):
     package = f"slam_{role}_{name}"
     if package in rospkg.RosPack().list():
         raise ProductError(f"there is a package {package} already; give another name")
-    told = ports.components()
-    if name in told.get("modules" if role == "map" else role, []) or \
-            role in model.groups and name in model.groups[role].symbols and role != "map":
+    registered = ports.components()["modules" if role == "map" else role]
+    if f"{role}_{name}".upper() in model.kconfig.syms or name in registered:
         raise ProductError(f"there is a component '{name}' of the role {role} already; give another "
                            "name")
-    if role == "map" and (name.upper() in model.kconfig.syms or name in (*model.groups, *TAKEN)):
-        raise ProductError(f"'{name}' means something else in product files or in the feature model; "
-                           "give another name")
+    section = name if role == "backend" else f"{name}_{role}"
+    if section in (*parameters.tables(), *model.groups, *TOP_LEVEL):
+        raise ProductError(f"'{section}', its section of parameters, stands for something else in "
+                           "product files; give another name")
 
 
 def example_of(role):

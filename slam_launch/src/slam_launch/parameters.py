@@ -42,11 +42,11 @@ def of_name(key):
             if re.search(rf"^\| `{re.escape(key)}` \| ", table, re.M)]
 
 
-def values_of(name):
+def values_of(name, libraries=()):
     """Returns the values that SECTION.KEY may have, and its default, of a parameter that is a
-    choice."""
+    choice; of components in libraries as well."""
     section, _, key = name.partition(".")
-    row = re.search(rf"^\| `{re.escape(key)}` \|.*$", tables().get(section, ""), re.M)
+    row = re.search(rf"^\| `{re.escape(key)}` \|.*$", tables(tuple(libraries)).get(section, ""), re.M)
     cells = [re.findall(r"`(\w+)`", cell) for cell in row[0].split(" | ")] if row else []
     values = max(cells, key=len, default=[])
     default = next((cell[0] for cell in cells[1:] if len(cell) == 1), None)
@@ -56,11 +56,10 @@ def values_of(name):
 
 
 @functools.lru_cache(maxsize=None)
-def tables():
+def tables(libraries=()):
     """Returns the table of each section's parameters, in Markdown."""
-    done = subprocess.run([packages.program("slam_ros", "slam_parameters")], text=True,
-                          stdout=subprocess.PIPE, check=False)
-    return dict(re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)", done.stdout, re.M | re.S))
+    return dict(re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)",
+                           call(options("--library", libraries)), re.M | re.S))
 
 
 def options(name, values):
@@ -68,9 +67,16 @@ def options(name, values):
 
 
 def check(arguments):
+    """Has the program check parameters, which then prints nothing. Raises ProductError."""
+    call(arguments)
+
+
+def call(arguments):
+    """Returns what slam_parameters prints. Raises ProductError."""
     name = "slam_parameters"
     done = subprocess.run([packages.program("slam_ros", name), *arguments], text=True,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False)
+                          capture_output=True, check=False)
     if done.returncode != 0:
         faults = done.stderr.strip().replace(f"{name}: ", "", 1).splitlines()
         raise ProductError("; ".join(faults) or f"{name} ended with exit code {done.returncode}")
+    return done.stdout

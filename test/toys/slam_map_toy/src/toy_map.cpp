@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLargest = 1e6;  // a pose is never so far from the map's origin [m]
 
-const slam::Registrar<slam::MapModule, ToyMap> kRegistrar("toy");
+const slam::Registrar<slam::MapModule, ToyMap> kRegistrar("map_toy");
 const slam::SectionRegistrar<ToyMapConfig> kSectionRegistrar;
 
 }  // namespace

@@ -31,7 +31,7 @@ class ToyNodelet final : public nodelet::Nodelet {
       auto handle = getNodeHandle();
       output_dir_ = getPrivateNodeHandle().param("output_dir", std::string());
       node_.emplace(slam_ros::PartNode::Handles{handle, getPrivateNodeHandle(), getName()},
-                    slam::ProductPart{slam::ProductPart::Extent::kModule, "toy"},
+                    slam::ProductPart{slam::ProductPart::Extent::kModule, "map_toy"},
                     slam_ros::InputOptions());
       reset_ = slam_ros::subscribeThrough<slam_msgs::Progress>(
           node_->pass(), handle, "progress", slam_ros::kQueue,
@@ -48,7 +48,7 @@ class ToyNodelet final : public nodelet::Nodelet {
   void save() {
     if (output_dir_.empty()) return;
     try {
-      node_->part().components().modules.at("toy")->save(output_dir_);
+      node_->part().components().modules.at("map_toy")->save(output_dir_);
     } catch (const std::exception& error) {
       NODELET_ERROR_STREAM(error.what());
     }

@@ -5,6 +5,6 @@
 
 namespace slam::test {
 
-INSTANTIATE_MODULE_CONTRACT(Toy, (std::vector<RoleVariant>{{"toy", "toy"}}));
+INSTANTIATE_MODULE_CONTRACT(Toy, (std::vector<RoleVariant>{{"map_toy", "map_toy"}}));
 
 }  // namespace slam::test

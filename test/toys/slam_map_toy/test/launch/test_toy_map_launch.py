@@ -27,7 +27,7 @@ class ToyMapLaunch(ReplayOfProduct, unittest.TestCase):
         model = FeatureModel()
         self.assertIn(self.product, [product.name for product in products.named(model)])
         for backend in ("ekf", "pf", "graph"):
-            model.require_valid({"backend": backend, "odometry": "wheel", "toy": "true"})
+            model.require_valid({"backend": backend, "odometry": "wheel", "map_toy": "true"})
 
 
 if __name__ == "__main__":
