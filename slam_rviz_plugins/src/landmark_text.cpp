@@ -3,6 +3,7 @@
 
 #include "landmark_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -47,11 +48,19 @@ QString describeLooks(const slam_msgs::Landmark& landmark) {
 
 }  // namespace
 
-QStringList describe(const slam_msgs::Landmark& landmark) {
+QStringList describe(const slam_msgs::Landmark& landmark, const QString& label) {
   const bool is_line = landmark.kind == slam_msgs::Landmark::LINE;
   auto lines = is_line ? describeLine(landmark) : describePoint(landmark);
+  if (!label.isEmpty()) lines.front() += ": " + label;
   if (!landmark.descriptor.empty()) lines << describeLooks(landmark);
   return lines;
+}
+
+QString labelOf(const slam_msgs::Landmark& landmark, const slam_msgs::LandmarkLabels& labels) {
+  const auto count = std::min(labels.ids.size(), labels.labels.size());
+  for (std::size_t i = 0; i < count; ++i)
+    if (labels.ids[i] == landmark.id) return QString::fromStdString(labels.labels[i]);
+  return "";
 }
 
 }  // namespace slam_rviz_plugins

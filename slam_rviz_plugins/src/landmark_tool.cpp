@@ -9,6 +9,7 @@
 #include <OgreViewport.h>
 #include <ros/exception.h>
 #include <ros/message_traits.h>
+#include <ros/names.h>
 #include <rviz/display_context.h>
 #include <rviz/frame_manager.h>
 #include <rviz/geometry.h>
@@ -27,6 +28,7 @@ namespace slam_rviz_plugins {
 namespace {
 
 constexpr double kReach = 12.0;  // [px]
+constexpr const char* kLabels = "landmark_labels";
 
 /// A point of a landmark in its map's frame. @param along a wall, from (x, y) [m]
 Ogre::Vector3 pointOf(const slam_msgs::Landmark& landmark, double along) {
@@ -65,19 +67,26 @@ void LandmarkTool::deactivate() {
   is_active_ = false;
   QToolTip::hideText();
   subscriber_.shutdown();
+  labels_subscriber_.shutdown();
   map_.reset();
+  labels_ = {};
 }
 
 /// An exception must not go through Qt's event loop: it would end rviz.
 void LandmarkTool::subscribe() {
   if (!is_active_) return;
   map_.reset();
+  labels_ = {};
   subscriber_.shutdown();
+  labels_subscriber_.shutdown();
   fault_.clear();
   try {
     subscriber_ = handle_.subscribe<slam_msgs::LandmarkMap>(
         topic_->getTopicStd(), 1,
         [this](const slam_msgs::LandmarkMapConstPtr& message) { map_ = message; });
+    labels_subscriber_ = handle_.subscribe<slam_msgs::LandmarkLabels>(
+        ros::names::append(ros::names::parentNamespace(subscriber_.getTopic()), kLabels), 1,
+        [this](const slam_msgs::LandmarkLabelsConstPtr& message) { labels_ = *message; });
   } catch (const ros::Exception& exception) {
     fault_ = QString("the landmark tool's Topic cannot be used: %1").arg(exception.what());
     setStatus(fault_);
@@ -88,6 +97,7 @@ int LandmarkTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   // The view comes first: it writes into the status line as well.
   if (auto* controller = event.panel->getViewController()) controller->handleMouseEvent(event);
   if (subscriber_.getNumPublishers() == 0) map_.reset();  // the product has ended
+  if (labels_subscriber_.getNumPublishers() == 0) labels_ = {};
   if (event.type == QEvent::MouseMove && event.buttons_down == Qt::NoButton)
     show(event);
   else
@@ -103,7 +113,8 @@ void LandmarkTool::show(rviz::ViewportMouseEvent& event) {
     if (!map_) setStatus(sentenceWithoutMap());
     return;
   }
-  const auto lines = describe(map_->landmarks[*nearest]);
+  const auto& landmark = map_->landmarks[*nearest];
+  const auto lines = describe(landmark, labelOf(landmark, labels_));
   QToolTip::showText(event.panel->mapToGlobal(mouse), lines.join("\n"), event.panel);
   setStatus(lines.join("; "));
 }

@@ -5,6 +5,7 @@
 
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
+#include <slam_msgs/LandmarkLabels.h>
 #include <slam_msgs/LandmarkMap.h>
 
 #include <QString>
@@ -28,7 +29,8 @@ namespace slam_rviz_plugins {
 
 /// A tool of rviz: what is known of the landmark under the mouse stands beside it and in the status
 /// line. With a button pressed the mouse moves the view, as with rviz's own "Move Camera".
-/// Landmarks are subscribed to only while the tool is chosen.
+/// Landmarks, and their labels in the same namespace, are subscribed to only while the tool is
+/// chosen.
 class LandmarkTool final : public rviz::Tool {
   Q_OBJECT
 
@@ -52,10 +54,11 @@ class LandmarkTool final : public rviz::Tool {
   QString sentenceWithoutMap() const;
 
   ros::NodeHandle handle_;
-  ros::Subscriber subscriber_;
+  ros::Subscriber subscriber_, labels_subscriber_;
   bool is_active_ = false;              ///< the tool is chosen
   QString fault_;                       ///< of the topic; empty: none
   slam_msgs::LandmarkMapConstPtr map_;  ///< the last one that came; null: none
+  slam_msgs::LandmarkLabels labels_;    ///< the last ones that came
   rviz::RosTopicProperty* topic_;       ///< owned by the tool's property container
 };
 

@@ -21,6 +21,17 @@ TEST(LandmarkText, NamesIdAndPositionWithSigma) {
             "landmark 12\nx 1.500 m, σ 0.020 m\ny -0.250 m, σ 0.030 m");
 }
 
+TEST(LandmarkText, NamesTheLabelBehindTheId) {
+  slam_msgs::Landmark landmark;
+  landmark.id = 12;
+  slam_msgs::LandmarkLabels labels;
+  labels.ids = {3, 12, 15};
+  labels.labels = {"gate", "door"};  // one is lacking
+  EXPECT_EQ(describe(landmark, labelOf(landmark, labels)).front(), "landmark 12: door");
+  landmark.id = 15;
+  EXPECT_EQ(describe(landmark, labelOf(landmark, labels)).front(), "landmark 15");
+}
+
 TEST(LandmarkText, NamesDirectionAndLengthOfAWall) {
   slam_msgs::Landmark landmark;
   landmark.id = 3;

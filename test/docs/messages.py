@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the sources can report: counters and sentences of the C++ code and of the bridges, checks of
-slam_doctor."""
+"""What the sources can report: counters and sentences of the C++ code, of the bridges and of the labels,
+checks of slam_doctor."""
 
 import ast
 import re
@@ -141,6 +141,10 @@ def bridge_files():
     return sorted(REPO.glob("slam_bridges/src/slam_bridges/*.py"))
 
 
+def label_files():
+    return sorted(REPO.glob("slam_labels/src/slam_labels/*.py"))
+
+
 def bridge_sentences():
     """Returns {reason: sentence} of the bridges."""
     tree = ast.parse((REPO / "slam_bridges/src/slam_bridges/account.py").read_text("utf-8"))
@@ -151,7 +155,8 @@ def bridge_sentences():
 def known_pieces():
     """Returns all texts of the sources, at values cut in pieces, as one text to search in."""
     texts = list(cpp_files().values())
-    texts += [path.read_text(encoding="utf-8") for path in doctor_files() + bridge_files()]
+    texts += [path.read_text(encoding="utf-8")
+              for path in doctor_files() + bridge_files() + label_files()]
     texts = [re.sub(r'"\s*\n?\s*f?"', "", text) for text in texts]  # side by side: one
     pieces = [piece for text in texts for literal in LITERAL.findall(text)
               for piece in [literal, *PLACEHOLDER.split(literal)]]

@@ -132,7 +132,8 @@ class Pictures(unittest.TestCase):
                                      first_match_only=True)[0]
         with tempfile.TemporaryDirectory() as folder:
             picture = pathlib.Path(folder) / "picture.svg"
-            subprocess.run([program, *arguments, "--out", picture], check=True,
+            option = "--svg" if "--tree" in arguments else "--out"
+            subprocess.run([program, *arguments, option, picture], check=True,
                            stdout=subprocess.DEVNULL)
             return self.words(picture)
 
@@ -144,6 +145,11 @@ class Pictures(unittest.TestCase):
         there = self.words(REPO / "docs" / "images" / "ekf_wheel.svg")
         self.assertGreater(len(there), 8)
         self.assertEqual(there, self.drawn("--diagram", "ekf_wheel"))
+
+    def test_of_features_is_what_the_command_draws(self):
+        there = self.words(REPO / "docs" / "images" / "features.svg")
+        self.assertGreater(len(there), 100)
+        self.assertEqual(there, self.drawn("--tree"))
 
     def test_of_ports_is_what_the_command_draws(self):
         there = self.words(REPO / "docs" / "images" / "ports.svg")

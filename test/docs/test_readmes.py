@@ -24,7 +24,7 @@ def literals():
     """Returns every text in quotes of the sources; a topic's name is one, or the end of one."""
     found = set()
     for path in [*REPO.glob("slam_*/src/*.?pp"), *REPO.glob("src/*/**/*.?pp"),
-                 *REPO.glob("slam_bridges/src/**/*.py")]:
+                 *REPO.glob("slam_bridges/src/**/*.py"), *REPO.glob("slam_labels/src/**/*.py")]:
         if "test" not in path.parts:
             found.update(LITERAL.findall(path.read_text(encoding="utf-8")))
     return found

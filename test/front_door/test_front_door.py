@@ -55,14 +55,14 @@ class WithoutBuild(FrontDoorTest):
                                                        encoding="utf-8")
 
     def test_names_every_command_when_called_without_one(self):
-        commands = ("setup demo test products parameters check new menu import sim run doctor "
-                    "merge tune eval campaign docs package bench")
+        commands = ("setup demo test products parameters check new menu new-component import sim run "
+                    "doctor merge tune eval campaign docs package bench")
         self.expect(call(self.slam), 0, *[f"\n  {command} " for command in commands.split()])
 
     def test_names_the_commands_that_explain_their_arguments(self):
         sentence = call(self.slam, "help").stdout.rsplit("\n\n", 1)[-1]
         self.assertIn("--help", sentence)
-        for command in "products import sim run doctor merge tune eval bench".split():
+        for command in "products new-component import sim run doctor merge tune eval bench".split():
             self.assertIn(command, sentence.split("arguments of")[-1])
 
     def test_suggests_the_nearest_name_for_an_unknown_command(self):

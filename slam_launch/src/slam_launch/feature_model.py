@@ -73,9 +73,9 @@ class FeatureModel:
 
     def faults(self, features):
         """Returns why complete features make no product: a sentence for each constraint."""
-        self._set(features)
+        self.put_in_force(features)
         wanted = [self._symbol(key, value) for key, value in features.items() if value != "false"]
-        sentences = [reason(symbol, self.describe) for symbol in [*wanted, self._root()]
+        sentences = [reason(symbol, self.describe) for symbol in [*wanted, self.root()]
                      if symbol is not None and symbol.tri_value == 0]
         unwanted = [key for key, value in features.items()
                     if value == "false" and self._symbol(key, "true").tri_value != 0]
@@ -111,7 +111,7 @@ class FeatureModel:
         symbol = self.kconfig.syms.get("SECTION_" + section.upper())
         if symbol is None:
             return None
-        self._set(features)
+        self.put_in_force(features)
         return None if symbol.tri_value else requirement(symbol.direct_dep, self.describe)
 
     def strings(self, prefix, features):
@@ -120,7 +120,7 @@ class FeatureModel:
 
     def named_strings(self, prefix, features):
         """Returns the same by what stands behind the prefix."""
-        self._set(features)
+        self.put_in_force(features)
         values = {symbol.name[len(prefix):]: symbol.str_value
                   for symbol in self.kconfig.unique_defined_syms if symbol.name.startswith(prefix)}
         return {name: value for name, value in values.items() if value}
@@ -128,7 +128,7 @@ class FeatureModel:
     def launch_files(self, features):
         """Returns PACKAGE/FILE of what the features launch, {"frontend": [...], "backend": [...]}:
         the front-end's for a feature of that menu, all others beside the back-end."""
-        self._set(features)
+        self.put_in_force(features)
         files = {"frontend": [], "backend": []}
         for symbol in self.kconfig.unique_defined_syms:
             if symbol.name.startswith("LAUNCH_") and symbol.str_value:
@@ -159,7 +159,8 @@ class FeatureModel:
                           if self._symbol(key, value).tri_value == (0 if value == "false" else 2))
                 for key, group in self.groups.items()}
 
-    def _set(self, features):
+    def put_in_force(self, features):
+        """Sets complete features, whose symbols then have the values that follow."""
         self.kconfig.unset_values()
         for key, value in features.items():
             self._symbol(key, value).set_value(0 if value == "false" else 2)
@@ -167,7 +168,8 @@ class FeatureModel:
     def _symbol(self, key, value):
         return self.kconfig.syms[self.groups[key].symbols[value]]
 
-    def _root(self):
+    def root(self):
+        """Returns the symbol of the whole, which asks for some of each group; None without one."""
         return self.kconfig.syms.get("SLAM")
 
 

@@ -5,6 +5,7 @@
 The descriptions stand in the components and nowhere else; the program slam_parameters has them.
 """
 
+import functools
 import re
 import subprocess
 
@@ -37,11 +38,28 @@ def require_valid_parameters(words, libraries):
 
 def of_name(key):
     """Returns SECTION.KEY of all parameters that have this name."""
-    done = subprocess.run([packages.program("slam_ros", "slam_parameters")], text=True,
-                          stdout=subprocess.PIPE, check=False)
-    tables = re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)", done.stdout, re.M | re.S)
-    return [f"{section}.{key}" for section, table in tables
+    return [f"{section}.{key}" for section, table in tables().items()
             if re.search(rf"^\| `{re.escape(key)}` \| ", table, re.M)]
+
+
+def values_of(name, libraries=()):
+    """Returns the values that SECTION.KEY may have, and its default, of a parameter that is a
+    choice; of components in libraries as well."""
+    section, _, key = name.partition(".")
+    row = re.search(rf"^\| `{re.escape(key)}` \|.*$", tables(tuple(libraries)).get(section, ""), re.M)
+    cells = [re.findall(r"`(\w+)`", cell) for cell in row[0].split(" | ")] if row else []
+    values = max(cells, key=len, default=[])
+    default = next((cell[0] for cell in cells[1:] if len(cell) == 1), None)
+    if default not in values or len(values) < 2:
+        raise ProductError(f"the feature model: {name} is no parameter with a choice of values")
+    return values, default
+
+
+@functools.lru_cache(maxsize=None)
+def tables(libraries=()):
+    """Returns the table of each section's parameters, in Markdown."""
+    return dict(re.findall(r"^## Section `(\w+)`$(.*?)(?=^## |\Z)",
+                           call(options("--library", libraries)), re.M | re.S))
 
 
 def options(name, values):
@@ -49,9 +67,16 @@ def options(name, values):
 
 
 def check(arguments):
+    """Has the program check parameters, which then prints nothing. Raises ProductError."""
+    call(arguments)
+
+
+def call(arguments):
+    """Returns what slam_parameters prints. Raises ProductError."""
     name = "slam_parameters"
     done = subprocess.run([packages.program("slam_ros", name), *arguments], text=True,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False)
+                          capture_output=True, check=False)
     if done.returncode != 0:
         faults = done.stderr.strip().replace(f"{name}: ", "", 1).splitlines()
         raise ProductError("; ".join(faults) or f"{name} ended with exit code {done.returncode}")
+    return done.stdout

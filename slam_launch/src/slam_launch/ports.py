@@ -78,6 +78,13 @@ def of_products(products):
     return found
 
 
+def components(libraries=()):
+    """Returns the names of all components, those of libraries as well, by the key of their role in
+    a product file; additional modules, each a key of its own, by `modules`."""
+    words = [word for name in libraries for word in ("--library", name)]
+    return json.loads(call([*words, "--components"]))
+
+
 def read(text):
     """Returns what the program says of a product as ProductPorts."""
     told = json.loads(text)
@@ -102,7 +109,8 @@ def ask(product, *options):
 
 
 def feature_words(product):
-    return [f"{key}={value}" for key, value in product.features.items()]
+    """Modules that are left out are not mentioned: another package's is not known without it."""
+    return [f"{key}={value}" for key, value in product.features.items() if value != "false"]
 
 
 def library_words(product):

@@ -106,8 +106,10 @@ def without_file(features, model, name=""):
 
 
 def yaml_features(features):
-    return {key: value == "true" if value in ("true", "false") else value
-            for key, value in features.items()}
+    """Returns features as a product file has them; a module that is left out is not in it, since
+    another package's is not known without that package's library."""
+    return {key: True if value == "true" else value
+            for key, value in features.items() if value != "false"}
 
 
 def with_features(features, model):
@@ -133,7 +135,8 @@ def swappable(features):
 def swapped(product, features):
     """Returns a product with the detector, the association and the modules of other features."""
     changed = swappable(features)
-    return dataclasses.replace(product, content={**product.content, **yaml_features(changed)},
+    kept = {key: value for key, value in product.content.items() if key not in changed}
+    return dataclasses.replace(product, content={**kept, **yaml_features(changed)},
                                features={**product.features, **changed})
 
 

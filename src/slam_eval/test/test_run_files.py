@@ -14,7 +14,7 @@ import run_maker  # noqa: E402
 from slam_eval.io.errors import InputError  # noqa: E402
 from slam_eval.io.events import read_events  # noqa: E402
 from slam_eval.io.graph import read_graph  # noqa: E402
-from slam_eval.io.landmarks import read_landmarks  # noqa: E402
+from slam_eval.io.landmarks import read_labels, read_landmarks  # noqa: E402
 from slam_eval.io.run_folder import read_run  # noqa: E402
 from slam_eval.io.updates import read_updates  # noqa: E402
 
@@ -52,6 +52,15 @@ class ReadLandmarks(InFolder):
         np.testing.assert_allclose(found.positions, [[1.0, 2.0], [-3.0, 0.5]])
         np.testing.assert_allclose(found.covariances[1], [[1e-4, 2e-5], [2e-5, 3e-4]])
         np.testing.assert_allclose(found.pose, [0.1, 0.2, 0.3])
+
+    def test_reads_labels_of_landmarks_with_an_id(self):
+        path = self.folder / "labels.yaml"
+        path.write_text("version: 1\nlandmarks:\n- {id: 3, x: 1.0, y: 2.0, label: door}\n"
+                        "- {x: 1.0, y: 2.0, label: waits}\n")
+        self.assertEqual(read_labels(path), {3: "door"})
+        for text in ("landmarks: 3", "landmarks: [3]", "landmarks: [{id: a, label: b}]",
+                     "landmarks: [{id: 1}]", "landmarks: ["):
+            self.refused(read_labels, "labels.yaml", text, "no labels as slam_labels saves them")
 
     def test_reads_lines_beside_points(self):
         line = ("  - {id: 9, x: 1.0, y: 2.0, covariance: [1e-4, 0, 0, 1e-4], kind: line, "

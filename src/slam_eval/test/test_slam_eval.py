@@ -134,6 +134,18 @@ class SlamEval(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotEqual((self.run_folder / "map.png").read_bytes(), bare)
 
+    def test_draws_the_labels_of_landmarks(self):
+        run_maker.make_run(self.run_folder, count=60)
+        self.evaluate(self.run_folder)
+        bare = (self.run_folder / "map.png").read_bytes()
+        (self.run_folder / "labels.yaml").write_text(
+            "version: 1\nlandmarks:\n- {id: 7, label: door $1$ of $2}\n", encoding="utf-8")
+        done = self.evaluate(self.run_folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotEqual((self.run_folder / "map.png").read_bytes(), bare)
+        (self.run_folder / "labels.yaml").write_text("version: 1\n", encoding="utf-8")
+        self.fails("labels.yaml", "no labels as slam_labels saves them")
+
     def test_a_file_that_is_no_world_is_named(self):
         run_maker.make_run(self.run_folder, count=30)
         for text in ("just words\n", "walls:\n  - {from: [0, 0]}\n", "walls: [\n"):

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 
+#include "slam_core/association/association_policy.hpp"
 #include "slam_core/camera/camera_calibration.hpp"
 #include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/registry.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/imu/imu_reading.hpp"
 #include "slam_core/laser/laser_sweep.hpp"
@@ -127,7 +129,20 @@ class JoinedPorts {
   slam::WiredPorts wired_;
 };
 
+template <class Role>
+std::vector<std::string> namesOf() {
+  return slam::Registry<Role>::instance().names();
+}
+
 }  // namespace
+
+Json describeComponents() {
+  return {{"backend", namesOf<slam::Backend>()},
+          {"odometry", namesOf<slam::OdometrySource>()},
+          {"detector", namesOf<slam::LandmarkDetector>()},
+          {"association", namesOf<slam::association::AssociationPolicy>()},
+          {"modules", namesOf<slam::MapModule>()}};
+}
 
 Json describePorts(const slam::ProductConfig& product) {
   const auto parts = slam::createComponents(product);

@@ -49,25 +49,32 @@ void answerLines(std::istream& lines) {
   std::cout << answers << std::flush;
 }
 
+void print(const nlohmann::ordered_json& answer) { std::cout << answer.dump(2) << std::endl; }
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Prints as JSON what a product's components take in and make, and who makes it.",
                "slam_ports");
   std::vector<std::string> words, libraries;
-  bool check = false;
-  app.add_option("PRODUCT", words,
-                 "a product's name, its file, or features as KEY=VALUE; -: a line of "
-                 "them for each product on the standard input, answered by a line each")
-      ->required();
+  bool check = false, components = false;
+  auto* product =
+      app.add_option("PRODUCT", words,
+                     "a product's name, its file, or features as KEY=VALUE; -: a line of "
+                     "them for each product on the standard input, answered by a line each");
   app.add_option("--library", libraries, "also knows the components in this shared library")
       ->allow_extra_args(false);
   app.add_flag("--check", check,
                "prints nothing and refuses components that cannot be joined by their ports");
+  app.add_flag("--components", components,
+               "prints the names of all components by the product's key instead")
+      ->excludes(product);
   return slam_ros::runProgram(app, argc, argv, [&] {
     slam::loadLibraries(libraries);
+    if (components) return print(slam_ros::describeComponents());
+    if (words.empty()) throw CLI::RequiredError("PRODUCT");
     if (words == std::vector<std::string>{"-"}) return answerLines(std::cin);
     const auto ports = portsOf(words);
-    if (!check) std::cout << ports.dump(2) << std::endl;
+    if (!check) print(ports);
   });
 }

@@ -15,6 +15,10 @@ namespace slam_ros {
 /// @throw slam::ConfigError
 nlohmann::ordered_json describePorts(const slam::ProductConfig& product);
 
+/// The names of all registered components by the product's key of their role; those of additional
+/// modules, each of which is a key of its own, by "modules".
+nlohmann::ordered_json describeComponents();
+
 /// Refuses a product whose components cannot be wired: two make the same output, some take data
 /// from one another in a circle, or one needs data that nobody makes and no topic brings.
 /// @throw slam::ConfigError listing all faults

@@ -116,7 +116,7 @@ TEST(SlamPorts, OnlyASourceThatMovesAlongTheDriversFrameLeavesItTheTransform) {
   EXPECT_FALSE(ownsEdge("wheel"));
   EXPECT_FALSE(ownsEdge("wheel_imu"));
   EXPECT_FALSE(ownsEdge("content"));  // it has no name, whatever else it takes in
-  EXPECT_FALSE(ownsEdge("driven"));  // whatever it and its input are called
+  EXPECT_FALSE(ownsEdge("driven"));   // whatever it and its input are called
   EXPECT_FALSE(ownsEdge("none"));
   EXPECT_TRUE(ownsEdge("visual"));
   EXPECT_TRUE(ownsEdge("visual_wheel"));
@@ -150,6 +150,14 @@ TEST(SlamPorts, TakeAnInputThatAComponentCanDoWithoutAndAnyNameOfAKnownKind) {
   const auto answer = askWithOdd("odometry=content --check");
   EXPECT_EQ(answer.code, 0) << answer.printed;
   EXPECT_EQ(answer.printed, "");
+}
+
+TEST(SlamPorts, NameAllComponentsByTheProductsKey) {
+  const auto names = Json::parse(askWithOdd("--components").printed);
+  EXPECT_EQ(names["backend"], Json({"ekf", "graph", "grid", "pf"}));
+  EXPECT_EQ(names["association"], Json({"descriptor", "jcbb", "known_ids", "nearest"}));
+  EXPECT_EQ(names["modules"], Json({"echo_map", "pointmap"}));
+  EXPECT_EQ(ask("--components ekf_wheel").code, 2);
 }
 
 TEST(SlamPorts, RefuseWhatIsNoProduct) {

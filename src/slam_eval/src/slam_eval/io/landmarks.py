@@ -92,6 +92,16 @@ def _read_landmark(path, entry):
     return identity, position, _numbers(path, what + "covariance", covariance, 4)
 
 
+def read_labels(path):
+    """Read {id: label} of the file of labels that slam_labels writes. Raises InputError."""
+    try:
+        entries = yaml.safe_load(read_text(path))["landmarks"]
+        return {int(entry["id"]): str(entry["label"]) for entry in entries if "id" in entry}
+    except (yaml.YAMLError, TypeError, KeyError, ValueError):
+        raise InputError(f"{path}: no labels as slam_labels saves them; save them again, or remove "
+                         "the file") from None
+
+
 def _is_line(entry):
     return isinstance(entry, dict) and entry.get("kind", "point") == "line"
 

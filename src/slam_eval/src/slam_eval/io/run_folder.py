@@ -13,7 +13,7 @@ from slam_eval.io.errors import InputError, read_text
 from slam_eval.io.events import read_events
 from slam_eval.io.graph import Graph, read_graph
 from slam_eval.io.grid_map import GridMap, read_grid
-from slam_eval.io.landmarks import LandmarkMap, read_landmarks
+from slam_eval.io.landmarks import LandmarkMap, read_labels, read_landmarks
 from slam_eval.io.point_cloud import read_points
 from slam_eval.io.trajectory import Trajectory, read_trajectory, read_truth
 from slam_eval.io.updates import Updates, read_updates
@@ -36,6 +36,7 @@ class RunFolder:
     truth_is_given: bool = False
     updates: Optional[Updates] = None
     landmarks: Optional[LandmarkMap] = None
+    labels: dict = dataclasses.field(default_factory=dict)  # of landmarks, by their ids
     grid: Optional[GridMap] = None
     points: Optional[np.ndarray] = None
     graph: Optional[Graph] = None
@@ -106,6 +107,7 @@ def read_run(path):
     run.landmarks = _optional(path / "landmarks.yaml", read_landmarks)
     if run.landmarks is not None:
         run.landmarks.has_own_ids = (path / "associations.csv").exists()
+    run.labels = _optional(path / "labels.yaml", read_labels) or {}
     run.grid = _optional(path / "map.yaml", read_grid)
     run.graph = _optional(path / "graph.csv", read_graph)
     run.events = _optional(path / "events.csv", read_events)

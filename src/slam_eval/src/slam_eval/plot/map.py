@@ -36,7 +36,7 @@ def plot_map(run, result, path, reference="ground truth", world=None):
         plan.draw_estimate(axes, run)
         plan.draw_truth(axes, truth, reference)
         if has_landmarks:
-            plan.draw_landmarks(axes, landmarks, scale)
+            plan.draw_landmarks(axes, landmarks, scale, run.labels)
         plan.draw_lines(axes, landmarks)
         plan.draw_true_landmarks(axes, true)
         _finish(figure, axes, f"Path and map · {run.title}",

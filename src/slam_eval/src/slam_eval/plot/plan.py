@@ -190,13 +190,15 @@ def draw_lines(axes, landmarks):
                   label="line landmark" if i == 0 else None)
 
 
-def draw_landmarks(axes, landmarks, scale):
-    """Landmarks with their 95 % ellipses and ids."""
+def draw_landmarks(axes, landmarks, scale, labels=None):
+    """Landmarks with their 95 % ellipses and ids; labels, {id: text}, stand behind the ids."""
     look.draw_ellipses(axes, landmarks.positions, landmarks.covariances, scale,
                        "95 % ellipse" + larger(scale))
     axes.plot(*landmarks.positions.T, ".", color=look.LANDMARK, markersize=4, zorder=5,
               label="landmark")
-    look.label_landmarks(axes, landmarks.ids, landmarks.positions)
+    names = [f"{identity} {(labels or {}).get(identity, '')}".rstrip().replace("$", r"\$")
+             for identity in landmarks.ids]
+    look.label_landmarks(axes, names, landmarks.positions)
 
 
 def draw_true_landmarks(axes, positions):

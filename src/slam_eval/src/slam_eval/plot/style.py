@@ -122,6 +122,12 @@ def _label_side(positions, i, near):
     return (1 if away[0] >= 0.0 else -1), (1 if away[1] >= 0.0 else -1)
 
 
+def _has_room(axes, position, text):
+    """Whether a text on the right of a position ends within the picture, roughly."""
+    least, most = axes.get_xlim()
+    return len(text) <= 3 or position[0] + 0.011 * len(text) * (most - least) <= most
+
+
 def label_landmarks(axes, ids, positions, most=120):
     """Ids beside the landmarks, unless there are so many that they would only cover the picture."""
     if len(ids) > most:
@@ -130,6 +136,7 @@ def label_landmarks(axes, ids, positions, most=120):
     near = 0.04 * float(np.ptp(axes.get_xlim()))
     for i, (identity, position) in enumerate(zip(ids, positions)):
         right, up = _label_side(positions, i, near)
+        right = right if _has_room(axes, position, str(identity)) else -1
         axes.annotate(str(identity), position, xytext=(4.5 * right, 4.0 * up),
                       textcoords="offset points", fontsize=size, color="#0a5f4b", zorder=7,
                       ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top",

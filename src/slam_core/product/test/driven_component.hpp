@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/models/filter_pose.hpp"
+#include "slam_core/models/odometry_sample.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/product/test/component_driver.hpp"
+
+// What the contracts of odometry sources, detectors and additional modules share. Those of
+// back-ends are in backend_contract.hpp.
+
+namespace slam::test {
+
+/// A component of a role by its name in the registry, and settings that change how it works.
+struct RoleVariant {
+  std::string component, name;
+  std::vector<std::string> settings = {};
+};
+
+inline std::string roleVariantName(const testing::TestParamInfo<RoleVariant>& variant) {
+  return variant.param.name;
+}
+
+/// A component of a role, driven through a room: it gets what it takes in of the wheels' odometry,
+/// the motion, the laser's scans and the back-end's poses, in this order.
+template <class Role>
+class DrivenComponent {
+ public:
+  explicit DrivenComponent(const RoleVariant& variant)
+      : variant_(variant),
+        component_(Registry<Role>::instance().create(variant.component)),
+        inputs_(*component_) {
+    configure();
+  }
+
+  void configure() {
+    Settings settings({}, {}, variant_.settings);
+    component_->configure(settings);
+  }
+  /// @param took is called after each execute()
+  template <class Took>
+  void step(const RoomDrive::Step& step, Took took) {
+    OdometrySample sample;
+    sample.stamp = step.motion.end;
+    sample.pose = step.motion.odometry_end;
+    sample.odometry_frame = step.motion.odometry_frame;
+    sample.base_frame = step.motion.base_frame;
+    give(sample, took);
+    give(step.motion, took);
+    give(step.scan, took);
+    give(FilterPose::of(step.scan.stamp, step.truth), took);
+  }
+  template <class Took>
+  void run(std::uint64_t seed, int steps, Took took) {
+    RoomDrive drive(seed);
+    for (int i = 0; i < steps; ++i) step(drive.next(), took);
+  }
+  void run(std::uint64_t seed, int steps) {
+    run(seed, steps, [] {});
+  }
+
+  const ComponentDriver& inputs() const { return inputs_; }
+  Role& operator*() const { return *component_; }
+  Role* operator->() const { return component_.get(); }
+
+ private:
+  template <class Value, class Took>
+  void give(const Value& value, Took took) {
+    if (!inputs_.takes<Value>()) return;
+    inputs_.set(value);
+    do {
+      const auto status = component_->execute();
+      ASSERT_TRUE(status.isOk()) << status.message;
+      took();
+    } while (component_->isBusy());
+  }
+
+  RoleVariant variant_;
+  std::unique_ptr<Role> component_;
+  ComponentDriver inputs_;
+};
+
+}  // namespace slam::test
