@@ -86,9 +86,19 @@ void CeilingFeatures::look() {
   observations_->sensor_pose = Pose2(ceiling_.origin().x(), ceiling_.origin().y(), 0.0);
   if (ceiling_.tilt() > kMaxTilt) return;
   const auto& gray = view_->image.gray;
-  const ScaledImage image(gray, config_.size * height_ / ceiling_.metresPerPixel());
+  if (isSpotTooLarge()) return;
+  const ScaledImage image(gray, sigmaOfSpot());
   features_ = selectFeatures(image.spots(config_.min_contrast), gray.size(), ceiling_, config_);
   observe(image);
+}
+
+double CeilingFeatures::sigmaOfSpot() const {
+  return config_.size * height_ / ceiling_.metresPerPixel();
+}
+
+bool CeilingFeatures::isSpotTooLarge() const {
+  const auto& gray = view_->image.gray;
+  return !(sigmaOfSpot() < std::min(gray.cols, gray.rows));
 }
 
 void CeilingFeatures::observe(const ScaledImage& image) {
@@ -117,6 +127,11 @@ Status CeilingFeatures::explain() const {
         "the ceiling camera does not look up: its mount says that it is tilted by {:.0f} "
         "deg; correct its transform to the robot's base frame",
         ceiling_.tilt() * 180.0 / M_PI));
+  if (isSpotTooLarge())
+    return Status::warning(fmt::format(
+        "a spot of the ceiling would fill the image: by the camera's calibration a pixel sees "
+        "{:.2g} m of the ceiling; correct the camera_info of the ceiling camera",
+        ceiling_.metresPerPixel()));
   if (features_.empty())
     return Status::warning("the ceiling shows no spots: it is dark, blurred or bare");
   return Status::ok();

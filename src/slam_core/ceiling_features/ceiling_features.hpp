@@ -53,6 +53,8 @@ class CeilingFeatures final : public LandmarkDetector, public ViewDrawer {
 
  private:
   void look();
+  double sigmaOfSpot() const;   ///< [px]
+  bool isSpotTooLarge() const;  ///< to be seen: it would fill the image
   void observe(const ScaledImage& image);
   void count();
   Status explain() const;

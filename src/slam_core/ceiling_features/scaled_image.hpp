@@ -20,7 +20,8 @@ struct Spot {
 class ScaledImage {
  public:
   /// @param gray 8 bit, one channel
-  /// @param sigma standard deviation of the Gaussian, above 0; below 1 counts as 1 [px]
+  /// @param sigma standard deviation of the Gaussian, above 0 and below the image's
+  /// shorter edge; below 1 counts as 1 [px]
   ScaledImage(const cv::Mat& gray, double sigma);
 
   /// The spots of about the Gaussian's size, most distinct first: local maxima of the determinant

@@ -226,6 +226,17 @@ TEST_F(CeilingFeaturesTest, DrawsWhatItFound) {
   EXPECT_EQ(detector_.drawing().type(), CV_8UC3);
 }
 
+TEST_F(CeilingFeaturesTest, SaysThatTheCalibrationIsImplausibleWhereASpotWouldFillTheImage) {
+  for (const double focal_length : {1e5, 1e9, 1e300}) {
+    auto calibration = ceilings::smallCamera();
+    calibration.fx = calibration.fy = focal_length;
+    camera_.gate.set(calibration);
+    const auto said = show(ceilings::exposed(ceiling().seenBy(mount_, Pose2()), {}, 1)).message;
+    EXPECT_NE(said.find("a spot of the ceiling would fill the image"), said.npos) << said;
+    EXPECT_TRUE(observations().empty());
+  }
+}
+
 TEST(CeilingFeaturesConfiguration, NeedsTheCeilingsHeight) {
   const auto fault = [](const std::vector<std::string>& overrides) {
     const auto detector = Registry<LandmarkDetector>::instance().create("ceiling_features");
