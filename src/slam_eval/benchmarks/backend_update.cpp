@@ -8,8 +8,8 @@
 #include "slam_core/ekf/ekf_slam.hpp"
 
 // Time of one update against the size of the map and the number of observations, while the robot
-// stays in one neighbourhood, of the extended and the unscented filter; of the global update that leaving it costs; and of a look at the
-// marginals of the whole map in between.
+// stays in one neighbourhood, of the extended and the unscented filter; of the global update that
+// leaving it costs; and of a look at the marginals of the whole map in between.
 
 namespace {
 
