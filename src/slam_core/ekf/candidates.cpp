@@ -3,7 +3,6 @@
 
 #include "slam_core/ekf/candidates.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace slam::ekf {
@@ -92,27 +91,16 @@ LandmarksByPlace landmarksByPlace(const LandmarkObservationArray& array, const E
 
 namespace {
 
-constexpr Eigen::Index kInvolved = 6;  ///< the robot, the reference's heading, a landmark
-
-/// The Jacobian of an innovation, and the rows of the covariance that it is by.
-struct JacobianRows {
-  explicit JacobianRows(const Innovation& innovation) {
-    H << innovation.H_robot, innovation.H_heading, innovation.H_landmark;
-    const auto landmark = DenseCovariance::row(innovation.slot);
-    rows = {0, 1, 2, DenseCovariance::kHeadingRow, landmark, landmark + 1};
-  }
-  Eigen::Matrix<double, 2, kInvolved> H;
-  std::array<Eigen::Index, kInvolved> rows;
-};
+Eigen::Matrix<double, 2, 6> jacobianOf(const Innovation& innovation) {
+  Eigen::Matrix<double, 2, 6> H;
+  H << innovation.H_robot, innovation.H_heading, innovation.H_landmark;
+  return H;
+}
 
 Eigen::Matrix2d crossOf(const DenseCovariance& P, const Innovation& first,
                         const Innovation& second) {
-  const JacobianRows a(first), b(second);
-  Eigen::Matrix<double, kInvolved, kInvolved> block;
-  for (std::size_t i = 0; i < a.rows.size(); ++i)
-    for (std::size_t j = 0; j < b.rows.size(); ++j)
-      block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = P(a.rows[i], b.rows[j]);
-  return a.H * block * b.H.transpose();
+  return jacobianOf(first) * observedOf(P, first.slot, second.slot) *
+         jacobianOf(second).transpose();
 }
 
 }  // namespace
@@ -130,8 +118,8 @@ PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const Ek
       const auto& of_kind = point.modelOr(model);
       if (of_kind.isSingular(of_kind.predict(robot, array.sensor_pose, point.now))) continue;
       near_[i].push_back(
-          {number, state.linearization().innovation(model, robot, robot, array.sensor_pose, point,
-                                                    array.observations[i])});
+          {number, state.innovation({model, robot, array.sensor_pose, point, array.observations[i]},
+                                    observedOf(state.covariance(), slot, slot))});
       near_[i].back().innovation.slot = slot;
     }
 }

@@ -4,6 +4,7 @@
 #include "slam_core/ekf/dense_covariance.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "slam_core/ekf/symmetric_update.hpp"
 
@@ -107,6 +108,21 @@ void transportRobot(const Eigen::Vector2d& c, DenseCovariance& P) {
   Eigen::Matrix3d T = Eigen::Matrix3d::Identity();
   T.topRightCorner<2, 1>() = c;
   P.predict(T, Eigen::Matrix3d::Zero());
+}
+
+ObservedCovariance observedOf(const DenseCovariance& P, Eigen::Index first_slot,
+                              Eigen::Index second_slot) {
+  const auto rowsOf = [](Eigen::Index slot) {
+    const auto landmark = DenseCovariance::row(slot);
+    return std::array<Eigen::Index, 6>{0,        1,           2, DenseCovariance::kHeadingRow,
+                                       landmark, landmark + 1};
+  };
+  const auto first = rowsOf(first_slot), second = rowsOf(second_slot);
+  ObservedCovariance observed;
+  for (std::size_t j = 0; j < second.size(); ++j)
+    for (std::size_t i = 0; i < first.size(); ++i)
+      observed(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = P(first[i], second[j]);
+  return observed;
 }
 
 Eigen::Matrix2d landmarkOf(const DenseCovariance& P, Eigen::Index slot) {

@@ -11,6 +11,9 @@
 
 namespace slam::ekf {
 
+/// The covariance of what an observation depends on: robot, heading of the reference, landmark.
+using ObservedCovariance = Eigen::Matrix<double, 6, 6>;
+
 /// The joint covariance P of (robot, reference pose, landmark 0, landmark 1, ...) of the
 /// neighbourhood, size 6 + 2 N. Where parameters are calibrated, they take the place of the first
 /// landmarks. Only the lower triangle is kept up to date, which halves the work
@@ -68,6 +71,10 @@ class DenseCovariance {
 
 /// The robot's error e_xy becomes e_xy + c e_theta.
 void transportRobot(const Eigen::Vector2d& c, DenseCovariance& P);
+/// What observations of two landmarks depend on, a row for each of the first's and a column for
+/// each of the second's.
+ObservedCovariance observedOf(const DenseCovariance& P, Eigen::Index first_slot,
+                              Eigen::Index second_slot);
 Eigen::Matrix2d landmarkOf(const DenseCovariance& P, Eigen::Index slot);
 /// The variance of the robot's heading relative to the reference's [rad^2].
 double relativeHeadingVariance(const DenseCovariance& P);

@@ -3,6 +3,7 @@
 
 #include "slam_core/ekf/ekf_config.hpp"
 
+#include "slam_core/ekf/gaussian_transform.hpp"
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
@@ -11,6 +12,11 @@ namespace slam::ekf {
 void EkfConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
              "build the map, or keep a loaded one fixed and only localise in it");
+  fields
+      .add("filter", &filter,
+           "how the Gaussian passes through motion and observation: by Jacobians (extended Kalman "
+           "filter), or by sigma points (unscented Kalman filter)")
+      .oneOf(transformNames());
   fields
       .add("linearization", &linearization,
            "where the Jacobians are evaluated and which error the covariance describes")

@@ -19,6 +19,7 @@ struct EkfConfig {
   static constexpr const char* kSection = "ekf";
 
   BackendMode mode = BackendMode::kSlam;
+  std::string filter = "extended";
   std::string linearization = "right_invariant";
   int iterations = 5;
   UpdateExtent update = UpdateExtent::kCompressed;

@@ -35,7 +35,7 @@ void EkfSlam::configure(const EkfConfig& config) {
   validate(config);
   config_ = config;
   associator_ = Associator(config);
-  linearization_ = makeLinearization(config.linearization);
+  variant_ = {makeLinearization(config.linearization), makeTransform(config.filter)};
   reset();
 }
 
@@ -66,8 +66,8 @@ void EkfSlam::describe(Capabilities& capabilities) {
 void EkfSlam::reset() {
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
-  state_ = EkfState(linearization_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()},
-                    calibrationPrior());
+  state_ =
+      EkfState(variant_, limits(), {Pose2(), sigma.cwiseAbs2().asDiagonal()}, calibrationPrior());
   associator_.restart({});
   sightings_ = association::Sightings();
   statistics_ = {};
@@ -123,6 +123,12 @@ LandmarkObservationArray EkfSlam::takeObservations() {
 }
 
 PoseEstimate EkfSlam::pose() const {
+  const auto filtered = estimate();
+  return {filtered.pose, variant_.transform->meanSquaredError(*variant_.linearization, filtered)};
+}
+
+/// The filter's own, whose covariance is that of the linearisation's error.
+PoseEstimate EkfSlam::estimate() const {
   return state_.parameters() ? frame_.robot(state_.robotAndParameters()) : state_.pose();
 }
 
@@ -137,7 +143,7 @@ MapState EkfSlam::state() const {
   const bool has_joint = state_.inMap() <= static_cast<std::size_t>(config_.joint_limit);
   const auto parameters = state_.parameters();
   const bool needs_joint = has_joint || config_.calibration.estimates(kRangeScale);
-  auto state = needs_joint ? state_.state() : MapState{pose(), state_.map(), {}};
+  auto state = needs_joint ? state_.state() : MapState{estimate(), state_.map(), {}};
   if (parameters && needs_joint) state = frame_.map(state, *parameters);
   if (!has_joint) state.joint_covariance.resize(0, 0);
   associator_.descriptors().describe(state.landmarks);
@@ -191,7 +197,7 @@ void EkfSlam::replaceMap() {
   if (!map_) return;
   const auto calibration = state_.calibration();
   frame_.forget();
-  state_ = EkfState(linearization_, limits(), *map_, config_.load_inflation, calibration);
+  state_ = EkfState(variant_, limits(), *map_, config_.load_inflation, calibration);
   sightings_ = association::Sightings(map_->landmarks);
   associator_.restart(map_->landmarks);
   statistics_.prediction.F.setZero();
@@ -236,7 +242,7 @@ Status EkfSlam::update(const std::vector<Match>& matches, const Pose2& sensor) {
     return ObservationUpdate(model_, state_, sensor, matches, config_.iterations);
   };
   auto step = std::make_optional(solved());
-  if (step->isSolved() && (linearization_->isTooLarge(step->headingCorrection()) ||
+  if (step->isSolved() && (variant_.linearization->isTooLarge(step->headingCorrection()) ||
                            step->referenceEffect() > kLargestReferenceEffect)) {
     state_.renewReference();
     step.emplace(solved());

@@ -22,9 +22,10 @@
 namespace slam::ekf {
 
 /// EKF-SLAM with a map of points and lines (thesis 5.1; Thrun, Burgard, Fox 2005, sec. 10.2 and
-/// 10.3), but with one joint, iterated update of all observations of a stamp. The linearisation
-/// selects the variant of the filter (linearization.hpp). A step costs O(n^2) in the n landmarks of
-/// the neighbourhood instead of those of the whole map (neighbourhood.hpp).
+/// 10.3), but with one joint, iterated update of all observations of a stamp. The variant of the
+/// filter is that of its linearisation (linearization.hpp) and of its Gaussian transform, extended
+/// or unscented (gaussian_transform.hpp). A step costs O(n^2) in the n landmarks of the
+/// neighbourhood instead of those of the whole map (neighbourhood.hpp).
 class EkfSlam final : public Backend,
                       LandmarkMapper,
                       LandmarkRemover,
@@ -72,6 +73,7 @@ class EkfSlam final : public Backend,
     return calibrated(array, velocity_, *state_.parameters());
   }
 
+  PoseEstimate estimate() const;
   NewLandmark initialized(const LandmarkObservation& z, const Pose2& sensor) const;
   StretchLimits limits() const;
   std::optional<CalibrationEstimate> calibrationPrior() const;
@@ -92,7 +94,7 @@ class EkfSlam final : public Backend,
   EkfConfig config_;
   RangeBearingModel model_;
   Associator associator_;
-  EkfState::LinearizationPtr linearization_;
+  FilterVariant variant_;
   EkfState state_;
   association::Sightings sightings_;
   UpdateStatistics statistics_;

@@ -52,9 +52,9 @@ Neighbourhood neighbourhoodOf(const MapState& map, double inflation,
 
 }  // namespace
 
-EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot,
+EkfState::EkfState(FilterVariant variant, StretchLimits limits, const PoseEstimate& robot,
                    const std::optional<CalibrationEstimate>& calibration)
-    : linearization_(std::move(linearization)),
+    : variant_(std::move(variant)),
       limits_(limits),
       robot_(robot.pose),
       neighbourhood_(calibration ? neighbourhoodOf({robot, {}, {}}, 1.0, *calibration)
@@ -63,9 +63,9 @@ EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const P
   takeAlways();
 }
 
-EkfState::EkfState(LinearizationPtr linearization, StretchLimits limits, const MapState& map,
+EkfState::EkfState(FilterVariant variant, StretchLimits limits, const MapState& map,
                    double inflation, const std::optional<CalibrationEstimate>& calibration)
-    : linearization_(std::move(linearization)),
+    : variant_(std::move(variant)),
       limits_(limits),
       robot_(map.robot.pose),
       neighbourhood_(calibration ? neighbourhoodOf(map, inflation, *calibration)
@@ -111,9 +111,9 @@ LandmarkPoint EkfState::point(Eigen::Index landmark, const Eigen::Vector2d& corr
   const auto &start = starts_[at(landmark)], &first = firsts_[at(landmark)];
   if (isParameter(landmark)) return {start + correction, start, first};
   if (const auto& line = lines_[at(landmark)])
-    return {linearization_->moved(line->model, start, correction, turn - born), start, first,
+    return {linearization().moved(line->model, start, correction, turn - born), start, first,
             &line->model};
-  return {linearization_->moved(start, correction, turn - born), start, first};
+  return {linearization().moved(start, correction, turn - born), start, first};
 }
 
 LandmarkPoint EkfState::point(Eigen::Index slot, const Eigen::Vector2d& correction,
@@ -136,7 +136,7 @@ Eigen::Matrix2Xd EkfState::transports(const std::vector<LandmarkPoint>& points) 
   Eigen::Matrix2Xd c(2, static_cast<Eigen::Index>(points.size()));
   c.leftCols(parameter_pairs_).setZero();
   for (Eigen::Index i = parameter_pairs_; i < c.cols(); ++i)
-    c.col(i) = linearization_->landmarkTransport(points[at(i)]);
+    c.col(i) = linearization().landmarkTransport(points[at(i)]);
   return c;
 }
 
@@ -163,7 +163,7 @@ void EkfState::take(const LandmarksInView& view) {
   const auto limit = std::max(limits_.landmarks, 2 * view.observations);
   const bool is_full = seen_ > 0 && more > 0 && seen_ + more > limit;
   if (is_full ||
-      linearization_->isStale(turn(), relativeHeadingVariance(neighbourhood_.covariance()))) {
+      linearization().isStale(turn(), relativeHeadingVariance(neighbourhood_.covariance()))) {
     renew();
     take(view);
     return;
@@ -190,17 +190,24 @@ void EkfState::renewReference() {
 
 PosePrediction EkfState::predict(const Pose2& increment, const Eigen::Matrix3d& Q,
                                  const CalibrationJacobian<3>& J_increment) {
-  Eigen::Matrix3d F, G;
-  robot_ = robot_.compose(increment, &F, &G);
-  const PosePrediction prediction{F, G * Q * G.transpose()};
-  neighbourhood_.predict(prediction.F, prediction.Q, G * J_increment);
-  return prediction;
+  const auto moved = variant_.transform->predict(linearization(), pose(), increment, Q);
+  robot_ = moved.robot;
+  neighbourhood_.predict(moved.error.F, moved.error.Q, moved.G * J_increment);
+  return moved.error;
+}
+
+Innovation EkfState::innovation(const ObservedLandmark& observed,
+                                const ObservedCovariance& P) const {
+  const auto& [model, robot, sensor, landmark, z] = observed;
+  auto innovation = linearization().innovation(model, robot, robot_, sensor, landmark, z);
+  variant_.transform->observe(observed, P, innovation);
+  return innovation;
 }
 
 void EkfState::correctRobot(const Eigen::Vector3d& dx) {
   const Pose2 before = robot_;
-  robot_ = linearization_->moved(before, dx);
-  const auto c = linearization_->robotTransport(before, robot_);
+  robot_ = linearization().moved(before, dx);
+  const auto c = linearization().robotTransport(before, robot_);
   if (!c.isZero(0.0)) neighbourhood_.transportRobot(c);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "slam_core/association/existence.hpp"
+#include "slam_core/ekf/gaussian_transform.hpp"
 #include "slam_core/ekf/linearization.hpp"
 #include "slam_core/ekf/neighbourhood.hpp"
 #include "slam_core/ekf/sensor_frame.hpp"
@@ -18,6 +19,12 @@
 #include "slam_core/models/motion.hpp"
 
 namespace slam::ekf {
+
+/// What distinguishes one filter of this family from another.
+struct FilterVariant {
+  std::shared_ptr<const Linearization> linearization;
+  std::shared_ptr<const GaussianTransform> transform = std::make_shared<TaylorTransform>();
+};
 
 /// How much of the map an update touches: what limits an interval between two global updates
 /// (Neighbourhood).
@@ -56,15 +63,13 @@ struct NewLandmark {
 /// neighbourhood, and are in no map; robot and map are in the coordinates of a SensorFrame.
 class EkfState {
  public:
-  using LinearizationPtr = std::shared_ptr<const Linearization>;
-
   EkfState() = default;
   /// @param calibration nothing where nothing is calibrated
-  EkfState(LinearizationPtr linearization, StretchLimits limits, const PoseEstimate& robot,
+  EkfState(FilterVariant variant, StretchLimits limits, const PoseEstimate& robot,
            const std::optional<CalibrationEstimate>& calibration = std::nullopt);
   /// Landmarks without a joint covariance get their marginals times `inflation` squared.
-  EkfState(LinearizationPtr linearization, StretchLimits limits, const MapState& map,
-           double inflation, const std::optional<CalibrationEstimate>& calibration = std::nullopt);
+  EkfState(FilterVariant variant, StretchLimits limits, const MapState& map, double inflation,
+           const std::optional<CalibrationEstimate>& calibration = std::nullopt);
 
   const Pose2& robot() const { return robot_; }
   /// @return the number of landmarks, retired ones included; each has a number below it
@@ -90,7 +95,9 @@ class EkfState {
     return lines_[landmark] ? &*lines_[landmark] : nullptr;
   }
   const DenseCovariance& covariance() const { return neighbourhood_.covariance(); }
-  const Linearization& linearization() const { return *linearization_; }
+  const Linearization& linearization() const { return *variant_.linearization; }
+  /// nu, R and H of an observation of a landmark of the neighbourhood.
+  Innovation innovation(const ObservedLandmark& observed, const ObservedCovariance& P) const;
 
   /// Takes these into the neighbourhood; where it would grow too large the interval ends first.
   void take(const LandmarksInView& view);
@@ -153,7 +160,7 @@ class EkfState {
   void takeAlways();
   std::vector<Eigen::Index> orderById() const;
 
-  LinearizationPtr linearization_;
+  FilterVariant variant_;
   StretchLimits limits_;
   Pose2 robot_;
   Neighbourhood neighbourhood_;

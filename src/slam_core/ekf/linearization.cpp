@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "slam_core/common/policy_table.hpp"
+#include "slam_core/geometry/angle.hpp"
 
 // Symbols: p position of the robot, m landmark, J the rotation by a right angle (d R(a) v / da =
 // J R(a) v), w correction of a heading.
@@ -43,6 +44,11 @@ Innovation linearized(const ObservationModel& model, const Pose2& robot, const P
 
 Pose2 Linearization::moved(const Pose2& robot, const Eigen::Vector3d& correction) const {
   return Pose2::fromVector(robot.vector() + correction);
+}
+
+Eigen::Vector3d Linearization::correctionTo(const Pose2& robot, const Pose2& moved) const {
+  const Eigen::Vector2d way = moved.position() - robot.position();
+  return {way.x(), way.y(), wrapAngle(moved.theta() - robot.theta())};
 }
 
 Eigen::Vector2d Linearization::moved(const Eigen::Vector2d& start,
@@ -121,6 +127,13 @@ Pose2 RightInvariantLinearization::moved(const Pose2& robot,
                                          const Eigen::Vector3d& correction) const {
   const Eigen::Vector2d p = movedOnGroup(robot.position(), correction.head<2>(), correction.z());
   return {p.x(), p.y(), robot.theta() + correction.z()};
+}
+
+Eigen::Vector3d RightInvariantLinearization::correctionTo(const Pose2& robot,
+                                                          const Pose2& moved) const {
+  const Eigen::Vector3d xi = (moved * robot.inverse()).log();
+  const Eigen::Vector2d p = xi.head<2>() + xi.z() * J(robot.position());
+  return {p.x(), p.y(), xi.z()};
 }
 
 Eigen::Vector2d RightInvariantLinearization::moved(const Eigen::Vector2d& start,

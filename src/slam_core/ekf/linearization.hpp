@@ -49,6 +49,8 @@ class Linearization {
                                 const LandmarkObservation& z) const = 0;
   /// The pose after a correction of (x, y, theta).
   virtual Pose2 moved(const Pose2& robot, const Eigen::Vector3d& correction) const;
+  /// The correction that moves one pose to another: the inverse of the above.
+  virtual Eigen::Vector3d correctionTo(const Pose2& robot, const Pose2& moved) const;
   /// The landmark after all corrections of an interval; `turn`: those of the reference's heading.
   virtual Eigen::Vector2d moved(const Eigen::Vector2d& start, const Eigen::Vector2d& correction,
                                 double turn) const;
@@ -115,6 +117,7 @@ class RightInvariantLinearization final : public Linearization {
                         const Pose2& sensor, const LandmarkPoint& landmark,
                         const LandmarkObservation& z) const override;
   Pose2 moved(const Pose2& robot, const Eigen::Vector3d& correction) const override;
+  Eigen::Vector3d correctionTo(const Pose2& robot, const Pose2& moved) const override;
   Eigen::Vector2d moved(const Eigen::Vector2d& start, const Eigen::Vector2d& correction,
                         double turn) const override;
   Eigen::Vector2d moved(const LineModel& line, const Eigen::Vector2d& start,

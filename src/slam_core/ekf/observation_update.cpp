@@ -4,6 +4,7 @@
 #include "slam_core/ekf/observation_update.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "slam_core/ekf/symmetric_update.hpp"
@@ -37,9 +38,11 @@ ObservationUpdate::ObservationUpdate(const ObservationModel& model, const EkfSta
     linearize(model, sensor);
     solve();
     if (!is_solved_ || i == limit || nonlinearity(model, sensor) < kLinear * kLinear) break;
+    P_updated_ = P_ - PHt_ * L_.solve(PHt_.transpose());
   }
   if (is_solved_ || limit == 1) return;
   dx_.setZero();  // the iteration diverged: the plain update
+  P_updated_.resize(0, 0);
   linearize(model, sensor);
   solve();
 }
@@ -73,12 +76,24 @@ void ObservationUpdate::linearize(const ObservationModel& model, const Pose2& se
   nu_.resize(2 * static_cast<Index>(matches_.size()));
   const Pose2 robot = candidate();
   for (std::size_t i = 0; i < matches_.size(); ++i) {
-    innovations_[i] = state_.linearization().innovation(model, robot, state_.robot(), sensor,
-                                                        candidate(i), matches_[i].z);
-    innovations_[i].slot = matches_[i].slot;
+    const auto& [slot, z] = matches_[i];
+    innovations_[i] =
+        state_.innovation({model, robot, sensor, candidate(i), z}, covarianceAround(i));
+    innovations_[i].slot = slot;
     nu_.segment<2>(column(i)) = innovations_[i].nu;
   }
   nu_ += jacobianTimes(dx_);  // the residual of a Gauss-Newton step (Bell and Cathey 1993)
+}
+
+ObservedCovariance ObservationUpdate::covarianceAround(std::size_t match) const {
+  const auto& P = P_updated_.size() > 0 ? P_updated_ : P_;
+  const Index landmark = kHead + column(match);
+  const std::array<Index, 6> rows = {0, 1, 2, DenseCovariance::kHeadingRow, landmark, landmark + 1};
+  ObservedCovariance observed;
+  for (std::size_t j = 0; j < rows.size(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      observed(static_cast<Index>(i), static_cast<Index>(j)) = P(rows[i], rows[j]);
+  return observed;
 }
 
 Eigen::VectorXd ObservationUpdate::jacobianTimes(const Eigen::VectorXd& dx) const {

@@ -53,6 +53,7 @@ class ObservationUpdate {
 
   void gather();
   void linearize(const ObservationModel& model, const Pose2& sensor);
+  ObservedCovariance covarianceAround(std::size_t match) const;
   void solve();
   double nonlinearity(const ObservationModel& model, const Pose2& sensor) const;
   Eigen::VectorXd jacobianTimes(const Eigen::VectorXd& dx) const;
@@ -61,7 +62,8 @@ class ObservationUpdate {
 
   const EkfState& state_;
   const std::vector<Match>& matches_;
-  Eigen::MatrixXd P_;  ///< of (robot, reference, observed landmarks)
+  Eigen::MatrixXd P_;          ///< of (robot, reference, observed landmarks)
+  Eigen::MatrixXd P_updated_;  ///< after the last iteration, about the candidate
   std::vector<Innovation> innovations_;
   std::vector<Eigen::Matrix2d> S_diagonal_;
   Eigen::VectorXd nu_;  ///< as if linearised at the prediction: nu + H dx

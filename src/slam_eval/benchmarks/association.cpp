@@ -32,7 +32,7 @@ Eigen::Vector2d landmark(int number) {
 
 EkfState mapAround(const slam::Pose2& robot) {
   const Eigen::Matrix3d P = Eigen::Vector3d(0.01, 0.01, 4e-4).asDiagonal();
-  EkfState state(slam::ekf::makeLinearization("right_invariant"), {}, {robot, P});
+  EkfState state({slam::ekf::makeLinearization("right_invariant")}, {}, {robot, P});
   for (int i = 0; i < kLandmarks; ++i)
     state.append(
         i, {landmark(i), Eigen::Matrix<double, 2, 3>::Zero(), 0.01 * Eigen::Matrix2d::Identity()});

@@ -8,8 +8,8 @@
 #include "slam_core/ekf/ekf_slam.hpp"
 
 // Time of one update against the size of the map and the number of observations, while the robot
-// stays in one neighbourhood; of the global update that leaving it costs; and of a look at the
-// marginals of the whole map in between.
+// stays in one neighbourhood, of the extended and the unscented filter; of the global update that
+// leaving it costs; and of a look at the marginals of the whole map in between.
 
 namespace {
 
@@ -52,8 +52,9 @@ class GridWorld {
 /// An EKF in the middle of a map.
 class Filter {
  public:
-  explicit Filter(std::int64_t landmarks) : world_(landmarks) {
-    ekf_.configure(slam::ekf::EkfConfig());
+  explicit Filter(std::int64_t landmarks, const slam::ekf::EkfConfig& config = {})
+      : world_(landmarks) {
+    ekf_.configure(config);
     slam::as<slam::MapKeeper>(ekf_).set(world_.map());
     ekf_.execute();
   }
@@ -78,8 +79,8 @@ class Filter {
 
 constexpr std::int64_t kNeighbourhood = 60;
 
-void updateOfEkf(benchmark::State& state) {
-  Filter filter(state.range(0));
+void update(benchmark::State& state, const slam::ekf::EkfConfig& config) {
+  Filter filter(state.range(0), config);
   const auto count = state.range(1);
   for (std::int64_t first = 0; first < kNeighbourhood; first += count) filter.step(first, count);
   std::int64_t first = 0;
@@ -87,6 +88,14 @@ void updateOfEkf(benchmark::State& state) {
     filter.step(first, count);
     first = (first + count) % kNeighbourhood;
   }
+}
+
+void updateOfEkf(benchmark::State& state) { update(state, {}); }
+
+void updateOfUnscentedFilter(benchmark::State& state) {
+  slam::ekf::EkfConfig config;
+  config.filter = "unscented";
+  update(state, config);
 }
 
 void globalUpdateOfEkf(benchmark::State& state) {
@@ -109,6 +118,10 @@ void marginalsOfEkf(benchmark::State& state) {
 const std::vector<std::int64_t> kSizes = {100, 300, 1000, 3000, 10000};
 
 BENCHMARK(updateOfEkf)
+    ->ArgsProduct({kSizes, {1, 10, 30}})
+    ->ArgNames({"landmarks", "observations"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(updateOfUnscentedFilter)
     ->ArgsProduct({kSizes, {1, 10, 30}})
     ->ArgNames({"landmarks", "observations"})
     ->Unit(benchmark::kMillisecond);

@@ -172,6 +172,11 @@ class Consistency(unittest.TestCase):
         with self.assertRaisesRegex(BenchError, "finite"):
             consistency.summary({"seeds": 50, "average_nees": values})
 
+    def test_each_filter_goes_with_each_linearisation(self):
+        variants = consistency.variants()
+        self.assertEqual(len(variants), 8)
+        self.assertEqual(variants[0], (consistency.DEFAULT, "extended", consistency.DEFAULT))
+        self.assertIn(("unscented, textbook", "unscented", "textbook"), variants)
 
     def test_the_default_is_held_to_its_goals(self):
         good = {"seeds": 50, "average_nees": [3.0] * 100, "nis_mean": 1.0}
@@ -216,6 +221,13 @@ class Update(unittest.TestCase):
                    for n, t, u in ((1, 2.0, "ms"), (10, 500.0, "us"))]
         self.assertEqual(update.parse_times(json.dumps({"benchmarks": entries})),
                          {"1 observation": 2.0, "10 observations": 0.5})
+
+    def test_the_unscented_filter_has_its_own_columns(self):
+        entries = [{"name": f"{name}/landmarks:100/observations:10", "cpu_time": t,
+                    "time_unit": "ms"} for name, t in (("updateOfEkf", 1.0),
+                                                       ("updateOfUnscentedFilter", 1.5))]
+        self.assertEqual(update.parse_times(json.dumps({"benchmarks": entries})),
+                         {"10 observations": 1.0, "10 observations, unscented": 1.5})
 
     def test_what_costs_the_whole_map_has_its_own_columns(self):
         entries = [{"name": f"{name}/landmarks:100/iterations:3", "cpu_time": 2.0,

@@ -226,7 +226,7 @@ class PlaceCandidatesTest : public testing::Test {
  protected:
   PlaceCandidatesTest() {
     const PoseEstimate robot{Pose2(), Eigen::Vector3d(0.01, 0.01, 0.001).asDiagonal()};
-    state = EkfState(makeLinearization("right_invariant"), {}, robot);
+    state = EkfState({makeLinearization("right_invariant")}, {}, robot);
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const auto& z = array.observations[i];
       RangeBearingModel::Jacobian23 J_robot;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "slam_core/ekf/ekf_slam.hpp"
-#include "slam_core/ekf/linearization.hpp"
+#include "slam_core/ekf/test/ekf_variants.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 
 namespace slam::ekf {
@@ -28,11 +28,10 @@ void expectSound(EkfSlam& ekf) {
   }
 }
 
-class EkfHardCases : public testing::TestWithParam<std::string> {
+class EkfHardCases : public testing::TestWithParam<test::EkfVariant> {
  protected:
   void SetUp() override {
-    EkfConfig config;
-    config.linearization = GetParam();
+    auto config = test::configOf(GetParam());
     config.neighbourhood = 4;  // stretches end often
     ekf.configure(config);
   }
@@ -78,8 +77,8 @@ TEST_P(EkfHardCases, LandmarksThatComeBackAfterAnHourOfDrivingNeverBreakTheFilte
   expectSound(ekf);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EkfHardCases, testing::ValuesIn(linearizationNames()),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(All, EkfHardCases, test::allVariants(),
+                         [](const auto& variant) { return test::nameOf(variant.param); });
 
 TEST(EkfLargeMap, OfTenThousandLandmarksIsLoadedUpdatedAndTold) {
   constexpr int kLandmarks = 10000;

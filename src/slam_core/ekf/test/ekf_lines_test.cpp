@@ -9,6 +9,7 @@
 
 #include "slam_core/common/random.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
+#include "slam_core/ekf/test/ekf_variants.hpp"
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/models/line_model.hpp"
 
@@ -142,11 +143,10 @@ TEST(EkfLines, WallsHoldTheRobotWhereItIs) {
   expectWalls(room, as<LandmarkMapper>(ekf).landmarks());
 }
 
-class EkfLinesWith : public testing::TestWithParam<std::string> {};
+class EkfLinesWith : public testing::TestWithParam<test::EkfVariant> {};
 
 TEST_P(EkfLinesWith, IsAsWrongAsItSays) {
-  EkfConfig config;
-  config.linearization = GetParam();
+  const auto config = test::configOf(GetParam());
   double sum = 0.0;
   constexpr int kDrives = 40;
   for (int seed = 0; seed < kDrives; ++seed) {
@@ -159,8 +159,8 @@ TEST_P(EkfLinesWith, IsAsWrongAsItSays) {
   EXPECT_GT(sum / kDrives, 2.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllLinearizations, EkfLinesWith, testing::ValuesIn(linearizationNames()),
-                         [](const auto& of) { return of.param; });
+INSTANTIATE_TEST_SUITE_P(All, EkfLinesWith, test::allVariants(),
+                         [](const auto& variant) { return test::nameOf(variant.param); });
 
 TEST(EkfLines, ANeighbourhoodOfTwoLandmarksTellsNearlyTheSame) {
   RoomOfWalls room(2), same_room(2);

@@ -202,9 +202,11 @@ TEST(EkfConfigTest, RefusesWhatMakesNoFilter) {
   config.gate_probability = 0.0;
   config.initial_sigma_heading = -1;
   config.load_inflation = 0.5;
+  config.filter = "uncented";
   config.linearization = "texbook";
   const auto faults = test::faultsOf([&] { EkfSlam().configure(config); });
-  EXPECT_EQ(faults.size(), 4u);
+  EXPECT_EQ(faults.size(), 5u);
+  EXPECT_TRUE(test::oneSays(faults, {"ekf.filter", "did you mean 'unscented'"}));
   EXPECT_TRUE(test::oneSays(faults, {"ekf.gate_probability", "(0, 1)"}));
   EXPECT_TRUE(test::oneSays(faults, {"ekf.linearization", "did you mean 'textbook'"}));
 }

@@ -10,6 +10,7 @@
 #include "slam_core/common/random.hpp"
 #include "slam_core/ekf/ekf_slam.hpp"
 #include "slam_core/ekf/panel_triangle.hpp"
+#include "slam_core/ekf/test/ekf_variants.hpp"
 
 namespace slam::ekf {
 namespace {
@@ -53,9 +54,8 @@ class WideWorld {
   Pose2 truth_;
 };
 
-EkfConfig configOf(const std::string& linearization, UpdateExtent update, int neighbourhood) {
-  EkfConfig config;
-  config.linearization = linearization;
+EkfConfig configOf(const test::EkfVariant& variant, UpdateExtent update, int neighbourhood) {
+  auto config = test::configOf(variant);
   config.update = update;
   config.neighbourhood = neighbourhood;
   return config;
@@ -79,12 +79,12 @@ void expectSameState(const MapState& a, const MapState& b) {
              scale.asDiagonal() * b.joint_covariance * scale.asDiagonal(), "covariance");
 }
 
-class Compression : public testing::TestWithParam<std::tuple<std::string, int>> {
+class Compression : public testing::TestWithParam<std::tuple<test::EkfVariant, int>> {
  protected:
   void SetUp() override {
-    const auto [linearization, neighbourhood] = GetParam();
-    compressed.configure(configOf(linearization, UpdateExtent::kCompressed, neighbourhood));
-    dense.configure(configOf(linearization, UpdateExtent::kDense, neighbourhood));
+    const auto [variant, neighbourhood] = GetParam();
+    compressed.configure(configOf(variant, UpdateExtent::kCompressed, neighbourhood));
+    dense.configure(configOf(variant, UpdateExtent::kDense, neighbourhood));
   }
   void step(WideWorld& world) {
     const auto motion = world.drive();
@@ -132,8 +132,8 @@ TEST_P(Compression, TellsTheMarginalsOfTheWholeMapWithoutBringingItUpToDate) {
 TEST_P(Compression, GoesOnWithTheSameBitsWhoeverLooks) {
   WideWorld world(5, 60);
   EkfSlam undisturbed;
-  const auto [linearization, neighbourhood] = GetParam();
-  undisturbed.configure(configOf(linearization, UpdateExtent::kCompressed, neighbourhood));
+  const auto [variant, neighbourhood] = GetParam();
+  undisturbed.configure(configOf(variant, UpdateExtent::kCompressed, neighbourhood));
   for (int i = 1; i <= 100; ++i) {
     const auto motion = world.drive();
     const auto array = world.look();
@@ -190,8 +190,8 @@ TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
   WideWorld world(13, 60);
   for (int i = 0; i < 150; ++i) step(world);
   const auto map = as<MapKeeper>(dense).state();
-  const auto [linearization, neighbourhood] = GetParam();
-  auto config = configOf(linearization, UpdateExtent::kCompressed, neighbourhood);
+  const auto [variant, neighbourhood] = GetParam();
+  auto config = configOf(variant, UpdateExtent::kCompressed, neighbourhood);
   config.mode = BackendMode::kLocalization;
   compressed.configure(config);
   config.update = UpdateExtent::kDense;
@@ -213,11 +213,10 @@ TEST_P(Compression, LocalisesAsTheDenseFilterWhereARobotStandsAndLooksTwice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Compression,
-                         testing::Combine(testing::ValuesIn(linearizationNames()),
-                                          testing::Values(1, 8, 25)),
-                         [](const auto& test) {
-                           return std::get<0>(test.param) + "_" +
-                                  std::to_string(std::get<1>(test.param));
+                         testing::Combine(test::allVariants(), testing::Values(1, 8, 25)),
+                         [](const auto& of) {
+                           return test::nameOf(std::get<0>(of.param)) + "_" +
+                                  std::to_string(std::get<1>(of.param));
                          });
 
 TEST(Neighbourhood, BeginsWithLandmarksThatAreNotCorrelated) {

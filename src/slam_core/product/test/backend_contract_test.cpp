@@ -14,6 +14,7 @@ std::vector<Variant> variants() {
   for (const std::string linearization :
        {"textbook", "first_estimates", "observability_constrained", "right_invariant"})
     all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});
+  all.push_back({"ekf", "ekf_unscented", {"ekf.filter=unscented"}});
   all.push_back({"ekf", "ekf_dense", {"ekf.update=dense"}});
   all.push_back({"ekf", "ekf_neighbourhood_of_one", {"ekf.neighbourhood=1"}});
   all.push_back(

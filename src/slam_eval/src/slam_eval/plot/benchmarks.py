@@ -8,6 +8,7 @@ from slam_eval.plot import plan
 from slam_eval.plot import style as look
 
 _COLOURS = (look.ESTIMATE, look.ODOMETRY, look.LANDMARK, look.ERROR, look.TRUTH)
+_LINES = tuple((colour, dashes) for dashes in ("-", (0, (4, 2))) for colour in _COLOURS)
 
 
 def _log_y(axes):
@@ -39,10 +40,10 @@ def plot_average_nees(results, bounds, title, path):
         figure, axes = look.plt.subplots(figsize=(9.2, 4.4), constrained_layout=True)
         axes.axhspan(*bounds, color=look.BAND, alpha=0.18, linewidth=0)
         axes.axhline(3.0, color=look.MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
-        for colour, (name, result) in zip(_COLOURS, results.items()):
+        for (colour, dashes), (name, result) in zip(_LINES, results.items()):
             values = result["average_nees"]
             axes.plot(np.arange(1, len(values) + 1), values, color=colour, linewidth=1.1,
-                      label=name.replace("_", " "))
+                      linestyle=dashes, label=name.replace("_", " "))
         _log_y(axes)
         axes.set_xlabel("step")
         axes.set_ylabel("NEES of the pose")
@@ -58,8 +59,8 @@ def _plot_lines(lines, title, y_label, path):
     """Named lines of (sizes, values) in logarithmic axes."""
     with look.style():
         figure, axes = look.plt.subplots(figsize=(7.6, 4.8), constrained_layout=True)
-        for colour, (name, (x, y)) in zip(_COLOURS, lines.items()):
-            axes.plot(x, y, color=colour, marker="o", markersize=5, linewidth=1.5)
+        for (colour, dashes), (name, (x, y)) in zip(_LINES, lines.items()):
+            axes.plot(x, y, color=colour, marker="o", markersize=5, linewidth=1.5, linestyle=dashes)
             _name_line(axes, x[-1], y[-1], name, colour)
         sizes = sorted({value for x, _ in lines.values() for value in x})
         _log_log(axes, sizes, "landmarks", y_label)

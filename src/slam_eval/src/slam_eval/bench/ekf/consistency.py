@@ -20,6 +20,7 @@ INSIDE_LIMIT = 0.90
 NIS_LIMITS = (0.95, 1.05)
 LINEARIZATIONS = ("right_invariant", "observability_constrained", "first_estimates", "textbook")
 DEFAULT = LINEARIZATIONS[0]
+FILTERS = ("extended", "unscented")
 LINEAR_SCALE = 0.01  # of all noise: nothing is left to linearise
 EXACT_START = [f"ekf.initial_sigma_{of}=1e-6" for of in ("position", "heading")]
 
@@ -42,14 +43,22 @@ def summary(result):
     return float(np.mean((values >= low) & (values <= high))), float(np.mean(values))
 
 
-def run_loop(context, loop, linearization, noise=1.0):
+def variants():
+    """(name, filter, linearisation) of all that are compared; the default's name is DEFAULT."""
+    return [(linearization if of == FILTERS[0] else f"{of}, {linearization}", of, linearization)
+            for of in FILTERS for linearization in LINEARIZATIONS]
+
+
+def run_loop(context, loop, filter_name, linearization, noise=1.0):
     """What slam_eval_consistency says of a loop [m]."""
-    log = context.work / f"consistency_{loop}_{linearization}_{noise:g}.json"
+    log = context.work / f"consistency_{loop}_{filter_name}_{linearization}_{noise:g}.json"
     seeds = context.options.seeds
     command = [workspace_program("slam_eval", "slam_eval_consistency"), "--loop", str(loop),
                "--seeds", str(seeds), "--noise", str(noise),
-               "--set", f"ekf.linearization={linearization}", *EXACT_START]
-    call(context, f"consistency, loop of {loop} m, {linearization}, {seeds} seeds", command, log)
+               "--set", f"ekf.filter={filter_name}", f"ekf.linearization={linearization}",
+               *EXACT_START]
+    call(context, f"consistency, loop of {loop} m, {filter_name}, {linearization}, {seeds} seeds",
+         command, log)
     try:
         return json.loads(log.read_text(encoding="utf-8"))
     except json.JSONDecodeError:
@@ -80,8 +89,8 @@ def measure(context):
     section = Section("Consistency: a simulated loop")
     lines, remarks = [], []
     for loop in LOOPS:
-        results = {name: run_loop(context, loop, name) for name in LINEARIZATIONS}
-        linear = run_loop(context, loop, DEFAULT, LINEAR_SCALE)
+        results = {name: run_loop(context, loop, *of) for name, *of in variants()}
+        linear = run_loop(context, loop, FILTERS[0], DEFAULT, LINEAR_SCALE)
         lines += [row(f"{loop} m, {name}", result) for name, result in results.items()]
         lines.append(row(f"{loop} m, {DEFAULT}, noise x {LINEAR_SCALE:g}", linear))
         remarks.append(remark(loop, results[DEFAULT]))

@@ -13,6 +13,7 @@ from slam_eval.plot.benchmarks import plot_updates
 PROGRAM = "slam_eval_backend_update"
 _NAME = re.compile(r"(\w+)/landmarks:(\d+)(?:/observations:(\d+))?")
 _MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
+_FILTERS = {"updateOfUnscentedFilter": ", unscented"}
 _WHOLE_MAP = {"globalUpdateOfEkf": "global update", "marginalsOfEkf": "all marginals"}
 
 
@@ -35,7 +36,7 @@ def _task(match):
     if match.group(3) is None:
         return _WHOLE_MAP.get(match.group(1), match.group(1))
     count = int(match.group(3))
-    return f"{count} observation{'s' * (count > 1)}"
+    return f"{count} observation{'s' * (count > 1)}{_FILTERS.get(match.group(1), '')}"
 
 
 def parse_times(text):
@@ -78,9 +79,9 @@ def measure(context):
     section.paragraphs += [
         table(*rows(sizes)),
         "CPU time of one step (prediction, then all observations jointly) in a map of so many "
-        "landmarks, while the robot stays among 60 of them; of the global update when it leaves "
-        "them; and of a look at the marginals of all landmarks without it. Memory: peak of a "
-        "process that holds that map."]
+        "landmarks, while the robot stays among 60 of them, by the extended and by the unscented "
+        "filter; of the global update when it leaves them; and of a look at the marginals of all "
+        "landmarks without it. Memory: peak of a process that holds that map."]
     path = context.out / "update_time.png"
     plot_updates(sizes, path)
     section.pictures["time of an update against landmarks"] = path
