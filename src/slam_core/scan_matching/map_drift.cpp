@@ -3,7 +3,6 @@
 
 #include "slam_core/scan_matching/map_drift.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace slam::scan_matching {
@@ -55,16 +54,6 @@ bool MapDrift::isSurerThan(const PoseEstimate& robot) const {
   constexpr double kVague = 0.2;  // [m]
   const double variance = positionVariance(robot.covariance);
   return variance > kVague * kVague && variance > positionVariance(covarianceAt(robot.pose));
-}
-
-void MapDrift::continueWith(const PoseEstimate& robot) {
-  constexpr double kLeastWay = 0.2;  // [m], a robot that turns on the spot is not vague for that
-  constexpr double kExcess = 2.0;    // over the drift, of which a match has about as much again
-  const double way = std::max(kLeastWay, last_.pose.between(robot.pose).position().norm());
-  const bool is_left_vague =
-      positionVariance(robot.covariance) > kExcess * way * variance_per_metre_.head<2>().sum();
-  if (!is_left_vague) return add(robot.pose);
-  restart({robot.pose, robot.covariance + covarianceAt(robot.pose)});
 }
 
 void MapDrift::add(const Pose2& pose) {

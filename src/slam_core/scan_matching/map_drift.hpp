@@ -26,10 +26,6 @@ class MapDrift {
   void restart(const PoseEstimate& first);
   /// A scan from there, which fits the parts around it, has gone into the map.
   void add(const Pose2& pose);
-  /// As add(), for a robot whose own covariance need not be negligible. Where it exceeds what the
-  /// map drifts by on the way from the last scan, as along a corridor, the map starts over with the
-  /// covariance of both.
-  void continueWith(const PoseEstimate& robot);
   /// The covariance, in (x, y, theta), of a robot that knows exactly where it is relative to the
   /// parts around it.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;

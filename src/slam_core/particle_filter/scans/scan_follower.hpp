@@ -55,8 +55,6 @@ class ScanFollower {
   /// wheels, and the drift of the map that they were matched with.
   const Motion& motion() const { return motion_; }
   void beginMotion() { motion_ = {}; }
-  /// A scan has been drawn in the maps where the robot is: relative to that it is exact.
-  void anchor() { tracker_.anchor(); }
   /// Of the robot among the parts of the map around it, in (x, y, theta).
   const Eigen::Matrix3d& covariance() const { return tracker_.robot().covariance; }
 

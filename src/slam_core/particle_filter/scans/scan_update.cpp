@@ -154,8 +154,7 @@ Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution, Ac
     beyond += grid_map::insertScan(models_[0], scan_[0], particle.pose, particle.grid);
     grid_map::insertScan(models_[1], scan_[1], particle.pose, particle.coarse_grid);
   });
-  drift_.continueWith({particles[particles.best()].pose, follower_.covariance()});
-  follower_.anchor();
+  drift_.add(particles[particles.best()].pose);
   account.counters.add("beams_beyond_map", beyond);
   if (beyond == 0) return {Status::ok(), true};
   return {Status::warning("beams end beyond the largest grid map, what lies there is not mapped: "

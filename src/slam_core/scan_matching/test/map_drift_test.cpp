@@ -64,26 +64,5 @@ TEST(MapDrift, IsSurerThanARobotThatIsVagueAndVaguerThanTheParts) {
   EXPECT_FALSE(drift.isSurerThan(robot(0.3))) << "the parts are vaguer";
 }
 
-TEST(MapDrift, GoesOnWithWhatACorridorHasLeftOfTheRobotsError) {
-  MapDrift drift(0.01, 0.002);
-  drift.restart({});
-  for (int i = 1; i <= 20; ++i)
-    drift.continueWith({Pose2(0.4 * i, 0, 0), 4e-4 * Eigen::Matrix3d::Identity()});
-  EXPECT_GT(drift.covarianceAt(Pose2(8, 0, 0))(0, 0), 20 * 4e-4) << "of each part of the way";
-  drift.restart({});
-  for (int i = 1; i <= 20; ++i)
-    drift.continueWith({Pose2(0.4 * i, 0, 0), 1e-6 * Eigen::Matrix3d::Identity()});
-  EXPECT_NEAR(drift.covarianceAt(Pose2(8, 0, 0))(0, 0), 8 * 1e-4, 1e-5) << "as of add()";
-}
-
-TEST(MapDrift, ARobotThatTurnsOnTheSpotIsAsSureAtItsOldPartsAsBefore) {
-  MapDrift drift(0.01, 0.002);
-  drift.restart({});
-  for (int i = 1; i <= 20; ++i)
-    drift.continueWith({Pose2(8, 0, 0.3 * i), 1e-6 * Eigen::Matrix3d::Identity()});
-  EXPECT_NEAR(drift.covarianceAt(Pose2(0, 0, 0))(0, 0), 0.0, 1e-9) << "where the map starts";
-  EXPECT_NEAR(drift.covarianceAt(Pose2(8, 0, 0))(0, 0), 8 * 1e-4, 1e-5);
-}
-
 }  // namespace
 }  // namespace slam::scan_matching
