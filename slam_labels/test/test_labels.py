@@ -127,11 +127,13 @@ class File(unittest.TestCase):
                                 ("{id: 9223372036854775808, label: a}", "no whole number"),
                                 ("{x: .nan, y: 1, label: a}", "finite numbers"),
                                 ("{x: a, y: 1, label: a}", "finite numbers"),
+                                (f"{{x: 1{'0' * 400}, y: 1, label: a}}", "finite numbers"),
                                 ("{id: 1, x: 1, label: a}", "finite numbers")):
             self.assertIn(sentence, self.refusal(f"version: 1\nlandmarks: [{entry}]"), entry)
 
     def test_refuses_what_cannot_be_read_or_written(self):
-        self.assertIn("cannot be read", self.refusal("landmarks: ["))
+        for text in ("landmarks: [", "landmarks: 2024-13-45", "[" * 10000):
+            self.assertIn("cannot be read", self.refusal(text))
         self.path.unlink()
         with self.assertRaisesRegex(LabelError, "no such file"):
             file.read(self.path)
