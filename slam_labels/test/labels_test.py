@@ -15,6 +15,8 @@ from std_srvs.srv import Trigger
 from visualization_msgs.msg import MarkerArray
 import yaml
 
+LARGE = 2**40  # an id that a marker cannot have
+
 
 class LandmarkLabelsNode(unittest.TestCase):
     def setUp(self):
@@ -30,7 +32,7 @@ class LandmarkLabelsNode(unittest.TestCase):
         self.labels = dict(zip(message.ids, message.labels))
 
     def take_markers(self, message):
-        self.markers = [(marker.id, marker.text) for marker in message.markers[1:]]
+        self.markers = [marker.text for marker in message.markers[1:]]
 
     def see(self, **places):
         message = LandmarkMap()
@@ -41,9 +43,10 @@ class LandmarkLabelsNode(unittest.TestCase):
 
     def expect(self, labels):
         end = time.monotonic() + 20
-        while time.monotonic() < end and (self.labels, self.markers) != (labels, list(labels.items())):
+        expected = labels, list(labels.values())
+        while time.monotonic() < end and (self.labels, self.markers) != expected:
             time.sleep(0.05)
-        self.assertEqual((self.labels, self.markers), (labels, list(labels.items())))
+        self.assertEqual((self.labels, self.markers), expected)
 
     def test_keeps_labels(self):
         self.assertIn("there are: none yet", self.label(1, "a").message)
@@ -55,8 +58,8 @@ class LandmarkLabelsNode(unittest.TestCase):
         self.assertFalse(refused.success)
         self.assertIn("called 'door' already", refused.message)
         self.assertIn("there is no landmark 9", self.label(9, "x").message)
-        self.see(_1=(0, 0), _8=(2.2, 0), _4=(5, 1))  # 3 and 8 were the same
-        self.expect({1: "desk", 4: "extinguisher", 8: "door"})
+        self.see(_1=(0, 0), **{f"_{LARGE}": (2.2, 0)}, _4=(5, 1))  # it and 3 were the same
+        self.expect({1: "desk", 4: "extinguisher", LARGE: "door"})
         self.expect_saved()
 
     def expect_saved(self):
@@ -66,7 +69,7 @@ class LandmarkLabelsNode(unittest.TestCase):
         self.assertIn(str(path), answer.message)
         saved = yaml.safe_load(path.read_text(encoding="utf-8"))["landmarks"]
         self.assertEqual({entry["id"]: entry["label"] for entry in saved},
-                         {1: "desk", 4: "extinguisher", 8: "door"})
+                         {1: "desk", 4: "extinguisher", LARGE: "door"})
 
 
 if __name__ == "__main__":

@@ -51,6 +51,14 @@ class WhileTheMapChanges(unittest.TestCase):
                                 "called 'gate'"])
         self.assertEqual(labels.of_map(), {3: "gate"})
 
+    def test_says_where_an_id_may_be_that_of_another_landmark(self):
+        labels = Labels([Label("door", 2, (9.0, 0.0)), Label("gate", 3, (2.6, 0.1))])
+        self.assertEqual(labels.update(MAP), [
+            "the label 'door' goes with landmark 2, which is 7.0 m from the label's last place: if "
+            "this is another landmark, take the ids out of the file"])
+        self.assertEqual(labels.of_map(), {2: "door", 3: "gate"})
+        self.assertEqual(labels.update({**MAP, 3: (7.0, 7.0)}), [])  # the map was corrected
+
     def test_nearer_ones_come_first_whatever_the_order(self):
         first, second = Label("door", None, (2.2, 0.0)), Label("gate", None, (2.45, 0.1))
         for order in ([first, second], [second, first]):
@@ -127,11 +135,13 @@ class File(unittest.TestCase):
                                 ("{id: 9223372036854775808, label: a}", "no whole number"),
                                 ("{x: .nan, y: 1, label: a}", "finite numbers"),
                                 ("{x: a, y: 1, label: a}", "finite numbers"),
+                                (f"{{x: 1{'0' * 400}, y: 1, label: a}}", "finite numbers"),
                                 ("{id: 1, x: 1, label: a}", "finite numbers")):
             self.assertIn(sentence, self.refusal(f"version: 1\nlandmarks: [{entry}]"), entry)
 
     def test_refuses_what_cannot_be_read_or_written(self):
-        self.assertIn("cannot be read", self.refusal("landmarks: ["))
+        for text in ("landmarks: [", "landmarks: 2024-13-45", "[" * 10000):
+            self.assertIn("cannot be read", self.refusal(text))
         self.path.unlink()
         with self.assertRaisesRegex(LabelError, "no such file"):
             file.read(self.path)

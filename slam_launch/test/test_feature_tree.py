@@ -220,11 +220,16 @@ class Drawn(Tree):
             self.assertTrue(svg.read_text(encoding="utf-8").startswith("<?xml"))
             self.assertTrue(png.read_bytes().startswith(b"\x89PNG"))
             missing = pathlib.Path(folder) / "no" / "tree.svg"
+            wrong = pathlib.Path(folder) / "wrong.yaml"
+            shipped = products.find("ekf_wheel", self.model).path
+            wrong.write_text(f"{shipped.read_text(encoding='utf-8')}\nekf:\n  filter: none\n",
+                             encoding="utf-8")
             for words, code, sentence in (
                     (("--svg", svg), 2, "--svg and --png go with --tree"),
                     (("--tree", "--svg", png), 2, "ends with .svg"),
                     (("--tree", "--diagram", "ekf_wheel"), 2, "one at a time"),
                     (("--tree", "ekf_whel"), 1, "did you mean 'ekf_wheel'"),
+                    (("--tree", wrong), 1, "'none' is not one of: extended, unscented"),
                     (("--tree", "--svg", missing), 1, "cannot write")):
                 done = call(program, *words)
                 self.assertEqual(done.returncode, code, words)

@@ -31,7 +31,7 @@ def read(path):
         if not path.is_file():
             raise LabelError(f"{path}: there is no such file of labels")
         document = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+    except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:  # no such date, too deep
         reason = " ".join(str(error).split())
         raise LabelError(f"{path}: the labels cannot be read: {reason}") from error
     if not isinstance(document, dict) or set(document) != {"version", "landmarks"}:
@@ -69,9 +69,17 @@ def place_of(where, entry):
         return None
     place = tuple(entry.get(axis) for axis in ("x", "y"))
     for value in place:
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        if not is_finite(value):
             raise LabelError(f"{where}: x and y are not two finite numbers [m]")
     return tuple(map(float, place))
+
+
+def is_finite(value):
+    """Whether a value of a file or a parameter is a number that a float can be."""
+    try:
+        return type(value) in (int, float) and math.isfinite(value)
+    except OverflowError:  # an int of hundreds of digits
+        return False
 
 
 def require_one_each(path, labels):

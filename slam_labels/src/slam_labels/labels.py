@@ -25,7 +25,8 @@ class Labels:
 
     A label goes with its landmark's id while that is in the map. When the id has gone, as where two
     landmarks were merged, it goes to the landmark nearest to its last place, within a radius [m]; so
-    does a label that was given by a position. Where none is there it waits for its id or place.
+    does a label that was given by a position. Where none is there the one waits for its id to come
+    back, the other for a landmark at its position.
     """
 
     def __init__(self, labels=(), radius=1.0):
@@ -34,14 +35,24 @@ class Labels:
 
     def update(self, landmarks):
         """Takes the map, {id: (x, y)}; returns sentences on labels that cannot be kept."""
-        homeless = []
+        homeless, sentences = [], []
         for label in self.all:
             was_bound, label.is_bound = label.is_bound, label.id in landmarks
             if label.is_bound:
+                if not was_bound:
+                    sentences += self._far_from_file(label, landmarks[label.id])
                 label.place = landmarks[label.id]
             elif label.place is not None and (was_bound or label.id is None):
                 homeless.append(label)
-        return self._bind_by_place(homeless, landmarks)
+        return sentences + self._bind_by_place(homeless, landmarks)
+
+    def _far_from_file(self, label, place):
+        """Ids that are numbers of a run's own mean other landmarks in another one."""
+        if label.place is None or math.dist(label.place, place) <= self.radius:
+            return []
+        return [f"the label '{label.text}' goes with landmark {label.id}, which is "
+                f"{math.dist(label.place, place):.1f} m from the label's last place: if this is "
+                "another landmark, take the ids out of the file"]
 
     def _bind_by_place(self, homeless, landmarks):
         """The nearest pairs come first; a landmark has one label."""

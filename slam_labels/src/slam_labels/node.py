@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The node landmark_labels: the map's landmarks in, their labels out."""
+import pathlib
 import sys
 import threading
 
@@ -21,8 +22,9 @@ class LandmarkLabelsNode:
     """Raises LabelError where the file cannot be used."""
 
     def __init__(self, labels, save, radius):
-        if not radius > 0:
-            raise LabelError(f"radius is {radius}; it has to be larger than 0 m")
+        """labels, save: paths, or empty; radius: [m]."""
+        if not (file.is_finite(radius) and radius > 0):
+            raise LabelError(f"radius is {radius}; it has to be a number larger than 0 m")
         self._lock = threading.Lock()
         self._labels = Labels(file.read(file.path_of(labels)) if labels else [], radius)
         self._save_to = save
@@ -51,12 +53,14 @@ class LandmarkLabelsNode:
         named = self._labels.of_map()
         self._labels_out.publish(LandmarkLabels(self._header, list(named), list(named.values())))
         markers = [Marker(header=self._header, action=Marker.DELETEALL)]
-        markers += [self._marker(identity, text) for identity, text in named.items()]
+        markers += [self._marker(number, identity, text)
+                    for number, (identity, text) in enumerate(named.items())]
         self._markers_out.publish(MarkerArray(markers))
 
-    def _marker(self, identity, text):
+    def _marker(self, number, identity, text):
+        """number: of the marker, whose id has 32 bits; that of a landmark has 64."""
         x, y = self._landmarks[identity]
-        marker = Marker(header=self._header, ns="label", id=identity, text=text,
+        marker = Marker(header=self._header, ns="label", id=number, text=text,
                         type=Marker.TEXT_VIEW_FACING, action=Marker.ADD)
         marker.pose.position.x, marker.pose.position.y = x + BESIDE, y - TEXT_HEIGHT
         marker.pose.position.z, marker.pose.orientation.w = 0.1, 1.0
@@ -94,11 +98,17 @@ class LandmarkLabelsNode:
             self.save()
 
 
+def path_from(name):
+    """The path that a parameter means, or none: a relative one is seen from ~folder."""
+    path = str(rospy.get_param(name, ""))
+    return pathlib.Path(rospy.get_param("~folder", "").strip()) / path if path else None
+
+
 def main():
     """Runs the node until ROS ends it; returns its exit code."""
     rospy.init_node("landmark_labels")
     try:
-        node = LandmarkLabelsNode(rospy.get_param("~labels", ""), rospy.get_param("~save", ""),
+        node = LandmarkLabelsNode(path_from("~labels"), path_from("~save"),
                                   rospy.get_param("~radius", 1.0))
         rospy.spin()
         node.end()
