@@ -63,6 +63,7 @@ Explorer::Explorer(const ActivePathConfig& config)
 Decision Explorer::decide(Stamp now, const OccupancyGrid& map, const PoseEstimate& pose) {
   if (last_ && now < *last_) reset();
   last_ = now;
+  if (is_explored_) return Decision{Decision::State::kExplored, {}, {}, false, {}, {}, {}};
   const auto waiting = [](const std::string& sentence) {
     return Decision{Decision::State::kWaiting, Status::warning(sentence), {}, false, {}, {}, {}};
   };
@@ -70,7 +71,6 @@ Decision Explorer::decide(Stamp now, const OccupancyGrid& map, const PoseEstimat
     return waiting("the map cannot be explored: " + fault + "; waiting for another one");
   if (const auto fault = faultOf(pose); !fault.empty())
     return waiting("the pose cannot be used: " + fault + "; waiting for another one");
-  if (is_explored_) return Decision{Decision::State::kExplored, {}, {}, false, {}, {}, {}};
   const FreeSpace space(map, config_.robot_radius);
   const auto start = startOf(space, pose.pose.position(), config_.robot_radius);
   if (!start)
