@@ -9,7 +9,7 @@ from nav_msgs.msg import Path
 import rospy
 
 AHEAD = 0.3                # of the robot on the way, where it steers to [m]
-SPEED, TURN = 0.25, 0.8    # at most [m/s], [rad/s]
+TURN = 0.8                 # at most [rad/s]
 STRAIGHT = 0.4             # it turns on the spot when the way is farther off its heading [rad]
 
 
@@ -21,8 +21,9 @@ def wrapped(angle):
     return math.remainder(angle, 2.0 * math.pi)
 
 
-def steering(pose, way):
-    """Returns the (speed [m/s], turn [rad/s]) for a pose (x, y, heading) and the points of a way."""
+def steering(pose, way, speed):
+    """Returns the (speed [m/s], turn [rad/s]) for a pose (x, y, heading) and the points of a way.
+    speed: at most [m/s]."""
     if not way:
         return 0.0, 0.0
     distances = [math.hypot(x - pose[0], y - pose[1]) for x, y in way]
@@ -32,13 +33,14 @@ def steering(pose, way):
         return 0.0, 0.0
     off = wrapped(math.atan2(way[ahead][1] - pose[1], way[ahead][0] - pose[0]) - pose[2])
     turn = max(-TURN, min(TURN, 2.0 * off))
-    return (0.0 if abs(off) > STRAIGHT else min(SPEED, distances[-1])), turn
+    return (0.0 if abs(off) > STRAIGHT else min(speed, distances[-1])), turn
 
 
 class Follower:
     """Follows `active_path/way` by `pose`, and remembers where it has been."""
 
-    def __init__(self):
+    def __init__(self, speed):
+        self.speed = speed
         self.way, self.driven = [], []
         self.command = rospy.Publisher("cmd_vel", Twist, queue_size=1)
         self.subscribers = [
@@ -53,5 +55,5 @@ class Follower:
         here = pose.position.x, pose.position.y, heading_of(pose.orientation)
         self.driven.append(here)
         command = Twist()
-        command.linear.x, command.angular.z = steering(here, self.way)
+        command.linear.x, command.angular.z = steering(here, self.way, self.speed)
         self.command.publish(command)
