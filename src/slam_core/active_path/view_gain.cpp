@@ -11,6 +11,8 @@
 namespace slam::active_path {
 namespace {
 
+constexpr double kMostCells = 5000.0;  // of a beam, so that memory is bounded
+
 double binaryEntropy(double p) {
   if (p <= 0.0 || p >= 1.0) return 0.0;
   return -p * std::log2(p) - (1.0 - p) * std::log2(1.0 - p);
@@ -71,9 +73,9 @@ class CellWalk {
 ViewGain::ViewGain(const FreeSpace& space, const Sensor& sensor)
     : space_(space),
       sensor_(sensor),
-      margin_(static_cast<std::int64_t>(sensor.range / space.grid().resolution) + 1),
-      width_(space.grid().width + 2 * margin_),
-      seen_(static_cast<std::size_t>(width_ * (space.grid().height + 2 * margin_)), 0) {
+      range_(std::min(sensor.range / space.grid().resolution, kMostCells)),
+      reach_(static_cast<std::int64_t>(range_) + 1),
+      seen_(static_cast<std::size_t>((2 * reach_ + 1) * (2 * reach_ + 1)), 0) {
   for (int percent = 0; percent <= 100; ++percent)
     entropy_.push_back(binaryEntropy(percent / 100.0));
 }
@@ -89,17 +91,17 @@ View ViewGain::at(Cell viewpoint) {
 /// The gain of one beam [bit m^2].
 double ViewGain::cast(Cell from, double angle) {
   const auto& grid = space_.grid();
-  CellWalk walk(from % grid.width, from / grid.width, angle);
-  const double range = sensor_.range / grid.resolution;
+  const std::int64_t left = from % grid.width - reach_, bottom = from / grid.width - reach_;
+  CellWalk walk(left + reach_, bottom + reach_, angle);
   double gain = 0.0, in_unknown = 0.0;
-  for (double way = walk.advance(); way < range;) {
+  for (double way = walk.advance(); way < range_;) {
     const auto x = walk.x(), y = walk.y();
     const bool is_inside = x >= 0 && y >= 0 && x < grid.width && y < grid.height;
     const auto cell = is_inside ? static_cast<Cell>(y * grid.width + x) : Cell{0};
     if (is_inside && space_.isOccupied(cell)) break;
     const double next = walk.advance();
     if (!is_inside || !space_.isKnown(cell)) {
-      const auto place = static_cast<std::size_t>((y + margin_) * width_ + x + margin_);
+      const auto place = static_cast<std::size_t>((y - bottom) * (2 * reach_ + 1) + x - left);
       const bool is_first = std::exchange(seen_[place], view_) != view_;
       const double survival = std::exp(-in_unknown / sensor_.unknown_way);
       if (is_first)

@@ -23,7 +23,7 @@ struct View {
 class ViewGain {
  public:
   struct Sensor {
-    double range;          ///< [m]
+    double range;          ///< [m], at most 5000 cells count
     double field_of_view;  ///< [rad]
     int rays;              ///< around the whole circle
     double unknown_way;    ///< [m]
@@ -42,10 +42,11 @@ class ViewGain {
   const FreeSpace& space_;
   Sensor sensor_;
   std::vector<double> entropy_;  ///< by percent [bit]
-  /// The product's grids end where nothing was seen yet: beams go on beyond, so many cells far.
-  std::int64_t margin_;
-  std::int64_t width_;               ///< of the grid with its margins
-  std::vector<std::uint32_t> seen_;  ///< by which view a cell was counted last, with margins
+  double range_;                 ///< of a beam [cells]
+  std::int64_t reach_;           ///< a square so many cells to each side holds a view
+  /// By which view a cell was counted last, of the square around the viewpoint: grids end where
+  /// nothing was seen yet, and beams go on beyond.
+  std::vector<std::uint32_t> seen_;
   std::uint32_t view_ = 0;
 };
 
