@@ -92,7 +92,8 @@ std::vector<Frontier> frontiersOf(const FreeSpace& space, const Ways& ways, doub
     frontier.cells = takePiece(space, cell, most, open);
     if (static_cast<double>(frontier.cells.size()) * resolution < min_length) continue;
     frontier.middle = middleOf(space, frontier.cells);
-    frontier.viewpoint = viewpoints[frontier.middle];
+    frontier.viewpoint = ways.before(viewpoints[frontier.middle], space.centre(frontier.middle),
+                                     robot_radius + resolution);
     frontiers.push_back(std::move(frontier));
   }
   return frontiers;

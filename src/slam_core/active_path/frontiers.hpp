@@ -13,12 +13,14 @@ namespace slam::active_path {
 struct Frontier {
   std::vector<Cell> cells;  ///< free ones beside the unknown, next to one another
   Cell middle = 0;          ///< the one nearest to their mean
-  Cell viewpoint = 0;       ///< reached cell from which `middle` is the nearest through free cells
+  Cell viewpoint = 0;       ///< where the robot comes near to `middle`, a radius before it
 };
 
 /// The frontiers that the robot can come near to: free cells lead from a reached cell to them
 /// within three radii. What lies behind a wall, or far behind a door too narrow for the robot, is
-/// none. Long frontiers are cut into pieces of about a metre.
+/// none. Long frontiers are cut into pieces of about a metre. The viewpoint of each is on the way
+/// to the reached cell that is the nearest through free cells, so far back that the robot does not
+/// stand in the unknown.
 /// @param min_length shorter pieces are left out [m]
 std::vector<Frontier> frontiersOf(const FreeSpace& space, const Ways& ways, double robot_radius,
                                   double min_length);

@@ -86,4 +86,10 @@ std::vector<Eigen::Vector2d> Ways::to(Cell cell) const {
   return way;
 }
 
+Cell Ways::before(Cell cell, const Eigen::Vector2d& place, double distance) const {
+  while (cost_[cell] > 0.0F && (space_.centre(cell) - place).norm() < distance)
+    cell = previous_[cell];
+  return cell;
+}
+
 }  // namespace slam::active_path

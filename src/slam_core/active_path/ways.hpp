@@ -29,6 +29,9 @@ class Ways {
   double cost(Cell cell) const { return cost_[cell]; }  ///< [m], of a cell that is reached
   /// From the start to a cell that is reached, cell by cell, both included [m].
   std::vector<Eigen::Vector2d> to(Cell cell) const;
+  /// The last cell on the way to a cell that is reached that is at least `distance` from a place
+  /// [m]; the start where there is none.
+  Cell before(Cell cell, const Eigen::Vector2d& place, double distance) const;
 
  private:
   static constexpr float kUnreached = std::numeric_limits<float>::infinity();

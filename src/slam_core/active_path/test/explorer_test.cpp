@@ -70,6 +70,13 @@ TEST(Explorer, GoesToTheNearerOfTwoEqualFrontiers) {
   EXPECT_GT(decision.candidates.size(), 1U);
 }
 
+TEST(Explorer, StandsBackFromTheUnknownByItsRadius) {
+  Explorer explorer(config());
+  const auto decision = explorer.decide(at(0), corridor(12.0), pose(4.0, 2.0));
+  ASSERT_TRUE(decision.goal);
+  EXPECT_GE(decision.goal->pose.x(), 1.0 + config().robot_radius);
+}
+
 TEST(Explorer, GoesFartherWhereMoreIsGainedPerMetre) {
   auto map = corridor(12.0);
   paint(map, 0.4, 1.0, 0.5, 3.0, 100);  // little is left to see in the west
