@@ -57,7 +57,7 @@ void describeLoops(Fields& fields, ActivePathConfig& config) {
   fields
       .add("max_sigma", &config.max_sigma,
            "standard deviation of the position beyond which a place seen before is the goal, until "
-           "it is below half of it")
+           "it is below half of it; each way back raises it by half")
       .unit("m")
       .in(Range::above(0));
   fields

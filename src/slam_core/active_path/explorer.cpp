@@ -56,7 +56,8 @@ struct Explorer::Scene {
 
 Explorer::Explorer(const ActivePathConfig& config)
     : config_(config),
-      left_out_(config.left_out_radius, durationFromSeconds(config.left_out_time)) {
+      left_out_(config.left_out_radius, durationFromSeconds(config.left_out_time)),
+      max_sigma_(config.max_sigma) {
   validate(config);
 }
 
@@ -89,11 +90,14 @@ Decision Explorer::decide(Stamp now, const OccupancyGrid& map, const PoseEstimat
 }
 
 /// Begins to close a loop above the bound and stops below half of it, so that the robot does not
-/// turn round between the two.
+/// turn round between the two. Each way back raises the bound: where it has not made the places
+/// beyond more certain, the robot would go to and fro for ever.
 void Explorer::watchPosition(double sigma) {
+  constexpr double kRise = 1.5;
   const bool was_closing = is_closing_;
-  is_closing_ = sigma > config_.max_sigma || (is_closing_ && sigma >= 0.5 * config_.max_sigma);
+  is_closing_ = sigma > max_sigma_ || (is_closing_ && sigma >= 0.5 * max_sigma_);
   if (was_closing != is_closing_) kept_.reset();
+  if (was_closing && !is_closing_) max_sigma_ *= kRise;
 }
 
 /// Gives the last goal up where there is a reason to.
@@ -156,7 +160,7 @@ void Explorer::close(Scene& scene) {
 std::optional<Goal> Explorer::bestPlace(const Scene& scene) const {
   std::optional<Goal> best;
   for (const auto& place : visited_.all()) {
-    const bool is_certain = place.sigma <= 0.5 * config_.max_sigma;
+    const bool is_certain = place.sigma <= 0.5 * max_sigma_;
     const bool is_left = visited_.wayDriven() - place.way >= config_.loop_distance;
     if (!is_certain || !is_left || !scene.reaches(place.position) ||
         left_out_.contains(place.position, scene.now))
@@ -230,6 +234,7 @@ void Explorer::resume() {
 void Explorer::reset() {
   resume();
   visited_ = {};
+  max_sigma_ = config_.max_sigma;
   is_closing_ = false;
   last_.reset();
 }

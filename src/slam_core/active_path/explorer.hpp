@@ -86,6 +86,7 @@ class Explorer {
   Counters counters_;
   std::optional<Kept> kept_;
   std::optional<Stamp> last_;  ///< decision
+  double max_sigma_;           ///< of the position, in force [m]
   bool is_closing_ = false, is_explored_ = false;
 };
 

@@ -254,6 +254,15 @@ TEST(Explorer, GoesBackToAPlaceThatItKnowsWhenUncertain) {
   EXPECT_FALSE(certain.goal->closes_loop);
 }
 
+TEST(Explorer, DoesNotGoToAndFroWhereGoingBackDoesNotHelp) {
+  Explorer explorer(config());
+  const auto map = corridor(16.0);
+  ASSERT_EQ(driveUntil(explorer, map, 10.0, 0.4).state, State::kClosingLoop);
+  ASSERT_EQ(explorer.decide(at(100), map, pose(7.0, 2.0, 0.1)).state, State::kExploring);
+  EXPECT_EQ(explorer.decide(at(110), map, pose(10.0, 2.0, 0.4)).state, State::kExploring);
+  EXPECT_EQ(explorer.decide(at(120), map, pose(12.0, 2.0, 0.5)).state, State::kClosingLoop);
+}
+
 TEST(Explorer, ExploresOnWhereNoPlaceIsKnown) {
   Explorer explorer(config());
   const auto decision = explorer.decide(at(0), corridor(12.0), pose(4.0, 2.0, 1.0));
