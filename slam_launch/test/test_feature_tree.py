@@ -105,6 +105,11 @@ class Whole(Tree):
         self.assertEqual(node.state, EXCLUDED)
         self.assertIn("no landmarks", node.notes[0])
 
+    def test_the_active_path_goes_with_products_that_make_a_grid(self):
+        name = "slam_active/launch/active.launch"
+        self.assertEqual(self.instance("scan_grid")[name].state, "")
+        self.assertEqual(self.instance("ekf_wheel")[name].state, EXCLUDED)
+
     def test_says_what_a_feature_needs(self):
         node = next(node for node in nodes_of(self.root) if node.name == "detector=laser_lines")
         self.assertTrue(any("goes with backend=ekf" in note for note in node.notes))

@@ -8,13 +8,14 @@ import unittest
 from doc_commands import packages, REPO
 
 STRUCT = re.compile(r"^struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
-FIELD = re.compile(r'\.add\(\s*"(\w+)",\s*&(\w+)')
+FIELD = re.compile(r'\.add\(\s*"(\w+)",\s*&(?:\w+\.)?(\w+)')
 NESTED = re.compile(r"\b(\w+)\.describe\(fields\)")
 READ = re.compile(r"parametersFromRos<(?:\w+::)?(\w+)>\(")
 TABLE = re.compile(r"(?:Private parameters.*:\n\n\| name|\| parameter of the nodelet) \| default \|"
                    r".*\n\|---.*\n((?:\|.*\n)+)")
 ROW = re.compile(r"^\| `~?(\w+)` \| ([^|]*)\|", re.MULTILINE)
 ROS = REPO / "src" / "slam_ros"  # what it brings serves the other packages as well
+CORE = REPO / "src" / "slam_core"
 
 
 def sources(folder):
@@ -25,6 +26,17 @@ def sources(folder):
 
 def structs(folder):
     return {name: body for text in sources(folder) for name, body in STRUCT.findall(text)}
+
+
+def core_structs():
+    """Returns the settings of components, with the source that describes them."""
+    found = {}
+    for path in CORE.glob("*/*_config.hpp"):
+        source = path.with_suffix(".cpp")
+        described = source.read_text(encoding="utf-8") if source.exists() else ""
+        for name, body in STRUCT.findall(path.read_text(encoding="utf-8")):
+            found[name] = body + described
+    return found
 
 
 def parameters(name, known):
@@ -47,7 +59,7 @@ def default_of(member, body):
 def read_by(folder):
     """Returns the defaults of all private parameters of a package's nodelets; one that several of
     them read has several."""
-    known = {**structs(ROS), **structs(folder)}
+    known = {**core_structs(), **structs(ROS), **structs(folder)}
     found = {}
     for name in {name for text in sources(folder) for name in READ.findall(text)} & set(known):
         for key, default in parameters(name, known).items():
