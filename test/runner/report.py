@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Counts what tests say: a line for each, those that need attention at the end."""
 
+import os
 import re
 import threading
 import time
@@ -37,7 +38,7 @@ class Report:
         cases, failed = attempt(name, command, read_cases, log, options)
         if failed and BROKEN_TRACER in log.read_text(errors="replace"):
             self.skip(f"{name}: leaks", "the sanitizer's search for them crashed")
-            options["env"] = {**options["env"], **NO_LEAKS}
+            options["env"] = {**(options.get("env") or os.environ), **NO_LEAKS}
             cases, failed = attempt(name, command, read_cases, log, options)
         elif failed and live:
             self.write(f"{name} ... failed, once more", log)
