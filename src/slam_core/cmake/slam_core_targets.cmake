@@ -14,9 +14,7 @@ function(slam_core_target target)
     target_compile_options(${target} PUBLIC -fsanitize=address,undefined
                            -fno-sanitize=null,object-size,alignment,vptr,pointer-overflow
                            -fno-sanitize=nonnull-attribute,returns-nonnull-attribute
-                           -fno-sanitize-recover=undefined -fno-omit-frame-pointer
-                           # GCC sees uninitialised values where there are none, once sanitizers are in
-                           PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+                           -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
   if(SLAM_FUZZ)
