@@ -16,12 +16,12 @@
 #include <string>
 
 #include "decision_publisher.hpp"
-#include "grid_message.hpp"
 #include "nodelet_config.hpp"
 #include "slam_core/active_path/explorer.hpp"
 #include "slam_ros/after_load.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/diagnostics.hpp"
+#include "slam_ros/grid_publisher.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/rate_limit.hpp"
@@ -97,13 +97,13 @@ class ExplorerNodelet : public nodelet::Nodelet {
   }
 
   void onMap(const nav_msgs::OccupancyGrid& message) {
-    if (isTurned(message)) {
+    if (slam_ros::isTurned(message)) {
       diagnostics_->warn(
           "map: the map's origin is turned or no number; its axes must be those of "
           "the map frame: it is left out");
       return;
     }
-    map_ = gridOf(message);
+    map_ = slam_ros::fromMsg(message);
     map_frame_ = slam_ros::frameId(message.header.frame_id);
   }
 

@@ -3,6 +3,7 @@
 
 #include "slam_ros/grid_publisher.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "slam_ros/conversions.hpp"
@@ -22,6 +23,21 @@ nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp
   message.info.origin.orientation.w = 1.0;
   message.data = grid.cells;
   return message;
+}
+
+slam::OccupancyGrid fromMsg(const nav_msgs::OccupancyGrid& message) {
+  slam::OccupancyGrid grid;
+  grid.resolution = message.info.resolution;
+  grid.origin = fromMsg(message.info.origin).position();
+  grid.width = message.info.width;
+  grid.height = message.info.height;
+  grid.cells = message.data;
+  return grid;
+}
+
+bool isTurned(const nav_msgs::OccupancyGrid& message) {
+  const auto origin = fromMsg(message.info.origin);
+  return !origin.isFinite() || std::abs(origin.theta()) > 1e-6;
 }
 
 GridPublisher::GridPublisher(ros::NodeHandle handle, const slam::GridMapper& mapper,

@@ -8,6 +8,7 @@
 
 #include "slam_core/models/motion.hpp"
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/grid_publisher.hpp"
 
 namespace slam_ros {
 namespace {
@@ -24,24 +25,13 @@ std::string faultOf(const nav_msgs::SetMap::Request& request, const std::string&
     return "the map's resolution is no length";
   if (map.data.empty() || map.data.size() != std::size_t{map.info.width} * map.info.height)
     return "the map has not as many cells as its width times its height";
-  const auto origin = fromMsg(map.info.origin);
-  if (!origin.isFinite() || std::abs(origin.theta()) > 1e-6)
+  if (isTurned(map))
     return "the map's origin is turned or no number; its axes must be those of the map frame";
   const auto pose = fromMsg(request.initial_pose);
   if (!pose.pose.isFinite() || !slam::isCovariance(pose.covariance))
     return "the initial pose is no number or its covariance of (x, y, yaw) is not positive "
            "definite";
   return "";
-}
-
-slam::OccupancyGrid gridOf(const nav_msgs::OccupancyGrid& message) {
-  slam::OccupancyGrid grid;
-  grid.resolution = message.info.resolution;
-  grid.origin = fromMsg(message.info.origin).position();
-  grid.width = message.info.width;
-  grid.height = message.info.height;
-  grid.cells = message.data;
-  return grid;
 }
 
 }  // namespace
@@ -74,7 +64,7 @@ bool LocalisationServices::setMap(nav_msgs::SetMap::Request& request,
   if (const auto fault = faultOf(request, map_frame_); !fault.empty())
     status = Status::error(fault + "; it is left out");
   else
-    status = actions_.set_map({fromMsg(request.initial_pose), {}, {}, gridOf(request.map)});
+    status = actions_.set_map({fromMsg(request.initial_pose), {}, {}, fromMsg(request.map)});
   actions_.report("set_map", status);
   response.success = status.level != Status::Level::kError;
   return true;

@@ -20,6 +20,10 @@ namespace slam_ros {
 /// The row-major cells as they are; the axes are those of the map frame.
 nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp,
                               const std::string& frame);
+/// @pre the grid is not turned
+slam::OccupancyGrid fromMsg(const nav_msgs::OccupancyGrid& message);
+/// Whether the grid's axes are not those of its frame, or its origin is no number.
+bool isTurned(const nav_msgs::OccupancyGrid& message);
 
 /// `map` and `map_metadata` (latched) and the services `dynamic_map` and `static_map`, as gmapping
 /// and map_server have them. The filter's thread copies the grid, while somebody looks and when it
