@@ -45,7 +45,7 @@ class LineTransform {
     }
   }
 
-  /// Where the parabolas of two cells meet.
+  /// Returns where the parabolas of two cells meet.
   double meetingOf(std::size_t right, std::size_t left) const {
     const auto r = static_cast<double>(right), l = static_cast<double>(left);
     return (values_[right] + r * r - values_[left] - l * l) / (2.0 * (r - l));

@@ -44,8 +44,9 @@ class ViewGain {
   std::vector<double> entropy_;  ///< by percent [bit]
   double range_;                 ///< of a beam [cells]
   std::int64_t reach_;           ///< a square so many cells to each side holds a view
-  /// By which view a cell was counted last, of the square around the viewpoint: grids end where
-  /// nothing was seen yet, and beams go on beyond.
+  /// Each cell of the square around the viewpoint holds the number of the view that counted it
+  /// last. The square goes beyond the grid, which ends where nothing was seen yet: beams go on
+  /// there.
   std::vector<std::uint32_t> seen_;
   std::uint32_t view_ = 0;
 };

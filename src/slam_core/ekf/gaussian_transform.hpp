@@ -30,10 +30,10 @@ struct ObservedLandmark {
   const LandmarkObservation& z;
 };
 
-/// How a Gaussian passes through the models of motion and observation. It delivers what the algebra
-/// on the covariance takes in (predicted mean, F and Q, H and R), so that this algebra is the same
-/// for all. Which error the covariance describes, and so in which directions nothing can be
-/// observed, says the linearisation.
+/// It passes a Gaussian through the models of motion and observation: it delivers the predicted
+/// mean, F and Q, H and R, which are all that the algebra on the covariance takes in, so that this
+/// algebra is the same for all. The linearisation says which error the covariance describes, and
+/// thereby in which directions nothing can be observed.
 class GaussianTransform {
  public:
   virtual ~GaussianTransform() = default;
@@ -50,7 +50,7 @@ class GaussianTransform {
                                            const PoseEstimate& robot) const = 0;
 };
 
-/// By Jacobians, the first term of Taylor's series: the extended Kalman filter.
+/// It takes Jacobians, the first term of Taylor's series: this is the extended Kalman filter.
 class TaylorTransform final : public GaussianTransform {
  public:
   RobotTransition predict(const Linearization& linearization, const PoseEstimate& robot,

@@ -7,11 +7,11 @@
 
 namespace slam::ekf {
 
-/// By sigma points (Julier, Uhlmann 2004) and statistical linear regression (Lefebvre, Bruyninckx,
-/// De Schutter 2002) over what a step involves: the unscented Kalman filter of Huang, Mourikis,
-/// Roumeliotis 2013, whose cost in the size of the map is that of the extended one. What the
-/// regression leaves unexplained is added to the noise. The error of a sigma point is that of the
-/// linearisation: it moves the estimate as a correction would.
+/// It takes sigma points (Julier, Uhlmann 2004) and statistical linear regression (Lefebvre,
+/// Bruyninckx, De Schutter 2002) over what a step involves: the unscented Kalman filter of Huang,
+/// Mourikis, Roumeliotis 2013, whose cost in the size of the map is that of the extended one. What
+/// the regression leaves unexplained is added to the noise. The error of a sigma point is that of
+/// the linearisation: it moves the estimate as a correction would.
 ///
 /// Regression alone would take some of the error of a direction that cannot be observed for
 /// something that was observed. So it is restricted to those predictors that are zero in these

@@ -15,8 +15,8 @@
 #include "slam_core/models/test/simulated_room.hpp"
 #include "slam_core/product/test/component_driver.hpp"
 
-// What the contracts of odometry sources, detectors and additional modules share. Those of
-// back-ends are in backend_contract.hpp.
+// The contracts of odometry sources, detectors and additional modules share this file. The contract
+// of back-ends is in backend_contract.hpp.
 
 namespace slam::test {
 
@@ -87,6 +87,21 @@ class DrivenComponent {
   RoleVariant variant_;
   std::unique_ptr<Role> component_;
   ComponentDriver inputs_;
+};
+
+/// Components that have to do the same from here on: a new one, and two that were driven elsewhere,
+/// one then reset, the other configured again.
+template <class Role>
+struct RestartedComponents {
+  explicit RestartedComponents(const RoleVariant& variant)
+      : fresh(variant), reset(variant), configured(variant) {
+    reset.run(4, 30);
+    reset->reset();
+    EXPECT_TRUE(reset->counters().all().empty());
+    configured.run(4, 30);
+    configured.configure();
+  }
+  DrivenComponent<Role> fresh, reset, configured;
 };
 
 }  // namespace slam::test

@@ -13,8 +13,8 @@
 #include "slam_core/contract/map_module.hpp"
 #include "slam_core/product/test/driven_component.hpp"
 
-// What every additional module promises that takes in motion, a laser's scans or the back-end's
-// poses. A program that includes this tests those that are linked into it:
+// Every additional module that takes in motion, a laser's scans or the back-end's poses keeps this
+// contract. A program that includes this file tests the modules that are linked into it:
 //   INSTANTIATE_MODULE_CONTRACT(Mine, (std::vector<RoleVariant>{{"mine", "mine"}}));
 
 /// @param variants a vector of RoleVariant
@@ -63,15 +63,10 @@ TEST_P(ModuleContract, SavesTheSameBytesForTheSameInput) {
 }
 
 TEST_P(ModuleContract, IsFreshAfterResetAndAfterConfigure) {
-  Driven fresh(GetParam()), reset(GetParam()), configured(GetParam());
-  reset.run(4, 30);
-  reset->reset();
-  EXPECT_TRUE(reset->counters().all().empty());
-  configured.run(4, 30);
-  configured.configure();
-  for (auto* module : {&fresh, &reset, &configured}) module->run(3, 40);
-  EXPECT_EQ(savedBy(fresh), savedBy(reset));
-  EXPECT_EQ(savedBy(fresh), savedBy(configured));
+  RestartedComponents<MapModule> modules(GetParam());
+  for (auto* module : {&modules.fresh, &modules.reset, &modules.configured}) module->run(3, 40);
+  EXPECT_EQ(savedBy(modules.fresh), savedBy(modules.reset));
+  EXPECT_EQ(savedBy(modules.fresh), savedBy(modules.configured));
 }
 
 TEST_P(ModuleContract, NamesTheFileThatCannotBeWritten) {

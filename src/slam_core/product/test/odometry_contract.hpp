@@ -9,8 +9,8 @@
 #include "slam_core/product/test/covariance_check.hpp"
 #include "slam_core/product/test/driven_component.hpp"
 
-// What every odometry source promises that takes in the wheels' odometry or a laser's scans. A
-// program that includes this tests those that are linked into it:
+// Every odometry source that takes in the wheels' odometry or a laser's scans keeps this contract.
+// A program that includes this file tests the sources that are linked into it:
 //   INSTANTIATE_ODOMETRY_CONTRACT(Mine, (std::vector<RoleVariant>{{"mine", "mine"}}));
 
 /// @param variants a vector of RoleVariant
@@ -78,15 +78,10 @@ TEST_P(OdometryContract, GivesTheSameBitsForTheSameInput) {
 }
 
 TEST_P(OdometryContract, IsFreshAfterResetAndAfterConfigure) {
-  Driven fresh(GetParam()), reset(GetParam()), configured(GetParam());
-  reset.run(4, 30);
-  reset->reset();
-  EXPECT_TRUE(reset->counters().all().empty());
-  configured.run(4, 30);
-  configured.configure();
-  const auto expected = motionsOf(fresh, 3, 40);
-  expectSameBits(expected, motionsOf(reset, 3, 40));
-  expectSameBits(expected, motionsOf(configured, 3, 40));
+  RestartedComponents<OdometrySource> sources(GetParam());
+  const auto expected = motionsOf(sources.fresh, 3, 40);
+  expectSameBits(expected, motionsOf(sources.reset, 3, 40));
+  expectSameBits(expected, motionsOf(sources.configured, 3, 40));
 }
 
 }  // namespace slam::test

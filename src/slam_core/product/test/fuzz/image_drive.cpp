@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <vector>
@@ -82,7 +83,7 @@ class ImageDrive {
     product_.set(odometryAt(now_, pose_));
   }
 
-  /// What the camera would see, unless bytes make something else of it.
+  /// Returns what the camera sees, or what bytes make of it.
   Image seen() {
     Image image{now_, mount_.camera_frame, {}, ""};
     const auto number = static_cast<std::uint64_t>(now_.time_since_epoch().count());
