@@ -87,10 +87,9 @@ def compare_turns(pairs):
     """The Turns of pairs; None where too few say something."""
     values, clearest = [], (0.0, None)
     for pair in pairs:
-        reference = Reference(pair.first)
         x, y, turn = pair.odometry
-        found = [reference.match(pair.second, (x, y * math.copysign(1, k), k * turn))
-                 for k in TURNS]
+        found = Reference(pair.first).matches(pair.second, [
+            (x, y * math.copysign(1, k), k * turn) for k in TURNS])
         best = min(found, key=lambda m: m.error)
         ratio = best.motion[2] / turn
         other = min((m.error for m in found if m.motion[2] * ratio * turn <= 0), default=0.5)

@@ -21,6 +21,7 @@ FLAT = 0.1         # variance across a line over that along it, at most
 # Another match so far away [m, rad] is a rival up to the best error times this, plus this [m].
 AMBIGUOUS = (0.1, 1.15, 0.002)
 LOSS = 0.03        # scale of the robust weight [m]
+FEWEST_IN_GATE = 10  # points that make a step
 
 
 @dataclasses.dataclass(frozen=True)
@@ -41,9 +42,11 @@ class Match:
 
 
 def moved(motion, points):
-    """Points (N x 2) placed by a motion (x, y, turn)."""
-    c, s = math.cos(motion[2]), math.sin(motion[2])
-    return points @ np.array([[c, s], [-s, c]]) + motion[:2]
+    """Points (N x 2) placed by a motion (x, y, turn), or by each of several (M x 3): M x N x 2."""
+    motion = np.asarray(motion, dtype=float)
+    c, s = np.cos(motion[..., 2]), np.sin(motion[..., 2])
+    turned = np.stack([np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)], axis=-2)
+    return points @ turned + motion[..., None, :2]
 
 
 class Reference:
@@ -56,25 +59,30 @@ class Reference:
 
     def match(self, points, guess):
         """The Match of another scan's points from a first guess of the motion."""
+        return self.matches(points, [guess])[0]
+
+    def matches(self, points, guesses):
+        """The Match from each of several guesses; all of them advance together, which is faster."""
         points = thin(points)
-        motion = np.array(guess, dtype=float)
+        motions = np.array(guesses, dtype=float)
         for gate in GATES:
-            step = self._step(motion, points, gate)
-            motion += step
-            if np.abs(step).max() < 1e-5 and gate == GATES[-1]:
+            steps = self._steps(motions, points, gate)
+            motions += steps
+            if np.abs(steps).max() < 1e-5 and gate == GATES[-1]:
                 break
-        distances, at = self._tree.query(moved(motion, points))
+        distances, at = self._tree.query(moved(motions, points))
         fits = (distances < FIT) & self._has_normal[at]
-        return Match(motion, float((distances < FIT).mean()),
-                     float(np.minimum(distances, GATES[0]).mean()), self._normals[at[fits]])
+        return [Match(motions[k], float((distances[k] < FIT).mean()),
+                      float(np.minimum(distances[k], GATES[0]).mean()),
+                      self._normals[at[k][fits[k]]]) for k in range(len(motions))]
 
     def best(self, points, guesses):
         """The best of the Matches from several guesses."""
-        return min((self.match(points, guess) for guess in guesses), key=lambda m: m.error)
+        return min(self.matches(points, guesses), key=lambda m: m.error)
 
     def clear_best(self, points, guesses):
         """The same; None where another place fits nearly as well, as along a corridor."""
-        found = [self.match(points, guess) for guess in guesses]
+        found = self.matches(points, guesses)
         best = min(found, key=lambda m: m.error)
         distance, factor, more = AMBIGUOUS
         rivals = [m for m in found if np.abs(m.motion - best.motion).max() > distance and
@@ -85,23 +93,25 @@ class Reference:
         """For each point of another scan the distance [m] and number of the nearest point here."""
         return self._tree.query(points)
 
-    def _step(self, motion, points, gate):
-        placed = moved(motion, points)
+    def _steps(self, motions, points, gate):
+        """The Gauss-Newton step of each motion, M x 3; zero where too few points are in the gate."""
+        placed = moved(motions, points)
         distances, at = self._tree.query(placed, distance_upper_bound=gate)
-        chosen = np.isfinite(distances)
-        chosen[chosen] = self._has_normal[at[chosen]]
-        if chosen.sum() < 10:
-            return np.zeros(3)
-        normals, placed = self._normals[at[chosen]], placed[chosen]
-        e = np.sum(normals * (placed - self._points[at[chosen]]), axis=1)
-        levers = placed - motion[:2]  # d(T q)/d(turn), turned by a right angle
-        jacobian = np.column_stack([normals, normals[:, 1] * levers[:, 0] -
-                                    normals[:, 0] * levers[:, 1]])
-        weights = 1.0 / (1.0 + (e / LOSS) ** 2)
-        weighted = jacobian * weights[:, None]
+        near = np.isfinite(distances)
+        at[~near] = 0  # any point, as it gets no weight
+        chosen = near & self._has_normal[at]
+        normals = self._normals[at]
+        e = np.sum(normals * (placed - self._points[at]), axis=-1)
+        levers = placed - motions[:, None, :2]  # d(T q)/d(turn), turned by a right angle
+        turn = normals[..., 1] * levers[..., 0] - normals[..., 0] * levers[..., 1]
+        jacobian = np.concatenate([normals, turn[..., None]], axis=-1)
+        weights = chosen / (1.0 + (e / LOSS) ** 2)
+        weighted = (jacobian * weights[..., None]).swapaxes(1, 2)
         # Parameters that the lines do not determine keep their first guess.
-        h = weighted.T @ jacobian + np.diag([0.05, 0.05, 0.05])
-        return np.clip(-np.linalg.solve(h, weighted.T @ e), -0.3, 0.3)
+        h = weighted @ jacobian + np.diag([0.05, 0.05, 0.05])
+        steps = -np.linalg.solve(h, weighted @ e[..., None])[..., 0]
+        enough = chosen.sum(axis=1) >= FEWEST_IN_GATE
+        return np.clip(steps, -0.3, 0.3) * enough[:, None]
 
 
 def evened(points):
