@@ -10,10 +10,11 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/image_decoder.hpp"
 
 namespace slam_ros {
 namespace {
@@ -118,15 +119,6 @@ bool isCutOff(const std::vector<std::uint8_t>& data) {
   return false;
 }
 
-cv::Mat decoded(const std::vector<std::uint8_t>& data) {
-  try {
-    // the pixels as the camera has them, whatever way up a viewer should show them
-    return cv::imdecode(data, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
 template <class Message>
 slam::Image withoutPixels(const Message& message) {
   slam::Image image;
@@ -144,13 +136,17 @@ slam::Image fromMsg(const sensor_msgs::Image& message) {
   return image;
 }
 
-slam::Image fromMsg(const sensor_msgs::CompressedImage& message) {
+slam::Image fromMsg(const sensor_msgs::CompressedImage& message) try {
   auto image = withoutPixels(message);
   if (isCutOff(message.data))
     image.fault = fmt::format("a compressed image of {} bytes is cut off", message.data.size());
-  else if (image.gray = decoded(message.data); image.gray.empty())
+  else if (image.gray = decodedGray(message.data); image.gray.empty())
     image.fault = fmt::format("{} bytes of the format '{}' are no image that can be decoded",
                               message.data.size(), message.format);
+  return image;
+} catch (const std::runtime_error& error) {  // decodedGray() cannot load the codecs
+  auto image = withoutPixels(message);
+  image.fault = error.what();
   return image;
 }
 
