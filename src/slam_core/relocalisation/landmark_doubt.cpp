@@ -32,6 +32,16 @@ constexpr double kRight = 0.2;
 constexpr double kMostDoubt = 2.0;     ///< bound of the sum, relative to the threshold
 constexpr double kRemembered = 200.0;  ///< expected landmarks that the learnt probability goes by
 
+View viewOf(const std::vector<AssociatedObservation>& associations) {
+  View view;
+  for (const auto& observation : associations)
+    if (observation.taken_for == TakenFor::kLandmark)
+      view.known.insert(observation.landmark);
+    else
+      ++view.others;
+  return view;
+}
+
 int countOfBoth(const std::set<LandmarkId>& a, const std::set<LandmarkId>& b) {
   return static_cast<int>(
       std::count_if(a.begin(), a.end(), [&](LandmarkId id) { return b.count(id) > 0; }));
@@ -46,9 +56,8 @@ LandmarkDoubt::Cell LandmarkDoubt::cellOf(const Pose2& robot) {
 
 void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp) {
   if (statistics.associations.empty()) return;
-  Ids seen;
-  for (const auto& observation : statistics.associations)
-    if (observation.taken_for == TakenFor::kLandmark) seen.insert(observation.landmark);
+  const View view = viewOf(statistics.associations);
+  const auto& seen = view.known;
   const auto expected = expectedAt(robot, seen);
   const double weight = weightOf(robot, stamp);
   const auto fitting = static_cast<std::size_t>(countOfBoth(seen, trusted_));
@@ -56,6 +65,7 @@ void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot
   const double evidence = evidenceOf(expected, seen);
   // where most observations fit, the missing landmarks are taken for hidden, not the robot for lost
   sum_ += weight * (fits ? std::min(0.0, evidence) - kOfWhatFits : evidence);
+  sum_ += view_.judge(view, robot, sum_ < kRight * kThreshold);
   sum_ = std::clamp(sum_, 0.0, kMostDoubt * kThreshold);
   if (!fits) noteMissing(expected, seen, weight * evidence);
   if (sum_ < kRight * kThreshold) {
@@ -130,6 +140,7 @@ void LandmarkDoubt::relocate() {
   missing_.clear();
   since_doubt_.clear();
   robot_.reset();
+  view_.forgetBefore();
 }
 
 void LandmarkDoubt::forget() { *this = LandmarkDoubt(); }

@@ -11,6 +11,7 @@
 #include "slam_core/common/time.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/geometry/pose2.hpp"
+#include "slam_core/relocalisation/view_change.hpp"
 
 namespace slam::relocalisation {
 
@@ -21,7 +22,8 @@ namespace slam::relocalisation {
 ///
 /// The log-likelihood ratio of "lost" to "right" is summed and never falls below zero (CUSUM, Page
 /// 1954), as in scan_matching::ScanDoubt. The probability that a landmark is seen again is learnt.
-/// Where the robot has never been no landmark is expected, and the sum does not grow.
+/// Where the robot has never been no landmark is expected, and the sum does not grow; but a view
+/// that changes at once is noticed there as well (ViewChange).
 class LandmarkDoubt {
  public:
   /// To be called once for each step. Steps without observations, and steps whose observations were
@@ -41,7 +43,7 @@ class LandmarkDoubt {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(views_, trusted_, since_doubt_, missing_, hits_, misses_, sum_, robot_, stamp_);
+    archive(views_, view_, trusted_, since_doubt_, missing_, hits_, misses_, sum_, robot_, stamp_);
   }
 
  private:
@@ -59,7 +61,8 @@ class LandmarkDoubt {
 
   static constexpr double kThreshold = 15.0;  ///< at most one false alarm in e^15 independent steps
 
-  std::map<Cell, Ids> views_;             ///< landmarks that were seen from each cell
+  std::map<Cell, Ids> views_;  ///< landmarks that were seen from each cell
+  ViewChange view_;
   Ids trusted_, since_doubt_;             ///< seen before the doubt began, and since then
   std::map<LandmarkId, double> missing_;  ///< evidence by each since the doubt began
   double hits_ = 7.0, misses_ = 3.0;      ///< expected landmarks that were seen, or not

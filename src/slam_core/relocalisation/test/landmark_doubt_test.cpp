@@ -14,7 +14,7 @@ namespace {
 /// than 4 m ahead or behind. Observations that it associates with its map have the map's ids.
 class LandmarkDoubtTest : public testing::Test {
  protected:
-  /// One step of 0.2 m. @param from the place that the robot really sees [m]
+  /// One step. @param from the place that the robot really sees [m]
   void step(double from) {
     UpdateStatistics statistics;
     for (int i = 0; i < 400; ++i) {
@@ -25,7 +25,7 @@ class LandmarkDoubtTest : public testing::Test {
       statistics.associations.push_back({kUnknownId, i, taken});
     }
     doubt.judge(statistics, {believed, 0.0, 0.0}, stamp += std::chrono::milliseconds(100));
-    believed += 0.2;
+    believed += length;
   }
   /// @return whether it counts as lost within a way [m]
   bool drive(double way, double carried = 0.0) {
@@ -37,6 +37,7 @@ class LandmarkDoubtTest : public testing::Test {
   LandmarkDoubt doubt;
   RandomStream random{1, 1};
   double believed = 0.0, detected = 0.8;
+  double length = 0.2;  // of a step [m]
   Stamp stamp = stampFromNanoseconds(1000000000000);
 };
 
@@ -53,6 +54,27 @@ TEST_F(LandmarkDoubtTest, NoticesARobotThatWasCarriedAway) {
   doubt.relocate();
   ASSERT_FALSE(drive(20.0));
   EXPECT_TRUE(drive(5.0, 60.0));
+}
+
+/// Where it believes to be it has never been, so that no landmark is expected there.
+TEST_F(LandmarkDoubtTest, NoticesAtOnceThatAllIsAnotherViewOfGroundThatIsNew) {
+  length = 0.02;
+  ASSERT_FALSE(drive(60.0));
+  EXPECT_TRUE(drive(0.1, 60.0));
+}
+
+TEST_F(LandmarkDoubtTest, AViewThatChangesWhileTheRobotDrivesOnIsNoSign) {
+  length = 0.02;
+  ASSERT_FALSE(drive(60.0));
+  believed += 10.0;  // the camera has delivered nothing meanwhile
+  EXPECT_FALSE(drive(20.0));
+}
+
+TEST_F(LandmarkDoubtTest, AViewThatIsHiddenAtOnceIsNoSign) {
+  length = 0.02;
+  ASSERT_FALSE(drive(60.0));
+  detected = 0.1;
+  EXPECT_FALSE(drive(1.0));
 }
 
 TEST_F(LandmarkDoubtTest, DoesNotTrustWhatALostRobotHasBegun) {

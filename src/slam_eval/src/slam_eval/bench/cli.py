@@ -11,7 +11,7 @@ import signal
 import sys
 import tempfile
 
-from slam_eval.bench import (command_line, days, fiducial, imu, kills, office, online, pointmap,
+from slam_eval.bench import (carried, command_line, days, fiducial, imu, kills, office, online, pointmap,
                              threads, vo)
 from slam_eval.bench.adverse import drives as adverse_drives
 from slam_eval.bench.association import circles as association_circles
@@ -124,6 +124,10 @@ BENCHMARKS = {
     "office": Benchmark(
         "a product in the simulated office", "a product in the simulated office, many seeds",
         {"office": office.measure}, command_line.add_office),
+    "carried": Benchmark(
+        "robots that are carried on", "a product in the simulated office from which the robot is "
+        "carried on: when it is reported lost, and whether it is ever wrong and sure of itself",
+        {"carried": carried.measure}, command_line.add_carried),
     "fiducial": Benchmark(
         "the fiducial detectors", "time of the detectors, and what they see from where",
         {"fiducial": fiducial.measure}, command_line.add_fiducial),

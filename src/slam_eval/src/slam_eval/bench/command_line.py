@@ -173,6 +173,14 @@ def add_office(parser):
                         help="runs, with the seeds 1 to N (%(default)s)")
 
 
+def add_carried(parser):
+    """Options of `slam_bench carried`."""
+    parser.add_argument("--product", metavar="NAME", default="ekf_ceiling",
+                        help="what is measured (%(default)s)")
+    parser.add_argument("--seeds", metavar="N", type=count, default=20,
+                        help="drives, with the seeds 1 to N (%(default)s)")
+
+
 def add_fiducial(parser):
     """Options of `slam_bench fiducial`."""
     parser.add_argument("--image", metavar="FILE", type=_file,

@@ -13,6 +13,9 @@ import rosbag
 
 ODOMETRY, SCAN, POSE = "nav_msgs/Odometry", "sensor_msgs/LaserScan", "geometry_msgs/PoseStamped"
 OBSERVATIONS = "slam_msgs/LandmarkObservationArray"
+# What moves up in time with the robot: a header comes first in all of them.
+STAMPED = (ODOMETRY, SCAN, POSE, OBSERVATIONS, "sensor_msgs/Image", "sensor_msgs/CompressedImage",
+           "sensor_msgs/CameraInfo", "sensor_msgs/Imu")
 _STAMP, _STAMP_AT = struct.Struct("<II"), 4
 _PLACE = struct.Struct("<7d")
 _LASER = struct.Struct("<7fI")  # angle_min, angle_max, its step, times, ranges, their number
@@ -166,7 +169,7 @@ def rewrite(source, target, people=None, carried=None):
             if topic == "/tf":
                 continue
             raw = bytearray(raw)
-            if kind in (ODOMETRY, SCAN, POSE, OBSERVATIONS):
+            if kind in STAMPED:
                 if shift.is_out(time):
                     continue
                 if shift.is_over(time):
