@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <fmt/format.h>
 #include <sys/prctl.h>
 
 #include <CLI/CLI.hpp>
