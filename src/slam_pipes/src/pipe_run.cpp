@@ -62,6 +62,18 @@ void PipeRun::choosePartsToStart() {
   auto all = partsOf(whole_.components().product);
   for (auto& part : all)
     if (!inputs_->isLeftOut(part.key)) parts_.push_back(std::move(part));
+  for (const auto& part : parts_)
+    for (const auto& input : part.inputs)
+      if (comes(input)) requirePersistent(input, part);
+}
+
+/// Whether the bag has the data or a component makes them. What is latched comes with the data of
+/// the same port.
+bool PipeRun::comes(const slam::InputPort& input) const {
+  const auto& found = inputs_->found();
+  return inputs_->isSupplied(input) ||
+         std::any_of(found.begin(), found.end(),
+                     [&](const auto& other) { return other.port == input.name; });
 }
 
 void PipeRun::run() {

@@ -42,6 +42,7 @@ class PipeRun {
  private:
   void configure();
   void choosePartsToStart();
+  bool comes(const slam::InputPort& input) const;
   PipedProduct& processes();
   void read();
   slam_ros::BagSinks sinksOf(const slam_ros::BagInputs::Found& input);

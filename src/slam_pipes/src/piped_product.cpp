@@ -49,9 +49,7 @@ Call callOf(const PartPorts& part, const ProcessOptions& options) {
 void join(const std::vector<PartPorts>& parts, std::vector<Call>& calls) {
   for (std::size_t maker = 0; maker < parts.size(); ++maker)
     for (std::size_t taker = 0; taker < parts.size(); ++taker) {
-      const auto inputs = parts[maker].inputsOf(parts[taker]);
-      if (maker == taker || inputs.empty()) continue;
-      for (const auto& input : inputs) requirePersistent(input, parts[taker]);
+      if (maker == taker || parts[maker].inputsOf(parts[taker]).empty()) continue;
       auto pipe = makePipe();
       calls[maker].addPipe("--to", parts[taker].key, std::move(pipe.write_end));
       calls[taker].addPipe("--from", parts[maker].key, std::move(pipe.read_end));
@@ -94,7 +92,6 @@ void PipedProduct::put(const std::string& port, const slam::Datum& datum) {
   for (auto& process : processes_) {
     const auto* input = process.part->input(port, kind);
     if (input == nullptr) continue;
-    requirePersistent(*input, *process.part);
     if (frame.value.empty()) {
       slam::ArchiveWriter archive;
       input->traits.save(datum.value(), archive);

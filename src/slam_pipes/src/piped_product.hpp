@@ -37,8 +37,9 @@ class PipedProduct {
     std::function<void(const StepDone&)> step;
   };
 
-  /// Starts the processes. @param parts those to start; they outlive this
-  /// @throw std::runtime_error, slam::ConfigError for data that cannot cross a pipe
+  /// Starts the processes. @param parts those to start, whose inputs are persistent
+  /// (requirePersistent) so far as data come to them; they outlive this
+  /// @throw std::runtime_error
   PipedProduct(const std::vector<PartPorts>& parts, const ProcessOptions& options,
                Listeners listeners);
 
