@@ -188,8 +188,12 @@ std::uint64_t PipeRun::dropped(const std::vector<PartSummary>& summaries) const 
 
 void PipeRun::tellOfWaiting(const std::vector<PartSummary>& summaries) {
   const auto& of_backend = ofBackend(summaries);
+  std::vector<std::string> waiting;
+  for (const auto& [what, count] : of_backend.waiting.all())
+    waiting.push_back(fmt::format("{} messages of {}", count, what));
   if (!of_backend.starving.empty())
-    warn(fmt::format("data were never used: {} that does not come", of_backend.starving));
+    warn(fmt::format("{} were never used: {} that does not come", slam::join(waiting, " and "),
+                     of_backend.starving));
   const auto lost = dropped(summaries);
   if (lost * 20 > messages_)
     warn(
