@@ -38,7 +38,7 @@ def cpp_files():
     """Returns the text of each C++ file of the product line by its path."""
     found = {}
     for pattern in ("src/slam_core/*/**/*.?pp", "src/slam_ros/**/*.?pp", "slam_*/src/*.?pp",
-                    "src/slam_sim/src/*nodelet.cpp"):
+                    "src/slam_pipes/src/*.?pp", "src/slam_sim/src/*nodelet.cpp"):
         for path in sorted(REPO.glob(pattern)):
             parts = set(path.relative_to(REPO).parts)
             if not ASIDE & parts and not PROGRAM.fullmatch(path.name):

@@ -162,6 +162,7 @@ class ReplayOfProduct(SameAsOffline):
 
     product = None
     seconds = 5  # of the log
+    lacks_persist = None  # an input of a kind that cannot cross a pipe
 
     @classmethod
     def make_bag(cls, path):
@@ -186,3 +187,17 @@ class ReplayOfProduct(SameAsOffline):
                                        f"output_dir:={run}")
                 self.assert_same_runs(run, self.root / "offline", output)
                 self.assertNotIn("was acknowledged", output)  # the bag source waited in vain
+
+    def test_runs_between_pipes_as_offline(self):
+        run = self.root / "pipes"
+        done = subprocess.run([program("slam_pipes", "slam_pipes"), self.product, "--bag",
+                               self.root / "short.bag", "--out", run], text=True, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if self.lacks_persist:
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertRegex(done.stdout, f"'{self.lacks_persist}' .* cannot cross a pipe: give the "
+                             "type a persist")
+            self.assertFalse(run.exists())
+        else:
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assert_same_runs(run, self.root / "offline", done.stdout)

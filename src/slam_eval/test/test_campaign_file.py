@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Campaign files: what they say, and one sentence for each thing that is wrong with one."""
+import os
 import pathlib
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 
 import run_maker  # noqa: F401, before slam_eval: it finds the source tree
 from slam_eval.bench.harness.programs import package_folder, workspace_program
@@ -66,6 +68,13 @@ class GoodFile(InFolder):
         self.assertEqual([row.is_foreign for row in campaign.products], [False] * 5 + [True])
         self.assertEqual(campaign.seeds, [1, 2, 3])
         self.assertEqual(campaign.size, 54)
+
+    def test_finds_bags_in_the_folder_that_a_variable_names(self):
+        text = GOOD.replace("bag: own.bag", "bag: $SLAM_TEST_BAGS/own.bag")
+        with unittest.mock.patch.dict(os.environ, {"SLAM_TEST_BAGS": str(self.folder)}):
+            self.assertEqual(self.read(text).bags[-1].path, self.folder / "own.bag")
+        self.refuses(text, "the environment variable SLAM_TEST_BAGS names, which is not set; call "
+                     "the command with SLAM_TEST_BAGS=FOLDER in front")
 
     def test_finds_files_from_its_own_folder(self):
         self.assertEqual(self.read(GOOD).bags[2].path, self.folder / "own.bag")

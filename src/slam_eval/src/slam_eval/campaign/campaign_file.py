@@ -3,6 +3,7 @@
 """What a campaign file says: bags or drives to simulate, products, seeds, metrics."""
 import dataclasses
 import itertools
+import os
 import pathlib
 import re
 from typing import Optional
@@ -18,6 +19,7 @@ METRICS = ("ate_rmse_m", "landmark_rmse_m", "nees_mean")
 # of a run's own time and memory, which differ from host to host
 COSTS = tuple(key for key, spec in KEYS.items()
               if spec.group == "Cost" and key not in ("updates", "dropped_messages"))
+VARIABLE = re.compile(r"\$(\w+)")
 NAME = re.compile(r"[\w.+=,:@ -]+")
 _CAMPAIGN_KEYS = ("version", "campaign", "bags", "products", "seeds", "metrics", "time_limit")
 _DRIVE_KEYS = ("name", "world", "robot", "seed", "duration", "only")
@@ -117,8 +119,21 @@ def _combinations(choices):
     return [dict(zip(choices, values)) for values in itertools.product(*choices.values())]
 
 
+def _bag_path(folder, reader):
+    """A bag's path. $NAME stands for the value of an environment variable, the folder of data that a
+    file cannot bring; such a path is relative to where the command is called."""
+    text = reader.text("bag")
+    for name in VARIABLE.findall(text):
+        if not os.environ.get(name):
+            raise reader.error(f"the bag {text} is in a folder that the environment variable {name} "
+                               f"names, which is not set; call the command with {name}=FOLDER in "
+                               "front")
+    found = VARIABLE.sub(lambda match: os.environ[match.group(1)], text)
+    return _path(folder, found) if found == text else pathlib.Path(found).expanduser().absolute()
+
+
 def _recorded(folder, reader):
-    path = _path(folder, reader.text("bag"))
+    path = _bag_path(folder, reader)
     if not path.is_file():
         raise reader.error(f"there is no bag {path}; check the path, which is relative to the "
                            "campaign's file")

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "pipe_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <set>
+
+#include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/config_error.hpp"
+#include "slam_ros/bag_transforms.hpp"
+#include "slam_ros/conversions.hpp"
+#include "slam_ros/ground_truth.hpp"
+#include "slam_ros/known_inputs.hpp"
+#include "slam_ros/map_folder.hpp"
+#include "slam_ros/product_files.hpp"
+
+namespace slam_pipes {
+namespace {
+
+std::string robotOf(const RunOptions& options, const slam_ros::BagReader& bag) {
+  if (!options.robot.empty()) return slam_ros::robotFile(options.robot);
+  if (const auto name = bag.robot(); !name.empty()) return slam_ros::robotFile(name);
+  throw slam_ros::UnknownName("the bag " + bag.path() +
+                              " does not name its robot; give one with --robot");
+}
+
+}  // namespace
+
+PipeRun::PipeRun(const RunOptions& options)
+    : options_(options),
+      progress_(std::cerr, ::isatty(STDERR_FILENO) == 1),
+      bag_(options.bag),
+      product_file_(slam_ros::productFile(options.product)),
+      robot_file_(robotOf(options, bag_)),
+      settings_(slam::loadConfigFile(product_file_), slam::loadConfigFile(robot_file_),
+                options.overrides) {
+  configure();
+  choosePartsToStart();
+}
+
+void PipeRun::configure() {
+  slam_ros::TopicsConfig topics;
+  slam::FaultCollector faults;
+  faults.attempt([&] { settings_.read<slam_ros::FilesConfig>(); });
+  faults.attempt([&] { topics = settings_.read<slam_ros::TopicsConfig>(); });
+  faults.attempt([&] { whole_.configure(settings_); });
+  faults.raise();
+  slam_ros::requireKnownInputs(whole_.wiring());
+  const auto& components = whole_.components();
+  inputs_.emplace(bag_, components, slam_ros::BagContext{topics, components.frames},
+                  slam_ros::parseRemaps(options_.remaps));
+}
+
+/// A component whose data the bag carries is left out.
+void PipeRun::choosePartsToStart() {
+  auto all = partsOf(whole_.components().product);
+  for (auto& part : all)
+    if (!inputs_->isLeftOut(part.key)) parts_.push_back(std::move(part));
+  for (const auto& part : parts_)
+    for (const auto& input : part.inputs)
+      if (comes(input)) requirePersistent(input, part);
+}
+
+/// Whether the bag has the data or a component makes them. What is latched comes with the data of
+/// the same port.
+bool PipeRun::comes(const slam::InputPort& input) const {
+  const auto& found = inputs_->found();
+  return inputs_->isSupplied(input) ||
+         std::any_of(found.begin(), found.end(),
+                     [&](const auto& other) { return other.port == input.name; });
+}
+
+void PipeRun::run() {
+  for (const auto& note : inputs_->notes()) fmt::print("{}\n", note);
+  for (const auto& warning : inputs_->warnings()) warn(warning);
+  std::fflush(stdout);
+  read();
+  complete(processes().end());
+}
+
+/// They are started with the first message: the process that reads the bag is a copy of this one,
+/// and would hold the ends of their pipes open.
+PipedProduct& PipeRun::processes() {
+  if (processes_) return *processes_;
+  ProcessOptions options{options_.program,   product_file_,   robot_file_,
+                         options_.overrides, options_.folder, {}};
+  for (const auto& trigger : inputs_->flow().triggersOfBackend())
+    if (!inputs_->isSupplied(trigger)) options.without.push_back(trigger.name);
+  const auto warn = [this](const slam::Status& status) {
+    this->warn(status.message, status.isUrgent());
+  };
+  processes_.emplace(parts_, options, PipedProduct::Listeners{warn, [this](const StepDone& step) {
+                                                                takeStep(step);
+                                                              }});
+  return *processes_;
+}
+
+void PipeRun::read() {
+  const auto transforms =
+      slam_ros::staticTransforms(bag_, slam_ros::frameId(whole_.components().frames.map));
+  const auto handlers = inputs_->readers([&](const slam_ros::BagInputs::Found& input) {
+    auto sinks = sinksOf(input);
+    sinks.static_transforms = transforms;
+    return sinks;
+  });
+  progress_.begin(bag_.path(), bag_.messages(handlers));
+  bag_.read(handlers, [&](std::size_t done) {
+    messages_ = done;
+    processes().step();
+    progress_.update(done);
+    return true;
+  });
+  progress_.end();
+}
+
+slam_ros::BagSinks PipeRun::sinksOf(const slam_ros::BagInputs::Found& input) {
+  slam_ros::BagSinks sinks;
+  sinks.put = [this, &input](const slam::Datum& value, slam::Stamp /*stamp*/) {
+    processes().put(input.port, value);
+  };
+  sinks.warn = [this](const std::string& sentence) { warn(sentence); };
+  sinks.count = [this](const std::string& reason) { input_counters_.add(reason); };
+  return sinks;
+}
+
+void PipeRun::takeStep(const StepDone& step) {
+  if (step.report.restarted)
+    warn(
+        "the stamps went back: map and pose begin anew; what was written until then is kept in "
+        "files named ...before_restart_...");
+  if (step.report.hasTrigger()) {
+    metrics_.addUpdate(std::chrono::nanoseconds(step.nanoseconds));
+    metrics_.addTrust(step.report.stamp, step.report.trust);
+  }
+  metrics_.addEvents(step.report);
+}
+
+/// Beside what the processes write themselves stands what only the bag and this process know.
+void PipeRun::complete(const std::vector<PartSummary>& summaries) {
+  tellOfWaiting(summaries);
+  requireSteps();
+  const auto& of_backend = ofBackend(summaries);
+  const auto truth = slam_ros::writeGroundTruth(bag_, of_backend.folder);
+  if (const auto& source = whole_.components().odometry;
+      source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))
+    slam_ros::writeWheelOdometry(bag_, of_backend.folder);
+  if (of_backend.grid) metrics_.setGrid(*of_backend.grid);
+  const auto metrics = metrics_.toJson(bag_.end() - bag_.begin(), dropped(summaries));
+  slam::writeFileAtomically(of_backend.folder + "/metrics.json",
+                            options_.origin.addedToMetrics(metrics));
+  processes().finish({of_backend.folder, options_.origin.addedToConfig(settings_.inForce())});
+  printSummary(summaries);
+  if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
+}
+
+void PipeRun::requireSteps() const {
+  if (metrics_.updates() > 0) return;
+  for (const auto& found : inputs_->found())
+    if (const auto lacking = found.input->lacking(); !lacking.empty())
+      throw std::runtime_error("no step could be taken: " + lacking);
+  throw std::runtime_error("no step could be taken: no observation or scan of the bag " +
+                           bag_.path() + " has a stamp that its odometry covers");
+}
+
+const PartSummary& PipeRun::ofBackend(const std::vector<PartSummary>& summaries) const {
+  const auto backend = std::find_if(parts_.begin(), parts_.end(),
+                                    [](const PartPorts& part) { return part.isBackend(); });
+  return summaries[static_cast<std::size_t>(backend - parts_.begin())];
+}
+
+/// An input gate that stands in several processes has dropped the same in each.
+std::uint64_t PipeRun::dropped(const std::vector<PartSummary>& summaries) const {
+  std::uint64_t sum = 0;
+  std::map<std::string, std::uint64_t> of_gates;
+  for (const auto& summary : summaries) {
+    sum += summary.dropped;
+    of_gates.insert(summary.gate_dropped.begin(), summary.gate_dropped.end());
+  }
+  for (const auto& [name, count] : of_gates) sum += count;
+  return sum;
+}
+
+void PipeRun::tellOfWaiting(const std::vector<PartSummary>& summaries) {
+  const auto& of_backend = ofBackend(summaries);
+  std::vector<std::string> waiting;
+  for (const auto& [what, count] : of_backend.waiting.all())
+    waiting.push_back(fmt::format("{} messages of {}", count, what));
+  if (!of_backend.starving.empty())
+    warn(fmt::format("{} were never used: {} that does not come", slam::join(waiting, " and "),
+                     of_backend.starving));
+  const auto lost = dropped(summaries);
+  if (lost * 20 > messages_)
+    warn(
+        fmt::format("{} of {} messages had no effect; the counts below tell why", lost, messages_));
+}
+
+void PipeRun::printSummary(const std::vector<PartSummary>& summaries) const {
+  const auto& of_backend = ofBackend(summaries);
+  fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s, {} processes\n",
+             options_.folder, of_backend.poses, of_backend.landmarks,
+             slam::seconds(bag_.end() - bag_.begin()), metrics_.wallSeconds(), parts_.size());
+  auto counters = input_counters_;
+  std::set<std::string> gates;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    counters.add(summaries[i].counters, parts_[i].isBackend() ? "" : parts_[i].key + "_");
+    for (const auto& [name, count] : summaries[i].gate_counters)
+      if (gates.insert(name).second) counters.add(count, name + "_");
+    for (const auto& [what, count] : summaries[i].waiting.all())
+      counters.add("never_stepped", count);
+  }
+  std::vector<std::string> counts;
+  for (const auto& [reason, count] : counters.all())
+    counts.push_back(fmt::format("{} {}", reason, count));
+  if (!counts.empty()) fmt::print("counted: {}\n", slam::join(counts));
+  for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
+  for (const auto& line : of_backend.calibration) fmt::print("{}\n", line);
+}
+
+void PipeRun::warn(const std::string& sentence, bool is_urgent) {
+  const auto line = warnings_.add(sentence, is_urgent);
+  if (line.empty()) return;
+  progress_.clear();
+  fmt::print(stderr, "warning: {}\n", line);
+}
+
+}  // namespace slam_pipes
