@@ -63,6 +63,16 @@ TEST_F(LandmarkDoubtTest, NoticesAtOnceThatAllIsAnotherViewOfGroundThatIsNew) {
   EXPECT_TRUE(drive(0.1, 60.0));
 }
 
+TEST_F(LandmarkDoubtTest, TwoImagesThatShowSomethingElseAreNoSign) {
+  length = 0.02;
+  ASSERT_FALSE(drive(60.0));
+  for (int i = 0; i < 20; ++i) {
+    step(believed + 60.0);
+    step(believed + 60.0);
+    ASSERT_FALSE(drive(2.0));
+  }
+}
+
 TEST_F(LandmarkDoubtTest, AViewThatChangesWhileTheRobotDrivesOnIsNoSign) {
   length = 0.02;
   ASSERT_FALSE(drive(60.0));
