@@ -37,6 +37,11 @@ void checkCalibration(const ProductConfig& product, const Capabilities& backend,
                       " does not calibrate, backend=ekf and backend=graph do; use one of them, or "
                       "leave the list empty");
   }
+  if (product.rear_camera)
+    throw ConfigError(
+        "calibration.estimate: what is estimated of a landmark sensor holds for one, and with "
+        "rear_camera there are two; calibrate in a product with one camera, or leave the list "
+        "empty");
   if (product.odometry == kWheels || product.odometry == "none") return;
   for (const auto& name : config.namesOfWheels())
     throw ConfigError("calibration.estimate: with odometry=" + product.odometry +
