@@ -96,7 +96,8 @@ def read(text):
 
 def component(told):
     return Component(**{**told, "inputs": tuple(Input(**port) for port in told["inputs"]),
-                        "outputs": tuple(Output(**port) for port in told["outputs"])})
+                        "outputs": tuple(Output(**port) for port in told["outputs"]),
+                        "features": tuple(told.get("features", ()))})
 
 
 def require_joined(product):

@@ -29,8 +29,9 @@ def dot(product):
 
 
 def identity(part):
-    """Of two detectors of one name each has a key."""
-    return f"{part.role} {part.key or part.name}"
+    """Two detectors may have one name: the one at the rear camera is told by its key."""
+    has_own_name = part.key is None or part.key in part.features
+    return f"{part.role} {part.name if has_own_name else part.key}"
 
 
 def box(part):

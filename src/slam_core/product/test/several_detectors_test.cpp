@@ -38,6 +38,7 @@ class BeaconDetector final : public LandmarkDetector {
     array_ = LandmarkObservationArray();
     array_->sequence = sequence_++;
     array_->stamp = view->stamp;
+    array_->sensor_frame = view->image.frame;
     if (view->isUsable()) observe(*view);
     return Status::ok();
   }
@@ -175,19 +176,19 @@ TEST_F(SeveralDetectors, MapWhatEachOfThemSeesUnderIdsThatNeverMix) {
   EXPECT_EQ(sentences, std::vector<std::string>());
 }
 
-TEST_F(SeveralDetectors, OfOneImageStepInTheirOrder) {
+TEST_F(SeveralDetectors, OfOneImageAreOneStepAndThoseOfTwoCamerasTwo) {
   knowBoth();
   for (const int time : {50, 150}) {
     look("rear_camera", time);
     look("camera", time);
   }
   drive(200);
-  ASSERT_EQ(reports.size(), 8u);
-  reports.resize(4);
-  EXPECT_EQ(triggers(),
-            (std::vector<std::string>{"observations", "second_observations", "rear_observations",
-                                      "rear_second_observations"}));
-  for (const auto& report : reports) EXPECT_EQ(report.stamp, when(50)) << report.trigger;
+  EXPECT_EQ(triggers(), (std::vector<std::string>{"observations", "rear_observations",
+                                                  "observations", "rear_observations"}));
+  ASSERT_EQ(reports.size(), 4u);
+  EXPECT_EQ(reports[1].stamp, when(50));
+  EXPECT_EQ(reports[2].stamp, when(150));
+  EXPECT_EQ(reports[2].statistics.used, 2) << "one landmark of each detector";
 }
 
 TEST_F(SeveralDetectors, GiveTheSameWhateverTheOrderOfArrival) {
@@ -283,6 +284,13 @@ TEST(SeveralDetectorsConfig, RefusesToCalibrateASensorOfTwo) {
   EXPECT_TRUE(oneSays(
       faultsWith({"detector=beacons_a", "rear_camera=true", "calibration.estimate=[sensor_yaw]"}),
       {"calibration.estimate", "rear_camera"}));
+}
+
+TEST(SeveralDetectorsConfig, RefusesACorrectionOfOneMountOfTwo) {
+  const std::string yaw = "landmark_sensor.mount_yaw=0.01";
+  EXPECT_TRUE(oneSays(faultsWith({"detector=beacons_a", "rear_camera=true", yaw}),
+                      {"landmark_sensor", "mount_yaw", "camera.sensor_pose"}));
+  EXPECT_TRUE(faultsWith({"detector=beacons_a", yaw}).empty());
 }
 
 TEST(SeveralDetectorsConfig, RefusesMarkersThatTwoDetectorsWouldFind) {
