@@ -59,7 +59,7 @@ class Whole(Tree):
         # a second detector is one of those, and a camera that detectors look through no component
         modules = {node.name.partition("=")[0] for node in nodes_of(self.root)
                    if node.name.endswith("=true")}
-        self.assertEqual(modules - {"rear_camera"}, set(told["modules"]))
+        self.assertEqual(modules - {"second_camera"}, set(told["modules"]))
 
     def test_what_is_not_offered_is_in_no_component(self):
         told = ports.components()

@@ -51,7 +51,7 @@ def between(features):
 
 def observations(features, is_grid):
     """Returns what the product's detectors make, each of its own."""
-    has_second, has_rear = features["second_detector"] != "none", features["rear_camera"] == "true"
+    has_second, has_rear = features["second_detector"] != "none", features["second_camera"] == "true"
     made = {"/observations": not is_grid, SECOND: has_second, REAR: has_rear,
             REAR_SECOND: has_second and has_rear}
     return {topic for topic, is_made in made.items() if is_made}

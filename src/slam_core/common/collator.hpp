@@ -103,10 +103,10 @@ class Collator {
 
   /// The trigger of another source that is due at the stamp of the last step, which next() would
   /// return; null where there is none.
-  const Trigger* dueAtTheSameTime() {
-    const auto* source = earliestSource();
-    const bool is_due =
-        source != nullptr && source->items().front().stamp == position_ && isDue(*source);
+  friend const Trigger* dueAtTheSameTime(Collator& collator) {
+    const auto* source = collator.earliestSource();
+    const bool is_due = source != nullptr && source->items().front().stamp == collator.position_ &&
+                        collator.isDue(*source);
     return is_due ? &source->items().front().value : nullptr;
   }
 

@@ -34,10 +34,10 @@ void requireOneMount(const ProductConfig& product, Settings settings) {
   } catch (const ConfigError&) {
     return;  // who reads it says so
   }
-  if (product.rear_camera && (sensor.mount_x != 0 || sensor.mount_y != 0 || sensor.mount_yaw != 0))
+  if (product.second_camera && (sensor.mount_x != 0 || sensor.mount_y != 0 || sensor.mount_yaw != 0))
     throw ConfigError(
         "landmark_sensor: mount_x, mount_y and mount_yaw correct the mount of one camera, and with "
-        "rear_camera there are two; set them to 0 and correct camera.sensor_pose or the camera's "
+        "second_camera there are two; set them to 0 and correct camera.sensor_pose or the camera's "
         "transform instead");
 }
 
@@ -54,10 +54,10 @@ void checkCalibration(const ProductConfig& product, const Capabilities& backend,
                       " does not calibrate, backend=ekf and backend=graph do; use one of them, or "
                       "leave the list empty");
   }
-  if (product.rear_camera)
+  if (product.second_camera)
     throw ConfigError(
         "calibration.estimate: what is estimated of a landmark sensor holds for one, and with "
-        "rear_camera there are two; calibrate in a product with one camera, or leave the list "
+        "second_camera there are two; calibrate in a product with one camera, or leave the list "
         "empty");
   if (product.odometry == kWheels || product.odometry == "none") return;
   for (const auto& name : config.namesOfWheels())

@@ -25,7 +25,7 @@ constexpr const char* kNoDetector = "none";
 
 void requireCamera(const std::string& name, LandmarkDetector& detector) {
   if (portsOf(detector).input(CameraConfig::kSection, kindOf<CameraView>()) == nullptr)
-    throw ConfigError("rear_camera: the detector '" + name +
+    throw ConfigError("second_camera: the detector '" + name +
                       "' does not look through the camera, so that it cannot look through a second "
                       "one; leave the key out, or choose a detector of markers");
 }
@@ -38,13 +38,13 @@ std::string DetectorPlace::prefix() const {
 
 std::vector<std::string> DetectorPlace::features() const {
   if (!is_rear) return {key()};
-  if (is_second) return {"rear_camera", "second_detector"};
-  return {"rear_camera"};
+  if (is_second) return {"second_camera", "second_detector"};
+  return {"second_camera"};
 }
 
-std::string DetectorPlace::sentence() const {
-  return std::string("landmarks") + (is_second ? " of the second detector" : "") +
-         (is_rear ? " at the rear camera" : "");
+std::string DetectorPlace::description() const {
+  return std::string("landmarks") + (is_second ? ", second detector" : "") +
+         (is_rear ? ", rear camera" : "");
 }
 
 std::vector<DetectorPlace> detectorPlacesOf(const ProductConfig& product) {
@@ -53,7 +53,7 @@ std::vector<DetectorPlace> detectorPlacesOf(const ProductConfig& product) {
                       "' is the first detector already; name another one, or none");
   std::vector<DetectorPlace> places;
   for (const bool is_rear : {false, true}) {
-    if (is_rear && !product.rear_camera) break;
+    if (is_rear && !product.second_camera) break;
     for (const bool is_second : {false, true}) {
       const auto& name = is_second ? product.second_detector : product.detector;
       if (name != kNoDetector) places.push_back({name, is_second, is_rear});

@@ -32,8 +32,8 @@ struct DetectorPlace {
   std::vector<std::string> features() const;
   /// The name of its output.
   std::string observations() const { return prefix() + "observations"; }
-  /// "landmarks of the second detector, at the rear camera", for sentences
-  std::string sentence() const;
+  /// "landmarks, second detector, rear camera", for sentences
+  std::string description() const;
 };
 
 /// The detectors that a product names, the first one first. One that is called none is not there.

@@ -70,7 +70,7 @@ void Estimator::addFurther(const InputPort& observations, Ports& used) const {
   for (const auto& place : further_) {
     auto& input = used.add(observations);
     input.name = place.observations();
-    input.sentence = place.sentence();
+    input.sentence = place.description();
   }
 }
 

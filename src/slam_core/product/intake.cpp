@@ -180,8 +180,8 @@ void Intake::takeTrigger(const InputPort& port, const void* value) {
 std::optional<Intake::Step> Intake::next() {
   auto step = collator_.next();
   if (!step || !step->trigger) return step;
-  for (const auto* other = collator_.dueAtTheSameTime();
-       other != nullptr && joins(*other, *step->trigger); other = collator_.dueAtTheSameTime())
+  for (const auto* other = dueAtTheSameTime(collator_);
+       other != nullptr && joins(*other, *step->trigger); other = dueAtTheSameTime(collator_))
     collator_.next();
   return step;
 }

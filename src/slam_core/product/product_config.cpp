@@ -58,7 +58,7 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("second_detector", &second_detector,
              "name of a detector beside the first one, which finds other landmarks with the same "
              "sensor; none: there is one detector");
-  fields.add("rear_camera", &rear_camera,
+  fields.add("second_camera", &second_camera,
              "the detectors look through a second camera as well, which the robot file calls "
              "rear_camera");
   fields.add("association", &association,

@@ -26,7 +26,7 @@ struct ProductConfig {
   std::string odometry = "wheel";
   std::string detector = "none";
   std::string second_detector = "none";
-  bool rear_camera = false;  ///< the detectors look through a second camera as well
+  bool second_camera = false;  ///< the detectors look through a second camera as well
   std::string association = "known_ids";
   MapKind map = MapKind::kLandmarks;
   std::map<std::string, bool> modules;  ///< whether it has the additional module of a name

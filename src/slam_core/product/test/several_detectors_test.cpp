@@ -71,7 +71,7 @@ const Registrar<LandmarkDetector, BeaconDetector<'a'>> kBeaconsA("beacons_a");
 const Registrar<LandmarkDetector, BeaconDetector<'b'>> kBeaconsB("beacons_b");
 
 const std::vector<std::string> kFour = {"detector=beacons_a", "second_detector=beacons_b",
-                                        "rear_camera=true"};
+                                        "second_camera=true"};
 
 Stamp when(int milliseconds) {
   return stampFromNanoseconds(1000000000) + std::chrono::milliseconds(milliseconds);
@@ -276,19 +276,19 @@ TEST(SeveralDetectorsConfig, RefusesTheSameDetectorTwice) {
 }
 
 TEST(SeveralDetectorsConfig, RefusesARearCameraForADetectorThatHasNone) {
-  EXPECT_TRUE(oneSays(faultsWith({"detector=laser_trunks", "rear_camera=true"}),
-                      {"rear_camera", "'laser_trunks' does not look through the camera"}));
+  EXPECT_TRUE(oneSays(faultsWith({"detector=laser_trunks", "second_camera=true"}),
+                      {"second_camera", "'laser_trunks' does not look through the camera"}));
 }
 
 TEST(SeveralDetectorsConfig, RefusesToCalibrateASensorOfTwo) {
   EXPECT_TRUE(oneSays(
-      faultsWith({"detector=beacons_a", "rear_camera=true", "calibration.estimate=[sensor_yaw]"}),
-      {"calibration.estimate", "rear_camera"}));
+      faultsWith({"detector=beacons_a", "second_camera=true", "calibration.estimate=[sensor_yaw]"}),
+      {"calibration.estimate", "second_camera"}));
 }
 
 TEST(SeveralDetectorsConfig, RefusesACorrectionOfOneMountOfTwo) {
   const std::string yaw = "landmark_sensor.mount_yaw=0.01";
-  EXPECT_TRUE(oneSays(faultsWith({"detector=beacons_a", "rear_camera=true", yaw}),
+  EXPECT_TRUE(oneSays(faultsWith({"detector=beacons_a", "second_camera=true", yaw}),
                       {"landmark_sensor", "mount_yaw", "camera.sensor_pose"}));
   EXPECT_TRUE(faultsWith({"detector=beacons_a", yaw}).empty());
 }
