@@ -34,7 +34,8 @@ void requireOneMount(const ProductConfig& product, Settings settings) {
   } catch (const ConfigError&) {
     return;  // who reads it says so
   }
-  if (product.second_camera && (sensor.mount_x != 0 || sensor.mount_y != 0 || sensor.mount_yaw != 0))
+  if (product.second_camera &&
+      (sensor.mount_x != 0 || sensor.mount_y != 0 || sensor.mount_yaw != 0))
     throw ConfigError(
         "landmark_sensor: mount_x, mount_y and mount_yaw correct the mount of one camera, and with "
         "second_camera there are two; set them to 0 and correct camera.sensor_pose or the camera's "
