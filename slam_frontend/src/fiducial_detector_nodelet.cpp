@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
+#include <string>
 
 #include "slam_core/camera/view_drawer.hpp"
 #include "slam_ros/conversions.hpp"
@@ -20,28 +21,47 @@
 
 namespace slam_frontend {
 
-/// What the product's detector takes in, such as images or scans; `observations` out.
+struct DetectorNodeletConfig {
+  static constexpr const char* kSection = "";
+
+  slam_ros::TransportConfig camera;
+  std::string place;
+
+  void describe(slam::Fields& fields) {
+    camera.describe(fields);
+    fields.add("place", &place,
+               "which of the product's detectors it is: second_, rear_, rear_second_; empty: the "
+               "first one");
+  }
+};
+
+/// What one of the product's detectors takes in, such as images or scans; its observations out.
 class FiducialDetectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
     slam_ros::reportFailure(getName(), [this] {
-      const auto transport =
-          slam_ros::parametersFromRos<slam_ros::TransportConfig>(getPrivateNodeHandle()).transport;
+      const auto config =
+          slam_ros::parametersFromRos<DetectorNodeletConfig>(getPrivateNodeHandle());
       node_.emplace(slam_ros::PartNode::Handles{getNodeHandle(), getPrivateNodeHandle(), getName()},
-                    slam::ProductPart{slam::ProductPart::Extent::kDetector, ""},
-                    slam_ros::InputOptions{transport, true, false});
-      const auto* detector = node_->part().components().detector.get();
-      if (detector == nullptr) {
-        NODELET_INFO("the product looks at no images");
+                    slam::ProductPart{slam::ProductPart::Extent::kDetector, "", config.place},
+                    slam_ros::InputOptions{config.camera.transport, true, false});
+      const auto& detectors = node_->part().components().detectors;
+      if (detectors.empty()) {
+        NODELET_INFO("the product has no detector here");
         return;
       }
-      drawer_ = dynamic_cast<const slam::ViewDrawer*>(detector);
-      observations_ = getNodeHandle().advertise<slam_msgs::LandmarkObservationArray>(
-          node_->topics().observations, slam_ros::kQueue);
-      detections_.emplace(getNodeHandle());
-      node_->part().listen<slam::LandmarkObservationArray>(
-          "observations", [this](const auto& array) { publish(array); });
+      publish(detectors.front());
     });
+  }
+
+  void publish(const slam::ProductDetector& detector) {
+    const auto name = detector.place.observations();
+    drawer_ = dynamic_cast<const slam::ViewDrawer*>(detector.component.get());
+    observations_ = getNodeHandle().advertise<slam_msgs::LandmarkObservationArray>(
+        node_->topics().of(name), slam_ros::kQueue);
+    detections_.emplace(getNodeHandle(), detector.place.prefix());
+    node_->part().listen<slam::LandmarkObservationArray>(
+        name, [this](const auto& array) { publish(array); });
   }
 
   void publish(const slam::LandmarkObservationArray& array) {

@@ -140,7 +140,7 @@ class Shipped(InFolder):
         return self.write(re.sub(r"seeds: \d+", "seeds: 1", text), f"{name}.yaml")
 
     def test_campaigns_run(self):
-        for name, count in (("office", 8), ("lasers", 10)):
+        for name, count in (("office", 8), ("lasers", 10), ("cameras", 12)):
             said = self.run_campaign(self.shortened(name), self.folder / name)
             self.assertIn(f"{count} of {count} runs are complete", said)
 

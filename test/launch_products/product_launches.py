@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Launches products of the feature model on a few seconds of the office: they publish what their
+"""Launches products of the feature model on a few seconds of the foyer: they publish what their
 features promise."""
 
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +16,9 @@ import yaml
 
 SECONDS = 2  # of the drive, replayed at the robot's own speed
 MASTERS = 3  # at a time: a launch mostly waits
-BETWEEN = {"/motion", "/observations"}  # components, where each is a nodelet
+SECOND, REAR = "/second_observations", "/rear_observations"
+REAR_SECOND = "/rear_second_observations"
+BETWEEN = {"/motion", "/observations", SECOND, REAR, REAR_SECOND}  # components, each in a nodelet
 ALWAYS = {"/pose", "/path", "/tf"}
 LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
@@ -44,7 +46,15 @@ def between(features):
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
-    return (set() if is_grid else {"/observations"}) | ({"/motion"} if has_motion else set())
+    return observations(features, is_grid) | ({"/motion"} if has_motion else set())
+
+
+def observations(features, is_grid):
+    """Returns what the product's detectors make, each of its own."""
+    has_second, has_rear = features["second_detector"] != "none", features["second_camera"] == "true"
+    made = {"/observations": not is_grid, SECOND: has_second, REAR: has_rear,
+            REAR_SECOND: has_second and has_rear}
+    return {topic for topic, is_made in made.items() if is_made}
 
 
 def published(record):
@@ -57,8 +67,9 @@ def published(record):
 
 
 def simulate(path):
-    subprocess.run([program("slam_sim", "slam_sim"), path, "--robot", "skid", "--duration",
-                    str(SECONDS), "--only", "odom,scan,imu,camera,ceiling_camera"], check=True,
+    subprocess.run([program("slam_sim", "slam_sim"), path, "--world", "foyer", "--robot",
+                    "scout", "--duration", str(SECONDS), "--only",
+                    "odom,scan,imu,camera,rear_camera,ceiling_camera"], check=True,
                    stdout=subprocess.DEVNULL)
 
 

@@ -9,11 +9,13 @@ import tempfile
 import unittest
 
 from launching import program, run_launch
+import yaml
 
 SECONDS = 10  # of the office, as fast as it goes
 PRODUCTS = ("ekf_wheel", "pf_wheel", "pf_visual", "ekf_wheel_pointmap", "pf_wheel_grid",
             "scan_grid", "ekf_ceiling", "ekf_laser", "ekf_wheel_imu", "ekf_wheel_lines",
             "graph_wheel", "graph_wheel_grid")
+TWO_OF_EACH = ("second_detector=aruco", "second_camera=true")
 MAPS = {"ekf_wheel_pointmap": {"landmarks.yaml", "points.pcd"},
         "pf_wheel_grid": {"map.pgm", "map.yaml"},
         "scan_grid": {"map.pgm", "map.yaml"},
@@ -34,38 +36,52 @@ class CompositionsTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.root = pathlib.Path(folder.name)
-        cls.bag = cls.root / "office.bag"
-        subprocess.run([program("slam_sim", "slam_sim"), cls.bag, "--robot", "skid", "--duration",
-                        str(SECONDS)], check=True, stdout=subprocess.DEVNULL)
+        cls.bags = {world: cls.root / f"{world}.bag" for world in ("office", "foyer")}
+        for (world, bag), robot in zip(cls.bags.items(), ("skid", "scout")):
+            subprocess.run([program("slam_sim", "slam_sim"), bag, "--world", world, "--robot", robot,
+                            "--duration", str(SECONDS)], check=True, stdout=subprocess.DEVNULL)
 
-    def offline(self, product):
-        run = self.root / product
-        subprocess.run([program("slam_ros", "slam_run"), product, "--bag", self.bag, "--out", run],
-                       check=True, stdout=subprocess.DEVNULL)
+    def offline(self, product, world, features):
+        run = self.root / f"{product}_{world}"
+        words = [word for feature in features for word in ("--set", feature)]
+        subprocess.run([program("slam_ros", "slam_run"), product, "--bag", self.bags[world],
+                        "--out", run, *words], check=True, stdout=subprocess.DEVNULL)
         found = files(run)
         # ./slam run says where the run comes from, a launch cannot
         found["config.yaml"] = found["config.yaml"].partition(b"run:\n")[0]
         return found
 
-    def launched(self, product, composition):
-        run = self.root / f"{product}_{composition}"
-        output, _ = run_launch(f"product:={product}", f"bag:={self.bag}", "rate:=0",
-                               f"composition:={composition}", f"output_dir:={run}")
+    def launched(self, product, world, features, composition):
+        run = self.root / f"{product}_{world}_{composition}"
+        output, _ = run_launch(f"product:={product}", f"bag:={self.bags[world]}", "rate:=0",
+                               f"composition:={composition}", f"output_dir:={run}",
+                               *(feature.replace("=", ":=") for feature in features))
         self.assertTrue(run.is_dir(), output)
         return files(run)
 
+    def assert_same_as_offline(self, product, world="office", features=()):
+        offline = self.offline(product, world, features)
+        self.assertLessEqual({"trajectory.tum", *MAPS.get(product, {"landmarks.yaml"})},
+                             offline.keys())
+        self.assertGreater(offline["trajectory.tum"].count(b"\n"), 5 * SECONDS)
+        for composition in ("pubsub", "inprocess"):
+            with self.subTest(product, features=features, composition=composition):
+                online = self.launched(product, world, features, composition)
+                self.assertEqual(online.keys(), offline.keys())
+                for name, content in online.items():
+                    self.assertEqual(content, offline[name], name)
+        return offline
+
     def test_write_the_same_files_as_offline(self):
         for product in PRODUCTS:
-            offline = self.offline(product)
-            self.assertLessEqual({"trajectory.tum", *MAPS.get(product, {"landmarks.yaml"})},
-                                 offline.keys())
-            self.assertGreater(offline["trajectory.tum"].count(b"\n"), 5 * SECONDS)
-            for composition in ("pubsub", "inprocess"):
-                with self.subTest(product, composition=composition):
-                    online = self.launched(product, composition)
-                    self.assertEqual(online.keys(), offline.keys())
-                    for name, content in online.items():
-                        self.assertEqual(content, offline[name], name)
+            self.assert_same_as_offline(product)
+
+    def test_do_so_with_two_kinds_of_markers_and_two_cameras(self):
+        for product in ("ekf_wheel", "pf_wheel", "graph_wheel"):
+            run = self.assert_same_as_offline(product, "foyer", TWO_OF_EACH)
+            ids = [landmark["id"] for landmark in yaml.safe_load(run["landmarks.yaml"])["landmarks"]]
+            self.assertTrue(any(number < 587 for number in ids), ids)
+            self.assertTrue(any(10000 <= number < 10050 for number in ids), ids)
 
 
 if __name__ == "__main__":

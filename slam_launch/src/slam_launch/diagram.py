@@ -16,9 +16,12 @@ from . import ports
 from .errors import ProductError
 
 FORMATS = ("svg", "png", "pdf", "dot")
-FRONT_END = {"motion", "observations"}  # what a component of the front-end publishes
+# what a component of the front-end publishes
+FRONT_END = {"motion", "observations", "second_observations", "rear_observations",
+             "rear_second_observations"}
 BACK_END = "pose"
 SENSORS = {"odom": "wheel encoders", "camera/image_raw": "front camera",
+           "rear_camera/image_raw": "rear camera",
            "ceiling_camera/image_raw": "camera that looks up", "scan": "laser", "imu": "IMU",
            "observations": "landmark observations of others", "motion": "motion of others"}
 RESULTS = "robot, rviz"
@@ -62,11 +65,11 @@ def components(product, model):
 def taken(launches, part):
     """Takes the launch file of a part out of {PACKAGE/FILE: keys of the features it is for}."""
     for launch, keys in launches.items():
-        if part.key in keys:
+        if set(part.features) <= keys:
             del launches[launch]
             return launch
     raise ProductError(f"the feature model: no LAUNCH_... starts the {part.role} '{part.name}', "
-                       f"which {part.key} names")
+                       f"which {' and '.join(part.features)} names")
 
 
 def component(part, launch):

@@ -221,6 +221,12 @@ def read_kconfig(files):
             raise ProductError(f"the feature model cannot be read: {error}") from error
 
 
+def mentioned(features):
+    """Returns the features without what is left out: a module, or a second detector."""
+    return {key: value for key, value in features.items()
+            if value != "false" and (key, value) != ("second_detector", "none")}
+
+
 def text(features):
-    """Returns KEY=VALUE KEY=VALUE; a module that is left out is not mentioned."""
-    return " ".join(f"{key}={value}" for key, value in features.items() if value != "false")
+    """Returns KEY=VALUE KEY=VALUE; what is left out is not mentioned."""
+    return " ".join(f"{key}={value}" for key, value in mentioned(features).items())

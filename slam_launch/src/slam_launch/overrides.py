@@ -39,8 +39,8 @@ def require_no_feature(values, model):
 
 
 def applied(product, words, model):
-    """Returns the product that a run of this one is: its detector, its association and its modules can be set,
-    all other features are what it is."""
+    """Returns the product that a run of this one is: its detectors, its association and its modules
+    can be set, all other features are what it is."""
     values = split(words)
     features = {key: value for key, value in values.items() if key in model.groups}
     model.require_known(features)

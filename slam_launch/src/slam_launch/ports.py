@@ -11,6 +11,7 @@ import subprocess
 
 from . import packages
 from .errors import ProductError
+from .feature_model import mentioned
 
 PROGRAM = "slam_ports"
 LATCHED = "latched"
@@ -48,6 +49,7 @@ class Component:
     outputs: tuple
     role: str = "gate"
     key: str = None  # of the product file, which names the component there
+    features: tuple = ()  # the keys that bring it
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,7 +96,8 @@ def read(text):
 
 def component(told):
     return Component(**{**told, "inputs": tuple(Input(**port) for port in told["inputs"]),
-                        "outputs": tuple(Output(**port) for port in told["outputs"])})
+                        "outputs": tuple(Output(**port) for port in told["outputs"]),
+                        "features": tuple(told.get("features", ()))})
 
 
 def require_joined(product):
@@ -109,8 +112,8 @@ def ask(product, *options):
 
 
 def feature_words(product):
-    """Modules that are left out are not mentioned: another package's is not known without it."""
-    return [f"{key}={value}" for key, value in product.features.items() if value != "false"]
+    """What is left out is not mentioned: another package's module is not known without it."""
+    return [f"{key}={value}" for key, value in mentioned(product.features).items()]
 
 
 def library_words(product):

@@ -28,6 +28,12 @@ def dot(product):
             f'{"".join(boxes)}{"".join(outside(parts))}{"".join(edges(product))}}}\n')
 
 
+def identity(part):
+    """Two detectors may have one name: the one at the rear camera is told by its key."""
+    has_own_name = part.key is None or part.key in part.features
+    return f"{part.role} {part.name if has_own_name else part.key}"
+
+
 def box(part):
     inputs = [cell(f"in{number}", f"{TIMES[port.time]} {port.name}"
                    f"{'' if port.is_mandatory else MULTIPLICITY}", port.kind)
@@ -38,7 +44,7 @@ def box(part):
     empty = "<td></td>"
     pairs = zip(inputs + [empty] * (rows - len(inputs)), outputs + [empty] * (rows - len(outputs)))
     lines = "".join(f"<tr>{left}{right}</tr>" for left, right in pairs)
-    return (f'  "{part.role} {part.name}" [label=<<table cellspacing="0" cellpadding="5" '
+    return (f'  "{identity(part)}" [label=<<table cellspacing="0" cellpadding="5" '
             f'cellborder="0" color="#9aa1aa" bgcolor="{FILLS.get(part.role, "#e8f1ee")}">'
             f'<tr><td colspan="2">{muted(f"«{part.role}»")}<br/><b>{html.escape(part.name)}</b>'
             f"</td></tr><hr/>{lines}</table>>];\n")
@@ -72,11 +78,11 @@ def edges(product):
         for number, port in enumerate(part.inputs):
             maker = makers.get(port.made_by) or gates.get(port.gate)
             start = source(maker, port) if maker else f'"topic {port.topic}":e'
-            yield f'  {start} -> "{part.role} {part.name}":in{number}:w;\n'
+            yield f'  {start} -> "{identity(part)}":in{number}:w;\n'
 
 
 def source(maker, port):
     """Returns the output of the maker that goes to an input."""
     number = next(number for number, output in enumerate(maker.outputs)
                   if (output.name, output.kind) == (port.name, port.kind))
-    return f'"{maker.role} {maker.name}":out{number}:e'
+    return f'"{identity(maker)}":out{number}:e'

@@ -10,7 +10,7 @@ import yaml
 
 from . import command_line, config_files, parameters, ports
 from .errors import ProductError
-from .feature_model import text
+from .feature_model import mentioned, text
 
 WRITTEN = """\
 # A product of the SLAM product line; `{check} {name}` checks it.
@@ -108,8 +108,7 @@ def without_file(features, model, name=""):
 def yaml_features(features):
     """Returns features as a product file has them; a module that is left out is not in it, since
     another package's is not known without that package's library."""
-    return {key: True if value == "true" else value
-            for key, value in features.items() if value != "false"}
+    return {key: True if value == "true" else value for key, value in mentioned(features).items()}
 
 
 def with_features(features, model):
@@ -126,14 +125,14 @@ def with_features(features, model):
 
 
 def swappable(features):
-    """Returns the detector, the association and the modules: the rest of a product is the same
+    """Returns the detectors, the association and the modules: the rest of a product is the same
     with another."""
     return {key: value for key, value in features.items()
-            if key in ("detector", "association") or value in ("true", "false")}
+            if key in ("detector", "second_detector", "association") or value in ("true", "false")}
 
 
 def swapped(product, features):
-    """Returns a product with the detector, the association and the modules of other features."""
+    """Returns a product with the detectors, the association and the modules of other features."""
     changed = swappable(features)
     kept = {key: value for key, value in product.content.items() if key not in changed}
     return dataclasses.replace(product, content={**kept, **yaml_features(changed)},

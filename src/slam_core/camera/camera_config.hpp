@@ -25,6 +25,11 @@ struct CameraConfig {
   std::optional<Eigen::Isometry3d> mount(const std::string& section = kSection) const;
 };
 
+/// The same of the second camera, wherever it looks.
+struct RearCameraConfig : CameraConfig {
+  static constexpr const char* kSection = "rear_camera";
+};
+
 /// The same of the camera that looks at the ceiling.
 struct CeilingCameraConfig : CameraConfig {
   static constexpr const char* kSection = "ceiling_camera";

@@ -11,8 +11,10 @@ namespace slam {
 namespace {
 
 const GateRegistrar<CameraGate> kCamera(CameraConfig::kSection);
+const GateRegistrar<RearCameraGate> kRearCamera(RearCameraConfig::kSection);
 const GateRegistrar<CeilingCameraGate> kCeilingCamera(CeilingCameraConfig::kSection);
 const SectionRegistrar<CameraConfig> kCameraSection;
+const SectionRegistrar<RearCameraConfig> kRearCameraSection;
 const SectionRegistrar<CeilingCameraConfig> kCeilingCameraSection;
 
 /// Images that wait longer than this are worth a word: the first ones come before the calibration.

@@ -88,6 +88,15 @@ class CameraGate : public Gate {
   Counters counters_;
 };
 
+/// The gate of the second camera.
+class RearCameraGate final : public CameraGate {
+ public:
+  RearCameraGate() : CameraGate(RearCameraConfig::kSection, "images of the rear camera") {}
+
+  using CameraGate::configure;
+  void configure(Settings& settings) override { configure(settings.read<RearCameraConfig>()); }
+};
+
 /// The gate of the camera that looks at the ceiling.
 class CeilingCameraGate final : public CameraGate {
  public:

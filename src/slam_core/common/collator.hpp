@@ -101,6 +101,15 @@ class Collator {
     return std::nullopt;
   }
 
+  /// The trigger of another source that is due at the stamp of the last step, which next() would
+  /// return; null where there is none.
+  friend const Trigger* dueAtTheSameTime(Collator& collator) {
+    const auto* source = collator.earliestSource();
+    const bool is_due = source != nullptr && source->items().front().stamp == collator.position_ &&
+                        collator.isDue(*source);
+    return is_due ? &source->items().front().value : nullptr;
+  }
+
   /// The motion that follows the last step, if it is here.
   const Motion* pending() const {
     return motions_.items().empty() ? nullptr : &motions_.items().front().value;

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "slam_core/contract/component.hpp"
+#include "slam_core/contract/id_range.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 
 namespace slam {
@@ -26,6 +28,11 @@ class LandmarkDetector : public Component {
 
   /// A loaded map is compared with this; known before configure().
   virtual LandmarkTraits traits() const { return {}; }
+  /// To be called before configure() of a detector that stands beside another one in a product, so
+  /// that an id is of one landmark only: families without an offset of their own begin here.
+  virtual void startIdsAt(LandmarkId /*first*/) {}
+  /// The ids of its landmarks by family, known after configure(); none where they have no ids.
+  virtual std::vector<IdRange> ids() const { return {}; }
   bool isBusy() const override { return observations().has_value(); }
   /// What the last execute() made: nothing when no input was due.
   virtual const std::optional<LandmarkObservationArray>& observations() const = 0;

@@ -93,8 +93,9 @@ class Ports {
     return outputs_.emplace_back(OutputPort{name, kindOf<T>(), std::move(find)});
   }
 
-  /// Adds an input that another component has described.
+  /// Adds what another component has described.
   InputPort& add(InputPort port) { return inputs_.emplace_back(std::move(port)); }
+  OutputPort& add(OutputPort port) { return outputs_.emplace_back(std::move(port)); }
 
   const std::deque<InputPort>& inputs() const& { return inputs_; }
   const std::deque<OutputPort>& outputs() const& { return outputs_; }

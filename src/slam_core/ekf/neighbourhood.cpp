@@ -68,7 +68,8 @@ void Neighbourhood::take(Index landmark) {
       prior_(first + 1, first + 1);
   Eigen::Matrix2Xd cross = Eigen::Matrix2Xd::Zero(2, n);
   Eigen::Vector2d correction = Eigen::Vector2d::Zero();
-  if (!is_fresh_) {
+  // Landmarks may have been appended since, although the robot stands where it stood.
+  if (!is_fresh_ || known_ < landmarks()) {
     const MatrixXd gain = solvePrior(prior);
     cross = (localColumns() * gain).transpose();
     for (Index i = 0; i < gain.rows(); ++i)

@@ -124,9 +124,8 @@ void AprilTagDetector::configure(const AprilTagConfig& config) {
   for (const auto& name : config.families) {
     const auto& functions = kFamilies.at(name);
     FamilyPointer family(functions.create(), functions.destroy);
-    const auto offset = config.id_offsets.find(name);
-    ranges.push_back({name, offset == config.id_offsets.end() ? 0 : offset->second,
-                      static_cast<std::int64_t>(family->ncodes)});
+    ranges.push_back(
+        {name, offsetOf(name, config.id_offsets), static_cast<std::int64_t>(family->ncodes)});
     library->families.push_back({std::move(family), ranges.back().offset});
   }
   requireUniqueIds(AprilTagConfig::kSection, ranges, config.id_offsets);
@@ -140,6 +139,7 @@ void AprilTagDetector::configure(const AprilTagConfig& config) {
   detector.nthreads = config.threads;
   config_ = config;
   library_ = std::move(library);
+  use(std::move(ranges));
 }
 
 void AprilTagDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>& found) {

@@ -141,9 +141,7 @@ void ArucoDetector::configure(const ArucoConfig& config) {
   std::vector<IdRange> ranges;
   for (const auto& name : config.dictionaries) {
     const auto dictionary = cv::aruco::getPredefinedDictionary(kDictionaries.at(name));
-    const auto offset = config.id_offsets.find(name);
-    ranges.push_back(
-        {name, offset == config.id_offsets.end() ? 0 : offset->second, dictionary->bytesList.rows});
+    ranges.push_back({name, offsetOf(name, config.id_offsets), dictionary->bytesList.rows});
     const bool is_april_tag = name.rfind("DICT_APRILTAG_", 0) == 0;
     library->dictionaries.push_back({dictionary, ranges.back().offset, is_april_tag});
     for (std::size_t i = 0; i + 1 < ranges.size(); ++i)
@@ -158,6 +156,7 @@ void ArucoDetector::configure(const ArucoConfig& config) {
   library->refine_by_edges = config.corner_refinement == ArucoConfig::Refinement::kEdges;
   library->parameters->errorCorrectionRate = config.error_correction_rate;
   library_ = std::move(library);
+  use(std::move(ranges));
 }
 
 void ArucoDetector::detect(const cv::Mat& gray, std::vector<MarkerDetection>& found) {

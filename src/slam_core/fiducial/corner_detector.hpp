@@ -3,10 +3,15 @@
 
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <opencv2/core/mat.hpp>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "slam_core/common/settings.hpp"
+#include "slam_core/contract/id_range.hpp"
 #include "slam_core/fiducial/marker_detection.hpp"
 
 namespace slam::fiducial {
@@ -21,6 +26,24 @@ class CornerDetector {
   virtual void configure(Settings& settings) = 0;
   /// Appends what is in the image (8 bit gray) to `found`; rejects what it read with doubt.
   virtual void detect(const cv::Mat& gray, std::vector<MarkerDetection>& found) = 0;
+  /// Before configure(): ids of families without an offset of their own begin here.
+  void startIdsAt(LandmarkId first) { first_id_ = first; }
+  /// Known after configure().
+  const std::vector<IdRange>& ids() const { return ids_; }
+
+ protected:
+  /// Where the ids of a family begin. @param offsets those that the configuration gives
+  std::int64_t offsetOf(const std::string& family,
+                        const std::map<std::string, std::int64_t>& offsets) const {
+    const auto found = offsets.find(family);
+    return found == offsets.end() ? first_id_ : found->second;
+  }
+
+  void use(std::vector<IdRange> ids) { ids_ = std::move(ids); }
+
+ private:
+  LandmarkId first_id_ = 0;
+  std::vector<IdRange> ids_;
 };
 
 }  // namespace slam::fiducial

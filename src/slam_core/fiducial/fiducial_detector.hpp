@@ -29,6 +29,8 @@ class FiducialDetector : public LandmarkDetector, public ViewDrawer {
   void configure(Settings& settings) override;
   void set(const CameraView& view) { next_view_ = view; }
   Status execute() override;
+  void startIdsAt(LandmarkId first) override { corner_detector_->startIdsAt(first); }
+  std::vector<IdRange> ids() const override { return corner_detector_->ids(); }
   const std::optional<LandmarkObservationArray>& observations() const override {
     return observations_;
   }

@@ -8,17 +8,6 @@
 #include "slam_core/common/config_error.hpp"
 
 namespace slam::fiducial {
-namespace {
-
-std::int64_t lastOf(const IdRange& range) { return range.offset + range.count - 1; }
-
-std::string text(const IdRange& range) {
-  return range.family + " (" + std::to_string(range.offset) + " .. " +
-         std::to_string(lastOf(range)) + ")";
-}
-
-}  // namespace
-
 void requireUniqueIds(const std::string& section, const std::vector<IdRange>& ranges,
                       const std::map<std::string, std::int64_t>& offsets) {
   FaultCollector faults;
@@ -32,10 +21,10 @@ void requireUniqueIds(const std::string& section, const std::vector<IdRange>& ra
     for (auto b = a + 1; b != ranges.end(); ++b) {
       if (a->family == b->family)
         faults.add(section + ": " + a->family + " is listed twice");
-      else if (a->offset <= lastOf(*b) && b->offset <= lastOf(*a))
-        faults.add(section + ".id_offsets: the ids of " + text(*a) + " and " + text(*b) +
+      else if (a->overlaps(*b))
+        faults.add(section + ".id_offsets: the ids of " + a->text() + " and " + b->text() +
                    " overlap; give " + b->family + " an offset of " +
-                   std::to_string(lastOf(*a) + 1) + " or more");
+                   std::to_string(a->last() + 1) + " or more");
     }
   }
   faults.raise();

@@ -8,15 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace slam::fiducial {
+#include "slam_core/contract/id_range.hpp"
 
-/// A family of markers in use: its ids are 0 .. count - 1, in the product offset .. offset + count
-/// - 1.
-struct IdRange {
-  std::string family;
-  std::int64_t offset = 0;
-  std::int64_t count = 0;
-};
+namespace slam::fiducial {
 
 /// Ids are unique in a product: each family has its range of them.
 /// @throw ConfigError of the section for families listed twice, offsets of families that are not

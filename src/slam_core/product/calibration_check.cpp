@@ -7,6 +7,7 @@
 
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/calibrator.hpp"
+#include "slam_core/models/landmark_sensor.hpp"
 
 namespace slam {
 namespace {
@@ -25,10 +26,27 @@ CalibrationConfig listed(Settings settings) {
   return config;
 }
 
+/// A correction of the mount counts for all that is observed.
+void requireOneMount(const ProductConfig& product, Settings settings) {
+  LandmarkSensorConfig sensor;
+  try {
+    settings.read(sensor);
+  } catch (const ConfigError&) {
+    return;  // who reads it says so
+  }
+  if (product.second_camera &&
+      (sensor.mount_x != 0 || sensor.mount_y != 0 || sensor.mount_yaw != 0))
+    throw ConfigError(
+        "landmark_sensor: mount_x, mount_y and mount_yaw correct the mount of one camera, and with "
+        "second_camera there are two; set them to 0 and correct camera.sensor_pose or the camera's "
+        "transform instead");
+}
+
 }  // namespace
 
 void checkCalibration(const ProductConfig& product, const Capabilities& backend,
                       Settings& settings) {
+  requireOneMount(product, settings);
   const auto config = listed(settings);
   if (!config.isOn()) return;
   if (backend.find<Calibrator>() == nullptr) {
@@ -37,6 +55,11 @@ void checkCalibration(const ProductConfig& product, const Capabilities& backend,
                       " does not calibrate, backend=ekf and backend=graph do; use one of them, or "
                       "leave the list empty");
   }
+  if (product.second_camera)
+    throw ConfigError(
+        "calibration.estimate: what is estimated of a landmark sensor holds for one, and with "
+        "second_camera there are two; calibrate in a product with one camera, or leave the list "
+        "empty");
   if (product.odometry == kWheels || product.odometry == "none") return;
   for (const auto& name : config.namesOfWheels())
     throw ConfigError("calibration.estimate: with odometry=" + product.odometry +

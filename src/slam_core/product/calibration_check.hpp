@@ -10,7 +10,7 @@
 namespace slam {
 
 /// Checks that what `calibration.estimate` lists can be calibrated by the product's back-end, and
-/// belongs to what tells its motion.
+/// belongs to what tells its motion; and that what corrects one sensor is not given for two.
 /// @throw ConfigError
 void checkCalibration(const ProductConfig& product, const Capabilities& backend,
                       Settings& settings);

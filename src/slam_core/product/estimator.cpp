@@ -40,6 +40,10 @@ void Estimator::use(std::unique_ptr<Backend> backend) { backend_ = std::move(bac
 
 void Estimator::adaptTo(const ProductConfig& product) {
   has_odometry_ = product.odometry != "none";
+  further_ = detectorPlacesOf(product);
+  further_.erase(std::remove_if(further_.begin(), further_.end(),
+                                [](const auto& place) { return place.prefix().empty(); }),
+                 further_.end());
   expected_ = ExpectedLandmarks(product);
   chooseMap(product, *backend_);
   capabilities_ = capabilitiesOf(*backend_);
@@ -53,10 +57,21 @@ void Estimator::adaptTo(const ProductConfig& product) {
 
 Ports Estimator::usedPorts() const {
   Ports used;
-  for (auto& input : portsOf(*backend_).inputs())
-    if (has_odometry_ || input.is_mandatory || input.time != TimeRole::kCarrier)
-      used.add(std::move(input));
+  for (const auto& input : portsOf(*backend_).inputs()) {
+    if (!has_odometry_ && !input.is_mandatory && input.time == TimeRole::kCarrier) continue;
+    used.add(input);
+    if (input.kind == kindOf<LandmarkObservationArray>()) addFurther(input, used);
+  }
   return used;
+}
+
+/// Observations of one stamp come in the order of their inputs.
+void Estimator::addFurther(const InputPort& observations, Ports& used) const {
+  for (const auto& place : further_) {
+    auto& input = used.add(observations);
+    input.name = place.observations();
+    input.sentence = place.description();
+  }
 }
 
 void Estimator::configure(Settings& settings) {

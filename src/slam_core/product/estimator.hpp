@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "slam_core/consistency/consistency_monitor.hpp"
 #include "slam_core/consistency/noise_adaptation.hpp"
@@ -14,6 +15,7 @@
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/models/filter_pose.hpp"
+#include "slam_core/product/detector_place.hpp"
 #include "slam_core/product/event_watch.hpp"
 #include "slam_core/product/expected_landmarks.hpp"
 #include "slam_core/product/intake.hpp"
@@ -108,8 +110,10 @@ class Estimator final : public Component {
   }
 
  private:
-  /// The back-end's, without those that the product does not use.
+  /// The back-end's, without those that the product does not use; its observations come from each
+  /// of the product's detectors at an input of its own.
   Ports usedPorts() const;
+  void addFurther(const InputPort& observations, Ports& used) const;
   bool takesLines() const;
   Status resetBackend();
   Status restart();
@@ -136,6 +140,7 @@ class Estimator final : public Component {
 
   std::unique_ptr<Backend> backend_;
   bool has_odometry_ = true;            ///< the product has an odometry source
+  std::vector<DetectorPlace> further_;  ///< the detectors beside the first one
   Ports ports_;                         ///< the back-end's
   ExpectedLandmarks expected_;          ///< in a loaded map
   const InputPort* carrier_ = nullptr;  ///< that takes motion; none in a product without

@@ -30,6 +30,24 @@ constexpr const char* kCoasted =
     "motion is missing and the odometry's poses do not tell it: the robot is taken to have gone on "
     "at its last velocity";
 
+/// Adds what another detector has seen in the same image: as one array it is one step, of which the
+/// robot's pose is corrected by all that was seen, and a particle is drawn where all of it fits.
+/// @return false where it is of another sensor or another kind
+bool joins(const Intake::Trigger& other, const Intake::Trigger& trigger) {
+  const auto kind = kindOf<LandmarkObservationArray>();
+  if (trigger.port->kind != kind || other.port->kind != kind) return false;
+  auto& all = *static_cast<LandmarkObservationArray*>(trigger.value.get());
+  const auto& more = *static_cast<const LandmarkObservationArray*>(other.value.get());
+  if (more.sensor_frame != all.sensor_frame ||
+      more.sensor_pose.vector() != all.sensor_pose.vector())
+    return false;
+  auto& seen = all.observations;
+  seen.insert(seen.end(), more.observations.begin(), more.observations.end());
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const auto& a, const auto& b) { return a.id < b.id; });
+  return true;
+}
+
 /// What is wrong with how a back-end declares an input; empty where nothing is.
 std::string faultOf(const InputPort& port) {
   if (port.time == TimeRole::kCarrier && port.kind != kindOf<Motion>())
@@ -159,7 +177,14 @@ void Intake::takeTrigger(const InputPort& port, const void* value) {
     collator_.skip(static_cast<std::size_t>(source), port.traits.hold(value).sequence);
 }
 
-std::optional<Intake::Step> Intake::next() { return collator_.next(); }
+std::optional<Intake::Step> Intake::next() {
+  auto step = collator_.next();
+  if (!step || !step->trigger) return step;
+  for (const auto* other = dueAtTheSameTime(collator_);
+       other != nullptr && joins(*other, *step->trigger); other = dueAtTheSameTime(collator_))
+    collator_.next();
+  return step;
+}
 
 void Intake::admit(const Trigger& trigger) {
   screen_.admit(*trigger.port, trigger.value.get());

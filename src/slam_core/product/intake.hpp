@@ -71,7 +71,8 @@ class Intake {
   /// No data are expected at this input, now and after a reset: no other waits for it.
   void expectNothing(const std::string& input);
 
-  /// The next step that is due, or nothing.
+  /// The next step that is due, or nothing. Observations of one sensor and one stamp are one array,
+  /// however many detectors have made them.
   std::optional<Step> next();
   /// The back-end takes this trigger: what would be too much for one step is left out of it.
   void admit(const Trigger& trigger);

@@ -65,7 +65,7 @@ Status MetaCoordinator::beginningModules(Status status) {
 std::uint64_t MetaCoordinator::dropped() const {
   std::uint64_t sum = 0;
   if (parts_.odometry) sum += parts_.odometry->dropped();
-  if (parts_.detector) sum += parts_.detector->dropped();
+  for (const auto& detector : parts_.detectors) sum += detector.component->dropped();
   if (parts_.estimator) sum += parts_.estimator->dropped();
   for (const auto& gate : wiring_.gates()) sum += gate->dropped();
   return sum;

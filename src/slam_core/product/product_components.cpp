@@ -20,20 +20,22 @@ std::unique_ptr<Role> create(const std::string& name) {
   return Registry<Role>::instance().create(name);
 }
 
-std::unique_ptr<LandmarkDetector> createDetector(const std::string& name) {
-  try {
-    return create<LandmarkDetector>(name);
-  } catch (const ConfigError& error) {
-    throw ConfigError(std::string(error.what()) + "; 'none' looks at no images");
-  }
-}
-
 ProductConfig named(ProductConfig product, const ProductPart& part) {
   if (part.name.empty()) return product;
   if (part.extent == Extent::kOdometry) product.odometry = part.name;
   if (part.extent == Extent::kDetector) product.detector = part.name;
   if (part.extent == Extent::kBackend) product.backend = part.name;
   return product;
+}
+
+void createDetectors(const ProductPart& part, ProductComponents& parts, FaultCollector& unknown) {
+  std::vector<DetectorPlace> places;
+  unknown.attempt([&] { places = detectorPlacesOf(parts.product); });
+  for (const auto& place : places) {
+    const bool is_one_of_them = part.extent == Extent::kWhole || place.prefix() == part.place;
+    if (is_one_of_them)
+      unknown.attempt([&] { parts.detectors.push_back({place, createDetector(place)}); });
+  }
 }
 
 ProductComponents create(const ProductConfig& product, const ProductPart& part,
@@ -43,8 +45,7 @@ ProductComponents create(const ProductConfig& product, const ProductPart& part,
   FaultCollector unknown;
   if (part.has(Extent::kOdometry))
     unknown.attempt([&] { parts.odometry = create<OdometrySource>(product.odometry); });
-  if (part.has(Extent::kDetector))
-    unknown.attempt([&] { parts.detector = createDetector(product.detector); });
+  if (part.has(Extent::kDetector)) createDetectors(part, parts, unknown);
   if (part.has(Extent::kBackend))
     unknown.attempt([&] {
       auto backend = Registry<Backend>::instance().create(product.backend);
@@ -59,6 +60,16 @@ ProductComponents create(const ProductConfig& product, const ProductPart& part,
   return parts;
 }
 
+void configureDetectors(ProductComponents& parts, Settings& settings, FaultCollector& faults) {
+  DetectorIds ids;
+  for (const auto& [place, detector] : parts.detectors)
+    faults.attempt([&, &place = place, &detector = detector] {
+      detector->configure(settings);
+      ids.add(place, *detector);
+    });
+  faults.attempt([&] { ids.requireUnique(); });
+}
+
 void configure(ProductComponents& parts, Settings& settings, std::uint64_t seed,
                FaultCollector& faults) {
   if (parts.odometry)
@@ -66,7 +77,7 @@ void configure(ProductComponents& parts, Settings& settings, std::uint64_t seed,
       parts.odometry->configure(settings);
       parts.odometry->seed(seed);
     });
-  if (parts.detector) faults.attempt([&] { parts.detector->configure(settings); });
+  configureDetectors(parts, settings, faults);
   for (const auto& [name, module] : parts.modules)
     faults.attempt([&, &part = *module] { part.configure(settings); });
   if (parts.estimator) faults.attempt([&] { parts.estimator->configure(settings); });
@@ -86,13 +97,15 @@ std::vector<ProductComponent> inOrder(const ProductComponents& parts) {
   const auto& names = parts.product;
   std::vector<ProductComponent> all;
   if (parts.odometry)
-    all.push_back({OdometrySource::kRole, "odometry", names.odometry, parts.odometry.get()});
-  if (parts.detector)
-    all.push_back({LandmarkDetector::kRole, "detector", names.detector, parts.detector.get()});
+    all.push_back(
+        {OdometrySource::kRole, "odometry", names.odometry, parts.odometry.get(), {"odometry"}});
+  for (const auto& [place, detector] : parts.detectors)
+    all.push_back(
+        {LandmarkDetector::kRole, place.key(), place.name, detector.get(), place.features()});
   if (parts.estimator)
-    all.push_back({Backend::kRole, "backend", names.backend, parts.estimator.get()});
+    all.push_back({Backend::kRole, "backend", names.backend, parts.estimator.get(), {"backend"}});
   for (const auto& [name, module] : parts.modules)
-    all.push_back({MapModule::kRole, name, name, module.get()});
+    all.push_back({MapModule::kRole, name, name, module.get(), {name}});
   return all;
 }
 

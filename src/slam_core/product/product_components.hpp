@@ -12,6 +12,7 @@
 #include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/contract/map_module.hpp"
 #include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/product/detector_place.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_core/product/product_config.hpp"
 #include "slam_core/product/wiring.hpp"
@@ -24,17 +25,25 @@ struct ProductPart {
 
   Extent extent = Extent::kWhole;
   std::string name;  ///< of a component other than the one that the product names; of the module
+  /// Of several detectors the one whose place has this prefix (DetectorPlace).
+  std::string place = "";
 
   bool has(Extent role) const { return extent == Extent::kWhole || extent == role; }
+};
+
+/// A detector and where it stands in the product.
+struct ProductDetector {
+  DetectorPlace place;
+  std::unique_ptr<LandmarkDetector> component;
 };
 
 /// Components that a product names.
 struct ProductComponents {
   ProductConfig product;  ///< what names them
   FramesConfig frames;
-  std::unique_ptr<OdometrySource> odometry;    ///< null in a product without
-  std::unique_ptr<LandmarkDetector> detector;  ///< null in a product without
-  std::unique_ptr<Estimator> estimator;        ///< with the back-end
+  std::unique_ptr<OdometrySource> odometry;  ///< null in a product without
+  std::vector<ProductDetector> detectors;    ///< the first one first
+  std::unique_ptr<Estimator> estimator;      ///< with the back-end
   std::map<std::string, std::unique_ptr<MapModule>> modules;
   bool is_complete = true;  ///< all components that the product names are known
 };
@@ -42,9 +51,10 @@ struct ProductComponents {
 /// A component of a product, and what it is called.
 struct ProductComponent {
   std::string role;  ///< "odometry source"
-  std::string key;   ///< the product's key that names it: "odometry"; of a module the module's name
+  std::string key;   ///< "odometry", as the product's key that names it; of a module its name
   std::string name;  ///< in the registry
   Component* component = nullptr;
+  std::vector<std::string> features;  ///< the product's keys that bring it
 
   /// "odometry source 'wheel'", for sentences
   std::string title() const { return role + " '" + name + "'"; }

@@ -55,6 +55,12 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("detector", &detector,
              "name of the detector that finds landmarks in the camera's images; none: they come as "
              "observations");
+  fields.add("second_detector", &second_detector,
+             "name of a detector beside the first one, which finds other landmarks with the same "
+             "sensor; none: there is one detector");
+  fields.add("second_camera", &second_camera,
+             "the detectors look through a second camera as well, which the robot file calls "
+             "rear_camera");
   fields.add("association", &association,
              "how it is decided of which landmark an observation is: known_ids (it says so), "
              "nearest (by its place, each on its own), jcbb (by their places, all of a stamp "

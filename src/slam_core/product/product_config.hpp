@@ -25,6 +25,8 @@ struct ProductConfig {
   std::string backend = "ekf";
   std::string odometry = "wheel";
   std::string detector = "none";
+  std::string second_detector = "none";
+  bool second_camera = false;  ///< the detectors look through a second camera as well
   std::string association = "known_ids";
   MapKind map = MapKind::kLandmarks;
   std::map<std::string, bool> modules;  ///< whether it has the additional module of a name

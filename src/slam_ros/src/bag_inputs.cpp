@@ -268,6 +268,23 @@ BagInputs::BagInputs(const BagReader& bag, const slam::ProductComponents& produc
   if (const auto missing = search.missing(); !missing.empty())
     throw TopicError(fmt::format("the bag {} lacks {}; it has {}", bag.path(),
                                  slam::join(missing, " and "), listTopics(bag.topics())));
+  requireSensorsOfTheirOwn(bag);
+}
+
+/// A bag with one camera has no images for the rear one, although their type would fit.
+void BagInputs::requireSensorsOfTheirOwn(const BagReader& bag) const {
+  const std::string rear = "rear_";
+  for (const auto& found : found_) {
+    if (found.port.rfind(rear, 0) != 0) continue;
+    const auto other = found.port.substr(rear.size());
+    const auto own = found.input->topics(), of_other = topicsOf(other);
+    if (!own.empty() && !of_other.empty() && own.front() == of_other.front())
+      throw TopicError(
+          fmt::format("the bag {} has no data of {}, only of {} on {}: name their topic with "
+                      "--remap {}:=TOPIC, "
+                      "or leave the second sensor out of the product",
+                      bag.path(), found.port, other, own.front(), found.port));
+  }
 }
 
 const Found* BagInputs::find(const std::string& port, slam::Kind kind) const {

@@ -8,8 +8,8 @@
 
 namespace slam_ros {
 
-DetectionsPublisher::DetectionsPublisher(ros::NodeHandle handle)
-    : publisher_(handle.advertise<sensor_msgs::Image>("detections/image", 2)) {}
+DetectionsPublisher::DetectionsPublisher(ros::NodeHandle handle, const std::string& place)
+    : publisher_(handle.advertise<sensor_msgs::Image>(place + "detections/image", 2)) {}
 
 void DetectionsPublisher::publish(const slam::ViewDrawer& detector,
                                   const slam::LandmarkObservationArray& array) const {

@@ -27,10 +27,13 @@ EstimatorNode::EstimatorNode(const Handles& handles, const OutputsConfig& output
   topics_ = settings.read<TopicsConfig>();
   coordinator_.configure(settings, part);
   requireKnownInputs(coordinator_.wiring());
+  requireDistinctTopics(coordinator_.wiring(), topics_);
   const bool is_resumed = resume(handles.product, settings, part);
   flow_.emplace(coordinator_.components());
   notes_ = ArrivalNotes(*flow_, slam::portsOf(estimator()));
-  silence_.mayPause(topics_.observations);
+  for (const auto& input : slam::portsOf(estimator()).inputs())
+    if (input.kind == slam::kindOf<slam::LandmarkObservationArray>())
+      silence_.mayPause(topics_.of(input.name));
   const auto frames = settings.read<slam::FramesConfig>();
   map_frame_ = frameId(frames.map);
   const bool makes_grid = estimator().capabilities().find<slam::GridMapper>() != nullptr;

@@ -72,12 +72,14 @@ class InprocessNodelet : public nodelet::Nodelet {
   }
 
   void showDetections() {
-    const auto* drawer = drawerOf(product_.components().detector.get());
-    if (drawer == nullptr) return;
-    detections_.emplace(getNodeHandle());
-    product_.listen<slam::LandmarkObservationArray>(
-        "observations",
-        [this, drawer](const auto& array) { detections_->publish(*drawer, array); });
+    for (const auto& [place, detector] : product_.components().detectors) {
+      const auto* drawer = drawerOf(detector.get());
+      if (drawer == nullptr) continue;
+      const DetectionsPublisher detections(getNodeHandle(), place.prefix());
+      product_.listen<slam::LandmarkObservationArray>(
+          place.observations(),
+          [detections, drawer](const auto& array) { detections.publish(*drawer, array); });
+    }
   }
 
   /// What an odometry source with a frame of its own makes is shown; of others only the transform.
@@ -126,7 +128,6 @@ class InprocessNodelet : public nodelet::Nodelet {
 
   slam::MetaCoordinator product_;
   TransformPublisher odometry_transform_;
-  std::optional<DetectionsPublisher> detections_;
   std::optional<MotionPublisher> shown_motion_;
   std::vector<std::unique_ptr<ModulePublisher>> modules_;
   std::string output_dir_;

@@ -51,4 +51,19 @@ void requireKnownInputs(const slam::Wiring& wiring) {
   faults.raise();
 }
 
+void requireDistinctTopics(const slam::Wiring& wiring, const TopicsConfig& topics) {
+  const std::string rear = "rear_";
+  slam::FaultCollector faults;
+  for (const auto& input : wiring.ports().open()) {
+    if (input.time == slam::TimeRole::kLatched || input.name.rfind(rear, 0) != 0) continue;
+    const auto other = input.name.substr(rear.size());
+    if (topics.of(input.name) == topics.of(other))
+      faults.add(fmt::format(
+          "topics.{}: '{}' is the topic of {} already; name that of the second sensor in the robot "
+          "file, or leave the second one out of the product",
+          input.name, topics.of(input.name), other));
+  }
+  faults.raise();
+}
+
 }  // namespace slam_ros

@@ -68,6 +68,7 @@ void OfflineRun::configure() {
   faults.attempt([&] { coordinator_.configure(settings_); });
   faults.raise();
   requireKnownInputs(coordinator_.wiring());
+  requireDistinctTopics(coordinator_.wiring(), topics);
   const auto& parts = coordinator_.components();
   inputs_.emplace(bag_, parts, BagContext{topics, parts.frames}, parseRemaps(options_.remaps));
   for (const auto& trigger : inputs_->flow().triggersOfBackend())

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "slam_ros/known_inputs.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
@@ -15,6 +16,7 @@ PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
   part_.configure(settings, part);
   auto context = inputContext(handles.product, settings, options);
   topics_ = context.topics;
+  requireDistinctTopics(part_.wiring(), topics_);
   diagnostics_.emplace(
       handles.product, handles.own, handles.name,
       Diagnostics::Sources{[this] { return part_.counters(); }, [this] { return waiting(); },

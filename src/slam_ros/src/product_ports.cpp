@@ -151,6 +151,7 @@ Json describePorts(const slam::ProductConfig& product) {
   for (const auto& part : joined.components())
     components.push_back({{"role", part.role},
                           {"key", part.key},
+                          {"features", part.features},
                           {"name", part.name},
                           {"inputs", joined.inputsOf(*part.component)},
                           {"outputs", outputsOf(parts, part)}});

@@ -40,6 +40,7 @@ std::vector<std::pair<std::string, slam::Kind>> TopicsConfig::inputs() {
           {"odom", slam::kindOf<slam::OdometrySample>()},
           {"observations", slam::kindOf<slam::LandmarkObservationArray>()},
           {"camera", slam::kindOf<slam::Image>()},
+          {"rear_camera", slam::kindOf<slam::Image>()},
           {"ceiling_camera", slam::kindOf<slam::Image>()},
           {"scan", slam::kindOf<slam::LaserSweep>()},
           {"imu", slam::kindOf<slam::ImuReading>()}};

@@ -164,7 +164,7 @@ slam_msgs::LandmarkMap truthMapMessage(const World& world, const ros::Time& stam
   message.header.frame_id = kWorldFrame;
   for (const auto& marker : world.markers) {
     slam_msgs::Landmark landmark;
-    landmark.id = marker.id;
+    landmark.id = marker.landmark();
     landmark.x = marker.T_world_marker.translation().x();
     landmark.y = marker.T_world_marker.translation().y();
     message.landmarks.push_back(landmark);

@@ -59,14 +59,17 @@ void addOptions(CLI::App& app, Options& options) {
   auto& recording = options.recording;
   recording.threads = cores;
   app.add_option("OUT.bag", options.bag, "the bag to write")->required();
-  app.add_option("--world", options.world, "office, corridor, hall, depot, forest or a file.yaml")
+  app.add_option("--world", options.world,
+                 "office, corridor, hall, depot, forest, foyer or a file.yaml")
       ->capture_default_str();
-  app.add_option("--robot", options.robot, "segway, omni, skid, car, turtlebot3 or a file.yaml")
+  app.add_option("--robot", options.robot,
+                 "segway, omni, skid, scout, car, turtlebot3 or a file.yaml")
       ->capture_default_str();
   app.add_option("--seed", recording.seed, "of all noise")
       ->check(faultOfSeed)
       ->capture_default_str();
-  app.add_option("--only", recording.streams, "odom,scan,imu,camera,ceiling_camera: some of them")
+  app.add_option("--only", recording.streams,
+                 "odom,scan,imu,camera,rear_camera,ceiling_camera: some of them")
       ->delimiter(',');
   app.add_option("--duration", recording.duration, "the drive's first seconds only [s]")
       ->check(faultOfDuration);

@@ -62,7 +62,7 @@ void checkMarker(const Marker& marker, const std::string& place, const FloorPlan
                    " looks at a wall or furniture ", free, " m away; does it face the other way?"));
 }
 
-/// Landmarks are told apart by their ids, whatever the family.
+/// Landmarks are told apart by their ids, offsets included.
 void checkIds(const World& world, const WorldPlaces& places, FaultCollector& faults) {
   std::map<std::int64_t, std::string> seen;
   for (std::size_t i = 0; i < world.markers.size(); ++i) {
@@ -71,10 +71,10 @@ void checkIds(const World& world, const WorldPlaces& places, FaultCollector& fau
     if (family != nullptr && (marker.id < 0 || marker.id >= family->ids))
       faults.add(say(places.markers[i], ": the family ", family->name, " has no marker ", marker.id,
                      "; its ids are 0 to ", family->ids - 1));
-    const auto [first, is_new] = seen.emplace(marker.id, places.markers[i]);
+    const auto [first, is_new] = seen.emplace(marker.landmark(), places.markers[i]);
     if (!is_new)
-      faults.add(
-          say(places.markers[i], ": there is a marker ", marker.id, " already, ", first->second));
+      faults.add(say(places.markers[i], ": there is a marker ", marker.landmark(), " already, ",
+                     first->second, "; give one of two families an id_offset"));
   }
 }
 

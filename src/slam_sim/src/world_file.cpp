@@ -136,6 +136,7 @@ class WorldReader {
     double facing = 0.0;
     map.require("id", marker.id);
     map.read("family", marker.family, markerFamilyNames());
+    map.read("id_offset", marker.id_offset, Range::atLeast(0.0));
     map.read("size", marker.size, kLength);
     map.require("position", position, kCoordinate);
     map.require("facing", facing);
@@ -153,6 +154,7 @@ class WorldReader {
     map.require("first_id", first_id, Range::atLeast(0.0));
     map.require("count", count, Range::closed(2.0, 10000.0));
     map.read("family", marker.family, markerFamilyNames());
+    map.read("id_offset", marker.id_offset, Range::atLeast(0.0));
     map.read("size", marker.size, kLength);
     map.require("from", from, kCoordinate);
     map.require("to", to, kCoordinate);

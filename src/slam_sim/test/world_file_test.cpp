@@ -106,7 +106,7 @@ markers:)"));
 TEST_F(WorldFile, EveryShippedWorldIsSound) {
   for (const auto& [name, markers] :
        {std::pair("office", 12u), std::pair("corridor", 100u), std::pair("hall", 500u),
-        std::pair("forest", 0u), std::pair("depot", 0u)}) {
+        std::pair("foyer", 13u), std::pair("forest", 0u), std::pair("depot", 0u)}) {
     const auto world = readWorldFile(std::string(SLAM_SIM_FOLDER) + "/worlds/" + name + ".yaml");
     EXPECT_EQ(world.name, name);
     EXPECT_EQ(world.markers.size(), markers);
@@ -144,6 +144,14 @@ TEST_F(WorldFile, AnIdThatTheFamilyDoesNotHaveIsRefused) {
 TEST_F(WorldFile, TheSameIdTwiceIsRefused) {
   expectFault(room("path:", "  - {id: 0, position: [0.01, 2, 0.6], facing: 0}\npath:"), ":9",
               "there is a marker 0 already");
+}
+
+TEST_F(WorldFile, MarkersOfTwoFamiliesMayHaveOneNumberWhereALandmarkHasOneId) {
+  const auto world = readWorldFile(std::string(SLAM_SIM_FOLDER) + "/worlds/foyer.yaml");
+  std::vector<std::int64_t> of_number_three;
+  for (const auto& marker : world.markers)
+    if (marker.id == 3) of_number_three.push_back(marker.landmark());
+  EXPECT_EQ(of_number_three, (std::vector<std::int64_t>{3, 10003}));
 }
 
 TEST_F(WorldFile, AMarkerInsideFurnitureIsRefused) {

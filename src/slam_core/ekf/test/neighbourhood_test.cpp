@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <numeric>
 #include <set>
 
@@ -111,6 +112,25 @@ TEST_P(Compression, EqualsTheDenseFilterAtEveryLookAtTheWholeMap) {
       expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
   }
   EXPECT_GT(as<LandmarkMapper>(compressed).landmarks().size(), 20u);
+}
+
+TEST_P(Compression, EqualsTheDenseFilterWhereTwoSensorsSeeAtTheSameTime) {
+  WideWorld world(6, 60);
+  std::set<LandmarkId> known;
+  for (int i = 0; i < 240; ++i) {
+    const auto motion = world.drive();
+    std::array<LandmarkObservationArray, 2> arrays;  // one sensor sees what nobody has seen so far
+    for (const auto& z : world.look().observations)
+      arrays[known.insert(z.id).second ? 0 : 1].observations.push_back(z);
+    for (auto* ekf : {&compressed, &dense}) {
+      ekf->set(motion);
+      for (const auto& array : arrays) {  // without motion before the second one
+        ekf->set(array);
+        ASSERT_NE(ekf->execute().level, Status::Level::kError);
+      }
+    }
+  }
+  expectSameState(as<MapKeeper>(compressed).state(), as<MapKeeper>(dense).state());
 }
 
 TEST_P(Compression, TellsTheMarginalsOfTheWholeMapWithoutBringingItUpToDate) {

@@ -200,7 +200,7 @@ TEST(DetectorNone, ImagesHaveNoEffect) {
   Settings settings;
   MetaCoordinator coordinator;
   coordinator.configure(settings);
-  EXPECT_EQ(coordinator.components().detector, nullptr);
+  EXPECT_TRUE(coordinator.components().detectors.empty());
   coordinator.set(lampAt(16, 100));
   EXPECT_TRUE(coordinator.execute().isOk());
   EXPECT_TRUE(coordinator.counters().all().empty());

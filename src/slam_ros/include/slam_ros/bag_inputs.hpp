@@ -68,6 +68,8 @@ class BagInputs {
   /// One topic may be several inputs.
   static void add(BagHandlers more, BagHandlers& handlers);
   const Found* find(const std::string& port, slam::Kind kind) const;
+  /// Refuses one topic for two sensors of a kind.
+  void requireSensorsOfTheirOwn(const BagReader& bag) const;
 
   slam::DataFlow flow_;
   std::vector<Found> found_;

@@ -6,16 +6,19 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include <string>
+
 #include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 
 namespace slam_ros {
 
-/// Publishes the marked-up image of a detector on `detections/image`, and has it drawn only while
+/// Publishes the marked-up image of a detector on a topic of its own, and has it drawn only while
 /// somebody looks.
 class DetectionsPublisher {
  public:
-  explicit DetectionsPublisher(ros::NodeHandle handle);
+  /// @param place of the detector, whose prefix `detections/image` has
+  DetectionsPublisher(ros::NodeHandle handle, const std::string& place);
 
   /// @param array what `detector` has made of its last image
   void publish(const slam::ViewDrawer& detector, const slam::LandmarkObservationArray& array) const;

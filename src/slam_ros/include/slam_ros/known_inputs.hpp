@@ -4,6 +4,7 @@
 #pragma once
 
 #include "slam_core/product/wiring.hpp"
+#include "slam_ros/topics_config.hpp"
 
 namespace slam_ros {
 
@@ -12,5 +13,9 @@ namespace slam_ros {
 /// with the data of the same port.
 /// @throw slam::ConfigError naming the component, the input, its kind and what is near
 void requireKnownInputs(const slam::Wiring& wiring);
+
+/// Refuses one topic for two sensors of a kind, a camera and the rear one: each image would count
+/// twice. @throw slam::ConfigError naming both and the key of the robot file
+void requireDistinctTopics(const slam::Wiring& wiring, const TopicsConfig& topics);
 
 }  // namespace slam_ros

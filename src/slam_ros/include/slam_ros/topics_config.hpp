@@ -23,6 +23,7 @@ struct TopicsConfig {
   std::string observations = "observations";
   std::string motion = "motion";
   std::string camera = "camera/image_raw";
+  std::string rear_camera = "rear_camera/image_raw";
   std::string ceiling_camera = "ceiling_camera/image_raw";
   std::string scan = "scan";
   std::string imu = "imu";
@@ -37,6 +38,7 @@ struct TopicsConfig {
     if (input == "observations") return observations;
     if (input == "motion") return motion;
     if (input == "camera") return camera;
+    if (input == "rear_camera") return rear_camera;
     if (input == "ceiling_camera") return ceiling_camera;
     if (input == "scan") return scan;
     return input == "imu" ? imu : input;
@@ -52,6 +54,7 @@ struct TopicsConfig {
     add("camera", &camera,
         "the camera's raw images; its compressed ones are on camera/compressed, its calibration "
         "is on the camera_info beside it");
+    add("rear_camera", &rear_camera, "raw images of the second camera; others as of the camera");
     add("ceiling_camera", &ceiling_camera,
         "raw images of the camera that looks at the ceiling; others as of the camera");
     add("scan", &scan, "the laser's sensor_msgs/LaserScan");

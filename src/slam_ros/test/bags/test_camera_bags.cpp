@@ -57,6 +57,31 @@ TEST_F(CameraBag, ImagesAreFoundByNameRawBeforeCompressed) {
   EXPECT_EQ(camera(), (Topics{kRaw, kInfo}));
 }
 
+TEST_F(CameraBag, ARearCameraHasATopicOfItsOwn) {
+  slam::ProductConfig product;
+  product.detector = "apriltag";
+  product.second_detector = "aruco";
+  product.second_camera = true;
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, "/front/image_raw", "/front/camera_info");
+  }
+  const auto sentence = messageOf([&] { findOf(product); });
+  EXPECT_TRUE(contains(sentence, "no data of rear_camera, only of camera on /front/image_raw"));
+  EXPECT_TRUE(contains(sentence, "--remap rear_camera:=TOPIC"));
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    addCamera(bag, kRaw, kInfo);
+    addCamera(bag, "/rear_camera/image_raw", "/rear_camera/camera_info");
+  }
+  const auto inputs = findOf(product);
+  EXPECT_EQ(inputs.topicsOf("camera"), (Topics{kRaw, kInfo}));
+  EXPECT_EQ(inputs.topicsOf("rear_camera"),
+            (Topics{"/rear_camera/image_raw", "/rear_camera/camera_info"}));
+}
+
 TEST_F(CameraBag, TheOnlyImagesThereAreAreFoundByTypeWithTheCalibrationBesideThem) {
   {
     BagMaker bag(folder / "x.bag");

@@ -40,6 +40,15 @@ struct Offline : ::testing::Test {
   std::string product, robot;
 };
 
+TEST_F(Offline, RefusesOneTopicForTwoCameras) {
+  auto with = options();
+  with.overrides = {"detector=apriltag", "second_camera=true",
+                    "topics.rear_camera=camera/image_raw"};
+  EXPECT_TRUE(contains(
+      faultOf(with),
+      "topics.rear_camera: 'camera/image_raw' is the topic of camera already; name that of the"));
+}
+
 TEST_F(Offline, WritesATrajectoryLineForEachObservationArrayThatOdometryCovers) {
   ASSERT_EQ(faultOf(options()), "");
   const auto trajectory = folder.read("run/trajectory.tum");

@@ -33,6 +33,10 @@ struct Marker {
   std::int64_t id = 0;
   double size = 0.16;  ///< edge of the square whose corners a detector returns [m]
   Eigen::Isometry3d T_world_marker = Eigen::Isometry3d::Identity();
+  std::int64_t id_offset = 0;  ///< what a product with several families adds to its id
+
+  /// As what the ground truth has it.
+  std::int64_t landmark() const { return id_offset + id; }
 };
 
 /// One plane above everything.
