@@ -17,8 +17,10 @@ namespace slam {
 namespace {
 
 /// The share of the steps in which a pose is wrong by more than five reported sigmas and 0.1 m, of
-/// a drive of two laps on which the odometry's way and the ranges have wrong scales.
-double confidentlyWrong(const std::string& backend, double way, double range, bool adapts) {
+/// a drive of two laps on which the odometry's way and the ranges have wrong scales, and all
+/// bearings an offset [rad].
+double confidentlyWrong(const std::string& backend, double way, double range, bool adapts,
+                        double bearing = 0.0) {
   constexpr int kSteps = 250, kFirst = 50;
   Settings settings({}, {},
                     {std::string("consistency.adapt=") + (adapts ? "true" : "false"),
@@ -32,7 +34,10 @@ double confidentlyWrong(const std::string& backend, double way, double range, bo
     auto step = world.next();
     const auto u = step.motion.increment.vector();
     step.motion.increment = Pose2(way * u.x(), way * u.y(), u.z());
-    for (auto& z : step.observations.observations) z.range *= range;
+    for (auto& z : step.observations.observations) {
+      z.range *= range;
+      z.bearing += bearing;
+    }
     estimator.set(step.motion);
     estimator.set(step.observations);
     for (estimator.execute(); estimator.report(); estimator.execute()) {
@@ -60,6 +65,13 @@ TEST_P(AdverseDrive, AMapWhoseScaleIsInDoubtIsReportedAsThat) {
   // from where most observations are gated the pose is reported as lost, with and without
   EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.2, false), 0.05);
   EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.2, true), 0.01);
+}
+
+TEST_P(AdverseDrive, ASensorThatIsMountedOtherwiseThanConfiguredIsNotBelieved) {
+  for (const double yaw : {0.1, -0.2}) {
+    EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.0, false, yaw), 0.2) << yaw;
+    EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.0, true, yaw), 0.01) << yaw;
+  }
 }
 
 TEST_P(AdverseDrive, ARightOneStaysAsItIs) {
