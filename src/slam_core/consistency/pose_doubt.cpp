@@ -21,7 +21,7 @@ void PoseDoubt::restart() { *this = PoseDoubt(); }
 
 void PoseDoubt::load(const Pose2& robot) {
   map_start_.reset();
-  relocate(robot);
+  put(robot);
 }
 
 void PoseDoubt::predict(const Motion& motion) {

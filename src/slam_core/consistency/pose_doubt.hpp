@@ -25,7 +25,12 @@ class PoseDoubt {
   void restart();
   /// A map was loaded, which has a scale of its own. @param robot its pose in that map
   void load(const Pose2& robot);
-  /// The robot was put somewhere: how it came there is no motion, nor is the first correction.
+  /// Somebody who knows where the robot is has put it there.
+  void put(const Pose2& robot) {
+    relapses_ = Relapses();
+    relocate(robot);
+  }
+  /// The robot was found elsewhere: how it came there is no motion, nor is the first correction.
   void relocate(const Pose2& robot) {
     last_ = robot;
     is_relocated_ = true;

@@ -11,10 +11,9 @@ namespace {
 /// A place at which the robot has been for so long without being lost was right.
 constexpr Duration kSoon = std::chrono::seconds(15);
 
-/// For how long the robot must stay found after so many relapses.
+/// For how long the robot must stay found after so many relapses, of which there is still hope.
 Duration probationAfter(int relapses) {
-  constexpr int kMostDoublings = 6;
-  return std::chrono::seconds(1) * (1 << std::min(relapses - 1, kMostDoublings));
+  return std::chrono::seconds(1) * (1 << std::min(relapses - 1, Relapses::kHopeless));
 }
 
 }  // namespace
@@ -29,7 +28,8 @@ void Relapses::judge(bool is_lost, const Eigen::Vector2d& robot, Stamp stamp) {
 
 void Relapses::lose(Stamp stamp) {
   const bool is_soon =
-      found_ && (stamp - *found_ < kSoon || stamp - *found_ < 2 * probationAfter(count_ + 1));
+      count_ >= kHopeless ||
+      (found_ && (stamp - *found_ < kSoon || stamp - *found_ < 2 * probationAfter(count_ + 1)));
   count_ = is_soon ? count_ + 1 : 0;
   if (!is_soon) largest_jump_ = 0.0;
   on_probation_until_.reset();
@@ -38,7 +38,10 @@ void Relapses::lose(Stamp stamp) {
 void Relapses::find(const Eigen::Vector2d& robot, Stamp stamp) {
   largest_jump_ = std::max(largest_jump_, (robot - robot_).norm());
   found_ = stamp;
-  if (count_ > 0) on_probation_until_ = stamp + probationAfter(count_);
+  if (count_ >= kHopeless)
+    on_probation_until_ = Stamp::max();
+  else if (count_ > 0)
+    on_probation_until_ = stamp + probationAfter(count_);
 }
 
 double Relapses::extent() const {
