@@ -15,18 +15,19 @@ namespace slam {
 namespace {
 
 /// What the sensors measure otherwise than in the simulated world.
-using Error = std::function<void(Motion&, LandmarkObservationArray&)>;
+using Miscalibration = std::function<void(Motion&, LandmarkObservationArray&)>;
 
 void measureAll(Motion&, LandmarkObservationArray&) {}
 
 /// All pieces of a way of `metres`.
-std::vector<PieceOfWay> piecesOf(const Error& error, double metres = 20.0, std::uint64_t seed = 1) {
+std::vector<PieceOfWay> piecesOf(const Miscalibration& off, double metres = 20.0,
+                                 std::uint64_t seed = 1) {
   test::SimulatedWorld world(seed);
   LandmarkMotion landmarks;
   std::vector<PieceOfWay> pieces;
   for (int i = 0; i < static_cast<int>(metres / 0.2); ++i) {
     auto [motion, seen, truth] = world.next();
-    error(motion, seen);
+    off(motion, seen);
     landmarks.predict(motion);
     if (const auto piece = landmarks.see(seen)) pieces.push_back(*piece);
   }

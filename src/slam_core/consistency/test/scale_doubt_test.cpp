@@ -12,7 +12,7 @@
 namespace slam {
 namespace {
 
-Motion moved(const Pose2& increment, double noise) {
+Motion motionOf(const Pose2& increment, double noise) {
   Motion motion;
   motion.increment = increment;
   motion.covariance = noise * noise * Eigen::Matrix3d::Identity();
@@ -26,7 +26,7 @@ ScaleDoubt doubtAfter(double scale, double turn, double noise) {
   for (int i = 0; i < 200; ++i) {
     const Pose2 odometry(0.1 + noise * random.gaussian(), noise * random.gaussian(), 0.02);
     const double way = 0.1 * scale;
-    doubt.add(moved(odometry, noise), Pose2(way * std::cos(turn), way * std::sin(turn), 0.02));
+    doubt.add(motionOf(odometry, noise), Pose2(way * std::cos(turn), way * std::sin(turn), 0.02));
   }
   return doubt;
 }
@@ -74,7 +74,7 @@ TEST(ScaleDoubt, AnOdometryThatJittersWhereTheRobotStandsTellsNothing) {
   Pose2 before;
   for (int i = 0; i < 5000; ++i) {
     const Pose2 now(0.005 * random.gaussian(), 0.005 * random.gaussian(), 0.0);
-    doubt.add(moved(before.inverse() * now, 0.001), Pose2());
+    doubt.add(motionOf(before.inverse() * now, 0.001), Pose2());
     before = now;
   }
   EXPECT_EQ(doubt.beyondNoise().scale, 0.0);
