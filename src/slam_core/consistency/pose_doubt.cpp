@@ -21,10 +21,17 @@ void PoseDoubt::restart() { *this = PoseDoubt(); }
 
 void PoseDoubt::load(const Pose2& robot) {
   map_start_.reset();
-  relocate(robot);
+  put(robot);
 }
 
-void PoseDoubt::predict(const Motion& motion) { way_ = way_ ? joined(*way_, motion) : motion; }
+void PoseDoubt::predict(const Motion& motion) {
+  way_ = way_ ? joined(*way_, motion) : motion;
+  landmarks_.predict(motion);
+}
+
+void PoseDoubt::see(const LandmarkObservationArray& array) {
+  if (const auto piece = landmarks_.see(array)) scale_of_landmarks_.add(*piece);
+}
 
 void PoseDoubt::compare(const Pose2& robot) {
   if (last_ && way_ && !is_relocated_) {
@@ -44,7 +51,10 @@ void PoseDoubt::judgeLoss(bool is_lost, const Pose2& robot, Stamp stamp) {
 
 ScaleDoubt::Difference PoseDoubt::scaleAt(bool is_evident) const {
   if (!map_start_) return {};
-  return is_evident ? scale_.difference() : scale_.beyondNoise();
+  const auto larger = [](double a, double b) { return std::abs(a) > std::abs(b) ? a : b; };
+  const auto by_backend = is_evident ? scale_.difference() : scale_.beyondNoise();
+  const auto by_landmarks = scale_of_landmarks_.beyondNoise();
+  return {larger(by_backend.scale, by_landmarks.scale), larger(by_backend.turn, by_landmarks.turn)};
 }
 
 Eigen::Matrix3d PoseDoubt::covarianceAt(const Pose2& robot, bool is_evident) const {

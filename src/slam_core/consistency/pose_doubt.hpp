@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "slam_core/consistency/landmark_motion.hpp"
 #include "slam_core/consistency/relapses.hpp"
 #include "slam_core/consistency/scale_doubt.hpp"
 #include "slam_core/consistency/way_contradiction.hpp"
@@ -24,7 +25,12 @@ class PoseDoubt {
   void restart();
   /// A map was loaded, which has a scale of its own. @param robot its pose in that map
   void load(const Pose2& robot);
-  /// The robot was put somewhere: how it came there is no motion, nor is the first correction.
+  /// Somebody who knows where the robot is has put it there.
+  void put(const Pose2& robot) {
+    relapses_ = Relapses();
+    relocate(robot);
+  }
+  /// The robot was found elsewhere: how it came there is no motion, nor is the first correction.
   void relocate(const Pose2& robot) {
     last_ = robot;
     is_relocated_ = true;
@@ -32,6 +38,9 @@ class PoseDoubt {
 
   /// To be called with the motions of a step before the other two, without enlarged noise.
   void predict(const Motion& motion);
+  /// To be called with the landmarks that are seen at the end of these motions, whether the
+  /// back-end gets them or not. @param array with covariances, without enlarged noise
+  void see(const LandmarkObservationArray& array);
   /// To be called after each step of the back-end.
   void compare(const Pose2& robot);
   /// To be called at the end of each step, when a lost robot may have been found.
@@ -45,13 +54,16 @@ class PoseDoubt {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(scale_, ways_, relapses_, way_, last_, is_relocated_, map_start_);
+    archive(scale_, landmarks_, scale_of_landmarks_, ways_, relapses_, way_, last_, is_relocated_,
+            map_start_);
   }
 
  private:
   ScaleDoubt::Difference scaleAt(bool is_evident) const;
 
-  ScaleDoubt scale_;
+  ScaleDoubt scale_;  ///< of the back-end's way
+  LandmarkMotion landmarks_;
+  ScaleDoubt scale_of_landmarks_;  ///< of their way
   WayContradiction ways_;
   Relapses relapses_;
   std::optional<Motion> way_;  ///< by odometry since the last step

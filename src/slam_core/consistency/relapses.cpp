@@ -11,10 +11,18 @@ namespace {
 /// A place at which the robot has been for so long without being lost was right.
 constexpr Duration kSoon = std::chrono::seconds(15);
 
+/// Smaller jumps are no other place [m].
+constexpr double kLeastJump = 0.5;
+
 /// For how long the robot must stay found after so many relapses.
 Duration probationAfter(int relapses) {
   constexpr int kMostDoublings = 6;
   return std::chrono::seconds(1) * (1 << std::min(relapses - 1, kMostDoublings));
+}
+
+/// Whether it is not the place that is wrong, but the map.
+bool isHopeless(int relapses, double largest_jump) {
+  return relapses >= Relapses::kHopeless && largest_jump < kLeastJump;
 }
 
 }  // namespace
@@ -29,7 +37,8 @@ void Relapses::judge(bool is_lost, const Eigen::Vector2d& robot, Stamp stamp) {
 
 void Relapses::lose(Stamp stamp) {
   const bool is_soon =
-      found_ && (stamp - *found_ < kSoon || stamp - *found_ < 2 * probationAfter(count_ + 1));
+      isHopeless(count_, largest_jump_) ||
+      (found_ && (stamp - *found_ < kSoon || stamp - *found_ < 2 * probationAfter(count_ + 1)));
   count_ = is_soon ? count_ + 1 : 0;
   if (!is_soon) largest_jump_ = 0.0;
   on_probation_until_.reset();
@@ -38,12 +47,12 @@ void Relapses::lose(Stamp stamp) {
 void Relapses::find(const Eigen::Vector2d& robot, Stamp stamp) {
   largest_jump_ = std::max(largest_jump_, (robot - robot_).norm());
   found_ = stamp;
-  if (count_ > 0) on_probation_until_ = stamp + probationAfter(count_);
+  if (isHopeless(count_, largest_jump_))
+    on_probation_until_ = Stamp::max();
+  else if (count_ > 0)
+    on_probation_until_ = stamp + probationAfter(count_);
 }
 
-double Relapses::extent() const {
-  constexpr double kLeast = 0.5;
-  return std::max(largest_jump_, kLeast);
-}
+double Relapses::extent() const { return std::max(largest_jump_, kLeastJump); }
 
 }  // namespace slam

@@ -12,9 +12,15 @@ namespace slam {
 
 /// A robot that is lost again soon after it was found has been found at a wrong place: the map is
 /// no longer true, or several places look alike. The next place may be as wrong. It is on probation
-/// for one second, and for twice as long after each further relapse (exponential backoff).
+/// for one second, and for twice as long after each further relapse (exponential backoff). A robot
+/// that was always found within half a metre of where it was has gone nowhere: after kHopeless
+/// relapses it is the map that has changed. What was learnt meanwhile agrees with whatever place
+/// the robot was found at, so that time proves nothing, and only somebody who knows it ends the
+/// doubt.
 class Relapses {
  public:
+  static constexpr int kHopeless = 4;
+
   /// To be called after each step.
   void judge(bool is_lost, const Eigen::Vector2d& robot, Stamp stamp);
   /// Whether the robot was found, and the place is yet to prove right.

@@ -19,6 +19,9 @@ constexpr double kPiece = 0.3;  // [m]
 /// A filter goes between two sensors that contradict each other, which bends its map: a share of
 /// what is wrong in one direction is wrong in the other.
 constexpr double kBent = 0.5;
+/// So far the robot has driven before the difference was noticed, and the filter took both for
+/// right: this part of the map is out of place as a whole [m].
+constexpr double kUnnoticed = 1.0;
 
 bool isBeyond(double value, double variance, double smallest) {
   constexpr double kStandardDeviations = 3.0;
@@ -32,16 +35,16 @@ void ScaleDoubt::add(const Motion& odometry, const Pose2& estimated) {
   estimated_ = estimated_ * estimated;
   const double way = std::max(odometry_->increment.position().norm(), estimated_.position().norm());
   if (way < kPiece) return;
-  compare(*odometry_, estimated_.position());
+  add({odometry_->increment.position(), estimated_.position(),
+       odometry_->covariance.topLeftCorner<2, 2>()});
   odometry_.reset();
   estimated_ = Pose2();
 }
 
-void ScaleDoubt::compare(const Motion& odometry, const Eigen::Vector2d& e) {
+void ScaleDoubt::add(const PieceOfWay& piece) {
   constexpr double kMemory = 5.0;  // of the way, over which older pieces lose their weight [m]
-  const Eigen::Vector2d o = odometry.increment.position();
+  const auto& [o, e, Q] = piece;
   const Eigen::Vector2d sideways(-o.y(), o.x());
-  const Eigen::Matrix2d Q = odometry.covariance.topLeftCorner<2, 2>();
   const double kept = std::exp(-o.norm() / kMemory);
   along_ = kept * along_ + o.dot(e);
   across_ = kept * across_ + sideways.dot(e);
@@ -66,11 +69,10 @@ Eigen::Matrix3d covarianceOf(const ScaleDoubt::Difference& doubt,
   const double scale = doubt.scale * doubt.scale, turn = doubt.turn * doubt.turn;
   const double along = scale + kBent * kBent * turn, across = turn + kBent * kBent * scale;
   Eigen::Matrix3d P = Eigen::Matrix3d::Zero();
-  P.topLeftCorner<2, 2>() =
-      along * from_start * from_start.transpose() + across * sideways * sideways.transpose();
-  P(2, 2) = turn;
-  P.topRightCorner<2, 1>() = turn * sideways;
-  P.bottomLeftCorner<1, 2>() = P.topRightCorner<2, 1>().transpose();
+  P.topLeftCorner<2, 2>() = along * from_start * from_start.transpose() +
+                            across * sideways * sideways.transpose() +
+                            kUnnoticed * kUnnoticed * (scale + turn) * Eigen::Matrix2d::Identity();
+  P(2, 2) = across;
   return P;
 }
 

@@ -10,15 +10,24 @@
 
 namespace slam {
 
-/// Compares the way by odometry with the way that a back-end makes of it with all it sees, over
-/// the last metres: how much longer it is, and by how much it points elsewhere. Noise of the
-/// odometry makes them differ by little. Where they differ by more, the wheels or the ranges have a
-/// wrong scale, the bearings an offset, or a sensor repeats itself, and nothing tells which of the
-/// two ways is right. A map that is being built then has a scale and a direction that may be wrong
-/// by this: the robot's position is in doubt by as much as it is away from where the map began.
+/// A piece of the way by odometry and by sensors, in the same frame [m].
+struct PieceOfWay {
+  Eigen::Vector2d odometry = Eigen::Vector2d::Zero();
+  Eigen::Vector2d estimated = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of their difference [m^2]
+};
+
+/// Compares the way by odometry with the way that a back-end makes of it with all it sees, or that
+/// the landmarks in view show alone (LandmarkMotion), over the last metres: how much longer it is,
+/// and by how much it points elsewhere. Noise of the odometry makes them differ by little. Where
+/// they differ by more, the wheels or the ranges have a wrong scale, the bearings an offset, or a
+/// sensor repeats itself, and nothing tells which of the two ways is right. A map that is being
+/// built then has a scale and a direction that may be wrong by this: the robot's position is in
+/// doubt by as much as it is away from where the map began.
 class ScaleDoubt {
  public:
-  /// To be called for each step.
+  void add(const PieceOfWay& piece);
+  /// To be called for each step where these make no pieces.
   /// @param odometry since the last step, with its covariance
   /// @param estimated the back-end's increment, in the robot's frame before it
   void add(const Motion& odometry, const Pose2& estimated);
@@ -44,8 +53,6 @@ class ScaleDoubt {
   }
 
  private:
-  void compare(const Motion& odometry, const Eigen::Vector2d& estimated);
-
   std::optional<Motion> odometry_;  ///< of the piece of the way that is not compared yet
   Pose2 estimated_;
   double along_ = 0.0, across_ = 0.0, square_ = 0.0;     ///< sums of products of the ways [m^2]
@@ -53,7 +60,10 @@ class ScaleDoubt {
   Difference difference_;
 };
 
-/// The covariance of the pose (x, y, heading) where the map's scale and direction are in doubt.
+/// The covariance of the pose (x, y, heading) where the map's scale and direction are in doubt. It
+/// grows with the distance from where the map began, and is not zero there: the first metre was
+/// driven before anything was noticed. Errors of position and heading are independent in it, since
+/// it is not known which of the two a sensor has made wrong.
 /// @param from_start the robot's position in the map frame, relative to where the map began [m]
 Eigen::Matrix3d covarianceOf(const ScaleDoubt::Difference& doubt,
                              const Eigen::Vector2d& from_start);

@@ -43,6 +43,28 @@ Motion between(const Motion& before, const Motion& after) {
   return rest;
 }
 
+/// The integral over a gap of the largest squared distance from where the robot comes out that it
+/// may have had: not more than it drives from there on, nor than `step` and what it has driven.
+/// What an error of the heading adds to the variance of the position is its rate times this.
+/// @param time [s] @param step from one end of the gap to the other [m]
+/// @param speed at which the robot drove, step / time at least [m/s] @return [m^2 s]
+double squaredLever(double time, double step, double speed) {
+  if (speed <= 0.0) return 0.0;
+  const double furthest = 0.5 * (speed * time + step);  // where both bounds are the same
+  return (2.0 * std::pow(furthest, 3) - std::pow(step, 3)) / (3.0 * speed);
+}
+
+/// What the heading's error may add to the variance of the position where the way was longer than
+/// the shortest arc [m^2]. @param rate variance of the heading [rad^2/s]
+double varianceOfDetour(const Pose2& increment, double time, double largest_speed, double rate) {
+  const double step = increment.position().norm(), arc = increment.log().head<2>().norm();
+  if (step == 0.0 && increment.theta() == 0.0) return 0.0;  // its wheels did not turn
+  constexpr double kMost = 0.1 * kLargestInputSigmaLength * kLargestInputSigmaLength;
+  const double shortest = arc / time;
+  return std::min(kMost, rate * (squaredLever(time, step, std::max(shortest, largest_speed)) -
+                                 squaredLever(time, step, shortest)));
+}
+
 double way(const Eigen::Matrix3d& covariance) { return covariance.topLeftCorner<2, 2>().trace(); }
 
 /// The worse of both by its way, and by its turn, which have no unit in common.
@@ -152,6 +174,8 @@ Motion MotionGap::across(const Motion& before, const Motion& after) const {
   rest.increment = scaled(rest.odometry_start.between(rest.odometry_end));
   const double time = seconds(rest.end - rest.start);
   rest.covariance = time * worst_rate_;
+  const double detour =
+      varianceOfDetour(rest.increment, time, coasting_.largestSpeed(), worst_rate_(2, 2));
   std::optional<Motion> sum;
   for (int left = std::clamp(static_cast<int>(std::ceil(time / kStep)), 1, kMostSteps); left > 1;
        --left) {
@@ -159,7 +183,9 @@ Motion MotionGap::across(const Motion& before, const Motion& after) const {
     sum = sum ? joined(*sum, piece) : piece;
     rest = after_piece;
   }
-  return sum ? joined(*sum, rest) : rest;
+  auto crossed = sum ? joined(*sum, rest) : rest;
+  crossed.covariance.topLeftCorner<2, 2>() += detour * Eigen::Matrix2d::Identity();
+  return crossed;
 }
 
 Motion MotionGap::coasted(const Motion& before, const Motion& after) const {

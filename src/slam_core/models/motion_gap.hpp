@@ -20,7 +20,9 @@ enum class Interruption {
 /// was restarted. Each motion carries the odometry's poses, whose difference is the motion in the
 /// gap. They are as the wheels measured them, and are scaled as the increments were so far. They
 /// have no covariance: the noise is assumed to have been, all the while, that of the odometry's
-/// worst tenth of a second so far. Where the poses do not belong together, as of an odometry that
+/// worst tenth of a second so far. They do not tell the way between them either: the robot may have
+/// driven a detour at its largest speed so far, on which an error of the heading leads further
+/// away. Where the poses do not belong together, as of an odometry that
 /// was restarted as well, the robot is assumed to have gone on at its last velocity.
 class MotionGap {
  public:

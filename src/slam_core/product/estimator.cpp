@@ -226,7 +226,9 @@ bool Estimator::isAdmitted(const Intake::Trigger& trigger) {
     const auto& array = *static_cast<const LandmarkObservationArray*>(value);
     const auto* calibrator = capabilities_.find<Calibrator>();
     const bool calibrates = calibrator != nullptr && calibrator->calibration();
-    return relocaliser_.see(calibrates ? calibrator->corrected(array) : array);
+    const auto corrected = calibrates ? calibrator->corrected(array) : array;
+    if (consistency_config_.adapt) doubt_.see(corrected);
+    return relocaliser_.see(corrected);
   }
   if (trigger.port->kind == kindOf<LaserScan>())
     return relocaliser_.see(*static_cast<const LaserScan*>(value));

@@ -22,7 +22,7 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
   const auto status = backend_->execute();
   relocaliser_.assume(Belief::kSure);
   events_.relocate("the robot was put there");
-  doubt_.relocate(backend_->pose().pose);
+  doubt_.put(backend_->pose().pose);
   consistency_.add(statistics());
   return status;
 }

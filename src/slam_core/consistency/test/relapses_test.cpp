@@ -39,12 +39,26 @@ TEST_F(RelapsesTest, TheFirstPlaceIsBelieved) {
 
 TEST_F(RelapsesTest, EachRelapseDoublesTheProbation) {
   pass(1, true);
-  pass(1, false);
+  pass(1, false, 2.0);  // another place, so that there is hope
   for (const double expected : {1.0, 2.0, 4.0, 8.0}) {
     pass(1, true);
     EXPECT_NEAR(probation(), expected, 0.25);
   }
   EXPECT_EQ(relapses.count(), 4);
+}
+
+/// All landmarks have moved, and were learnt anew where a robot in doubt had them.
+TEST_F(RelapsesTest, AfterTooManyOfThemTimeProvesNothing) {
+  pass(1, true);
+  for (int i = 0; i < Relapses::kHopeless; ++i) {
+    pass(1, false);
+    pass(1, true);
+  }
+  pass(3600, false);
+  EXPECT_TRUE(relapses.isOnProbation());
+  pass(1, true);
+  pass(3600, false);
+  EXPECT_TRUE(relapses.isOnProbation());
 }
 
 TEST_F(RelapsesTest, APlaceThatHasHeldForLongWasRight) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "slam_core/models/test/simulated_world.hpp"
@@ -45,6 +46,56 @@ TEST(MotionGap, IsBridgedByWhatTheLostMotionsTellTogether) {
   EXPECT_LT((next.odometry_start.vector() - expected.odometry_start.vector()).norm(), 1e-9);
   // the robot's speed and noise are constant, so that its worst increment is like all others
   EXPECT_TRUE(next.covariance.isApprox(expected.covariance, 1e-6)) << next.covariance;
+}
+
+/// After most of a lap the robot is near where it was, but has come round the circle: the shortest
+/// way between the two poses would let an error of the heading lead hardly anywhere.
+TEST(MotionGap, IsAsUncertainAsALongerWayMayHaveMadeIt) {
+  constexpr int kFirst = 4, kNext = kFirst + 9 * test::SimulatedWorld::kLap / 10;
+  const auto all = drive(kNext + 1);
+  MotionGap gap;
+  for (int i = 0; i <= kFirst; ++i) {
+    auto motion = all[i];
+    gap.bridge(motion);
+  }
+  auto next = all[kNext];
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
+  Motion expected = all[kFirst + 1];
+  for (int i = kFirst + 2; i <= kNext; ++i) expected = joined(expected, all[i]);
+  ASSERT_LT((next.increment.vector() - expected.increment.vector()).norm(), 1e-9);
+  const Eigen::Matrix2d more = (next.covariance - expected.covariance).topLeftCorner<2, 2>();
+  EXPECT_GT(more.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0)
+      << next.covariance << "\n\n"
+      << expected.covariance;
+  EXPECT_EQ(faultOf(next), "");
+}
+
+TEST(MotionGap, OfWheelsThatHaveNotTurnedHidesNoWay) {
+  const auto all = drive(20);
+  MotionGap gap;
+  for (int i : {0, 1, 2, 3}) {
+    auto motion = all[i];
+    gap.bridge(motion);
+  }
+  auto next = all[14];
+  next.odometry_start = next.odometry_end = all[3].odometry_end;
+  next.increment = Pose2();
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
+  EXPECT_TRUE(next.covariance.isApprox(11 * all[0].covariance, 1e-6)) << next.covariance;
+}
+
+TEST(MotionGap, OfADayIsNoFault) {
+  const auto all = drive(20);
+  MotionGap gap;
+  for (int i : {0, 1, 2, 3}) {
+    auto motion = all[i];
+    gap.bridge(motion);
+  }
+  auto next = all[14];
+  next.start += std::chrono::hours(24);
+  next.end += std::chrono::hours(24);
+  ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
+  EXPECT_EQ(faultOf(next), "");
 }
 
 TEST(MotionGap, IsAsUncertainAsTheWorstIncrementThatWasSeen) {

@@ -17,9 +17,11 @@ namespace slam {
 namespace {
 
 /// The share of the steps in which a pose is wrong by more than five reported sigmas and 0.1 m, of
-/// a drive of two laps on which the odometry's way and the ranges have wrong scales.
-double confidentlyWrong(const std::string& backend, double way, double range, bool adapts) {
-  constexpr int kSteps = 250, kFirst = 50;
+/// a drive of two laps on which the odometry's way and the ranges have wrong scales, and all
+/// bearings an offset [rad]. @param first the step from which on it counts
+double confidentlyWrong(const std::string& backend, double way, double range, bool adapts,
+                        double bearing = 0.0, int first = 50) {
+  constexpr int kSteps = 250;
   Settings settings({}, {},
                     {std::string("consistency.adapt=") + (adapts ? "true" : "false"),
                      "relocalisation.enabled=false"});
@@ -32,7 +34,10 @@ double confidentlyWrong(const std::string& backend, double way, double range, bo
     auto step = world.next();
     const auto u = step.motion.increment.vector();
     step.motion.increment = Pose2(way * u.x(), way * u.y(), u.z());
-    for (auto& z : step.observations.observations) z.range *= range;
+    for (auto& z : step.observations.observations) {
+      z.range *= range;
+      z.bearing += bearing;
+    }
     estimator.set(step.motion);
     estimator.set(step.observations);
     for (estimator.execute(); estimator.report(); estimator.execute()) {
@@ -40,10 +45,10 @@ double confidentlyWrong(const std::string& backend, double way, double range, bo
       const Eigen::Vector2d error = pose.pose.position() - step.truth.position();
       const Eigen::Matrix2d P = pose.covariance.topLeftCorner<2, 2>();
       const bool is_wrong = error.norm() > 0.1 && error.dot(P.inverse() * error) > 25.0;
-      wrong += i >= kFirst && is_wrong ? 1 : 0;
+      wrong += i >= first && is_wrong ? 1 : 0;
     }
   }
-  return wrong / double(kSteps - kFirst);
+  return wrong / double(kSteps - first);
 }
 
 class AdverseDrive : public testing::TestWithParam<std::string> {};
@@ -60,6 +65,15 @@ TEST_P(AdverseDrive, AMapWhoseScaleIsInDoubtIsReportedAsThat) {
   // from where most observations are gated the pose is reported as lost, with and without
   EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.2, false), 0.05);
   EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.2, true), 0.01);
+}
+
+/// Within the first metres, before a filter shows in its way what it believes of them.
+TEST_P(AdverseDrive, ASensorThatIsMountedOtherwiseThanConfiguredIsNotBelieved) {
+  constexpr int kFirst = 15;
+  for (const double yaw : {0.1, -0.1}) {
+    EXPECT_GT(confidentlyWrong(GetParam(), 1.0, 1.0, false, yaw, kFirst), 0.2) << yaw;
+    EXPECT_LT(confidentlyWrong(GetParam(), 1.0, 1.0, true, yaw, kFirst), 0.01) << yaw;
+  }
 }
 
 TEST_P(AdverseDrive, ARightOneStaysAsItIs) {

@@ -78,5 +78,12 @@ TEST_P(FaultDrives, BreakNothing) {
   }
 }
 
+/// Ten seconds are missing, in which the robot drove most of a lap: what the odometry's poses say
+/// of them is not as sure as if it had gone the shortest way.
+TEST(FaultDrive, IsHonestBehindALongPause) {
+  for (const std::uint64_t seed : {5222, 10216})
+    EXPECT_EQ(FaultDrive({"ekf", {"backend=ekf"}}, seed).run(), "") << seed;
+}
+
 }  // namespace
 }  // namespace slam
