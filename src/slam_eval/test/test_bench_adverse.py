@@ -7,11 +7,12 @@ import types
 import unittest
 
 import numpy as np
-from slam_eval.bench.adverse import drives, judge, results
+from slam_eval.bench.adverse import drives, results
 from slam_eval.bench.adverse.faults import FAULTS
-from slam_eval.bench.adverse.judge import Outcome
+from slam_eval.bench.harness import judge
 from slam_eval.bench.harness.error import BenchError, Failure
 from slam_eval.bench.harness.hall_drives import LANDMARKS, SCANS
+from slam_eval.bench.harness.judge import Outcome
 from slam_eval.io.events import Event
 from slam_eval.io.trajectory import Trajectory
 from slam_eval.io.updates import Updates

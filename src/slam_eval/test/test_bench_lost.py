@@ -12,7 +12,7 @@ import genpy
 from nav_msgs.msg import Odometry
 import numpy as np
 import rosbag
-from sensor_msgs.msg import LaserScan
+from sensor_msgs.msg import CompressedImage, LaserScan
 from slam_eval.bench.harness import bag_edit, buildings
 from slam_eval.bench.lost import alarms, drives
 from slam_eval.io.trajectory import Trajectory
@@ -132,6 +132,9 @@ class Bags(unittest.TestCase):
                                  range_max=5.0, ranges=[4.0] * 201)
                 scan.header.stamp = stamp
                 bag.write("/scan", scan, stamp)
+                image = CompressedImage(format="jpeg", data=b"%d" % i)
+                image.header.stamp = stamp
+                bag.write("/camera/image_raw/compressed", image, stamp)
         return path
 
     def messages(self, path, topic):
@@ -150,6 +153,9 @@ class Bags(unittest.TestCase):
         stamps = np.array([m.header.stamp.to_sec() for m in self.messages(cut, "/scan")])
         self.assertTrue(np.allclose(np.diff(stamps), 0.1, atol=1e-6))
         self.assertAlmostEqual(stamps[-1], 106.0, 1)
+        images = self.messages(cut, "/camera/image_raw/compressed")
+        self.assertEqual([int(m.data) for m in images], [*range(40), *range(70, 91)])
+        self.assertEqual([m.header.stamp.to_sec() for m in images], list(stamps))
 
     def test_people_shorten_some_beams_and_lengthen_none(self):
         peopled = self.folder / "people.bag"

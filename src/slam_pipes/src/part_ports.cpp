@@ -10,10 +10,13 @@ namespace {
 
 using Extent = slam::ProductPart::Extent;
 
-slam::ProductPart partOf(const slam::ProductComponent& component) {
+slam::ProductPart partOf(const slam::ProductComponent& component,
+                         const slam::ProductComponents& whole) {
   if (component.key == "odometry") return {Extent::kOdometry, ""};
-  if (component.key == "detector") return {Extent::kDetector, ""};
   if (component.key == "backend") return {Extent::kBackend, ""};
+  for (const auto& detector : whole.detectors)
+    if (detector.component.get() == component.component)
+      return {Extent::kDetector, "", detector.place.prefix()};
   return {Extent::kModule, component.name};
 }
 
@@ -39,7 +42,7 @@ std::vector<PartPorts> partsOf(const slam::ProductConfig& product) {
   const auto whole = createComponents(product);
   for (const auto& component : inOrder(whole)) {
     PartPorts part;
-    part.part = partOf(component);
+    part.part = partOf(component, whole);
     part.key = component.key;
     part.title = component.title();
     part.components = createComponents(product, part.part);

@@ -9,11 +9,11 @@ import threading
 import time
 
 from slam_eval.bench.adverse.faults import BEGIN, FAULTS
-from slam_eval.bench.adverse.judge import judge
 from slam_eval.bench.adverse.results import (median_share, REMARK, split, verdict_lines,
                                              whole_table, worst_share)
 from slam_eval.bench.harness.error import BenchError, Failure
 from slam_eval.bench.harness.hall_drives import Drives, run_product, sensor_of
+from slam_eval.bench.harness.judge import judge
 from slam_eval.bench.harness.table import Section
 from slam_eval.io.errors import InputError
 from slam_eval.io.run_folder import read_run

@@ -3,8 +3,8 @@
 """The table of the benchmark adverse, and which of its cells are above the limit."""
 import numpy as np
 
-from slam_eval.bench.adverse.judge import SETTLE
 from slam_eval.bench.harness.error import Failure
+from slam_eval.bench.harness.judge import SETTLE
 from slam_eval.bench.harness.table import number, table
 from slam_eval.metrics.honesty import CONFIDENT, WRONG
 

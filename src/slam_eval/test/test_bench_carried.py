@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the benchmark carried makes of outcomes, without any run."""
+import unittest
+
+from slam_eval.bench import carried
+from slam_eval.bench.harness.judge import Outcome
+
+
+def outcome(told=0.2, wrong=0.0, false=0):
+    """Of a robot that was reported lost some time after it was lifted."""
+    return Outcome(0.4, 2.5, 3.0, wrong, told, 1.5, false)
+
+
+class Carried(unittest.TestCase):
+
+    def text(self, *outcomes):
+        """The benchmark's text of outcomes, one for each seed."""
+        rows = [carried.row(seed, found) for seed, found in enumerate(outcomes, start=1)]
+        return carried.section("ekf_ceiling", rows).markdown()
+
+    def test_robots_are_lifted_while_they_drive_and_at_different_times(self):
+        times = {carried.lifted_at(seed) for seed in range(1, 16)}
+        self.assertEqual(times, set(range(carried.FIRST, carried.LAST)))
+
+    def test_what_keeps_to_the_goals(self):
+        text = self.text(outcome(), outcome(0.1))
+        self.assertNotIn("MISSED", text)
+        self.assertNotIn("never", text)
+
+    def test_each_goal_can_be_missed(self):
+        for missed in (outcome(told=6.0), outcome(wrong=0.02), outcome(false=1)):
+            self.assertEqual(self.text(outcome(), missed).count("MISSED"), 1)
+
+    def test_a_robot_that_is_never_reported_lost_is_told(self):
+        self.assertIn("never reported lost: 1 of 2 (MISSED)", self.text(outcome(), outcome(None)))
+        self.assertIn("never reported lost: 1 of 1 (MISSED)", self.text(outcome(None)))
+
+
+if __name__ == "__main__":
+    unittest.main()
