@@ -1,26 +1,25 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/associator.hpp"
+#include "slam_core/landmark_graph/associator.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "slam_core/association/decision_record.hpp"
 #include "slam_core/association/gate.hpp"
-#include "slam_core/graph_slam/candidates.hpp"
-#include "slam_core/graph_slam/prediction.hpp"
+#include "slam_core/landmark_graph/candidates.hpp"
+#include "slam_core/landmark_graph/prediction.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 using association::Decision;
 
-Associator::Associator(const GraphConfig& config)
-    : policy_(
-          association::makePolicy(config.association, {config.gate_probability, config.places})),
+Associator::Associator(const AssociationConfig& config)
+    : policy_(association::makePolicy(config.policy, {config.gate_probability, config.places})),
       places_(config.places),
       gate_(association::gateOf(config.gate_probability)),
-      map_is_fixed_(config.mapIsFixed()) {}
+      map_is_fixed_(config.map_is_fixed) {}
 
 void Associator::restart(const LandmarkMap& map) {
   evidence_ = association::PlaceEvidence();
@@ -137,4 +136,4 @@ void Associator::gate(const std::vector<Match>& known, const Pose2& sensor,
   if (!used.empty()) association.is_solved = prediction.summarize(used, statistics);
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

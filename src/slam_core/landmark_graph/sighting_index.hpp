@@ -9,7 +9,7 @@
 
 #include "slam_core/graph/quadratic_factor.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// Which factors tell of which landmark, from which node.
 class SightingIndex {
@@ -55,4 +55,4 @@ class SightingIndex {
   std::unordered_map<graph::Key, std::vector<std::size_t>> of_node_;  // looked up only
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

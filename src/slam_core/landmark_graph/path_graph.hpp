@@ -9,13 +9,17 @@
 #include <vector>
 
 #include "slam_core/graph/optimizer.hpp"
-#include "slam_core/graph_slam/node_chain.hpp"
-#include "slam_core/graph_slam/parameter_variables.hpp"
-#include "slam_core/graph_slam/twist_covariance.hpp"
+#include "slam_core/landmark_graph/node_chain.hpp"
+#include "slam_core/landmark_graph/parameter_variables.hpp"
+#include "slam_core/landmark_graph/twist_covariance.hpp"
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::graph_slam {
+struct SessionParts;
+}
+
+namespace slam::landmark_graph {
 
 /// When the graph gets a new pose: the robot has moved so far since the last one.
 struct NodeLimits {
@@ -81,7 +85,8 @@ class PathGraph {
   graph::Key addNode();
 
   /// @param most_iterations at most so many
-  void optimize(int most_iterations);
+  /// @param others variables that the next factors will touch, beside the last node
+  void optimize(int most_iterations, const std::vector<graph::Key>& others = {});
 
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }
@@ -93,7 +98,7 @@ class PathGraph {
   }
 
  private:
-  friend struct SessionParts;  // writes and reads its members
+  friend struct graph_slam::SessionParts;  // writes and reads its members
 
   Eigen::MatrixXd withTail(const Eigen::MatrixXd& P) const;
   void renewTail();
@@ -107,4 +112,4 @@ class PathGraph {
   graph::WheelMotion by_wheels_;  ///< the motion of the tail, where parameters are estimated
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

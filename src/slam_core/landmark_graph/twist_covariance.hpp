@@ -7,7 +7,7 @@
 
 #include "slam_core/geometry/pose2.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// The covariance of a pose as a twist in its frame from that of its coordinates (x, y, theta),
 /// with a floor of a micrometre and a microradian.
@@ -15,4 +15,4 @@ Eigen::Matrix3d twistCovariance(const Pose2& pose, const Eigen::Matrix3d& of_coo
 /// The other way.
 Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& of_twist);
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

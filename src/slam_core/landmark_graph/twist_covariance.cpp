@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/twist_covariance.hpp"
+#include "slam_core/landmark_graph/twist_covariance.hpp"
 
 #include "slam_core/geometry/covariance.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 Eigen::Matrix3d twistCovariance(const Pose2& pose, const Eigen::Matrix3d& of_coordinates) {
   constexpr double kSmallestSigma = 1e-6;  // [m], [rad]
@@ -19,4 +19,4 @@ Eigen::Matrix3d coordinateCovariance(const Pose2& pose, const Eigen::Matrix3d& o
   return symmetric(J * of_twist * J.transpose());
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

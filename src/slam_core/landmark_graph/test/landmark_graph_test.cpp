@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/landmark_graph/landmark_graph.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,9 @@
 #include "slam_core/ekf/test/reference_ekf.hpp"
 #include "slam_core/graph_slam/path_record.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
+using graph_slam::PathRecord;
+
 namespace {
 
 const Pose2 kSensor(0.2, -0.05, 0.1);
@@ -280,4 +282,4 @@ TEST_F(Round, KnowsNoMoreOfALandmarkThatBeginsAnewThanOfOneThatIsNew) {
 }
 
 }  // namespace
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

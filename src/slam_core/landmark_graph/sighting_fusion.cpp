@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/sighting_fusion.hpp"
+#include "slam_core/landmark_graph/sighting_fusion.hpp"
 
 #include <Eigen/LU>
 
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/models/observation_model.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 std::optional<LandmarkObservation> fused(const LandmarkObservation& a, const Pose2& sensor_a,
                                          const LandmarkObservation& b, const Pose2& sensor_b) {
@@ -31,4 +31,4 @@ std::optional<LandmarkObservation> fused(const LandmarkObservation& a, const Pos
   return both;
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/sighting_fusion.hpp"
+#include "slam_core/landmark_graph/sighting_fusion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "slam_core/common/random.hpp"
 #include "slam_core/geometry/angle.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 namespace {
 
 LandmarkObservation observation(double range, double bearing, const Eigen::Matrix2d& R) {
@@ -120,4 +120,4 @@ TEST(SightingFusion, GivesNothingWhereTheFirstOnePutsTheLandmarkIntoTheSecondSen
 }
 
 }  // namespace
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/landmark_graph/landmark_graph.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -12,10 +12,10 @@
 
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/graph/factors.hpp"
-#include "slam_core/graph_slam/sighting_fusion.hpp"
+#include "slam_core/landmark_graph/sighting_fusion.hpp"
 #include "slam_core/models/observation_model.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 namespace {
 
 /// A joint covariance of more landmarks would make a clique of all of them.
@@ -308,4 +308,4 @@ MapState LandmarkGraph::state() const {
   return state;
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -14,6 +14,10 @@
 #include "slam_core/models/motion.hpp"
 
 namespace slam::graph_slam {
+struct SessionParts;
+}
+
+namespace slam::landmark_graph {
 
 /// The nodes of the path in the order in which the robot passed them, with the factors of motion
 /// that join them. A node between two others can be removed: the motions beside it become one. A
@@ -75,6 +79,8 @@ class NodeChain {
   /// The nodes that have come since the last call, in order.
   std::vector<graph::Key> takeNew() { return std::exchange(new_, {}); }
 
+  /// Removes the motion between a node and the one before.
+  friend void separate(NodeChain& chain, graph::Key node) { chain.cut(node); }
   /// Removes a node with its variable and chords. No factors but those of motion hold it any more.
   void remove(graph::Key node);
 
@@ -84,14 +90,14 @@ class NodeChain {
   }
 
  private:
-  friend struct SessionParts;  // takes up the nodes of a session as if they had just come
+  friend struct graph_slam::SessionParts;  // takes up the nodes of a session as if they had just
+                                           // come
 
   void join(graph::Key before, graph::Key node, const Link& link);
   std::shared_ptr<const graph::Factor> factorOf(graph::Key before, graph::Key node,
                                                 const Link& link) const;
   /// The motion at the parameters as they are now.
   Link renewed(Link link) const;
-  /// Removes the motion between a node and the one before.
   void cut(graph::Key node);
   void removeChords(graph::Key node);
 
@@ -102,4 +108,4 @@ class NodeChain {
       wheels_;  ///< the keys of the parameters; empty where nothing is calibrated
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

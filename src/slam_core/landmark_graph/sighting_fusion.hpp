@@ -7,7 +7,7 @@
 
 #include "slam_core/models/landmark_observation.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// Two observations of one landmark as one by the second sensor pose: their mean, weighted with
 /// their information. The sensor poses are near each other, in any common frame.
@@ -16,4 +16,4 @@ namespace slam::graph_slam {
 std::optional<LandmarkObservation> fused(const LandmarkObservation& a, const Pose2& sensor_a,
                                          const LandmarkObservation& b, const Pose2& sensor_b);
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "slam_core/association/association_policy.hpp"
@@ -12,10 +13,17 @@
 #include "slam_core/association/sightings.hpp"
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
-#include "slam_core/graph_slam/graph_config.hpp"
-#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/landmark_graph/landmark_graph.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
+
+/// How observations are associated.
+struct AssociationConfig {
+  std::string policy = "known_ids";
+  double gate_probability = 0.9999;  ///< that a right observation passes the gate
+  association::PlaceConfig places;
+  bool map_is_fixed = false;
+};
 
 /// How the observations of one stamp relate to the graph.
 struct Association {
@@ -33,7 +41,7 @@ struct Association {
 class Associator {
  public:
   Associator() = default;
-  explicit Associator(const GraphConfig& config);
+  explicit Associator(const AssociationConfig& config);
 
   /// Starts over with a map.
   void restart(const LandmarkMap& map);
@@ -85,4 +93,4 @@ class Associator {
   std::vector<association::Decision> decisions_;
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

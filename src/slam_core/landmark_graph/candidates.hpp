@@ -8,10 +8,10 @@
 
 #include "slam_core/association/association_policy.hpp"
 #include "slam_core/association/descriptor_map.hpp"
-#include "slam_core/graph_slam/landmark_graph.hpp"
-#include "slam_core/graph_slam/prediction.hpp"
+#include "slam_core/landmark_graph/landmark_graph.hpp"
+#include "slam_core/landmark_graph/prediction.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// The graph's landmarks for a policy that asks for ids only.
 class IdCandidates : public association::CandidateSource {
@@ -57,4 +57,4 @@ class PlaceCandidates final : public IdCandidates {
   std::optional<Prediction> prediction_;  ///< of all matches at once: the graph is solved once
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/parameter_variables.hpp"
+#include "slam_core/landmark_graph/parameter_variables.hpp"
 
 #include <array>
 #include <cmath>
 #include <memory>
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 namespace {
 
 using Pair = std::array<CalibrationParameter, 2>;
@@ -80,4 +80,4 @@ graph::CalibratedSighting::At sensorPart(const CalibrationVector& parameters) {
           parameters(kRangeScale)};
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "slam_core/contract/landmark_mapper.hpp"
-#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/landmark_graph/landmark_graph.hpp"
 #include "slam_core/models/observation_model.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// What the graph predicts of some observations of its landmarks: their innovations with the joint
 /// covariance, before they are added to the graph.
@@ -80,4 +80,4 @@ class Prediction {
   Eigen::MatrixXd P_;           ///< of the robot, as a twist, and the landmarks
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -12,7 +12,7 @@
 
 #include "slam_core/models/landmark_observation.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// The ids of landmarks, which are numbered in the order in which they come.
 class LandmarkIds {
@@ -59,4 +59,4 @@ class LandmarkIds {
   std::unordered_map<LandmarkId, std::size_t> number_;  // looked up only, never iterated
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/prediction.hpp"
+#include "slam_core/landmark_graph/prediction.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,7 +11,7 @@
 // Symbols: nu innovation, H its Jacobian by (robot as a twist, landmarks), P their covariance, R
 // the observations' noise, S = H P H^T + R.
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 Prediction::Prediction(const LandmarkGraph& graph, const Pose2& sensor,
                        const std::vector<Match>& matches, const Viewpoint& from)
@@ -207,4 +207,4 @@ JointInnovation Prediction::tellable(const Used& used, const Joint& joint) const
   return told;
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

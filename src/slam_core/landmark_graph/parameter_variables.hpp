@@ -10,7 +10,7 @@
 #include "slam_core/graph/optimizer.hpp"
 #include "slam_core/models/calibration.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 /// The parameters of wheels and landmark sensor as variables of a graph, two of them in the place
 /// of a point. They are eliminated last, since nearly all factors depend on them: so they are in
@@ -46,4 +46,4 @@ class ParameterVariables {
 /// The parameters on which a sighting depends.
 graph::CalibratedSighting::At sensorPart(const CalibrationVector& parameters);
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/node_chain.hpp"
+#include "slam_core/landmark_graph/node_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "slam_core/graph/factors.hpp"
-#include "slam_core/graph_slam/twist_covariance.hpp"
+#include "slam_core/landmark_graph/twist_covariance.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 namespace {
 
@@ -130,4 +130,4 @@ void NodeChain::removeChords(graph::Key key) {
   nodes_.at(key).chords.clear();
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/landmark_graph/path_graph.hpp"
 
 #include <cmath>
 #include <memory>
@@ -12,7 +12,7 @@
 // Symbols: a twist of the robot is a small motion in its own frame, J takes it to the coordinates
 // (x, y, theta); P a covariance.
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 void calibrate(PathGraph& path, const CalibrationEstimate& prior) {
   path.parameters_.emplace(path.graph_, prior);
@@ -150,8 +150,8 @@ graph::Key PathGraph::addNode() {
   return key;
 }
 
-void PathGraph::optimize(int most_iterations) {
-  std::vector<graph::Key> last;
+void PathGraph::optimize(int most_iterations, const std::vector<graph::Key>& others) {
+  std::vector<graph::Key> last = others;
   if (tail_.node) last.push_back(*tail_.node);
   if (parameters_) last.insert(last.end(), parameters_->keys().begin(), parameters_->keys().end());
   for (int i = 0; i < most_iterations; ++i)
@@ -174,4 +174,4 @@ void PathGraph::renewTail() {
   by_wheels_.at = now;
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/node_chain.hpp"
+#include "slam_core/landmark_graph/node_chain.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,12 @@
 #include "slam_core/common/random.hpp"
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/graph_slam/place_raster.hpp"
-#include "slam_core/graph_slam/sighting_index.hpp"
-#include "slam_core/graph_slam/twist_covariance.hpp"
+#include "slam_core/landmark_graph/sighting_index.hpp"
+#include "slam_core/landmark_graph/twist_covariance.hpp"
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
+using graph_slam::PlaceRaster;
+
 namespace {
 
 const Pose2 kStep(0.5, 0.1, 0.2);
@@ -236,4 +238,4 @@ TEST(PlaceRaster, CountsTheSameAsWithoutARaster) {
 }
 
 }  // namespace
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

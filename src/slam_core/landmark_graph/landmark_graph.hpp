@@ -9,12 +9,16 @@
 #include <unordered_map>
 #include <vector>
 
-#include "slam_core/graph_slam/landmark_ids.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
-#include "slam_core/graph_slam/sighting_index.hpp"
+#include "slam_core/landmark_graph/landmark_ids.hpp"
+#include "slam_core/landmark_graph/path_graph.hpp"
+#include "slam_core/landmark_graph/sighting_index.hpp"
 #include "slam_core/models/landmark_map.hpp"
 
 namespace slam::graph_slam {
+struct SessionParts;
+}
+
+namespace slam::landmark_graph {
 
 /// An observation of a landmark of the graph.
 struct Match {
@@ -65,6 +69,10 @@ class LandmarkGraph {
   /// To retire one: the graph keeps what was seen of it.
   friend LandmarkIds& idsOf(LandmarkGraph& landmarks) { return landmarks.ids_; }
   friend SightingIndex& sightingsOf(LandmarkGraph& landmarks) { return landmarks.index_; }
+  /// The variable of a landmark in the graph.
+  friend graph::Key keyOf(const LandmarkGraph& landmarks, std::size_t landmark) {
+    return landmarks.keys_[landmark];
+  }
   /// The newest node of the path; none before the first one.
   friend std::optional<graph::Key> lastNodeOf(const LandmarkGraph& landmarks) {
     return landmarks.path_.tail().node;
@@ -88,6 +96,8 @@ class LandmarkGraph {
   }
 
   void observe(const std::vector<Match>& matches, const Pose2& sensor);
+  /// Nothing that the last node has seen is in the graph any more.
+  friend void startSightings(LandmarkGraph& landmarks) { landmarks.startNode(-1); }
   /// Observations that are to be decided on later, as if made from the last node.
   friend NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArray& array);
   /// An observation of an earlier node, which may have seen the landmark before.
@@ -117,7 +127,7 @@ class LandmarkGraph {
   }
 
  private:
-  friend struct SessionParts;  // writes and reads its members
+  friend struct graph_slam::SessionParts;  // writes and reads its members
 
   /// What the last node knows of a landmark.
   struct Sighting {
@@ -150,4 +160,4 @@ class LandmarkGraph {
   std::unordered_map<std::size_t, Sighting> sightings_;  ///< of this node, by landmark
 };
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/candidates.hpp"
+#include "slam_core/landmark_graph/candidates.hpp"
 
 #include <cmath>
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 PlaceCandidates::PlaceCandidates(const LandmarkObservationArray& array, const LandmarkGraph& graph,
                                  const association::DescriptorMap& descriptors, double gate,
@@ -58,4 +58,4 @@ Eigen::Matrix2d PlaceCandidates::crossCovariance(const association::Pairing& fir
   return prediction_->crossCovariance(matchOf(first), matchOf(second));
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/graph_slam/sighting_index.hpp"
+#include "slam_core/landmark_graph/sighting_index.hpp"
 
 #include <algorithm>
 
-namespace slam::graph_slam {
+namespace slam::landmark_graph {
 
 void SightingIndex::add(std::size_t landmark, graph::Key node, graph::FactorId factor) {
   of_landmark_[landmark].push_back({node, factor});
@@ -62,4 +62,4 @@ const std::vector<std::size_t>& SightingIndex::seenFrom(graph::Key node) const {
   return found == of_node_.end() ? kNone : found->second;
 }
 
-}  // namespace slam::graph_slam
+}  // namespace slam::landmark_graph
