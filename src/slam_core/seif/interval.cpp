@@ -4,6 +4,7 @@
 #include "slam_core/seif/interval.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <unordered_map>
@@ -100,20 +101,30 @@ std::vector<graph::Key> Interval::active() const {
 }
 
 bool Interval::isFull() const {
-  return !nodes_.empty() &&
-         (observed_.size() > limits_.landmarks || nodes_.size() >= limits_.nodes);
+  return !nodes_.empty() && (observed_.size() > limits_.landmarks ||
+                             nodes_.size() >= limits_.nodes || headingSigma() > limits_.heading);
+}
+
+/// Of the last pose, relative to the first one [rad].
+double Interval::headingSigma() const {
+  if (nodes_.size() < 2) return 0.0;
+  const Eigen::MatrixXd P = path_.graph().covariance({nodes_.front(), nodes_.back()});
+  return std::sqrt(std::max(0.0, P(2, 2) + P(5, 5) - 2.0 * P(2, 5)));
 }
 
 /// What is left of the interval without its poses, but for the last one and those with a prior.
-MappedPart Interval::marginalised() const {
+/// @param with_joint the pose before the interval is kept as well, and the motion from there
+MappedPart Interval::marginalised(bool with_joint) const {
   const auto& graph = path_.graph();
   OwnGraph own(graph, nodes_.back());
   MappedPart part;
   std::vector<graph::Key> points;
+  if (with_joint) part.poses.push_back(joint_);
   for (const auto node : nodes_) {
     const auto& chain = chainOf(path_)[node];
     if (chain.has_prior && node != nodes_.back()) part.poses.push_back(node);
-    if (node != nodes_.front() && chain.before >= 0) own.addMotion(chain.link.factor);
+    if (chain.before >= 0 && (with_joint || node != nodes_.front()))
+      own.addMotion(chain.link.factor);
     for (const auto landmark : sightingsOf(landmarks_).seenFrom(node))
       own.addSighting(sightingsOf(landmarks_).factor(landmark, node));
   }
@@ -125,7 +136,6 @@ MappedPart Interval::marginalised() const {
 
 /// Whether landmarks alone say how the interval lies in the map.
 bool Interval::isTied(const MappedPart& part) const {
-  if (!part.poses.empty()) return true;
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < part.landmarks.size(); ++i)
     if (contains(previous_->landmarks, part.landmarks[i]) || maps_.knows(part.landmarks[i]))
@@ -136,10 +146,6 @@ bool Interval::isTied(const MappedPart& part) const {
 /// Removes the pose between the interval before and this one.
 void Interval::letGo() {
   separate(chainOf(path_), nodes_.front());
-  if (chainOf(path_)[joint_].has_prior) {  // it stays, with its local map
-    previous_.reset();
-    return;
-  }
   path_.graph().remove(factor_);
   chainOf(path_).remove(joint_);
   maps_.add(*std::exchange(previous_, std::nullopt));
@@ -149,18 +155,46 @@ void Interval::letGo() {
 void Interval::consume() {
   for (const auto node : nodes_) {
     for (const auto factor : sightingsOf(landmarks_).removeNode(node)) path_.graph().remove(factor);
-    if (node != nodes_.front()) separate(chainOf(path_), node);
+    separate(chainOf(path_), node);
   }
   for (const auto node : nodes_)
     if (node != nodes_.back() && !chainOf(path_)[node].has_prior) chainOf(path_).remove(node);
   startSightings(landmarks_);
 }
 
+/// Keeps the pose between the interval before and this one, as one of either local map.
+void Interval::keepJoint() {
+  auto& [map, landmarks, poses] = *previous_;
+  const auto size = map.covariance.rows(), old_poses = 3 * static_cast<Eigen::Index>(poses.size());
+  Eigen::MatrixXd P = Eigen::MatrixXd::Zero(size + 3, size + 3);  // the base has no error in itself
+  P.topLeftCorner(old_poses, old_poses) = map.covariance.topLeftCorner(old_poses, old_poses);
+  const auto points = size - old_poses;
+  P.bottomRightCorner(points, points) = map.covariance.bottomRightCorner(points, points);
+  P.topRightCorner(old_poses, points) = map.covariance.topRightCorner(old_poses, points);
+  P.bottomLeftCorner(points, old_poses) = map.covariance.bottomLeftCorner(points, old_poses);
+  map.covariance = P;
+  map.poses.emplace_back();
+  poses.push_back(joint_);
+  path_.graph().remove(factor_);
+  maps_.add(*std::exchange(previous_, std::nullopt));
+}
+
+/// The pose between the interval before and this one goes where landmarks tie this one to the map.
+MappedPart Interval::ended() {
+  auto part = marginalised(false);
+  if (!previous_) return part;
+  if (isTied(part) && !chainOf(path_)[joint_].has_prior) {
+    letGo();
+  } else {
+    part = marginalised(true);
+    keepJoint();
+  }
+  return part;
+}
+
 bool Interval::endWhereFull() {
   if (!isFull()) return false;
-  auto part = marginalised();
-  if (previous_ && !isTied(part)) return false;
-  if (previous_) letGo();
+  auto part = ended();
   consume();
   joint_ = nodes_.back();
   std::vector<graph::Key> keys = {joint_};
@@ -175,13 +209,11 @@ bool Interval::endWhereFull() {
   return true;
 }
 
-/// Where the interval cannot be placed without its poses, they stay.
 void Interval::endForGood() {
   if (nodes_.empty()) return;
   const auto last = nodes_.back();
-  auto part = marginalised();
-  if (!chainOf(path_)[last].has_prior && (!previous_ || isTied(part))) {
-    if (previous_) letGo();
+  if (!chainOf(path_)[last].has_prior) {
+    auto part = ended();
     consume();
     chainOf(path_).remove(last);
     maps_.add(std::move(part));

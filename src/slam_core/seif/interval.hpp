@@ -16,6 +16,7 @@ namespace slam::seif {
 struct IntervalLimits {
   std::size_t landmarks = 30;  ///< more than so many were observed
   std::size_t nodes = 100;     ///< the path has so many poses
+  double heading = 0.05;       ///< it is less certain how the robot has turned [rad]
 };
 
 /// The way of the newest landmarks, which alone the filter still has the poses of. When it ends,
@@ -53,9 +54,12 @@ class Interval {
 
  private:
   bool isFull() const;
-  MappedPart marginalised() const;
+  double headingSigma() const;
+  MappedPart marginalised(bool with_joint) const;
+  MappedPart ended();
   bool isTied(const MappedPart& part) const;
   void letGo();
+  void keepJoint();
   void consume();
   void see(graph::Key node);
 

@@ -7,20 +7,10 @@
 #include <memory>
 #include <utility>
 
-#include "slam_core/seif/map_joining.hpp"
-
 namespace slam::seif {
 namespace {
 
-SharedPoints sharedOf(const MappedPart& a, const MappedPart& b) {
-  SharedPoints shared;
-  for (std::size_t j = 0; j < b.landmarks.size(); ++j) {
-    const auto found = std::find(a.landmarks.begin(), a.landmarks.end(), b.landmarks[j]);
-    if (found != a.landmarks.end())
-      shared.emplace_back(static_cast<std::size_t>(found - a.landmarks.begin()), j);
-  }
-  return shared;
-}
+std::size_t sizeOf(const MappedPart& part) { return part.landmarks.size() + part.poses.size(); }
 
 }  // namespace
 
@@ -52,37 +42,40 @@ void LocalMaps::add(MappedPart part) {
   store(std::move(part));
 }
 
+/// The poses between two parts that nothing else holds.
+std::vector<graph::Key> LocalMaps::jointsOf(const MappedPart& a, const MappedPart& b) const {
+  auto poses = SharedPart(a, b).poses;
+  const auto has_prior = [this](graph::Key pose) { return chainOf(path_)[pose].has_prior; };
+  poses.erase(std::remove_if(poses.begin(), poses.end(), has_prior), poses.end());
+  return poses;
+}
+
 /// Joins a part with that of the others with which it has the fewest landmarks together.
+/// @return whether there is one
 bool LocalMaps::join(MappedPart& part) {
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::size_t best = kNone, fewest = most_landmarks_ + 1;
+  std::vector<std::pair<std::size_t, std::size_t>> options;  // size together, place
   for (const auto place : around(part)) {
     const auto& other = parts_[place].part;
-    const auto together =
-        part.landmarks.size() + other.landmarks.size() - sharedOf(other, part).size();
-    if (together < fewest) {
-      fewest = together;
-      best = place;
-    }
+    const SharedPart shared(other, part);
+    const auto size =
+        sizeOf(part) + sizeOf(other) - shared.in_first.size() - 2 * shared.poses.size();
+    if (size <= limits_.landmarks) options.emplace_back(size, place);
   }
-  if (best == kNone) return false;
-  const auto& other = parts_[best].part;
-  const auto shared = sharedOf(other, part);
-  auto map = joined(other.map, part.map, shared);
-  if (!map) return false;
-  MappedPart both{std::move(*map), other.landmarks, other.poses};
-  both.poses.insert(both.poses.end(), part.poses.begin(), part.poses.end());
-  for (const auto landmark : part.landmarks)
-    if (std::find(other.landmarks.begin(), other.landmarks.end(), landmark) ==
-        other.landmarks.end())
-      both.landmarks.push_back(landmark);
-  remove(best);
-  part = std::move(both);
-  return true;
+  std::sort(options.begin(), options.end());
+  for (const auto& [size, place] : options) {
+    const auto between = jointsOf(parts_[place].part, part);
+    auto both = joined(parts_[place].part, part, between, limits_.heading);
+    if (!both) continue;
+    remove(place);
+    for (const auto pose : between) chainOf(path_).remove(pose);
+    part = std::move(*both);
+    return true;
+  }
+  return false;
 }
 
 void LocalMaps::store(MappedPart part) {
-  if (part.landmarks.size() + part.poses.size() < 2) return;  // it says nothing of others
+  if (sizeOf(part) < 2) return;  // it says nothing of others
   auto keys = part.poses;
   for (const auto landmark : part.landmarks) keys.push_back(keyOf(landmarks_, landmark));
   const auto factor = path_.graph().add(std::make_shared<graph::FreeMap>(keys, part.map));

@@ -6,36 +6,29 @@
 #include <cstddef>
 #include <vector>
 
-#include "slam_core/graph/local_map.hpp"
 #include "slam_core/landmark_graph/landmark_graph.hpp"
+#include "slam_core/seif/map_joining.hpp"
 
 namespace slam::seif {
 
-/// A local map with the landmarks that its points are, and the keys of its poses.
-struct MappedPart {
-  graph::LocalMap map;
-  std::vector<std::size_t> landmarks;  ///< by point
-  std::vector<graph::Key> poses;       ///< by pose
-
-  template <class Archive>
-  void persist(Archive& archive) {
-    archive(map, landmarks, poses);
-  }
+/// When two local maps become one.
+struct JoiningLimits {
+  std::size_t landmarks = 45;  ///< together they have at most so many, poses included
+  double heading = 0.05;       ///< sigma of the one's heading relative to the other's [rad]
 };
 
-/// What the map has kept of the way: local maps of which nothing but the landmarks is left. Each of
-/// them joins no more than a bounded number of landmarks in the information matrix, and two that
-/// have so few together become one: so the matrix stays sparse, and grows with the map and not with
-/// the way.
+/// What the map has kept of the way: local maps whose bases are marginalised. Each of them joins no
+/// more than a bounded number of landmarks in the information matrix, and two that have so few
+/// together become one: so the matrix stays sparse, and grows with the map and not with the way. A
+/// pose between two local maps that nothing else ties to one another is kept until these two become
+/// one.
 class LocalMaps {
  public:
-  /// @param most_landmarks that two maps may have together to be joined @param path, landmarks
-  /// outlive this
-  LocalMaps(std::size_t most_landmarks, landmark_graph::PathGraph& path,
+  /// @param path, landmarks outlive this
+  LocalMaps(const JoiningLimits& limits, landmark_graph::PathGraph& path,
             landmark_graph::LandmarkGraph& landmarks)
-      : most_landmarks_(most_landmarks), path_(path), landmarks_(landmarks) {}
+      : limits_(limits), path_(path), landmarks_(landmarks) {}
 
-  /// Adds what nothing but the landmarks is left of.
   void add(MappedPart part);
   /// Whether the map says something of the landmark that the way now does not.
   bool knows(std::size_t landmark) const;
@@ -61,11 +54,12 @@ class LocalMaps {
   };
   /// @return the places of those that share a landmark, rising
   std::vector<std::size_t> around(const MappedPart& part) const;
+  std::vector<graph::Key> jointsOf(const MappedPart& a, const MappedPart& b) const;
   bool join(MappedPart& part);
   void store(MappedPart part);
   void remove(std::size_t place);
 
-  std::size_t most_landmarks_;
+  JoiningLimits limits_;
   landmark_graph::PathGraph& path_;
   landmark_graph::LandmarkGraph& landmarks_;
   std::vector<Stored> parts_;

@@ -4,7 +4,9 @@
 #include "slam_core/seif/map_joining.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "slam_core/graph/factors.hpp"
@@ -13,101 +15,133 @@
 namespace slam::seif {
 namespace {
 
-constexpr int kSteps = 10;
-constexpr double kHeld = 1e6;  // the weight of a base that defines its map's frame [1/m, 1/rad]
+template <class T>
+std::size_t placeIn(const std::vector<T>& all, const T& one) {
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), one) - all.begin());
+}
 
-/// The variables of a local map that lies at `base`; points that are known already have their keys.
-struct Placed {
-  std::vector<graph::Key> keys;
-
-  Placed(graph::Optimizer& graph, const graph::LocalMap& map, const Pose2& base,
-         std::vector<graph::Key> points = {}) {
-    points.resize(map.points.size(), -1);
-    keys.push_back(graph.add(base));
-    for (const auto& pose : map.poses) keys.push_back(graph.add(base * pose));
-    for (std::size_t i = 0; i < points.size(); ++i)
-      keys.push_back(points[i] >= 0 ? points[i] : graph.add(base.transform(map.points[i])));
-    graph.add(std::make_shared<graph::BasedMap>(keys, map));
+/// The points of a local map at these places alone.
+graph::LocalMap pointsOf(const graph::LocalMap& map, const std::vector<std::size_t>& places) {
+  graph::LocalMap part;
+  std::vector<Eigen::Index> rows;
+  for (const auto place : places) {
+    part.points.push_back(map.points[place]);
+    rows.push_back(static_cast<Eigen::Index>(3 * map.poses.size() + 2 * place));
+    rows.push_back(rows.back() + 1);
   }
+  part.covariance = map.covariance(rows, rows);
+  return part;
+}
+
+/// Two parts in one graph, in the frame of the first one's base.
+class Joint {
+ public:
+  Joint(const MappedPart& first, const MappedPart& second, const Pose2& second_base) {
+    constexpr double kHeld = 1e6;  // the weight of what defines the frame [1/m, 1/rad]
+    first_base_ = add(first, Pose2());
+    graph_.add(std::make_shared<graph::PosePrior>(first_base_, Pose2(),
+                                                  kHeld * Eigen::Matrix3d::Identity()));
+    second_base_ = add(second, second_base);
+  }
+
+  bool isSolved() {
+    constexpr int kSteps = 20;
+    return graph_.optimize({first_base_}, kSteps);
+  }
+  /// Of the second base relative to the first one [rad].
+  double headingSigma() const { return std::sqrt(graph_.covariance({second_base_})(2, 2)); }
+  MappedPart without(const std::vector<graph::Key>& poses) const {
+    const Pose2 T_base_map = graph_.pose(first_base_).inverse();
+    MappedPart both;
+    std::vector<graph::Key> keys;
+    for (const auto& [pose, key] : poses_) {
+      if (std::find(poses.begin(), poses.end(), pose) != poses.end()) continue;
+      both.poses.push_back(pose);
+      both.map.poses.push_back(T_base_map * graph_.pose(key));
+      keys.push_back(key);
+    }
+    for (const auto& [landmark, key] : points_) {
+      both.landmarks.push_back(landmark);
+      both.map.points.push_back(T_base_map.transform(graph_.pose(key).position()));
+      keys.push_back(key);
+    }
+    both.map.covariance = graph_.covariance(keys);
+    return both;
+  }
+
+ private:
+  graph::Key add(const MappedPart& part, const Pose2& base) {
+    std::vector<graph::Key> keys = {graph_.add(base)};
+    for (std::size_t i = 0; i < part.poses.size(); ++i) {
+      const auto [found, is_new] = poses_.try_emplace(part.poses[i], -1);
+      if (is_new) found->second = graph_.add(base * part.map.poses[i]);
+      keys.push_back(found->second);
+    }
+    for (std::size_t i = 0; i < part.landmarks.size(); ++i) {
+      const auto [found, is_new] = points_.try_emplace(part.landmarks[i], -1);
+      if (is_new) found->second = graph_.add(base.transform(part.map.points[i]));
+      keys.push_back(found->second);
+    }
+    graph_.add(std::make_shared<graph::BasedMap>(keys, part.map));
+    return keys.front();
+  }
+
+  graph::Optimizer graph_;
+  std::map<graph::Key, graph::Key> poses_;
+  std::map<std::size_t, graph::Key> points_;
+  graph::Key first_base_ = -1, second_base_ = -1;
 };
 
-/// Where the base of the second map lies in the frame of the first one.
-Pose2 meetingOf(const graph::LocalMap& first, const graph::LocalMap& second,
-                const SharedPoints& shared) {
-  std::vector<bool> keeps(second.points.size(), false);
-  for (const auto& [a, b] : shared) keeps[b] = true;
-  std::vector<Pose2> at(second.points.size());
-  for (const auto& [a, b] : shared) at[b] = {first.points[a].x(), first.points[a].y(), 0.0};
-  std::vector<Pose2> kept;
-  for (std::size_t i = 0; i < at.size(); ++i)
-    if (keeps[i]) kept.push_back(at[i]);
-  auto part = graph::marginal(second, keeps);
-  const auto rows = part.covariance.rows() - 3 * static_cast<Eigen::Index>(part.poses.size());
-  part.covariance = part.covariance.bottomRightCorner(rows, rows).eval();
-  part.poses.clear();
-  return graph::FreeMap(std::vector<graph::Key>(kept.size(), 0), part).base(kept);
+/// Where the base of the second part lies in the frame of the first one.
+Pose2 meetingOf(const MappedPart& first, const MappedPart& second, const SharedPart& shared) {
+  if (!shared.poses.empty()) {
+    const auto a = placeIn(first.poses, shared.poses[0]),
+               b = placeIn(second.poses, shared.poses[0]);
+    return first.map.poses[a] * second.map.poses[b].inverse();
+  }
+  std::vector<Pose2> at;
+  for (const auto place : shared.in_first)
+    at.emplace_back(first.map.points[place].x(), first.map.points[place].y(), 0.0);
+  return graph::FreeMap(std::vector<graph::Key>(at.size(), 0),
+                        pointsOf(second.map, shared.in_second))
+      .base(at);
 }
 
 }  // namespace
 
+SharedPart::SharedPart(const MappedPart& first, const MappedPart& second) {
+  for (std::size_t i = 0; i < second.landmarks.size(); ++i) {
+    const auto place = placeIn(first.landmarks, second.landmarks[i]);
+    if (place == first.landmarks.size()) continue;
+    in_first.push_back(place);
+    in_second.push_back(i);
+  }
+  for (const auto pose : second.poses)
+    if (placeIn(first.poses, pose) < first.poses.size()) poses.push_back(pose);
+}
+
 bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& points) {
   constexpr double kLargestSigma = 0.1;  // [rad]
   if (points.size() < 2) return false;
-  const auto size = 2 * static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd J(size, 3), P(size, size);
-  const auto row = [&](std::size_t point) {
-    return static_cast<Eigen::Index>(3 * map.poses.size() + 2 * point);
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& p = map.points[points[i]];
-    const auto r = 2 * static_cast<Eigen::Index>(i);
-    J.middleRows<2>(r) << -1.0, 0.0, p.y(), 0.0, -1.0, -p.x();
-    for (std::size_t j = 0; j < points.size(); ++j)
-      P.block<2, 2>(r, 2 * static_cast<Eigen::Index>(j)) =
-          map.covariance.block<2, 2>(row(points[i]), row(points[j]));
-  }
-  const Eigen::MatrixXd WJ = graph::weightOfCovariance(P) * J;
-  const Eigen::FullPivLU<Eigen::Matrix3d> information(WJ.transpose() * WJ);
-  return information.isInvertible() && information.inverse()(2, 2) < kLargestSigma * kLargestSigma;
+  const auto part = pointsOf(map, points);
+  std::vector<Pose2> at = {Pose2()};
+  for (const auto& point : part.points) at.emplace_back(point.x(), point.y(), 0.0);
+  const Eigen::MatrixXd J =
+      graph::BasedMap(std::vector<graph::Key>(at.size(), 0), part).linearized(at).J.leftCols<3>();
+  const Eigen::FullPivLU<Eigen::Matrix3d> information(J.transpose() * J);
+  return information.isInvertible() && information.inverse()(2, 2) < std::pow(kLargestSigma, 2);
 }
 
-std::optional<graph::LocalMap> joined(const graph::LocalMap& first, const graph::LocalMap& second,
-                                      const SharedPoints& shared) {
-  std::vector<std::size_t> in_first, in_second;
-  for (const auto& [a, b] : shared) {
-    in_first.push_back(a);
-    in_second.push_back(b);
-  }
-  if (!determinesBase(first, in_first) || !determinesBase(second, in_second)) return std::nullopt;
-  graph::Optimizer graph;
-  const Placed of_first(graph, first, Pose2());
-  const auto base = of_first.keys[0];
-  graph.add(std::make_shared<graph::PosePrior>(base, Pose2(), kHeld * Eigen::Matrix3d::Identity()));
-  std::vector<graph::Key> known(second.points.size(), -1);
-  for (const auto& [a, b] : shared) known[b] = of_first.keys[1 + first.poses.size() + a];
-  const Placed of_second(graph, second, meetingOf(first, second, shared), known);
-  if (!graph.optimize({base}, kSteps)) return std::nullopt;
-
-  const auto begin_points = [](const Placed& placed, const graph::LocalMap& map) {
-    return placed.keys.begin() + 1 + static_cast<std::ptrdiff_t>(map.poses.size());
-  };
-  std::vector<graph::Key> keys(of_first.keys.begin() + 1, begin_points(of_first, first));
-  keys.insert(keys.end(), of_second.keys.begin() + 1, begin_points(of_second, second));
-  const auto poses = keys.size();
-  keys.insert(keys.end(), begin_points(of_first, first), of_first.keys.end());
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (known[i] < 0) keys.push_back(of_second.keys[1 + second.poses.size() + i]);
-  graph::LocalMap both;
-  const Pose2 T_base_map = graph.pose(base).inverse();
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto in_base = T_base_map * graph.pose(keys[i]);
-    if (i < poses)
-      both.poses.push_back(in_base);
-    else
-      both.points.push_back(in_base.position());
-  }
-  both.covariance = graph.covariance(keys);
-  return both;
+std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& second,
+                                 const std::vector<graph::Key>& marginalised,
+                                 double largest_heading) {
+  const SharedPart shared(first, second);
+  if (shared.poses.empty() &&
+      !(determinesBase(first.map, shared.in_first) && determinesBase(second.map, shared.in_second)))
+    return std::nullopt;
+  Joint joint(first, second, meetingOf(first, second, shared));
+  if (!joint.isSolved() || joint.headingSigma() > largest_heading) return std::nullopt;
+  return joint.without(marginalised);
 }
 
 }  // namespace slam::seif

@@ -3,26 +3,46 @@
 
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "slam_core/graph/local_map.hpp"
 
 namespace slam::seif {
 
-/// The number of a landmark in two local maps: its place in the first one, and in the second.
-using SharedPoints = std::vector<std::pair<std::size_t, std::size_t>>;
+/// A local map with the landmarks that its points are, and the keys of its poses.
+struct MappedPart {
+  graph::LocalMap map;
+  std::vector<std::size_t> landmarks;  ///< by point
+  std::vector<graph::Key> poses;       ///< by pose
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(map, landmarks, poses);
+  }
+};
+
+/// What two parts have in common.
+struct SharedPart {
+  SharedPart(const MappedPart& first, const MappedPart& second);
+  std::vector<std::size_t> in_first, in_second;  ///< the places of the same landmarks
+  std::vector<graph::Key> poses;
+};
 
 /// Whether these points alone say where the base of a local map is relative to them: its heading
-/// by a sigma of 0.1 rad, beyond which no linearisation of it would mean anything.
+/// by a sigma of 0.1 rad, beyond which a linearisation of it means little.
 bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& points);
 
-/// Two local maps as one in the first one's frame: poses and points of the first, then those that
-/// only the second one has (map joining: Tardos, Neira, Newman, Leonard 2002; by least squares:
-/// Huang, Wang, Dissanayake 2008).
-/// @return nothing where their shared points do not say how they lie to one another
-std::optional<graph::LocalMap> joined(const graph::LocalMap& first, const graph::LocalMap& second,
-                                      const SharedPoints& shared);
+/// Two parts as one in the first one's frame: poses and points of the first, then those that only
+/// the second one has (map joining: Tardos, Neira, Newman, Leonard 2002; by least squares: Huang,
+/// Wang, Dissanayake 2008).
+/// @param marginalised poses that are left out
+/// @param largest_heading sigma of the one base's heading relative to the other's [rad]
+/// @return nothing where what they share does not say how they lie to one another, or less
+/// certainly than that
+std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& second,
+                                 const std::vector<graph::Key>& marginalised,
+                                 double largest_heading);
 
 }  // namespace slam::seif

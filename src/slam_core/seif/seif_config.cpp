@@ -49,6 +49,11 @@ void SeifConfig::describe(Fields& fields) {
       .unit("1")
       .in(Range::closed(2, 10000));
   fields
+      .add("interval_heading", &interval_heading,
+           "the same when it is less certain than this by how much the robot has turned in between")
+      .unit("rad")
+      .in(Range::open(0, 3));
+  fields
       .add(
           "node_distance", &node_distance,
           "the filter gets a new pose when the robot has moved so far; what is seen before that is "

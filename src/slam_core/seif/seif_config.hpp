@@ -24,6 +24,7 @@ struct SeifConfig {
   int joint_limit = 2000;
   int active_landmarks = 30;
   int interval_nodes = 100;
+  double interval_heading = 0.05;
   double node_distance = 0.05;
   double node_angle = 0.05;
   int iterations = 3;

@@ -26,9 +26,11 @@ std::size_t count(int number) { return static_cast<std::size_t>(number); }
 
 SeifSlam::Filter::Filter(const SeifConfig& config, const PoseEstimate& start)
     : path({config.node_distance, config.node_angle}, start),
-      maps(count(config.active_landmarks + config.active_landmarks / 2), path, landmarks),
-      interval({count(config.active_landmarks), count(config.interval_nodes)}, path, landmarks,
-               maps) {}
+      maps({count(config.active_landmarks + config.active_landmarks / 2), config.interval_heading},
+           path, landmarks),
+      interval(
+          {count(config.active_landmarks), count(config.interval_nodes), config.interval_heading},
+          path, landmarks, maps) {}
 
 void SeifSlam::configure(const SeifConfig& config) {
   validate(config);
