@@ -51,35 +51,52 @@ LocalMap marginal(const LocalMap& map, const std::vector<bool>& keeps) {
 BasedMap::BasedMap(std::vector<Key> keys, LocalMap map)
     : Factor(std::move(keys)), map_(std::move(map)), W_(weightOfCovariance(map_.covariance)) {}
 
-LinearFactor BasedMap::linearized(const std::vector<Pose2>& at) const {
-  const Pose2& base = at[0];
-  const Eigen::Matrix2d R_base_map = base.rotation().transpose();
-  const auto size = W_.cols();
-  Eigen::VectorXd e(size);
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(size, kPoseRows + size);
+/// The errors, and their Jacobian by the base alone.
+BasedMap::Errors BasedMap::errors(const Pose2& base, const Pose2* at) const {
+  Errors errors{Eigen::VectorXd(W_.cols()), Eigen::MatrixX3d(W_.cols(), kPoseRows)};
   for (std::size_t i = 0; i < map_.poses.size(); ++i) {
     const auto row = kPoseRows * static_cast<Eigen::Index>(i);
     const Pose2 known_inverse = map_.poses[i].inverse();
-    const Pose2 in_base = base.between(at[i + 1]);
-    const Pose2 error = known_inverse * in_base;
+    const Pose2 in_base = base.between(at[i]);
     // a twist of the base moves the pose in it the other way, and turns it around the base
     Eigen::Matrix3d J_base = -known_inverse.twistJacobian();
     J_base.topRightCorner<2, 1>() =
         J_base.topLeftCorner<2, 2>() * Eigen::Vector2d(-in_base.y(), in_base.x());
-    e.segment<3>(row) = error.vector();
-    J.block<3, 3>(row, 0) = J_base;
-    J.block<3, 3>(row, kPoseRows + row) = error.twistJacobian();
+    errors.e.segment<3>(row) = (known_inverse * in_base).vector();
+    errors.J_base.middleRows<3>(row) = J_base;
   }
   const Pose2 map_in_base = base.inverse();
   for (std::size_t i = 0; i < map_.points.size(); ++i) {
     const auto row = pointRow(map_, i);
-    const Eigen::Vector2d p = map_in_base.transform(at[1 + map_.poses.size() + i].position());
-    e.segment<2>(row) = p - map_.points[i];
-    J.block<2, 2>(row, 0) = -Eigen::Matrix2d::Identity();
-    J.block<2, 1>(row, 2) = Eigen::Vector2d(p.y(), -p.x());
-    J.block<2, 2>(row, kPoseRows + row) = R_base_map;
+    const Eigen::Vector2d p = map_in_base.transform(at[map_.poses.size() + i].position());
+    errors.e.segment<2>(row) = p - map_.points[i];
+    errors.J_base.middleRows<2>(row) << -1.0, 0.0, p.y(), 0.0, -1.0, -p.x();
   }
-  return {W_ * e, W_ * J};
+  return errors;
+}
+
+LinearFactor BasedMap::linearized(const std::vector<Pose2>& at) const {
+  const Pose2& base = at[0];
+  const Errors errors = this->errors(base, at.data() + 1);
+  const Eigen::Matrix2d R_base_map = base.rotation().transpose();
+  LinearFactor linear{W_ * errors.e, Eigen::MatrixXd(W_.rows(), kPoseRows + W_.cols())};
+  linear.J.leftCols<3>().noalias() = W_ * errors.J_base;
+  for (std::size_t i = 0; i < map_.poses.size(); ++i) {
+    const auto row = kPoseRows * static_cast<Eigen::Index>(i);
+    const Pose2 error = map_.poses[i].inverse() * base.between(at[i + 1]);
+    linear.J.middleCols<3>(kPoseRows + row).noalias() =
+        W_.middleCols<3>(row) * error.twistJacobian();
+  }
+  for (std::size_t i = 0; i < map_.points.size(); ++i) {
+    const auto row = pointRow(map_, i);
+    linear.J.middleCols<2>(kPoseRows + row).noalias() = W_.middleCols<2>(row) * R_base_map;
+  }
+  return linear;
+}
+
+LinearFactor BasedMap::byBase(const Pose2& base, const std::vector<Pose2>& others) const {
+  const Errors errors = this->errors(base, others.data());
+  return {W_ * errors.e, W_ * errors.J_base};
 }
 
 FreeMap::FreeMap(std::vector<Key> keys, LocalMap map)
@@ -109,12 +126,10 @@ Pose2 FreeMap::base(const std::vector<Pose2>& at) const {
   constexpr int kMost = 10;
   constexpr double kConverged = 1e-9;
   Pose2 base = firstBase(at);
-  std::vector<Pose2> with_base = at;
-  with_base.insert(with_base.begin(), base);
   for (int i = 0; i < kMost; ++i) {
-    const auto linear = based_.linearized(with_base);
-    const Eigen::Vector3d step = -leastSquares(linear.J.leftCols<3>(), linear.r);
-    base = with_base[0] = base * Pose2::exp(step);
+    const auto linear = based_.byBase(base, at);
+    const Eigen::Vector3d step = -leastSquares(linear.J, linear.r);
+    base = base * Pose2::exp(step);
     if (step.norm() < kConverged) break;
   }
   return base;

@@ -35,9 +35,17 @@ class BasedMap final : public Factor {
   /// @param keys of the base, the poses and the points
   BasedMap(std::vector<Key> keys, LocalMap map);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
+  /// The same by the base alone. @param others the poses and points
+  LinearFactor byBase(const Pose2& base, const std::vector<Pose2>& others) const;
   const LocalMap& map() const { return map_; }
 
  private:
+  struct Errors {
+    Eigen::VectorXd e;
+    Eigen::MatrixX3d J_base;
+  };
+  Errors errors(const Pose2& base, const Pose2* at) const;
+
   LocalMap map_;
   Eigen::MatrixXd W_;
 };
