@@ -64,7 +64,7 @@ class Whole(Tree):
         told = ports.components()
         absent = [node for node in nodes_of(self.root) if node.mark == ABSENT]
         self.assertEqual({node.name for node in absent},
-                         {"backend=seif", "backend=rat", "detector=visual_features",
+                         {"backend=rat", "detector=visual_features",
                           "scene_reconstruction"})
         for node in absent:
             key, _, value = node.name.partition("=")
