@@ -17,15 +17,15 @@ namespace slam::eval {
 /// the noise that they claim.
 struct FieldWorldConfig {
   int landmarks = 10000;
-  double spacing = 3.0;          ///< of the landmarks [m]
-  double lane = 0.0;             ///< length of a lane [m]; 0: the field is a square
-  double between = 6.0;          ///< distance of two lanes [m]
-  double view_range = 6.0;       ///< [m], all around
-  double step_length = 0.25;     ///< way between two observations [m]
-  double sigma_range = 0.1;      ///< [m]
-  double sigma_bearing = 0.02;   ///< [rad]
-  double sigma_position = 0.01;  ///< of a step, along and across [m]
-  double sigma_heading = 0.003;  ///< of a step [rad]
+  double spacing = 3.0;           ///< of the landmarks [m]
+  double lane = 0.0;              ///< length of a lane [m]; 0: the field is a square
+  double between = 6.0;           ///< distance of two lanes [m]
+  double view_range = 6.0;        ///< [m], all around
+  double step_length = 0.25;      ///< way between two observations [m]
+  double sigma_range = 0.1;       ///< [m]
+  double sigma_bearing = 0.02;    ///< [rad]
+  double sigma_position = 0.005;  ///< of a step, along and across [m]
+  double sigma_heading = 0.001;   ///< of a step [rad]
 };
 
 /// The steps of one seed, one after the other.

@@ -11,6 +11,7 @@
 #include <map>
 #include <string>
 
+#include "slam_core/common/config_error.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 
