@@ -27,9 +27,9 @@ struct IntervalLimits {
 /// When that one ends as well, the pose between the two is let go of, as in the exactly sparse
 /// filter (Walter, Eustice, Leonard 2007): marginalising it would join the landmarks of both
 /// intervals. Its motion to the next pose is left out, and both local maps are from then on placed
-/// by the landmarks that they share with the rest of the map alone. Leaving out a measurement makes
-/// no estimate over-confident. Where the landmarks do not say how the interval lies in the map, it
-/// goes on.
+/// by what they share with the rest of the map alone. Leaving out a measurement makes no estimate
+/// over-confident. Where landmarks do not say how the interval lies in the map, the pose stays, as
+/// one of both local maps.
 class Interval {
  public:
   /// @param path, landmarks, maps outlive this
