@@ -162,9 +162,9 @@ void Interval::consume() {
   startSightings(landmarks_);
 }
 
-/// Keeps the pose between the interval before and this one, as one of either local map.
-void Interval::keepJoint() {
-  auto& [map, landmarks, poses] = *previous_;
+/// The local map of the interval before, with the pose between it and this one as one of its poses.
+MappedPart Interval::withJoint(const MappedPart& part) const {
+  auto [map, landmarks, poses] = part;
   const auto size = map.covariance.rows(), old_poses = 3 * static_cast<Eigen::Index>(poses.size());
   Eigen::MatrixXd P = Eigen::MatrixXd::Zero(size + 3, size + 3);  // the base has no error in itself
   P.topLeftCorner(old_poses, old_poses) = map.covariance.topLeftCorner(old_poses, old_poses);
@@ -175,21 +175,39 @@ void Interval::keepJoint() {
   map.covariance = P;
   map.poses.emplace_back();
   poses.push_back(joint_);
+  return {map, landmarks, poses};
+}
+
+/// Keeps the pose between the interval before and this one, as one of either local map.
+void Interval::keepJoint() {
   path_.graph().remove(factor_);
-  maps_.add(*std::exchange(previous_, std::nullopt));
+  maps_.add(withJoint(*std::exchange(previous_, std::nullopt)));
+}
+
+/// Marginalises the pose between both, where no more landmarks are joined by it than may be.
+std::optional<MappedPart> Interval::continued(const MappedPart& part) {
+  if (chainOf(path_)[joint_].has_prior) return std::nullopt;
+  auto both = maps_.joined(part, withJoint(*previous_), {joint_});
+  if (!both) return std::nullopt;
+  separate(chainOf(path_), nodes_.front());
+  path_.graph().remove(factor_);
+  chainOf(path_).remove(joint_);
+  previous_.reset();
+  return both;
 }
 
 /// The pose between the interval before and this one goes where landmarks tie this one to the map.
 MappedPart Interval::ended() {
+  if (!previous_) return marginalised(false);
+  const auto with_joint = marginalised(true);
+  if (auto both = continued(with_joint)) return *both;
   auto part = marginalised(false);
-  if (!previous_) return part;
   if (isTied(part) && !chainOf(path_)[joint_].has_prior) {
     letGo();
-  } else {
-    part = marginalised(true);
-    keepJoint();
+    return part;
   }
-  return part;
+  keepJoint();
+  return with_joint;
 }
 
 bool Interval::endWhereFull() {

@@ -59,7 +59,9 @@ class Interval {
   MappedPart ended();
   bool isTied(const MappedPart& part) const;
   void letGo();
+  MappedPart withJoint(const MappedPart& part) const;
   void keepJoint();
+  std::optional<MappedPart> continued(const MappedPart& part);
   void consume();
   void see(graph::Key node);
 

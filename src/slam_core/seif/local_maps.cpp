@@ -12,7 +12,19 @@ namespace {
 
 std::size_t sizeOf(const MappedPart& part) { return part.landmarks.size() + part.poses.size(); }
 
+/// The poses that both have are marginalised.
+std::size_t sizeTogether(const MappedPart& a, const MappedPart& b) {
+  const SharedPart shared(a, b);
+  return sizeOf(a) + sizeOf(b) - shared.in_first.size() - 2 * shared.poses.size();
+}
+
 }  // namespace
+
+std::optional<MappedPart> LocalMaps::joined(const MappedPart& first, const MappedPart& second,
+                                            const std::vector<graph::Key>& marginalised) const {
+  if (sizeTogether(first, second) > limits_.landmarks) return std::nullopt;
+  return seif::joined(first, second, marginalised, limits_.heading);
+}
 
 bool LocalMaps::knows(std::size_t landmark) const {
   if (landmark < of_landmark_.size() && !of_landmark_[landmark].empty()) return true;
@@ -56,15 +68,13 @@ bool LocalMaps::join(MappedPart& part) {
   std::vector<std::pair<std::size_t, std::size_t>> options;  // size together, place
   for (const auto place : around(part)) {
     const auto& other = parts_[place].part;
-    const SharedPart shared(other, part);
-    const auto size =
-        sizeOf(part) + sizeOf(other) - shared.in_first.size() - 2 * shared.poses.size();
+    const auto size = sizeTogether(other, part);
     if (size <= limits_.landmarks) options.emplace_back(size, place);
   }
   std::sort(options.begin(), options.end());
   for (const auto& [size, place] : options) {
     const auto between = jointsOf(parts_[place].part, part);
-    auto both = joined(parts_[place].part, part, between, limits_.heading);
+    auto both = joined(parts_[place].part, part, between);
     if (!both) continue;
     remove(place);
     for (const auto pose : between) chainOf(path_).remove(pose);

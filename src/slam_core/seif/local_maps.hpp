@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "slam_core/landmark_graph/landmark_graph.hpp"
@@ -30,6 +31,10 @@ class LocalMaps {
       : limits_(limits), path_(path), landmarks_(landmarks) {}
 
   void add(MappedPart part);
+  /// Two parts as one in the first one's frame, without these poses; nothing where the limits do
+  /// not allow it.
+  std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& second,
+                                   const std::vector<graph::Key>& marginalised) const;
   /// Whether the map says something of the landmark that the way now does not.
   bool knows(std::size_t landmark) const;
   std::size_t size() const { return size_; }

@@ -132,6 +132,17 @@ bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& 
   return information.isInvertible() && information.inverse()(2, 2) < std::pow(kLargestSigma, 2);
 }
 
+/// Whether a Gaussian says where the points are: the bearing of each, seen from the base, is known.
+bool isStraight(const graph::LocalMap& map, double largest_sigma) {
+  constexpr double kNear = 1.0;  // what is nearer is bent less than that is far [m]
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * map.poses.size() + 2 * i);
+    const double sigma = std::sqrt(map.covariance.block<2, 2>(row, row).trace());
+    if (sigma > largest_sigma * std::max(kNear, map.points[i].norm())) return false;
+  }
+  return true;
+}
+
 std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& second,
                                  const std::vector<graph::Key>& marginalised,
                                  double largest_heading) {
@@ -141,7 +152,9 @@ std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& seco
     return std::nullopt;
   Joint joint(first, second, meetingOf(first, second, shared));
   if (!joint.isSolved() || joint.headingSigma() > largest_heading) return std::nullopt;
-  return joint.without(marginalised);
+  auto both = joint.without(marginalised);
+  if (!isStraight(both.map, 2.0 * largest_heading)) return std::nullopt;
+  return both;
 }
 
 }  // namespace slam::seif
