@@ -107,6 +107,17 @@ Pose2 meetingOf(const MappedPart& first, const MappedPart& second, const SharedP
       .base(at);
 }
 
+/// Whether a Gaussian says where the points are: the bearing of each, seen from the base, is known.
+bool isStraight(const graph::LocalMap& map, double largest_sigma) {
+  constexpr double kNear = 1.0;  // what is nearer is bent less than that is far [m]
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(3 * map.poses.size() + 2 * i);
+    const double sigma = std::sqrt(map.covariance.block<2, 2>(row, row).trace());
+    if (sigma > largest_sigma * std::max(kNear, map.points[i].norm())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 SharedPart::SharedPart(const MappedPart& first, const MappedPart& second) {
@@ -121,7 +132,7 @@ SharedPart::SharedPart(const MappedPart& first, const MappedPart& second) {
 }
 
 bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& points) {
-  constexpr double kLargestSigma = 0.1;  // [rad]
+  constexpr double kLargestSigma = 0.03;  // [rad]
   if (points.size() < 2) return false;
   const auto part = pointsOf(map, points);
   std::vector<Pose2> at = {Pose2()};
@@ -130,17 +141,6 @@ bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& 
       graph::BasedMap(std::vector<graph::Key>(at.size(), 0), part).linearized(at).J.leftCols<3>();
   const Eigen::FullPivLU<Eigen::Matrix3d> information(J.transpose() * J);
   return information.isInvertible() && information.inverse()(2, 2) < std::pow(kLargestSigma, 2);
-}
-
-/// Whether a Gaussian says where the points are: the bearing of each, seen from the base, is known.
-bool isStraight(const graph::LocalMap& map, double largest_sigma) {
-  constexpr double kNear = 1.0;  // what is nearer is bent less than that is far [m]
-  for (std::size_t i = 0; i < map.points.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(3 * map.poses.size() + 2 * i);
-    const double sigma = std::sqrt(map.covariance.block<2, 2>(row, row).trace());
-    if (sigma > largest_sigma * std::max(kNear, map.points[i].norm())) return false;
-  }
-  return true;
 }
 
 std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& second,

@@ -31,7 +31,7 @@ struct SharedPart {
 };
 
 /// Whether these points alone say where the base of a local map is relative to them: its heading
-/// by a sigma of 0.1 rad, beyond which a linearisation of it means little.
+/// by a sigma of 0.03 rad.
 bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& points);
 
 /// Two parts as one in the first one's frame: poses and points of the first, then those that only
@@ -40,7 +40,7 @@ bool determinesBase(const graph::LocalMap& map, const std::vector<std::size_t>& 
 /// @param marginalised poses that are left out
 /// @param largest_heading sigma of the one base's heading relative to the other's [rad]
 /// @return nothing where what they share does not say how they lie to one another, or less
-/// certainly than that
+/// certainly than that, or where the points that come of it are bent more than a Gaussian says
 std::optional<MappedPart> joined(const MappedPart& first, const MappedPart& second,
                                  const std::vector<graph::Key>& marginalised,
                                  double largest_heading);
