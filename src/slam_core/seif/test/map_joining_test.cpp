@@ -52,7 +52,7 @@ TEST(MapJoining, LeavesOneSharedLandmarkAlone) {
 }
 
 TEST(MapJoining, LeavesMapsAloneWhoseHeadingsAreUncertain) {
-  const auto first = partOf(Pose2(), {0, 1, 2}, 0.1), second = partOf(Pose2(), {1, 2, 3}, 0.1);
+  const auto first = partOf(Pose2(), {0, 1, 2}, 0.05), second = partOf(Pose2(), {1, 2, 3}, 0.05);
   EXPECT_TRUE(joined(first, second, {}, 0.2));
   EXPECT_FALSE(joined(first, second, {}, 0.01));
 }
