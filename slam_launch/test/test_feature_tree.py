@@ -65,7 +65,7 @@ class Whole(Tree):
         told = ports.components()
         absent = [node for node in nodes_of(self.root) if node.mark == ABSENT]
         self.assertEqual({node.name for node in absent},
-                         {"backend=rat", "detector=visual_features",
+                         {"backend=seif", "backend=rat", "detector=visual_features",
                           "second_detector=laser_trunks", "rear_laser", "scene_reconstruction"})
         for node in absent:
             key, _, value = node.name.partition("=")

@@ -10,8 +10,9 @@
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/graph_slam/associator.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
-#include "slam_core/graph_slam/names.hpp"
+#include "slam_core/graph_slam/landmark_graph.hpp"
 
 namespace slam::graph_slam {
 

@@ -131,7 +131,7 @@ TEST_P(PlaceDoor, RefusesAMapWithALandmarkThatIsNowhereAndTheDriveGoesOn) {
   drive(20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, PlaceDoor, testing::Values("ekf", "pf", "graph", "seif"),
+INSTANTIATE_TEST_SUITE_P(Backends, PlaceDoor, testing::Values("ekf", "pf", "graph"),
                          [](const auto& name) { return name.param; });
 
 }  // namespace
