@@ -106,6 +106,15 @@ class SameBytes(Runs):
     def test_with_another_seed_and_setting(self):
         self.require_same_bytes("pf_wheel", None, "--seed", "7", "--set", "pf.particles=40")
 
+    def test_with_two_detectors_at_each_of_two_cameras(self):
+        bag = self.folder / "foyer.bag"
+        subprocess.run([program("slam_sim", "slam_sim"), bag, "--world", "foyer", "--robot", "scout",
+                        "--duration", "3", "--only", "odom,camera,rear_camera"], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run = self.require_same_bytes("ekf_wheel", bag, "--set", "second_detector=aruco",
+                                      "--set", "second_camera=true")
+        self.assertIn("6 processes", run.stdout)
+
     def test_as_slam_run_starts_it(self):
         run = self.run_on(program("slam_ros", "slam_run"), "ekf_wheel", "run", None, "--middleware",
                           "pipes")
