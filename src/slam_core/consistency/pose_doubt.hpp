@@ -34,9 +34,10 @@ class PoseDoubt {
   void relocate(const Pose2& robot) {
     last_ = robot;
     is_relocated_ = true;
+    landmarks_ = LandmarkMotion();  // a piece of the way does not lead across it
   }
 
-  /// To be called with the motions of a step before the other two, without enlarged noise.
+  /// To be called with the motions of a step before the others, without enlarged noise.
   void predict(const Motion& motion);
   /// To be called with the landmarks that are seen at the end of these motions, whether the
   /// back-end gets them or not. @param array with covariances, without enlarged noise

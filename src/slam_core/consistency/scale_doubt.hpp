@@ -27,7 +27,7 @@ struct PieceOfWay {
 class ScaleDoubt {
  public:
   void add(const PieceOfWay& piece);
-  /// To be called for each step where these make no pieces.
+  /// To be called for each step instead; the steps are joined to pieces here.
   /// @param odometry since the last step, with its covariance
   /// @param estimated the back-end's increment, in the robot's frame before it
   void add(const Motion& odometry, const Pose2& estimated);
@@ -43,7 +43,7 @@ class ScaleDoubt {
     }
   };
   Difference difference() const { return difference_; }
-  /// The same; 0 where the odometry's noise explains it.
+  /// The same; 0 where the noise of the two ways explains it.
   Difference beyondNoise() const;
 
   template <class Archive>

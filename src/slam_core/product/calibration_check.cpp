@@ -57,8 +57,8 @@ void checkCalibration(const ProductConfig& product, const Capabilities& backend,
   }
   if (product.second_camera)
     throw ConfigError(
-        "calibration.estimate: what is estimated of a landmark sensor holds for one, and with "
-        "second_camera there are two; calibrate in a product with one camera, or leave the list "
+        "calibration.estimate: the calibration knows one landmark sensor, and with second_camera "
+        "there are two; calibrate in a product with one camera, or leave the list "
         "empty");
   if (product.odometry == kWheels || product.odometry == "none") return;
   for (const auto& name : config.namesOfWheels())

@@ -80,6 +80,7 @@ std::unique_ptr<LandmarkDetector> createDetector(const DetectorPlace& place) {
 }
 
 void DetectorIds::add(const DetectorPlace& place, const LandmarkDetector& detector) {
+  if (place.is_rear) return;  // the same landmarks as of the detector at the first camera
   for (auto& range : detector.ids()) entries_.push_back({place.name, std::move(range)});
 }
 

@@ -35,9 +35,9 @@ double ratioOf(double hits, double misses, double learnt) {
 
 }  // namespace
 
-void ViewChange::Rate::learn(double more_yes, double more_no) {
-  yes += more_yes;
-  no += more_no;
+void ViewChange::Rate::learn(const Rate& more) {
+  yes += more.yes;
+  no += more.no;
   const double excess = std::max(1.0, (yes + no) / kRemembered);
   yes /= excess;
   no /= excess;
@@ -64,27 +64,32 @@ double ViewChange::evidenceOf(const View& view) const {
   return gone > 0.0 && other > 0.0 ? gone + other : 0.0;
 }
 
-void ViewChange::learn(const View& view) {
+void ViewChange::note(const View& view) {
   const auto kept = static_cast<double>(keptOf(view));
-  kept_.learn(kept, static_cast<double>(before_.known.size()) - kept);
-  known_.learn(static_cast<double>(view.known.size()), static_cast<double>(view.others));
+  new_kept_.learn({kept, static_cast<double>(before_.known.size()) - kept});
+  new_known_.learn({static_cast<double>(view.known.size()), static_cast<double>(view.others)});
 }
 
 /// What follows is compared with this view. @return the evidence of the views until then
 double ViewChange::begin(const View& view, const Pose2& robot) {
   before_ = view;
   robot_ = robot;
+  new_kept_ = new_known_ = {0.0, 0.0};
   changed_ = 0;
   return std::exchange(evidence_, 0.0);
 }
 
 double ViewChange::judge(const View& view, const Pose2& robot, bool is_right) {
   const bool is_comparable = isNear(robot) && before_.known.size() >= kFewest;
-  if (is_comparable && is_right) learn(view);
   const double evidence = is_comparable ? evidenceOf(view) : 0.0;
+  if (is_comparable) note(view);
   evidence_ = changed_ == 0 ? evidence : std::min(evidence_, evidence);
   ++changed_;
   if (evidence > 0.0 && changed_ < kPersistent) return 0.0;
+  if (is_comparable && is_right && evidence == 0.0) {
+    kept_.learn(new_kept_);
+    known_.learn(new_known_);
+  }
   return begin(view, robot);
 }
 

@@ -29,7 +29,8 @@ struct View {
 /// hide landmarks as well, but do not put others there.
 ///
 /// How often a landmark is still seen in the next view, and how many observations are of none, is
-/// learnt while the robot is at its estimated pose.
+/// learnt while the robot is at its estimated pose, of changed views only where the next ones show
+/// that they were passing.
 class ViewChange {
  public:
   /// The log-likelihood ratio of "lost" to "right", 0 or above; 0 where the robot has moved, or
@@ -42,7 +43,7 @@ class ViewChange {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(before_, robot_, kept_, known_, changed_, evidence_);
+    archive(before_, robot_, kept_, known_, new_kept_, new_known_, changed_, evidence_);
   }
 
  private:
@@ -51,7 +52,7 @@ class ViewChange {
     double yes, no;
 
     double share() const { return yes / (yes + no); }
-    void learn(double more_yes, double more_no);
+    void learn(const Rate& more);
 
     template <class Archive>
     void persist(Archive& archive) {
@@ -62,15 +63,16 @@ class ViewChange {
   bool isNear(const Pose2& robot) const;
   std::size_t keptOf(const View& view) const;
   double evidenceOf(const View& view) const;
-  void learn(const View& view);
+  void note(const View& view);
   double begin(const View& view, const Pose2& robot);
 
   View before_;                 ///< the last one that had not changed
   std::optional<Pose2> robot_;  ///< there
   Rate kept_{7.0, 3.0};         ///< landmarks of a view that the next one holds as well
   Rate known_{7.0, 3.0};        ///< observations that are taken for a landmark
-  int changed_ = 0;             ///< views since then
-  double evidence_ = 0.0;       ///< the least of them
+  Rate new_kept_{0.0, 0.0}, new_known_{0.0, 0.0};  ///< of the views since then
+  int changed_ = 0;                                ///< views since then
+  double evidence_ = 0.0;                          ///< the least of them
 };
 
 }  // namespace slam::relocalisation

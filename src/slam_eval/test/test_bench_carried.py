@@ -32,7 +32,7 @@ class Carried(unittest.TestCase):
         for missed in (outcome(told=6.0), outcome(wrong=0.02), outcome(false=1)):
             self.assertEqual(self.text(outcome(), missed).count("MISSED"), 1)
 
-    def test_a_robot_that_is_never_reported_lost_is_told(self):
+    def test_a_robot_that_is_never_reported_lost_is_counted(self):
         self.assertIn("never reported lost: 1 of 2 (MISSED)", self.text(outcome(), outcome(None)))
         self.assertIn("never reported lost: 1 of 1 (MISSED)", self.text(outcome(None)))
 

@@ -15,7 +15,7 @@ namespace slam_pipes {
 /// starts the processes as in each of them.
 struct PartPorts {
   slam::ProductPart part;
-  std::string key;    ///< "odometry", "detector", "backend", the name of a module
+  std::string key;    ///< "odometry", "rear_detector", "backend", the name of a module
   std::string title;  ///< "odometry source 'wheel'", for sentences
   std::vector<slam::InputPort> inputs;
   std::vector<slam::OutputPort> outputs;

@@ -52,6 +52,7 @@ void PipeRun::configure() {
   faults.attempt([&] { whole_.configure(settings_); });
   faults.raise();
   slam_ros::requireKnownInputs(whole_.wiring());
+  slam_ros::requireDistinctTopics(whole_.wiring(), topics);
   const auto& components = whole_.components();
   inputs_.emplace(bag_, components, slam_ros::BagContext{topics, components.frames},
                   slam_ros::parseRemaps(options_.remaps));

@@ -207,9 +207,9 @@ void PipedProduct::endAll() {
       const auto left =
           std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
       pollfd polled{process.status_end.number(), POLLIN, 0};
-      const bool is_late =
-          left.count() <= 0 || ::poll(&polled, 1, static_cast<int>(left.count())) == 0;
-      if (is_late) {
+      const int ready = ::poll(&polled, 1, std::max(0, static_cast<int>(left.count())));
+      if (ready < 0) continue;  // a signal
+      if (ready == 0) {
         process.program.kill();
         break;
       }

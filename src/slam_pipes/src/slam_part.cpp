@@ -31,7 +31,10 @@ struct PipeTexts {
 void addOptions(CLI::App& app, PartOptions& options, PipeTexts& pipes) {
   app.add_option("PRODUCT", options.product, "the product's file")->required();
   app.add_option("ROBOT", options.robot, "the robot's file")->required();
-  app.add_option("--part", options.part, "odometry, detector, backend, or a module's name")
+  app.add_option(
+         "--part", options.part,
+         "odometry, detector, second_detector, rear_detector, rear_second_detector, backend, or a "
+         "module's name")
       ->required();
   app.add_option("--from", pipes.from, "PART=DESCRIPTOR of a pipe to read; PART may be bag");
   app.add_option("--to", pipes.to, "PART=DESCRIPTOR of a pipe to write");

@@ -271,20 +271,21 @@ BagInputs::BagInputs(const BagReader& bag, const slam::ProductComponents& produc
   requireSensorsOfTheirOwn(bag);
 }
 
-/// A bag with one camera has no images for the rear one, although their type would fit.
+/// A bag with one camera has no images for the rear one, although their type would fit, nor has one
+/// with the observations of one detector those of a second one.
 void BagInputs::requireSensorsOfTheirOwn(const BagReader& bag) const {
-  const std::string rear = "rear_";
-  for (const auto& found : found_) {
-    if (found.port.rfind(rear, 0) != 0) continue;
-    const auto other = found.port.substr(rear.size());
-    const auto own = found.input->topics(), of_other = topicsOf(other);
-    if (!own.empty() && !of_other.empty() && own.front() == of_other.front())
-      throw TopicError(
-          fmt::format("the bag {} has no data of {}, only of {} on {}: name their topic with "
-                      "--remap {}:=TOPIC, "
-                      "or leave the second sensor out of the product",
-                      bag.path(), found.port, other, own.front(), found.port));
-  }
+  for (const auto& found : found_)
+    for (const std::string prefix : {"rear_second_", "rear_", "second_"}) {
+      if (found.port.rfind(prefix, 0) != 0) continue;
+      const auto other = found.port.substr(prefix.size());
+      const auto own = found.input->topics(), of_other = topicsOf(other);
+      if (!own.empty() && !of_other.empty() && own.front() == of_other.front())
+        throw TopicError(
+            fmt::format("the bag {} has no data of {}, only of {} on {}: name their topic with "
+                        "--remap {}:=TOPIC, or leave the second detector or sensor out of the "
+                        "product",
+                        bag.path(), found.port, other, own.front(), found.port));
+    }
 }
 
 const Found* BagInputs::find(const std::string& port, slam::Kind kind) const {

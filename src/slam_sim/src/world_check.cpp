@@ -73,8 +73,8 @@ void checkIds(const World& world, const WorldPlaces& places, FaultCollector& fau
                      "; its ids are 0 to ", family->ids - 1));
     const auto [first, is_new] = seen.emplace(marker.landmark(), places.markers[i]);
     if (!is_new)
-      faults.add(say(places.markers[i], ": there is a marker ", marker.landmark(), " already, ",
-                     first->second, "; give one of two families an id_offset"));
+      faults.add(say(places.markers[i], ": there is a landmark ", marker.landmark(), " already, ",
+                     first->second, "; give the marker another id, or its family an id_offset"));
   }
 }
 

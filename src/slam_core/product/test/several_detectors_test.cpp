@@ -306,6 +306,9 @@ TEST(SeveralDetectorsConfig, RefusesMarkersThatTwoDetectorsWouldFind) {
       oneSays(with({"aruco.dictionaries=[DICT_4X4_50]", "aruco.id_offsets={DICT_4X4_50: 500}"}),
               {"aruco.id_offsets", "apriltag's 36h11 (0 .. 586)",
                "aruco's DICT_4X4_50 (500 .. 549)", "an offset of 587 or more"}));
+  EXPECT_TRUE(oneSays(with({"second_camera=true", "aruco.dictionaries=[DICT_APRILTAG_36h11]"}),
+                      {"aruco", "DICT_APRILTAG_36h11 holds the markers of apriltag's 36h11"}))
+      << "each fault once, however many cameras there are";
 }
 
 }  // namespace

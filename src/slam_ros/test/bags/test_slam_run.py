@@ -132,6 +132,12 @@ class Launch(unittest.TestCase):
         self.assertIn("rate:=0", command)
         self.assertIn(f"product:={os.getcwd()}/p.yaml", command)
 
+    def test_passes_on_features_as_arguments_of_their_own(self):
+        command = self.command("--set", "second_detector=aruco", "second_camera=true", "ekf.gate=9")
+        self.assertIn("second_detector:=aruco", command)
+        self.assertIn("second_camera:=true", command)
+        self.assertIn("set:=ekf.gate=9", command)
+
     def test_passes_on_names_that_roslaunch_cannot_carry(self):
         odd = "it's a := \"place\""
         os.mkdir(odd)

@@ -35,7 +35,7 @@ struct Marker {
   Eigen::Isometry3d T_world_marker = Eigen::Isometry3d::Identity();
   std::int64_t id_offset = 0;  ///< what a product with several families adds to its id
 
-  /// As what the ground truth has it.
+  /// The landmark's id in the ground truth.
   std::int64_t landmark() const { return id_offset + id; }
 };
 

@@ -17,9 +17,9 @@ REMARK = (
     "aligned. NEES: its median over time; 3 is expected. Wrong: share of the time in which the "
     f"position is more than {WRONG:g} m off and more than {CONFIDENT:g} reported sigmas "
     "(Mahalanobis distance of the 2-d position). NEES and this share count from "
-    f"{SETTLE:g} s after the beginning of the fault. Lost told: in how many of the runs the robot "
+    f"{SETTLE:g} s after the beginning of the fault. Lost reported: in how many of the runs the robot "
     "was reported lost after the fault had begun; after: how long after, median of these; lost: "
-    "for how long. Told before: such reports before the fault, in all runs. Failed: runs that "
+    "for how long. Reported before: such reports before the fault, in all runs. Failed: runs that "
     "ended with an error, which count nowhere else.")
 
 
