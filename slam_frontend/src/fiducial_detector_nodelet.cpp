@@ -35,7 +35,7 @@ struct DetectorNodeletConfig {
   }
 };
 
-/// What one of the product's detectors takes in, such as images or scans; its observations out.
+/// Runs one of the product's detectors: it takes in images or scans, and publishes observations.
 class FiducialDetectorNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {

@@ -26,13 +26,14 @@ class CornerDetector {
   virtual void configure(Settings& settings) = 0;
   /// Appends what is in the image (8 bit gray) to `found`; rejects what it read with doubt.
   virtual void detect(const cv::Mat& gray, std::vector<MarkerDetection>& found) = 0;
-  /// Before configure(): ids of families without an offset of their own begin here.
+  /// The ids of families without an offset of their own begin here. To be called before
+  /// configure().
   void startIdsAt(LandmarkId first) { first_id_ = first; }
-  /// Known after configure().
+  /// The ids that it can find. They are known after configure().
   const std::vector<IdRange>& ids() const { return ids_; }
 
  protected:
-  /// Where the ids of a family begin. @param offsets those that the configuration gives
+  /// @return the id at which those of a family begin @param offsets as the configuration gives them
   std::int64_t offsetOf(const std::string& family,
                         const std::map<std::string, std::int64_t>& offsets) const {
     const auto found = offsets.find(family);

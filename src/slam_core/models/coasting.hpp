@@ -22,7 +22,7 @@ class Coasting {
   Eigen::Matrix3d covariance(Duration interval) const;
   /// Whether a step is much longer than any of the motions that were measured.
   bool isUnusual(const Pose2& step, Duration interval) const;
-  /// Of the motions that were measured [m/s].
+  /// @return the largest speed of the motions that were measured [m/s]
   double largestSpeed() const { return largest_speed_; }
 
   template <class Archive>

@@ -43,9 +43,10 @@ Motion between(const Motion& before, const Motion& after) {
   return rest;
 }
 
-/// The integral over a gap of the largest squared distance from where the robot comes out that it
-/// may have had: not more than it drives from there on, nor than `step` and what it has driven.
-/// What an error of the heading adds to the variance of the position is its rate times this.
+/// Integrates the squared distance to the end of a gap over the time of the gap, with the largest
+/// distance that the robot may have had at each moment: it is not larger than the way still to be
+/// driven, nor than `step` and the way driven already. The rate of the heading's variance times
+/// this is what the variance of the position grows by.
 /// @param time [s] @param step from one end of the gap to the other [m]
 /// @param speed at which the robot drove, step / time at least [m/s] @return [m^2 s]
 double squaredLever(double time, double step, double speed) {
@@ -54,8 +55,8 @@ double squaredLever(double time, double step, double speed) {
   return (2.0 * std::pow(furthest, 3) - std::pow(step, 3)) / (3.0 * speed);
 }
 
-/// What the heading's error may add to the variance of the position where the way was longer than
-/// the shortest arc [m^2]. @param rate variance of the heading [rad^2/s]
+/// The heading's error adds this to the variance of the position at most, where the way was longer
+/// than the shortest arc [m^2]. @param rate variance of the heading [rad^2/s]
 double varianceOfDetour(const Pose2& increment, double time, double largest_speed, double rate) {
   const double step = increment.position().norm(), arc = increment.log().head<2>().norm();
   if (step == 0.0 && increment.theta() == 0.0) return 0.0;  // its wheels did not turn

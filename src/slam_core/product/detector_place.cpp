@@ -15,7 +15,8 @@
 namespace slam {
 namespace {
 
-/// Of one family in another detector's words: OpenCV has the AprilTags as well.
+/// Two detectors may find one family under two names, since OpenCV has the AprilTags as well.
+/// @return the name that both have in common
 std::string plainName(const std::string& family) {
   const std::string opencv = "DICT_APRILTAG_";
   return family.rfind(opencv, 0) == 0 ? family.substr(opencv.size()) : family;

@@ -16,8 +16,8 @@ namespace slam {
 /// and each of them at the rear camera. The ports of all but the first have names of their own,
 /// from which their topics, counters and diagnostics follow.
 struct DetectorPlace {
-  /// Where the ids of a second detector begin, unless its id_offsets say otherwise: behind those of
-  /// every family there is, so that AprilTag 3 is not ArUco 3.
+  /// The ids of a second detector begin here, unless its id_offsets say otherwise. No family has so
+  /// many markers, so that AprilTag 3 is not ArUco 3.
   static constexpr LandmarkId kSecondIds = 10000;
 
   std::string name;  ///< of the detector, in the registry

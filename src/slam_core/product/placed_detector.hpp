@@ -18,7 +18,7 @@ namespace slam {
 /// the same or of another kind: all else is the detector's own.
 class PlacedDetector final : public LandmarkDetector, public ViewDrawer {
  public:
-  /// By the detector's own names; ports that are not among them keep theirs.
+  /// The new names of ports by the detector's own ones. A port that is not listed keeps its name.
   using Names = std::map<std::string, std::string>;
 
   PlacedDetector(std::unique_ptr<LandmarkDetector> detector, Names names)

@@ -25,7 +25,7 @@ struct ProductPart {
 
   Extent extent = Extent::kWhole;
   std::string name;  ///< of a component other than the one that the product names; of the module
-  /// Of several detectors the one whose place has this prefix (DetectorPlace).
+  /// Where a product has several detectors, the prefix tells which one it is (DetectorPlace).
   std::string place = "";
 
   bool has(Extent role) const { return extent == Extent::kWhole || extent == role; }

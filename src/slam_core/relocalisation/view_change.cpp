@@ -70,7 +70,7 @@ void ViewChange::note(const View& view) {
   new_known_.learn({static_cast<double>(view.known.size()), static_cast<double>(view.others)});
 }
 
-/// What follows is compared with this view. @return the evidence of the views until then
+/// Later views are compared with this one. @return the evidence of the views until then
 double ViewChange::begin(const View& view, const Pose2& robot) {
   before_ = view;
   robot_ = robot;

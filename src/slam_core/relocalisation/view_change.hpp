@@ -12,7 +12,7 @@
 
 namespace slam::relocalisation {
 
-/// What a step saw, of observations that are associated by place.
+/// The observations of one step, which were associated by place.
 struct View {
   std::set<LandmarkId> known;  ///< landmarks of the map that observations were taken for
   std::size_t others = 0;      ///< observations that were taken for none
@@ -47,7 +47,7 @@ class ViewChange {
   }
 
  private:
-  /// How often something was so, and how often it was not; starts with a guess.
+  /// Counts how often something was so and how often it was not. The counts begin with a guess.
   struct Rate {
     double yes, no;
 

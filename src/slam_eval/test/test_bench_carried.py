@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the benchmark carried makes of outcomes, without any run."""
+"""The benchmark carried shows outcomes and its goals right; no product runs."""
 import unittest
 
 from slam_eval.bench import carried
@@ -8,7 +8,7 @@ from slam_eval.bench.harness.judge import Outcome
 
 
 def outcome(told=0.2, wrong=0.0, false=0):
-    """Of a robot that was reported lost some time after it was lifted."""
+    """Returns the outcome for a robot that was reported lost some time after it was lifted."""
     return Outcome(0.4, 2.5, 3.0, wrong, told, 1.5, false)
 
 

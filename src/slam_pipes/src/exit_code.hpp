@@ -5,7 +5,7 @@
 
 namespace slam_pipes {
 
-/// How the process of a component ends.
+/// The exit codes of the process of a component.
 enum ExitCode {
   kDone = 0,
   kFailed = 1,      ///< it has reported why

@@ -11,9 +11,10 @@
 
 namespace slam_pipes {
 
-/// What crosses a pipe: a value for a port, or a mark between turns. All that one value from the
-/// bag leads to is a turn; each component passes the mark on when it has done its part of it, so
-/// that who reads several pipes takes their data in the same order in every run.
+/// A frame crosses a pipe. It carries a value for a port, or is a mark between turns. A turn is all
+/// that one value from the bag leads to. Each component passes the mark on when it has done its
+/// part of the turn, so that a reader of several pipes takes their data in the same order in every
+/// run.
 struct Frame {
   enum class Type : std::uint8_t {
     kDatum,  ///< a value for a port

@@ -25,7 +25,7 @@ struct PartPorts {
   bool isBackend() const { return part.extent == slam::ProductPart::Extent::kBackend; }
   /// Null where it takes no such data. @param kind its name
   const slam::InputPort* input(const std::string& port, const std::string& kind) const;
-  /// What another part takes of what this one makes.
+  /// @return those inputs of another part whose data this one makes
   std::vector<slam::InputPort> inputsOf(const PartPorts& taker) const;
 };
 

@@ -16,7 +16,7 @@
 
 namespace slam_pipes {
 
-/// What the process of a component is started with.
+/// The process of a component is started with these options.
 struct PartOptions {
   /// A part of the product, or "bag", and the descriptor of the pipe from it or to it.
   using Pipe = std::pair<std::string, int>;

@@ -15,8 +15,8 @@
 
 namespace slam_pipes {
 
-// What the process of a component reports to the program that started it. It crosses a pipe of its
-// own as port data do; the ports' names stand here.
+// The process of a component reports to the program that started it. Reports cross a pipe of their
+// own as port data do, under the names of ports that stand here.
 namespace report {
 
 constexpr const char* kWarning = "warning";  ///< slam::Status
@@ -39,11 +39,12 @@ struct StepDone {
   }
 };
 
-/// What there is to say of a component when no more data come.
+/// A component reports this when no more data come.
 struct PartSummary {
   slam::Counters counters;  ///< of the component
   std::uint64_t dropped = 0;
-  /// Of its input gates, by the gate's name: another process that takes in the same has the same.
+  /// The counters of its input gates by the gate's name. Processes that take in the same data have
+  /// the same gates, and count the same.
   std::map<std::string, slam::Counters> gate_counters;
   std::map<std::string, std::uint64_t> gate_dropped;
   // of the back-end

@@ -15,7 +15,7 @@
 
 namespace slam_pipes {
 
-/// What all processes of a product are started with.
+/// All processes of a product are started with these options.
 struct ProcessOptions {
   std::string program;         ///< slam_part
   std::string product, robot;  ///< files

@@ -71,7 +71,7 @@ Frame TurnInputs::behindEnd(const std::string& maker) {
   throw PipeClosed("there is no pipe from " + maker);
 }
 
-/// What has been read already of this turn.
+/// Takes the frames of this turn that have been read already.
 void TurnInputs::takeTurn(Pipe& pipe) {
   while (!pipe.mark) {
     auto frame = pipe.input.next();
@@ -83,7 +83,8 @@ void TurnInputs::takeTurn(Pipe& pipe) {
   }
 }
 
-/// Of the pipes whose turn is not complete: their writers may wait for room in any order.
+/// Waits for all pipes whose turn is not complete, since their writers may wait for room in any
+/// order.
 void TurnInputs::readSome() {
   std::vector<pollfd> polled;
   std::vector<Pipe*> incomplete;

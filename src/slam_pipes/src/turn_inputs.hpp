@@ -58,7 +58,7 @@ class TurnInputs {
   bool isEmpty() const { return pipes_.empty(); }
   /// @throw PipeClosed, std::runtime_error naming the maker
   Turn next();
-  /// What a maker writes behind the end of its turns. @throw as above
+  /// @return the frame that a maker writes after the end of its turns @throw as next()
   Frame behindEnd(const std::string& maker);
 
  private:

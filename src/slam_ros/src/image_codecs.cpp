@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-/// What decodedGray() of image_decoder.hpp calls.
+/// decodedGray() of image_decoder.hpp calls this.
 extern "C" void slam_ros_decode_gray(const std::vector<std::uint8_t>& data, cv::Mat& gray) {
   try {
     gray = cv::imdecode(data, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);

@@ -14,7 +14,7 @@
 namespace slam {
 namespace {
 
-/// What the sensors measure otherwise than in the simulated world.
+/// Changes what the sensors of the simulated world have measured.
 using Miscalibration = std::function<void(Motion&, LandmarkObservationArray&)>;
 
 void measureAll(Motion&, LandmarkObservationArray&) {}

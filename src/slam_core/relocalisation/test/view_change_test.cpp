@@ -11,7 +11,7 @@
 namespace slam::relocalisation {
 namespace {
 
-/// So many landmarks from an id on, and so many other observations.
+/// Makes a view of `count` landmarks, whose ids begin with `first`, and of other observations.
 View viewOf(int first, int count, std::size_t others) {
   View view;
   for (int id = first; id < first + count; ++id) view.known.insert(id);
@@ -19,7 +19,7 @@ View viewOf(int first, int count, std::size_t others) {
   return view;
 }
 
-/// What several views of a robot that stands say together.
+/// Lets a robot that stands see the same view several times. @return the sum of the evidence
 double evidenceOf(ViewChange& change, const View& view, int views) {
   double sum = 0.0;
   for (int i = 0; i < views; ++i) sum += change.judge(view, Pose2(), true);

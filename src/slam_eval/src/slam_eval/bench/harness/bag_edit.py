@@ -13,7 +13,7 @@ import rosbag
 
 ODOMETRY, SCAN, POSE = "nav_msgs/Odometry", "sensor_msgs/LaserScan", "geometry_msgs/PoseStamped"
 OBSERVATIONS = "slam_msgs/LandmarkObservationArray"
-# What moves up in time with the robot: a header comes first in all of them.
+# These messages are cut out with the drive, and later ones get earlier stamps; a header comes first.
 STAMPED = (ODOMETRY, SCAN, POSE, OBSERVATIONS, "sensor_msgs/Image", "sensor_msgs/CompressedImage",
            "sensor_msgs/CameraInfo", "sensor_msgs/Imu")
 _STAMP, _STAMP_AT = struct.Struct("<II"), 4

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What became of a run in a drive in which something goes wrong."""
+"""Judges a run of a drive in which something goes wrong."""
 import dataclasses
 from typing import Optional
 
