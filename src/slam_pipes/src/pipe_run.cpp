@@ -12,47 +12,25 @@
 #include <set>
 
 #include "slam_core/common/atomic_file.hpp"
-#include "slam_core/common/config_error.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
-#include "slam_ros/known_inputs.hpp"
-#include "slam_ros/map_folder.hpp"
 #include "slam_ros/product_files.hpp"
 
 namespace slam_pipes {
-namespace {
-
-std::string robotOf(const RunOptions& options, const slam_ros::BagReader& bag) {
-  if (!options.robot.empty()) return slam_ros::robotFile(options.robot);
-  if (const auto name = bag.robot(); !name.empty()) return slam_ros::robotFile(name);
-  throw slam_ros::UnknownName("the bag " + bag.path() +
-                              " does not name its robot; give one with --robot");
-}
-
-}  // namespace
-
 PipeRun::PipeRun(const RunOptions& options)
     : options_(options),
       progress_(std::cerr, ::isatty(STDERR_FILENO) == 1),
       bag_(options.bag),
       product_file_(slam_ros::productFile(options.product)),
-      robot_file_(robotOf(options, bag_)),
-      settings_(slam::loadConfigFile(product_file_), slam::loadConfigFile(robot_file_),
-                options.overrides) {
+      robot_file_(slam_ros::robotFile(slam_ros::robotOf(options, bag_))),
+      settings_(slam_ros::settingsFor(options, bag_)) {
   configure();
   choosePartsToStart();
 }
 
 void PipeRun::configure() {
-  slam_ros::TopicsConfig topics;
-  slam::FaultCollector faults;
-  faults.attempt([&] { settings_.read<slam_ros::FilesConfig>(); });
-  faults.attempt([&] { topics = settings_.read<slam_ros::TopicsConfig>(); });
-  faults.attempt([&] { whole_.configure(settings_); });
-  faults.raise();
-  slam_ros::requireKnownInputs(whole_.wiring());
-  slam_ros::requireDistinctTopics(whole_.wiring(), topics);
+  const auto topics = slam_ros::configured(settings_, whole_);
   const auto& components = whole_.components();
   inputs_.emplace(bag_, components, slam_ros::BagContext{topics, components.frames},
                   slam_ros::parseRemaps(options_.remaps));
@@ -131,10 +109,7 @@ slam_ros::BagSinks PipeRun::sinksOf(const slam_ros::BagInputs::Found& input) {
 }
 
 void PipeRun::takeStep(const StepDone& step) {
-  if (step.report.restarted)
-    warn(
-        "the stamps went back: map and pose begin anew; what was written until then is kept in "
-        "files named ...before_restart_...");
+  if (step.report.restarted) warn(slam_ros::kStampsWentBack);
   if (step.report.hasTrigger()) {
     metrics_.addUpdate(std::chrono::nanoseconds(step.nanoseconds));
     metrics_.addTrust(step.report.stamp, step.report.trust);
@@ -144,9 +119,9 @@ void PipeRun::takeStep(const StepDone& step) {
 
 /// Beside what the processes write themselves stands what only the bag and this process know.
 void PipeRun::complete(const std::vector<PartSummary>& summaries) {
-  tellOfWaiting(summaries);
-  requireSteps();
+  tellOfUnused(summaries);
   const auto& of_backend = ofBackend(summaries);
+  slam_ros::requireSteps(metrics_, of_backend.poses, *inputs_, bag_);
   const auto truth = slam_ros::writeGroundTruth(bag_, of_backend.folder);
   if (const auto& source = whole_.components().odometry;
       source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))
@@ -158,15 +133,6 @@ void PipeRun::complete(const std::vector<PartSummary>& summaries) {
   processes().finish({of_backend.folder, options_.origin.addedToConfig(settings_.inForce())});
   printSummary(summaries);
   if (truth.poses == 0) fmt::print("the bag holds no true trajectory to compare with\n");
-}
-
-void PipeRun::requireSteps() const {
-  if (metrics_.updates() > 0) return;
-  for (const auto& found : inputs_->found())
-    if (const auto lacking = found.input->lacking(); !lacking.empty())
-      throw std::runtime_error("no step could be taken: " + lacking);
-  throw std::runtime_error("no step could be taken: no observation or scan of the bag " +
-                           bag_.path() + " has a stamp that its odometry covers");
 }
 
 const PartSummary& PipeRun::ofBackend(const std::vector<PartSummary>& summaries) const {
@@ -187,18 +153,15 @@ std::uint64_t PipeRun::dropped(const std::vector<PartSummary>& summaries) const 
   return sum;
 }
 
-void PipeRun::tellOfWaiting(const std::vector<PartSummary>& summaries) {
+void PipeRun::tellOfUnused(const std::vector<PartSummary>& summaries) {
   const auto& of_backend = ofBackend(summaries);
-  std::vector<std::string> waiting;
-  for (const auto& [what, count] : of_backend.waiting.all())
-    waiting.push_back(fmt::format("{} messages of {}", count, what));
-  if (!of_backend.starving.empty())
-    warn(fmt::format("{} were never used: {} that does not come", slam::join(waiting, " and "),
-                     of_backend.starving));
-  const auto lost = dropped(summaries);
-  if (lost * 20 > messages_)
-    warn(
-        fmt::format("{} of {} messages had no effect; the counts below tell why", lost, messages_));
+  slam_ros::UnusedData unused;
+  unused.dropped = dropped(summaries);
+  unused.messages = messages_;
+  unused.set_aside = of_backend.counters["set_aside"];
+  unused.held = of_backend.waiting;
+  unused.starving = of_backend.starving;
+  for (const auto& sentence : slam_ros::sentencesOn(unused)) warn(sentence);
 }
 
 void PipeRun::printSummary(const std::vector<PartSummary>& summaries) const {
@@ -215,10 +178,7 @@ void PipeRun::printSummary(const std::vector<PartSummary>& summaries) const {
     for (const auto& [what, count] : summaries[i].waiting.all())
       counters.add("never_stepped", count);
   }
-  std::vector<std::string> counts;
-  for (const auto& [reason, count] : counters.all())
-    counts.push_back(fmt::format("{} {}", reason, count));
-  if (!counts.empty()) fmt::print("counted: {}\n", slam::join(counts));
+  slam_ros::printCounts(counters);
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
   for (const auto& line : of_backend.calibration) fmt::print("{}\n", line);
 }

@@ -11,20 +11,15 @@
 #include "slam_core/common/progress.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/bag_run.hpp"
 #include "slam_ros/run_metrics.hpp"
-#include "slam_ros/run_origin.hpp"
 #include "slam_ros/warning_log.hpp"
 
 namespace slam_pipes {
 
-/// What `slam_pipes` is asked to do.
-struct RunOptions {
-  std::string product;  ///< file or name
-  std::string robot;    ///< file or name; empty: the bag tells
-  std::string bag, folder;
-  std::vector<std::string> overrides, remaps;
-  slam_ros::RunOrigin origin = {};  ///< goes into metrics.json and config.yaml
-  std::string program;              ///< slam_part
+/// The options of `slam_pipes`.
+struct RunOptions : slam_ros::BagRunOptions {
+  std::string program;  ///< slam_part
 };
 
 /// Drives a product, each component of it a process, from a bag, and writes the run's folder: the
@@ -48,10 +43,9 @@ class PipeRun {
   slam_ros::BagSinks sinksOf(const slam_ros::BagInputs::Found& input);
   void takeStep(const StepDone& step);
   void complete(const std::vector<PartSummary>& summaries);
-  void requireSteps() const;
   const PartSummary& ofBackend(const std::vector<PartSummary>& summaries) const;
   std::uint64_t dropped(const std::vector<PartSummary>& summaries) const;
-  void tellOfWaiting(const std::vector<PartSummary>& summaries);
+  void tellOfUnused(const std::vector<PartSummary>& summaries);
   void printSummary(const std::vector<PartSummary>& summaries) const;
   void warn(const std::string& sentence, bool is_urgent = false);
 

@@ -115,6 +115,20 @@ class SameBytes(Runs):
                                       "--set", "second_camera=true")
         self.assertIn("6 processes", run.stdout)
 
+    def test_a_bag_that_nothing_can_be_made_of_is_refused_with_the_same_sentence(self):
+        bag = self.folder / "no_mount.bag"
+        with rosbag.Bag(str(self.bag)) as whole, rosbag.Bag(str(bag), "w") as part:
+            for topic, message, time in whole.read_messages():
+                if topic != "/tf_static":
+                    part.write(topic, message, time)
+        faults = []
+        for package, name in (("slam_ros", "slam_offline"), ("slam_pipes", "slam_pipes")):
+            run = self.run_on(program(package, name), "pf_wheel_grid", "nothing", bag)
+            self.assertEqual(run.returncode, 1)
+            faults.append(run.stderr.splitlines()[-1].partition(": ")[2])
+        self.assertIn("does not tell the transform base_link -> laser", faults[0])
+        self.assertEqual(*faults)
+
     def test_as_slam_run_starts_it(self):
         run = self.run_on(program("slam_ros", "slam_run"), "ekf_wheel", "run", None, "--middleware",
                           "pipes")

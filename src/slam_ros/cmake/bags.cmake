@@ -21,6 +21,7 @@ add_library(slam_ros_bags
   src/bag_process.cpp
   src/earlier_messages.cpp
   src/bag_reader.cpp
+  src/bag_run.cpp
   src/bag_transforms.cpp
   src/flow_window.cpp
   src/ground_truth.cpp

@@ -11,7 +11,6 @@
 #include <iostream>
 
 #include "slam_core/common/atomic_file.hpp"
-#include "slam_core/common/config_error.hpp"
 #include "slam_core/common/input_file.hpp"
 #include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
@@ -21,27 +20,9 @@
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/ground_truth.hpp"
-#include "slam_ros/known_inputs.hpp"
-#include "slam_ros/map_folder.hpp"
 #include "slam_ros/product_files.hpp"
 
 namespace slam_ros {
-namespace {
-
-std::string robotOf(const OfflineOptions& options, const BagReader& bag) {
-  if (!options.robot.empty()) return options.robot;
-  if (const auto name = bag.robot(); !name.empty()) return name;
-  throw UnknownName("the bag " + bag.path() + " does not name its robot; give one with --robot");
-}
-
-slam::Settings settingsFor(const OfflineOptions& options, const BagReader& bag) {
-  const auto product = productFile(options.product);
-  return {slam::loadConfigFile(product), slam::loadConfigFile(robotFile(robotOf(options, bag))),
-          options.overrides};
-}
-
-}  // namespace
-
 OfflineRun::OfflineRun(const OfflineOptions& options)
     : options_(options),
       progress_(std::cerr, ::isatty(STDERR_FILENO) == 1),
@@ -61,14 +42,7 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
 }
 
 void OfflineRun::configure() {
-  TopicsConfig topics;
-  slam::FaultCollector faults;
-  faults.attempt([&] { settings_.read<FilesConfig>(); });
-  faults.attempt([&] { topics = settings_.read<TopicsConfig>(); });
-  faults.attempt([&] { coordinator_.configure(settings_); });
-  faults.raise();
-  requireKnownInputs(coordinator_.wiring());
-  requireDistinctTopics(coordinator_.wiring(), topics);
+  const auto topics = configured(settings_, coordinator_);
   const auto& parts = coordinator_.components();
   inputs_.emplace(bag_, parts, BagContext{topics, parts.frames}, parseRemaps(options_.remaps));
   for (const auto& trigger : inputs_->flow().triggersOfBackend())
@@ -134,7 +108,7 @@ void OfflineRun::run() {
   autosave_ = slam::Autosave(options_.autosave.value_or(0.0));
   if (options_.resumes) resume(writer);
   read(writer);
-  requireSteps(writer);
+  requireSteps(metrics_, writer.lines(), *inputs_, bag_);
   const auto truth = writeGroundTruth(bag_, writer.unfinished());
   if (const auto& source = coordinator_.components().odometry;
       source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))
@@ -229,8 +203,7 @@ void OfflineRun::read(slam::RunWriter& writer) {
   }
   progress_.end();
   if (options_.is_stopped() && !isResuming() && autosave_.isOn()) stop(writer);
-  tellOfHeld();
-  tellOfDropped(bag_.messages(handlers));
+  tellOfUnused();
 }
 
 BagHandlers OfflineRun::handlers() {
@@ -261,29 +234,15 @@ BagSinks OfflineRun::sinksOf(const BagInputs::Found& input) {
   return sinks;
 }
 
-/// Of a few in a hundred `counted:` tells enough.
-void OfflineRun::tellOfDropped(std::size_t messages) {
-  const auto aside = coordinator_.estimator().counters()["set_aside"];
-  if (aside > 0)
-    warn(
-        fmt::format("{} messages at the end were not used: their stamps are from before those of "
-                    "the messages before them",
-                    aside));
-  const auto dropped = coordinator_.dropped();
-  if (dropped * 20 > messages)
-    warn(fmt::format("{} of {} messages had no effect; the counts below tell why", dropped,
-                     messages));
-}
-
-/// The last ones may well come after the last odometry; more are worth a word.
-void OfflineRun::tellOfHeld() {
+void OfflineRun::tellOfUnused() {
   const auto arrivals = coordinator_.estimator().intake().arrivals();
-  if (arrivals.starving.empty()) return;
-  std::vector<std::string> held;
-  for (const auto& [what, count] : arrivals.held().all())
-    held.push_back(fmt::format("{} messages of {}", count, what));
-  warn(fmt::format("{} were never used: {} that does not come", slam::join(held, " and "),
-                   arrivals.starving));
+  UnusedData unused;
+  unused.dropped = coordinator_.dropped();
+  unused.messages = messages_;
+  unused.set_aside = coordinator_.estimator().counters()["set_aside"];
+  unused.held = arrivals.held();
+  unused.starving = arrivals.starving;
+  for (const auto& sentence : sentencesOn(unused)) warn(sentence);
 }
 
 void OfflineRun::drain(slam::RunWriter& writer) {
@@ -295,10 +254,7 @@ void OfflineRun::drain(slam::RunWriter& writer) {
     const auto& report = coordinator_.estimator().report();
     if (!report) return;
     last_step_ = report->stamp;
-    if (report->restarted)
-      warn(
-          "the stamps went back: map and pose begin anew; what was written until then is kept in "
-          "files named ...before_restart_...");
+    if (report->restarted) warn(kStampsWentBack);
     if (report->hasTrigger()) {
       metrics_.addUpdate(time);
       metrics_.addLatency(report->stamp, time);
@@ -317,20 +273,6 @@ void OfflineRun::warn(const std::string& sentence, bool is_urgent) {
   fmt::print(stderr, "warning: {}\n", line);
 }
 
-void OfflineRun::requireSteps(const slam::RunWriter& writer) const {
-  if (metrics_.updates() > 0) return;
-  const std::string what =
-      writer.lines() == 0 ? "no step could be taken: "
-                          : "nothing that the sensors saw could be used, and odometry alone is no "
-                            "result: ";
-  for (const auto& found : inputs_->found())
-    if (const auto lacking = found.input->lacking(); !lacking.empty())
-      throw std::runtime_error(what + lacking);
-  throw std::runtime_error(
-      fmt::format("{}no observation or scan of the bag {} has a stamp that its odometry covers",
-                  what, bag_.path()));
-}
-
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {
   const double data_time = slam::seconds(bag_.end() - bag_.begin());
   const double wall = metrics_.wallSeconds();
@@ -342,10 +284,7 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
   counters.add(slam::heldAtGates(coordinator_.wiring()));
   for (const auto& [what, count] : coordinator_.estimator().intake().arrivals().held().all())
     counters.add("never_stepped", count);
-  std::vector<std::string> counts;
-  for (const auto& [reason, count] : counters.all())
-    counts.push_back(fmt::format("{} {}", reason, count));
-  if (!counts.empty()) fmt::print("counted: {}\n", slam::join(counts));
+  printCounts(counters);
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
   if (const auto* calibrator = coordinator_.estimator().capabilities().find<slam::Calibrator>())
     if (const auto known = calibrator->calibration())

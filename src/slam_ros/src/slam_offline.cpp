@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 
+#include "slam_ros/bag_run_arguments.hpp"
 #include "slam_ros/command_line.hpp"
 #include "slam_ros/offline_run.hpp"
 
@@ -20,18 +21,13 @@ void stopOnSignals() {
     });
 }
 
-void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& seed,
-                std::string& origin) {
-  app.add_option("PRODUCT", options.product, "a product's name, or its file")->required();
-  app.add_option("--bag", options.bag, "the recorded data")->required();
+void addOptions(CLI::App& app, slam_ros::OfflineOptions& options) {
   auto* out = app.add_option("--out", options.folder, "the folder that takes the run's files");
   app.add_option("--resume", options.folder, "the folder of a run that was cut off, to go on with")
       ->excludes(out);
   app.add_option("--autosave", options.autosave,
                  "seconds of stamps between the checkpoints that a run can be resumed from")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--robot", options.robot, "a robot's name or file; default: the bag's");
-  app.add_option("--seed", seed, "of every random stream; default: the product's");
   app.add_option("--load-map", options.load_map,
                  "a landmarks' file, a grid's yaml with its landmarks, or a folder, to start with");
   app.add_option("--load-session", options.load_session,
@@ -40,11 +36,6 @@ void addOptions(CLI::App& app, slam_ros::OfflineOptions& options, std::string& s
                  "a session whose map is put onto this one when it is recognised");
   app.add_option("--save-session", options.save_session,
                  "the file that takes the session at the end, to go on from");
-  app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");
-  app.add_option("--remap", options.remaps, "input:=topic of the bag");
-  app.add_option(
-      "--origin", origin,
-      "JSON that metrics.json and config.yaml get as `run`: version, bag, date, command");
 }
 
 }  // namespace
@@ -54,11 +45,11 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Runs a SLAM product on a bag as fast as it goes.", "slam_offline");
   slam_ros::OfflineOptions options;
-  std::string seed, origin;
-  addOptions(app, options, seed, origin);
+  slam_ros::BagRunArguments arguments;
+  arguments.addTo(app, options);
+  addOptions(app, options);
   return slam_ros::runProgram(app, argc, argv, [&] {
-    if (!seed.empty()) options.overrides.push_back("seed=" + seed);
-    options.origin = slam_ros::RunOrigin(origin);
+    arguments.complete(options);
     options.resumes = app.count("--resume") > 0;
     if (options.folder.empty()) throw CLI::RequiredError("--out or --resume");
     if (options.autosave.value_or(0.0) > 0.0 || options.resumes) {

@@ -22,6 +22,16 @@ std::vector<Motion> drive(int steps) {
   return all;
 }
 
+/// @return the gap of a drive of which the first motions have come
+MotionGap gapBehind(const std::vector<Motion>& all, int count = 4) {
+  MotionGap gap;
+  for (int i = 0; i < count; ++i) {
+    auto motion = all[static_cast<std::size_t>(i)];
+    gap.bridge(motion);
+  }
+  return gap;
+}
+
 TEST(MotionGap, LeavesAloneWhatIsComplete) {
   MotionGap gap;
   for (auto motion : drive(10)) {
@@ -53,11 +63,7 @@ TEST(MotionGap, IsBridgedByWhatTheLostMotionsTellTogether) {
 TEST(MotionGap, IsAsUncertainAsALongerWayMayHaveMadeIt) {
   constexpr int kFirst = 4, kNext = kFirst + 9 * test::SimulatedWorld::kLap / 10;
   const auto all = drive(kNext + 1);
-  MotionGap gap;
-  for (int i = 0; i <= kFirst; ++i) {
-    auto motion = all[i];
-    gap.bridge(motion);
-  }
+  auto gap = gapBehind(all, kFirst + 1);
   auto next = all[kNext];
   ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   Motion expected = all[kFirst + 1];
@@ -72,11 +78,7 @@ TEST(MotionGap, IsAsUncertainAsALongerWayMayHaveMadeIt) {
 
 TEST(MotionGap, OfWheelsThatHaveNotTurnedHidesNoWay) {
   const auto all = drive(20);
-  MotionGap gap;
-  for (int i : {0, 1, 2, 3}) {
-    auto motion = all[i];
-    gap.bridge(motion);
-  }
+  auto gap = gapBehind(all);
   auto next = all[14];
   next.odometry_start = next.odometry_end = all[3].odometry_end;
   next.increment = Pose2();
@@ -86,11 +88,7 @@ TEST(MotionGap, OfWheelsThatHaveNotTurnedHidesNoWay) {
 
 TEST(MotionGap, OfADayIsNoFault) {
   const auto all = drive(20);
-  MotionGap gap;
-  for (int i : {0, 1, 2, 3}) {
-    auto motion = all[i];
-    gap.bridge(motion);
-  }
+  auto gap = gapBehind(all);
   auto next = all[14];
   next.start += std::chrono::hours(24);
   next.end += std::chrono::hours(24);
@@ -101,8 +99,7 @@ TEST(MotionGap, OfADayIsNoFault) {
 TEST(MotionGap, IsAsUncertainAsTheWorstIncrementThatWasSeen) {
   auto all = drive(20);
   all[2].covariance *= 9.0;
-  MotionGap gap;
-  for (int i : {0, 1, 2, 3}) gap.bridge(all[i]);
+  auto gap = gapBehind(all);
   Motion next = all[14];
   ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   EXPECT_GT(next.covariance(0, 0), 9.0 * 10 * all[0].covariance(0, 0));
@@ -113,8 +110,7 @@ TEST(MotionGap, IsAsUncertainAsTheWorstWayAndTheWorstTurn) {
   auto all = drive(20);
   all[1].covariance.topLeftCorner<2, 2>() *= 9.0;
   all[2].covariance(2, 2) *= 9.0;  // [rad^2], not to be weighed up with [m^2]
-  MotionGap gap;
-  for (int i : {0, 1, 2, 3}) gap.bridge(all[i]);
+  auto gap = gapBehind(all);
   Motion next = all[14];
   ASSERT_EQ(gap.bridge(next), Bridge::kByPoses);
   EXPECT_GT(next.covariance(0, 0), 9.0 * 10 * all[0].covariance(0, 0));

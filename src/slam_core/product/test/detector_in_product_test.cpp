@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <opencv2/core.hpp>
-
-#include "slam_core/camera/camera_view.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/spot_detector.hpp"
 
 namespace slam {
 namespace {
@@ -28,41 +26,18 @@ struct LampConfig {
 };
 
 /// A detector of one's own: the brightest spot of an image is the lamp, landmark 1.
-class LampDetector final : public LandmarkDetector {
+class LampDetector final : public test::SpotDetector {
  public:
   void configure(Settings& settings) override {
+    SpotDetector::configure(settings);
     config_ = settings.read<LampConfig>();
-    sequence_ = 0;
   }
-  void describe(Ports& ports) override {
-    ports.takes<CameraView>("camera", "images", this);
-    ports.makes<LandmarkObservationArray>("observations", array_);
-  }
-  void set(const CameraView& view) { view_ = view; }
-
-  Status execute() override {
-    array_.reset();
-    const auto view = std::exchange(view_, std::nullopt);
-    if (!view) return Status::ok();
-    array_ = LandmarkObservationArray();
-    array_->sequence = sequence_++;
-    array_->stamp = view->stamp;
-    if (!view->isUsable()) return Status::ok();
-    cv::Point spot;
-    cv::minMaxLoc(view->image.gray, nullptr, nullptr, nullptr, &spot);
-    const double bearing = std::atan2(16 - spot.x, 16);
-    array_->observations = {{1, config_.distance, bearing, Eigen::Matrix2d::Identity() * 1e-4}};
-    return Status::ok();
-  }
-  const std::optional<LandmarkObservationArray>& observations() const override { return array_; }
-  Counters counters() const override { return {}; }
-  void reset() override { view_.reset(); }
 
  private:
+  LandmarkId idOf(double /*brightness*/) const override { return 1; }
+  double distance() const override { return config_.distance; }
+
   LampConfig config_;
-  std::optional<CameraView> view_;
-  std::optional<LandmarkObservationArray> array_;
-  std::uint64_t sequence_ = 0;
 };
 
 const Registrar<LandmarkDetector, LampDetector> kRegistrar("lamp");

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "slam_core/camera/camera_view.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/spot_detector.hpp"
 
 namespace slam {
 namespace {
@@ -22,49 +22,23 @@ using test::oneSays;
 /// The brightest spot of an image is a beacon 2 m away, whose number is its gray value. Detectors
 /// of two families take the same spots for beacons of their own.
 template <char family>
-class BeaconDetector final : public LandmarkDetector {
+class BeaconDetector final : public test::SpotDetector {
  public:
-  void configure(Settings&) override { sequence_ = 0; }
-  void describe(Ports& ports) override {
-    ports.takes<CameraView>("camera", "images", this);
-    ports.makes<LandmarkObservationArray>("observations", array_);
-  }
-  void set(const CameraView& view) { view_ = view; }
-
-  Status execute() override {
-    array_.reset();
-    const auto view = std::exchange(view_, std::nullopt);
-    if (!view) return Status::ok();
-    array_ = LandmarkObservationArray();
-    array_->sequence = sequence_++;
-    array_->stamp = view->stamp;
-    array_->sensor_frame = view->image.frame;
-    if (view->isUsable()) observe(*view);
-    return Status::ok();
-  }
-  const std::optional<LandmarkObservationArray>& observations() const override { return array_; }
   void startIdsAt(LandmarkId first) override { first_ = first; }
   std::vector<IdRange> ids() const override {
     return {{std::string("beacons_") + family, first_, 256}};
   }
-  Counters counters() const override { return {}; }
-  void reset() override { view_.reset(); }
 
  private:
-  void observe(const CameraView& view) {
-    double number = 0.0;
-    cv::Point spot;
-    cv::minMaxLoc(view.image.gray, nullptr, &number, nullptr, &spot);
+  LandmarkId idOf(double brightness) const override {
+    return first_ + static_cast<LandmarkId>(brightness);
+  }
+  Pose2 sensorPose(const CameraView& view) const override {
     const auto& R = view.mount.T_base_camera.linear();
-    array_->sensor_pose = Pose2(0, 0, std::atan2(R(1, 0), R(0, 0)));
-    array_->observations = {{first_ + static_cast<LandmarkId>(number), 2.0,
-                             std::atan2(16 - spot.x, 16), Eigen::Matrix2d::Identity() * 1e-4}};
+    return {0, 0, std::atan2(R(1, 0), R(0, 0))};
   }
 
   LandmarkId first_ = 0;
-  std::optional<CameraView> view_;
-  std::optional<LandmarkObservationArray> array_;
-  std::uint64_t sequence_ = 0;
 };
 
 const Registrar<LandmarkDetector, BeaconDetector<'a'>> kBeaconsA("beacons_a");

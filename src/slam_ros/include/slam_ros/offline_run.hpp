@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "slam_core/common/progress.hpp"
 #include "slam_core/product/autosave.hpp"
@@ -14,21 +13,16 @@
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_ros/bag_inputs.hpp"
+#include "slam_ros/bag_run.hpp"
 #include "slam_ros/run_metrics.hpp"
-#include "slam_ros/run_origin.hpp"
 #include "slam_ros/warning_log.hpp"
 
 namespace slam_ros {
 
 /// What `slam_offline` is asked to do.
-struct OfflineOptions {
-  std::string product;  ///< file or name
-  std::string robot;    ///< file or name; empty: the bag tells
-  std::string bag, folder;
+struct OfflineOptions : BagRunOptions {
   std::string load_map;  ///< landmarks.yaml to start with; empty: none
   std::string load_session, save_session, merge_session;  ///< files; empty: none
-  std::vector<std::string> overrides, remaps;
-  RunOrigin origin = {};  ///< goes into metrics.json and config.yaml
   /// Interval of the checkpoints [s of stamps], 0 for none; by default none, or as the run that is
   /// resumed has it.
   std::optional<double> autosave = std::nullopt;
@@ -64,11 +58,9 @@ class OfflineRun {
   void save(slam::RunWriter& writer);
   void stop(slam::RunWriter& writer);
   bool isResuming() const { return messages_ < resumed_; }
-  void tellOfHeld();
-  void tellOfDropped(std::size_t messages);
+  void tellOfUnused();
   void warn(const std::string& sentence, bool is_urgent = false);
   std::string mapFrame() const;
-  void requireSteps(const slam::RunWriter& writer) const;
   void printSummary(const slam::RunWriter& writer) const;
 
   OfflineOptions options_;

@@ -112,7 +112,8 @@ TEST_F(DamagedBag, AListLongerThanItsMessageIsNotMadeRoomFor) {
 TEST_F(DamagedBag, LeavesTheRunThatItsMapCameFrom) {
   const auto product = folder.write("p.yaml", "version: 1\nproduct: test\nbackend: ekf\n");
   const auto robot = folder.write("r.yaml", "version: 1\nrobot: test\n");
-  OfflineOptions options{product, robot, folder / "x.bag", folder / "run", {}, {}, {}, {}, {}, {}};
+  OfflineOptions options{
+      {product, robot, folder / "x.bag", folder / "run", {}, {}}, {}, {}, {}, {}};
   ASSERT_EQ(messageOf([&] { OfflineRun(options).run(); }), "");
   folder.write("run/report.html", "of the evaluation");
   std::map<std::string, std::string> before;

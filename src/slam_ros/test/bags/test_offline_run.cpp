@@ -26,7 +26,7 @@ struct Offline : ::testing::Test {
     BagMaker(folder / "x.bag").addOdometry().addObservations().addTruth();
   }
   OfflineOptions options(const std::string& bag = "x.bag", const std::string& out = "run") const {
-    return {product, robot, folder / bag, folder / out, {}, {}, {}, {}, {}, {}};
+    return {{product, robot, folder / bag, folder / out, {}, {}}, {}, {}, {}, {}};
   }
   std::string faultOf(const OfflineOptions& options) const {
     return messageOf([&] { OfflineRun(options).run(); });
