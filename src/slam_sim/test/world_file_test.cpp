@@ -143,7 +143,7 @@ TEST_F(WorldFile, AnIdThatTheFamilyDoesNotHaveIsRefused) {
 
 TEST_F(WorldFile, TheSameIdTwiceIsRefused) {
   expectFault(room("path:", "  - {id: 0, position: [0.01, 2, 0.6], facing: 0}\npath:"), ":9",
-              "there is a marker 0 already");
+              "there is a landmark 0 already");
 }
 
 TEST_F(WorldFile, MarkersOfTwoFamiliesMayHaveOneNumberWhereALandmarkHasOneId) {
