@@ -74,12 +74,20 @@ def start_launch(*arguments, port=None, namespace="/"):
     return launch, environment
 
 
-def run_launch(*arguments):
-    launch, _ = start_launch(*arguments)
+def output_of(launch):
+    """Waits for a launch's end; returns what was printed."""
     try:
-        return launch.communicate(timeout=100)[0], launch.returncode
+        return launch.communicate(timeout=100)[0]
+    except subprocess.TimeoutExpired as fault:
+        launch.send_signal(signal.SIGINT)  # which ends its nodes, too
+        raise AssertionError(f"no end:\n{launch.communicate(timeout=40)[0]}") from fault
     finally:
         launch.kill()
+
+
+def run_launch(*arguments):
+    launch, _ = start_launch(*arguments)
+    return output_of(launch), launch.returncode
 
 
 def record_launch(product, bag, record, topics, composition="pubsub"):
@@ -87,12 +95,12 @@ def record_launch(product, bag, record, topics, composition="pubsub"):
     was printed."""
     port = free_port()
     folder = pathlib.Path(__file__).resolve().parents[1] / "launch_products"
-    return subprocess.run(["roslaunch", "-p", str(port), folder / "recorded.launch",
-                           f"product:={product}", f"bag:={bag}", f"record:={record}",
-                           f"composition:={composition}", f"topics:={' '.join(sorted(topics))}"],
-                          env={**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"},
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=100,
-                          check=False).stdout
+    return output_of(subprocess.Popen(
+        ["roslaunch", "-p", str(port), folder / "recorded.launch", f"product:={product}",
+         f"bag:={bag}", f"record:={record}", f"composition:={composition}",
+         f"topics:={' '.join(sorted(topics))}"],
+        env={**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"},
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True))
 
 
 def stamp_of(landmarks):

@@ -26,7 +26,8 @@ struct ChildEnd {
 
 /// A copy of this process that does what might crash, never end or take all memory, as a library
 /// does that reads a damaged file. Nothing that it does is seen here, but for what it writes to
-/// its output. It ends when this process does.
+/// its output. It ends when this process does. Its work takes no lock that another thread of this
+/// process may hold now: nobody in the copy would release it.
 class ChildProcess {
  public:
   /// Takes the descriptor of its output, returns the exit code; what it throws becomes 1.

@@ -55,6 +55,14 @@ struct MessageBytes {
   std::uint8_t* advance(std::uint32_t size) { return bytes.resize(size), bytes.data(); }
 };
 
+/// A closed bag, which each child opens in its copy. Its constructor loads a plugin: in a child it
+/// would wait forever where a thread that is not in this copy holds the lock for that, as while
+/// nodelets are loaded.
+rosbag::Bag& closedBag() {
+  static auto& bag = *new rosbag::Bag();  // never destroyed: other threads may still read at exit
+  return bag;
+}
+
 void open(rosbag::Bag& bag, const std::string& path) {
   try {
     bag.open(path, rosbag::bagmode::Read);
@@ -105,12 +113,11 @@ void writeMessages(rosbag::Bag& bag, const std::vector<std::string>& topics,
 /// What the library throws is of many kinds, and says little to who has the bag.
 template <class Work>
 slam::ChildProcess::Work onBag(const std::string& path, Work work) {
-  return [path, work](int output) {
+  return [path, work, &bag = closedBag()](int output) {
     console_bridge::noOutputHandler();  // a thread that is not in this copy may hold its lock
     const PieceWriter out(output);
     const auto fail = [&](const std::string& fault) { out.write(Kind::kFault, fault); };
     try {
-      rosbag::Bag bag;
       open(bag, path);
       work(bag, out);
       out.write(Kind::kEnd, "");

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstring>
+#include <thread>
 
 #include "bag_maker.hpp"
 #include "found_inputs.hpp"
@@ -186,6 +188,20 @@ TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {
   bag.read(inputs.readers([&](const auto&) { return sinks; }));
   EXPECT_EQ(stamps.size(), 98u);
   EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
+}
+
+/// As where nodelets are loaded while a bag is read: what loads plugins has a lock, which the
+/// process that reads the bag could wait for in vain.
+TEST_F(BagFile, IsReadWhileAnotherThreadLoadsPlugins) {
+  BagMaker(folder / "x.bag").addOdometry();
+  EXPECT_EQ(faultOf("x.bag"), "");  // the first one loads a plugin itself
+  std::atomic<bool> is_done{false};
+  std::thread loader([&] {
+    while (!is_done) rosbag::Bag();  // each loads one
+  });
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(BagReader(folder / "x.bag").topics().size(), 1u);
+  is_done = true;
+  loader.join();
 }
 
 TEST_F(BagFile, WithoutTheInputsIsToldWithWhatIsMissingAndWhatIsThere) {
