@@ -27,7 +27,7 @@ struct GraphConfig {
   int joint_limit = 2000;
   double node_distance = 0.05;
   double node_angle = 0.05;
-  int nodes_per_place = 10;
+  int nodes_per_place = 40;
   int iterations = 3;
   double insert_distance = 0.4;
   double insert_angle = 0.3;

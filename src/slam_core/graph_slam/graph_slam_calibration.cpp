@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
+
 #include "slam_core/graph_slam/graph_slam.hpp"
 
 // This file holds how the back-end calibrates wheels and landmark sensor.
@@ -26,9 +28,9 @@ void GraphSlam::checkCalibration(const GraphConfig& config) const {
 
 /// What is removed with a node has informed the parameters.
 std::size_t GraphSlam::nodesPerPlace(const GraphConfig& config) {
-  constexpr int kMoreWhileCalibrating = 10;
-  const int factor = config.calibration.isOn() ? kMoreWhileCalibrating : 1;
-  return static_cast<std::size_t>(factor) * static_cast<std::size_t>(config.nodes_per_place);
+  constexpr double kMoreWhileCalibrating = 2.5;
+  const double factor = config.calibration.isOn() ? kMoreWhileCalibrating : 1.0;
+  return static_cast<std::size_t>(std::ceil(factor * config.nodes_per_place));
 }
 
 std::optional<CalibrationEstimate> GraphSlam::calibration() const {

@@ -17,7 +17,7 @@
 namespace slam::graph_slam {
 
 struct ReductionLimits {
-  std::size_t nodes_per_place = 10;
+  std::size_t nodes_per_place = 40;
   bool map_is_fixed = false;  ///< no node is kept for the map's sake
 };
 

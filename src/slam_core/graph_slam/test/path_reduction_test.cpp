@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
+#include "slam_core/association/test/placed_landmarks.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 
@@ -70,6 +73,32 @@ TEST(PathReduction, RemovesNothingBeforeAPlaceIsFull) {
   Drive drive(whole());
   drive.run(3 * SimulatedWorld::kLap);
   EXPECT_EQ(figureOf(drive.graph, "removed_nodes"), 0.0);
+}
+
+/// A robot sees the same landmarks from everywhere, and comes to no place twice: what it sees from
+/// its way tells the map, all of it.
+TEST(PathReduction, KeepsAllOfTheFirstPassOverAPlace) {
+  GraphSlam graph;
+  graph.configure(GraphConfig());
+  const std::vector<Eigen::Vector2d> landmarks = {{3.0, 8.0}, {10.0, 8.0}, {17.0, 8.0}};
+  Motion motion;
+  motion.increment = Pose2(GraphConfig().node_distance, 0.0, 0.0);
+  motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  Pose2 robot;
+  for (int i = 0; i < 400; ++i) {
+    motion.start = std::exchange(motion.end, motion.end + std::chrono::milliseconds(100));
+    robot = robot * motion.increment;
+    LandmarkObservationArray array;
+    array.stamp = motion.end;
+    for (std::size_t id = 0; id < landmarks.size(); ++id) {
+      array.observations.push_back(association::test::observationOf(landmarks[id], robot));
+      array.observations.back().id = static_cast<LandmarkId>(id);
+    }
+    graph.set(motion);
+    graph.set(array);
+    ASSERT_TRUE(graph.execute().isOk());
+  }
+  EXPECT_EQ(figureOf(graph, "removed_nodes"), 0.0);
 }
 
 /// What is left out is information.
