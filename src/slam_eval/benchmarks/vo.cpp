@@ -125,7 +125,7 @@ nlohmann::json run(const Options& options) {
     const double t = seconds(at);
     const Pose2 truth = scenario->path(t);
     const auto around = [&](double s) { return scenario->path(t + s); };
-    const Image image{Stamp(at), camera.optical_frame, sensors.image(index, around, i), ""};
+    const Image image{Stamp(at), camera.optical_frame, sensors.image(index, around, i, t), ""};
     for (auto& contender : contenders) contender.look(image, truth);
     auto noise = sensors.wheelNoise(i);
     odometer.moveTo(truth, noise);

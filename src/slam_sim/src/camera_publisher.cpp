@@ -26,12 +26,12 @@ bool CameraPublisher::isWanted() const {
 }
 
 void CameraPublisher::publish(const ros::Time& stamp, const Sensors& sensors,
-                              const BasePath& T_world_base) {
+                              const BasePath& T_world_base, double time) {
   const std::unique_lock lock(busy_, std::try_to_lock);
   if (!lock.owns_lock()) return;
   info_.publish(cameraInfoMessage(model_, stamp));
   if (!isWanted()) return;
-  const auto gray = sensors.image(index_, T_world_base, images_++);
+  const auto gray = sensors.image(index_, T_world_base, images_++, time);
   if (raw_.getNumSubscribers() > 0) raw_.publish(imageMessage(model_, stamp, gray));
   if (compressed_.getNumSubscribers() > 0)
     compressed_.publish(compressedMessage(model_, stamp, gray));

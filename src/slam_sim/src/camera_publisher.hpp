@@ -23,7 +23,9 @@ class CameraPublisher {
   /// Whether somebody subscribes to its pictures.
   bool isWanted() const;
   /// From any thread.
-  void publish(const ros::Time& stamp, const Sensors& sensors, const BasePath& T_world_base);
+  /// @param time since the start [s]
+  void publish(const ros::Time& stamp, const Sensors& sensors, const BasePath& T_world_base,
+               double time);
 
  private:
   CameraModel model_;

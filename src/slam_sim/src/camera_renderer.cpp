@@ -20,12 +20,14 @@ constexpr int kTile = CameraRays::kTileEdge;
 constexpr int kBlock = 4;  // surfaces are looked up for blocks of so many tiles squared first
 
 void checkOptics(const CameraOptics& optics) {
-  const bool fine = optics.exposure >= 0.0 && optics.brightness >= 0.0 &&
-                    optics.vignetting >= 0.0 && optics.vignetting <= 1.0 &&
-                    optics.defocus_sigma >= 0.0 && optics.noise_sigma >= 0.0 && optics.samples >= 1;
+  const bool fine = optics.exposure >= 0.0 && optics.rolling_shutter >= 0.0 &&
+                    optics.brightness >= 0.0 && optics.vignetting >= 0.0 &&
+                    optics.vignetting <= 1.0 && optics.defocus_sigma >= 0.0 &&
+                    optics.noise_sigma >= 0.0 && optics.samples >= 1;
   if (!fine) {
     throw std::invalid_argument(
-        "camera optics: exposure, brightness, defocus and noise must not be negative, vignetting "
+        "camera optics: exposure, rolling shutter, brightness, defocus and noise must not be "
+        "negative, vignetting "
         "must lie within [0, 1], samples must be at least 1");
   }
 }
@@ -73,28 +75,41 @@ CameraRenderer::CameraRenderer(std::shared_ptr<const Scene> scene,
   checkOptics(optics);
 }
 
-cv::Mat CameraRenderer::render(const CameraPath& T_world_camera, RandomStream noise) const {
-  std::vector<Eigen::Isometry3d> poses;
-  for (int sample = 0; sample < optics_.samples; ++sample) {
-    poses.push_back(T_world_camera((sample + 0.5) / optics_.samples));
+cv::Mat CameraRenderer::render(const CameraPath& T_world_camera, RandomStream noise,
+                               double light_level) const {
+  cv::Mat gray(calibration_.height, calibration_.width, CV_32F);
+  // The rows of a tile are exposed together, those of a global shutter all.
+  const int band = optics_.rolling_shutter > 0.0 ? 1 : rays_.rows();
+  for (int row = 0; row < rays_.rows(); row += band) {
+    std::vector<Eigen::Isometry3d> poses;
+    for (int sample = 0; sample < optics_.samples; ++sample) {
+      poses.push_back(T_world_camera(partOf((sample + 0.5) / optics_.samples, row)));
+    }
+    const auto bounds = boundsOf(rays_, row, row + band, 0, rays_.columns());
+    renderBand(row, row + band, viewedSurfaces(scene_->surfaces(), poses, bounds), gray);
   }
-  const auto everywhere = boundsOf(rays_, 0, rays_.rows(), 0, rays_.columns());
-  cv::Mat gray = lightOf(viewedSurfaces(scene_->surfaces(), poses, everywhere));
-  cv::multiply(gray, gain_, gray);
+  cv::multiply(gray, gain_, gray, light_level);
   if (optics_.defocus_sigma > 0.0) {
     cv::GaussianBlur(gray, gray, cv::Size(), optics_.defocus_sigma, 0.0, cv::BORDER_REPLICATE);
   }
   return withPixelNoise(gray, optics_.noise_sigma, noise);
 }
 
-cv::Mat CameraRenderer::lightOf(const std::vector<ViewedSurface>& viewed) const {
-  cv::Mat light(calibration_.height, calibration_.width, CV_32F);
+double CameraRenderer::partOf(double of_exposure, int tile_row) const {
+  if (optics_.rolling_shutter <= 0.0) return of_exposure;
+  const double down = std::min((tile_row + 0.5) * kTile / calibration_.height, 1.0);
+  return (of_exposure * optics_.exposure + down * optics_.rolling_shutter) /
+         (optics_.exposure + optics_.rolling_shutter);
+}
+
+void CameraRenderer::renderBand(int first_row, int end_row,
+                                const std::vector<ViewedSurface>& viewed, cv::Mat& light) const {
   const Eigen::Vector2d ray_step(1.0 / calibration_.fx, 1.0 / calibration_.fy);
   TileRenderer renderer(rays_, ray_step);
   std::vector<const ViewedSurface*> in_block, in_tile;
-  for (int block_row = 0; block_row < rays_.rows(); block_row += kBlock) {
+  for (int block_row = first_row; block_row < end_row; block_row += kBlock) {
     for (int block_column = 0; block_column < rays_.columns(); block_column += kBlock) {
-      const int last_row = std::min(block_row + kBlock, rays_.rows());
+      const int last_row = std::min(block_row + kBlock, end_row);
       const int last_column = std::min(block_column + kBlock, rays_.columns());
       const auto bounds = boundsOf(rays_, block_row, last_row, block_column, last_column);
       in_block.clear();
@@ -113,7 +128,6 @@ cv::Mat CameraRenderer::lightOf(const std::vector<ViewedSurface>& viewed) const 
       }
     }
   }
-  return light;
 }
 
 void CameraRenderer::writeTile(int tile, const TileValues& values, cv::Mat& light) const {

@@ -139,7 +139,7 @@ sensor_msgs::CompressedImage Recording::takeImage(const Event& event) const {
   const double middle = seconds(event.time);
   const auto path = [this, middle](double offset) { return truth(middle + offset); };
   return compressedMessage(robot_.cameras[event.camera], stampOf(event.time),
-                           sensors_.image(event.camera, path, event.reading));
+                           sensors_.image(event.camera, path, event.reading, middle));
 }
 
 void Recording::writeImage(slam_ros::BagFile& bag, const Event& event,

@@ -109,6 +109,7 @@ ImuModel readImu(YamlMap map) {
 
 void readOptics(YamlMap map, CameraOptics& optics) {
   map.read("exposure", optics.exposure, kNotNegative);
+  map.read("rolling_shutter", optics.rolling_shutter, kNotNegative);
   map.read("brightness", optics.brightness, kPositive);
   map.read("vignetting", optics.vignetting, Range::closed(0.0, 1.0));
   map.read("defocus_sigma", optics.defocus_sigma, kNotNegative);
@@ -143,8 +144,10 @@ CameraModel readCamera(YamlMap& map) {
   readCalibration(map.map("calibration"), camera.calibration);
   readOptics(map.map("optics"), camera.optics);
   map.finish();
-  if (camera.optics.exposure * camera.pace.rate > 1.0)
-    map.fault("exposes longer than there is time between two images");
+  const bool rolls = camera.optics.rolling_shutter > 0.0;
+  if ((camera.optics.exposure + camera.optics.rolling_shutter) * camera.pace.rate > 1.0)
+    map.fault(std::string("exposes ") + (rolls ? "and reads its rows " : "") +
+              "longer than there is time between two images");
   return camera;
 }
 

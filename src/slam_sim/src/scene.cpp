@@ -6,53 +6,49 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <mutex>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <utility>
 
+#include "painted_wall.hpp"
+#include "scene_textures.hpp"
 #include "slam_sim/marker_texture.hpp"
 #include "slam_sim/surface_textures.hpp"
 
 namespace slam::sim {
 namespace {
 
-constexpr int kEdge = 1024;           // of the seamless textures [texels]
-constexpr int kCeilingEdge = 2048;    // [texels]
-constexpr int kTexelsPerCell = 32;    // of a marker
-constexpr double kWallPeriod = 2.0;   // [m]
-constexpr double kFloorPeriod = 1.5;  // [m]
-constexpr double kWoodPeriod = 1.0;   // [m]
-constexpr double kPaper = 0.9;        // reflectance of white paper
-constexpr double kInk = 0.08;         // and of what is printed black on it
+constexpr int kTexelsPerCell = 32;  // of a marker
+constexpr double kPaper = 0.9;      // reflectance of white paper
+constexpr double kInk = 0.08;       // and of what is printed black on it
 constexpr double kSkirtingHeight = 0.08, kSkirtingDepth = 0.006;  // [m]
-constexpr double kOutdoors = 2.0;    // floor and ceiling beyond the outermost wall [m]
-constexpr std::uint64_t kLook = 20;  // the textures' seed: a world always looks the same
-
-using TexturePtr = std::shared_ptr<const Texture>;
-
-/// The seamless texture of that name; painted once, for all worlds.
-TexturePtr seamless(const std::string& name, const std::function<cv::Mat()>& paint) {
-  static std::map<std::string, TexturePtr> painted;
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  TexturePtr& texture = painted[name];
-  if (!texture) texture = std::make_shared<const Texture>(paint(), Texture::Wrap::kRepeat);
-  return texture;
-}
+constexpr double kDoorDepth = 0.008;                              // a door leaf before its wall [m]
+constexpr double kDoorGray = 0.6;
+constexpr double kOutdoors = 2.0;  // floor and ceiling beyond the outermost wall [m]
 
 Eigen::Vector3d onFloor(const Eigen::Vector2d& xy, double z = 0.0) { return {xy.x(), xy.y(), z}; }
 
 /// A surface with a seamless texture, of that mean reflectance.
-Surface textured(const Rectangle& rectangle, const TexturePtr& texture, double period, double gray,
+Surface textured(const Rectangle& rectangle, const Seamless& cover, double gray,
                  const LightMap& light) {
   Surface surface;
   surface.rectangle = rectangle;
-  surface.texture = texture;
-  const auto edge = static_cast<double>(texture->levels().front().mask_u + 1);
-  surface.texels_per_metre = edge / period;
-  surface.gain = gray * 255.0 / texture->mean();
+  surface.texture = cover.texture;
+  const auto edge = static_cast<double>(cover.texture->levels().front().mask_u + 1);
+  surface.texels_per_metre = edge / cover.period;
+  surface.gain = gray * 255.0 / cover.texture->mean();
+  surface.light = light;
+  return surface;
+}
+
+/// A wall with a picture of its own.
+Surface painted(const Wall& wall, const Rectangle& face, const LightMap& light) {
+  Surface surface;
+  surface.rectangle = face;
+  surface.texture = paintedCover(wall.texture, face.width, face.height, wall.look);
+  surface.texels_per_metre = paintedTexelsPerMetre(face.width, face.height);
+  surface.gain = wall.gray * 255.0 / surface.texture->mean();
   surface.light = light;
   return surface;
 }
@@ -91,6 +87,7 @@ Scene::Scene(const World& world) {
   const Lamps lamps = lampsOf(world.ceiling);
   addFloorAndCeiling(world, lamps);
   addWalls(world, lamps);
+  addDoors(world, lamps);
   addFurniture(world, lamps);
   addMarkers(world, lamps);
 }
@@ -107,14 +104,12 @@ void Scene::addFloorAndCeiling(const World& world, const Lamps& lamps) {
                         size.y()};
   const Rectangle ceiling{onFloor(extent.min(), height), Eigen::Vector3d::UnitX(),
                           Eigen::Vector3d::UnitY(), size.x(), size.y()};
-  surfaces_.push_back(textured(floor, seamless("floor", [] { return floorTexture(kEdge, kLook); }),
-                               kFloorPeriod, world.floor_gray, LightMap(floor, lamps)));
+  surfaces_.push_back(
+      textured(floor, floorCover(world.floor_texture), world.floor_gray, LightMap(floor, lamps)));
 
-  const auto tiles = seamless("ceiling " + world.ceiling.texture, [&] {
-    return ceilingTexture(world.ceiling.texture, kCeilingEdge, kLook + 1);
-  });
   const double period = kCeilingTiles * world.ceiling.scale;
-  Surface above = textured(ceiling, tiles, period, 1.0, LightMap::even(1.0));
+  Surface above =
+      textured(ceiling, {ceilingCover(world.ceiling.texture), period}, 1.0, LightMap::even(1.0));
   above.gain = 1.0;  // lamps shine by themselves
   // The texture's grid starts in the world's origin, as that of the lamps.
   for (int axis = 0; axis < 2; ++axis) {
@@ -125,32 +120,55 @@ void Scene::addFloorAndCeiling(const World& world, const Lamps& lamps) {
 }
 
 void Scene::addWalls(const World& world, const Lamps& lamps) {
-  const auto plaster = seamless("plaster", [] { return plasterTexture(kEdge, kLook + 2); });
-  const auto wallpaper = seamless("wallpaper", [] { return wallpaperTexture(kEdge, kLook + 4); });
-  const auto wood = seamless("wood", [] { return woodTexture(kEdge, kLook + 6); });
+  const auto wood = furnitureCover("wood");
   double start = 0.0;  // no two walls show the same part
   for (std::size_t i = 0; i < world.walls.size(); ++i) {
     const Wall& wall = world.walls[i];
     const Rectangle face = upright(wall.from, wall.to, wall.height);
-    Surface surface = textured(face, i % 4 == 2 ? wallpaper : plaster, kWallPeriod, wall.gray,
-                               LightMap(face, lamps));
+    const auto paint = i % 4 == 2 ? "wallpaper" : "plaster";
+    Surface surface =
+        isPainted(wall.texture)
+            ? painted(wall, face, LightMap(face, lamps))
+            : textured(face, wallCover(wall.texture == "paint" ? paint : wall.texture), wall.gray,
+                       LightMap(face, lamps));
     surface.two_sided = true;
-    surface.texture_origin.x() = std::fmod(start, kEdge);
-    start += 317.0 + face.width * surface.texels_per_metre;
+    if (!isPainted(wall.texture)) {
+      surface.texture_origin.x() = std::fmod(start, kSeamlessEdge);
+      start += 317.0 + face.width * surface.texels_per_metre;
+    }
     surfaces_.push_back(surface);
 
     const Eigen::Vector2d along = (wall.to - wall.from).normalized();
     const Eigen::Vector2d right = kSkirtingDepth * Eigen::Vector2d(along.y(), -along.x());
     for (const Rectangle& board : {upright(wall.from + right, wall.to + right, kSkirtingHeight),
                                    upright(wall.to - right, wall.from - right, kSkirtingHeight)}) {
-      surfaces_.push_back(textured(board, wood, kWoodPeriod, 0.3, LightMap(board, lamps)));
+      surfaces_.push_back(textured(board, wood, 0.3, LightMap(board, lamps)));
     }
   }
 }
 
+void Scene::addDoors(const World& world, const Lamps& lamps) {
+  std::map<std::pair<double, double>, TexturePtr> leaves;
+  for (const Door& door : world.doors) {
+    const Eigen::Vector2d out(std::cos(door.facing), std::sin(door.facing));
+    const Eigen::Vector2d half = door.width / 2.0 * Eigen::Vector2d(out.y(), -out.x());
+    const Eigen::Vector2d middle = door.position + kDoorDepth * out;
+    TexturePtr& leaf = leaves[{door.width, door.height}];
+    if (!leaf) leaf = doorCover(door.width, door.height);
+    Surface surface;
+    // Seen from before it, its left is where the normal's left is.
+    surface.rectangle = upright(middle + half, middle - half, door.height);
+    surface.texture = leaf;
+    surface.texels_per_metre = paintedTexelsPerMetre(door.width, door.height);
+    surface.gain = kDoorGray * 255.0 / leaf->mean();
+    surface.light = LightMap(surface.rectangle, lamps);
+    surfaces_.push_back(surface);
+  }
+}
+
 void Scene::addFurniture(const World& world, const Lamps& lamps) {
-  const auto wood = seamless("wood", [] { return woodTexture(kEdge, kLook + 6); });
   for (const Box& box : world.furniture) {
+    const auto cover = furnitureCover(box.texture);
     const Eigen::Rotation2Dd turn(box.yaw);
     const auto corner = [&](double x, double y) -> Eigen::Vector2d {
       return box.centre + turn * Eigen::Vector2d(x * box.size.x() / 2.0, y * box.size.y() / 2.0);
@@ -163,7 +181,7 @@ void Scene::addFurniture(const World& world, const Lamps& lamps) {
     faces.push_back({onFloor(corners[3], box.size.z()), onFloor(turn * Eigen::Vector2d::UnitX()),
                      onFloor(turn * -Eigen::Vector2d::UnitY()), box.size.x(), box.size.y()});
     for (const Rectangle& face : faces) {
-      surfaces_.push_back(textured(face, wood, kWoodPeriod, box.gray, LightMap(face, lamps)));
+      surfaces_.push_back(textured(face, cover, box.gray, LightMap(face, lamps)));
     }
   }
 }

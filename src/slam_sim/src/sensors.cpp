@@ -46,15 +46,17 @@ LaserReadings Sensors::scan(const Pose2& T_world_base, std::uint64_t reading) co
   return laser_.scan(T_world_base, random);
 }
 
-cv::Mat Sensors::image(std::size_t camera, const BasePath& T_world_base,
-                       std::uint64_t reading) const {
+cv::Mat Sensors::image(std::size_t camera, const BasePath& T_world_base, std::uint64_t reading,
+                       double time) const {
   const auto& model = robot_.cameras.at(camera);
   const Eigen::Isometry3d T_base_camera = model.T_base_optical();
   const auto path = [&](double part) -> Eigen::Isometry3d {
-    return spatial(T_world_base((part - 0.5) * model.optics.exposure)) * T_base_camera;
+    const double duration = model.optics.exposure + model.optics.rolling_shutter;
+    return spatial(T_world_base((part - 0.5) * duration)) * T_base_camera;
   };
   return cameras_.at(camera).render(
-      path, RandomStream(seed_, reading, kFirstCamera + static_cast<std::uint32_t>(camera)));
+      path, RandomStream(seed_, reading, kFirstCamera + static_cast<std::uint32_t>(camera)),
+      world_.light.levelAt(time));
 }
 
 Duration timeOf(const Pace& pace, std::uint64_t reading) {

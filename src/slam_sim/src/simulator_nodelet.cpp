@@ -176,7 +176,13 @@ class SimulatorNodelet : public nodelet::Nodelet {
 
   void onCamera(std::size_t camera) {
     const auto stamp = ros::Time::now();
-    cameras_[camera]->publish(stamp, robot_->sensors(), poseAround(stamp));
+    const auto path = poseAround(stamp);
+    cameras_[camera]->publish(stamp, robot_->sensors(), path, timeOf(stamp));
+  }
+
+  double timeOf(const ros::Time& stamp) {
+    const std::lock_guard lock(mutex_);
+    return seconds(stamp);
   }
 
   /// A copy of the motion at `stamp`, so that nobody waits for a picture.

@@ -60,7 +60,7 @@ void addOptions(CLI::App& app, Options& options) {
   recording.threads = cores;
   app.add_option("OUT.bag", options.bag, "the bag to write")->required();
   app.add_option("--world", options.world,
-                 "office, corridor, hall, depot, forest, foyer or a file.yaml")
+                 "office, corridor, hall, depot, forest, foyer, gallery, loops or a file.yaml")
       ->capture_default_str();
   app.add_option("--robot", options.robot,
                  "segway, omni, skid, scout, car, turtlebot3 or a file.yaml")

@@ -3,6 +3,7 @@
 
 #include "world_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kGap = 0.001;      // between a marker and what it hangs on [m]
 constexpr double kFreeView = 0.1;   // in front of a marker [m]
+constexpr double kAlong = 0.01;     // sine of how much a door may be turned out of its wall
 constexpr double kPathStep = 0.02;  // [m]
 
 template <class... Parts>
@@ -89,6 +91,26 @@ void checkHeights(const World& world, const WorldPlaces& places, FaultCollector&
                      " m high, the ceiling ", world.ceiling.height, " m"));
 }
 
+/// A door hangs on a wall, which is at least as high.
+void checkDoor(const Door& door, const std::string& place, const FloorPlan& plan, double ceiling,
+               FaultCollector& faults) {
+  constexpr double kNearWall = 0.05;  // [m]
+  if (door.height > ceiling)
+    faults.add(say(place, ": the door at ", pointText(door.position), " is ", door.height,
+                   " m high, the ceiling ", ceiling, " m"));
+  double distance = 0.0;
+  const auto* face = plan.nearest(door.position, std::min(door.height, ceiling), &distance);
+  if (face == nullptr || distance > kNearWall) {
+    faults.add(say(place, ": the door at ", pointText(door.position),
+                   " hangs on no wall; put it within ", kNearWall, " m of one"));
+    return;
+  }
+  const Eigen::Vector2d normal(std::cos(door.facing), std::sin(door.facing));
+  if (std::abs(normal.dot((face->to - face->from).normalized())) > kAlong)
+    faults.add(say(place, ": the door at ", pointText(door.position), " does not lie along ",
+                   face->name, "; its facing must be at right angles to it"));
+}
+
 bool hasRepeatedPoint(const std::vector<Eigen::Vector2d>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i] == points[(i + 1) % points.size()]) return true;
@@ -134,6 +156,7 @@ WorldPlaces placesOf(const World& world) {
   places.walls = number("walls", world.walls.size());
   places.furniture = number("furniture", world.furniture.size());
   places.markers = number("markers", world.markers.size());
+  places.doors = number("doors", world.doors.size());
   return places;
 }
 
@@ -148,6 +171,8 @@ void checkFit(const World& world, const WorldPlaces& places, FaultCollector& fau
   checkIds(world, places, faults);
   for (std::size_t i = 0; i < world.markers.size(); ++i)
     checkMarker(world.markers[i], places.markers[i], plan, world.ceiling.height, faults);
+  for (std::size_t i = 0; i < world.doors.size(); ++i)
+    checkDoor(world.doors[i], places.doors[i], plan, world.ceiling.height, faults);
   checkPath(world, places, plan, faults);
 }
 

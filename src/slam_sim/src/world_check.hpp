@@ -14,7 +14,7 @@ namespace slam::sim {
 /// What a world's parts are called in messages: "office.yaml:12: markers[3]".
 struct WorldPlaces {
   std::string world, path;
-  std::vector<std::string> walls, furniture, markers;
+  std::vector<std::string> walls, furniture, markers, doors;
 };
 
 WorldPlaces placesOf(const World& world);

@@ -4,6 +4,7 @@
 #include "slam_sim/world_file.hpp"
 
 #include <cmath>
+#include <sstream>
 
 #include "slam_core/common/settings.hpp"
 #include "slam_sim/marker_family.hpp"
@@ -19,7 +20,14 @@ const Range kPositive = Range::above(0.0);
 constexpr double kFarthest = 1000.0;  // [m]; a way that is longer by far would take hours to check
 const Range kCoordinate = Range::closed(-kFarthest, kFarthest);
 const Range kLength = {0.0, kFarthest, true, false};
-constexpr double kBark = 0.3;  // gray
+constexpr double kBark = 0.3;       // gray
+constexpr double kBrightest = 4.0;  // level of the light
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 /// Reads one file; the parts' places are kept for the checks that come after.
 class WorldReader {
@@ -33,10 +41,13 @@ class WorldReader {
     readVersion(root);
     root.require("world", world_.name);
     root.read("floor_gray", world_.floor_gray, kGray);
+    readFloor(root.map("floor"));
     readCeiling(root.map("ceiling"));
+    readLight(root.map("light"));
     for (auto& wall : root.list("walls")) readWall(wall);
     for (auto& box : root.list("furniture")) readFurniture(box);
     for (auto& tree : root.list("trees")) readTree(tree);
+    for (auto& doors : root.list("doors")) readDoors(doors);
     readMarkerDefaults(root.map("marker"));
     for (auto& marker : root.list("markers")) readMarker(marker);
     for (auto& row : root.list("marker_rows")) readRow(row);
@@ -57,6 +68,28 @@ class WorldReader {
                  std::to_string(kVersion));
   }
 
+  void readFloor(YamlMap map) {
+    map.read("texture", world_.floor_texture, floorTextures());
+    map.finish();
+  }
+
+  void readLight(YamlMap map) {
+    constexpr double kLongest = 1e6;  // [s]
+    auto& course = world_.light.course;
+    map.read("course", course, Range::closed(0.0, kLongest));
+    map.finish();
+    for (std::size_t i = 0; i < course.size(); ++i) {
+      if (i > 0 && !(course[i].x() > course[i - 1].x())) {
+        map.fault("course: the times must rise; after " + number(course[i - 1].x()) + " s comes " +
+                  number(course[i].x()) + " s");
+      }
+      if (course[i].y() > kBrightest) {
+        map.fault("course: the level " + number(course[i].y()) + " is not in [0, " +
+                  number(kBrightest) + "]");
+      }
+    }
+  }
+
   void readCeiling(YamlMap map) {
     map.read("height", world_.ceiling.height, kLength);
     map.read("texture", world_.ceiling.texture, ceilingTextures());
@@ -68,6 +101,7 @@ class WorldReader {
   void readWall(YamlMap& map) {
     std::vector<Eigen::Vector2d> points;
     bool closed = false;
+    std::int64_t seed = 0;
     Wall wall;
     wall.height = world_.ceiling.height;
     map.require("points", points, kCoordinate);
@@ -75,12 +109,16 @@ class WorldReader {
     map.read("height", wall.height, kLength);
     map.read("gray", wall.gray, kGray);
     map.read("reflector", wall.is_reflector);
+    map.read("texture", wall.texture, wallTextures());
+    map.read("seed", seed, Range::closed(1.0, 1e6));
     map.finish();
     if (points.size() < 2) map.fault("needs at least 2 points");
     if (closed && !points.empty()) points.push_back(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) {
       wall.from = points[i - 1];
       wall.to = points[i];
+      // Of its own, unless the file gives a seed: then lines of one seed look alike.
+      wall.look = seed > 0 ? static_cast<std::uint64_t>(seed) << 32U | i : world_.walls.size();
       if (wall.from == wall.to) map.fault("has a part of length 0");
       world_.walls.push_back(wall);
       places_.walls.push_back(map.where());
@@ -93,6 +131,7 @@ class WorldReader {
     map.require("size", box.size, kLength);
     map.read("yaw", box.yaw);
     map.read("gray", box.gray, kGray);
+    map.read("texture", box.texture, furnitureTextures());
     map.finish();
     world_.furniture.push_back(box);
     places_.furniture.push_back(map.where());
@@ -120,6 +159,22 @@ class WorldReader {
       wall.to = corner(side + 1);
       world_.walls.push_back(wall);
       places_.walls.push_back(map.where());
+    }
+  }
+
+  /// Doors that face one way.
+  void readDoors(YamlMap& map) {
+    Door door;
+    std::vector<Eigen::Vector2d> positions;
+    map.require("positions", positions, kCoordinate);
+    map.require("facing", door.facing);
+    map.read("width", door.width, kLength);
+    map.read("height", door.height, kLength);
+    map.finish();
+    for (const auto& position : positions) {
+      door.position = position;
+      world_.doors.push_back(door);
+      places_.doors.push_back(map.where());
     }
   }
 

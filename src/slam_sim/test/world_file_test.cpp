@@ -106,7 +106,8 @@ markers:)"));
 TEST_F(WorldFile, EveryShippedWorldIsSound) {
   for (const auto& [name, markers] :
        {std::pair("office", 12u), std::pair("corridor", 100u), std::pair("hall", 500u),
-        std::pair("foyer", 13u), std::pair("forest", 0u), std::pair("depot", 0u)}) {
+        std::pair("foyer", 13u), std::pair("forest", 0u), std::pair("depot", 0u),
+        std::pair("gallery", 0u), std::pair("loops", 0u)}) {
     const auto world = readWorldFile(std::string(SLAM_SIM_FOLDER) + "/worlds/" + name + ".yaml");
     EXPECT_EQ(world.name, name);
     EXPECT_EQ(world.markers.size(), markers);
@@ -131,6 +132,68 @@ TEST_F(WorldFile, AFileWithoutANameIsRefused) {
 
 TEST_F(WorldFile, AnUnknownFamilyIsNamedWithTheNearest) {
   expectFault(room("id: 0", "id: 0, family: 36h1"), ":8", "'36h1' is none of 36h11");
+}
+
+TEST_F(WorldFile, AnUnknownTextureIsNamedWithTheNearest) {
+  expectFault(
+      room("closed: true", "closed: true, texture: brik"), ":4",
+      "texture 'brik' is none of paint, plaster, wallpaper, brick, panelling, posters, mural (did "
+      "you mean 'brick'?)");
+  expectFault(room("1.0]", "1.0], texture: boks"), ":6", "(did you mean 'books'?)");
+  expectFault(room("walls:", "floor: {texture: parqet}\nwalls:"), ":3",
+              "(did you mean 'parquet'?)");
+  expectFault(room("closed: true", "closed: true, seed: 0"), ":4",
+              "seed holds '0', which is not in [1, 1000000]");
+}
+
+TEST_F(WorldFile, LinesOfOneSeedLookAlikeAndOthersDoNot) {
+  const auto world = read(room("furniture:", R"(  - {points: [[5, 0], [6, 0], [7, 0]], seed: 3}
+  - {points: [[5, 1], [6, 1], [7, 1]], seed: 3}
+  - {points: [[5, 2], [6, 2]], seed: 4}
+furniture:)"));
+  ASSERT_EQ(world.walls.size(), 4u + 5u);
+  EXPECT_EQ(world.walls[4].look, world.walls[6].look);
+  EXPECT_EQ(world.walls[5].look, world.walls[7].look);
+  EXPECT_NE(world.walls[4].look, world.walls[5].look);
+  EXPECT_NE(world.walls[4].look, world.walls[8].look);
+  EXPECT_NE(world.walls[0].look, world.walls[1].look);
+}
+
+TEST_F(WorldFile, TheLightFollowsItsCourse) {
+  const auto world = read(room("walls:", "light: {course: [[10, 1.0], [20, 0.5]]}\nwalls:"));
+  for (const auto& [time, level] :
+       {std::pair(0.0, 1.0), std::pair(10.0, 1.0), std::pair(15.0, 0.75), std::pair(20.0, 0.5),
+        std::pair(99.0, 0.5)}) {
+    EXPECT_DOUBLE_EQ(world.light.levelAt(time), level) << time;
+  }
+  EXPECT_EQ(Light().levelAt(5.0), 1.0);
+}
+
+TEST_F(WorldFile, ALightThatCannotBeIsRefused) {
+  expectFault(room("walls:", "light: {course: [[20, 1.0], [10, 0.5]]}\nwalls:"), ":3",
+              "course: the times must rise; after 20 s comes 10 s");
+  expectFault(room("walls:", "light: {course: [[0, 1.0], [10, -0.5]]}\nwalls:"), ":3",
+              "course holds '-0.5'");
+  expectFault(room("walls:", "light: {course: [[0, 100]]}\nwalls:"), ":3",
+              "the level 100 is not in [0, 4]");
+  expectFault(room("walls:", "light: {curse: [[0, 1]]}\nwalls:"), ":3",
+              "curse is unknown (did you mean 'course'?)");
+}
+
+TEST_F(WorldFile, DoorsHangOnWalls) {
+  const auto with = [](const std::string& door) {
+    return room("markers:", "doors:\n  - " + door + "\nmarkers:");
+  };
+  const auto world = read(with("{positions: [[1, 0], [2.5, 0]], facing: 1.5708}"));
+  ASSERT_EQ(world.doors.size(), 2u);
+  EXPECT_EQ(world.doors[1].position, Eigen::Vector2d(2.5, 0));
+  expectFault(with("{positions: [[1, 0.5]], facing: 1.5708}"), ":8",
+              "the door at (1, 0.5) hangs on no wall; put it within 0.05 m of one");
+  expectFault(with("{positions: [[1, 0]], facing: 0}"), ":8",
+              "does not lie along the wall from (0, 0) to (4, 0)");
+  expectFault(with("{positions: [[1, 0]], facing: 1.5708, height: 3}"), ":8",
+              "is 3 m high, the ceiling 2.5 m");
+  expectFault(with("{positions: [[1, 0]], facing: 1.5708, width: 0}"), ":8", "width holds '0'");
 }
 
 TEST_F(WorldFile, AMarkerOfSizeZeroIsRefused) {

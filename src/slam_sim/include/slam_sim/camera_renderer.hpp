@@ -19,7 +19,8 @@ namespace slam::sim {
 
 struct ViewedSurface;
 
-/// The optical frame's pose in the world at a part of the exposure, 0 its begin and 1 its end.
+/// The optical frame's pose in the world at a part of the image's time: 0 where the first row
+/// begins to be exposed, 1 where the last row ends. Of a global shutter that is the exposure.
 using CameraPath = std::function<Eigen::Isometry3d(double part)>;
 
 /// A camera that takes pictures of a scene: pinhole with lens distortion, motion blur,
@@ -36,10 +37,15 @@ class CameraRenderer {
   const CameraOptics& optics() const { return optics_; }
 
   /// An image of 8 bit, one channel, a function of its arguments only; from any thread.
-  cv::Mat render(const CameraPath& T_world_camera, RandomStream noise) const;
+  /// @param light_level of the whole world, 1 full light
+  cv::Mat render(const CameraPath& T_world_camera, RandomStream noise,
+                 double light_level = 1.0) const;
 
  private:
-  cv::Mat lightOf(const std::vector<ViewedSurface>& viewed) const;
+  /// When in the image's time a part of the exposure of a row of tiles is [0, 1].
+  double partOf(double of_exposure, int tile_row) const;
+  void renderBand(int first_row, int end_row, const std::vector<ViewedSurface>& viewed,
+                  cv::Mat& light) const;
   void writeTile(int tile, const TileValues& values, cv::Mat& light) const;
 
   std::shared_ptr<const Scene> scene_;

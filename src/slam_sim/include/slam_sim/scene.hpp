@@ -35,6 +35,7 @@ class Scene {
 
  private:
   void addWalls(const World& world, const Lamps& lamps);
+  void addDoors(const World& world, const Lamps& lamps);
   void addFurniture(const World& world, const Lamps& lamps);
   void addFloorAndCeiling(const World& world, const Lamps& lamps);
   void addMarkers(const World& world, const Lamps& lamps);

@@ -42,7 +42,9 @@ class Sensors {
   RandomStream imuNoise(std::uint64_t reading) const;
   LaserReadings scan(const Pose2& T_world_base, std::uint64_t reading) const;
   /// 8 bit, one channel; the path's second 0 is the middle of the exposure.
-  cv::Mat image(std::size_t camera, const BasePath& T_world_base, std::uint64_t reading) const;
+  /// @param time since the start [s], which the light depends on
+  cv::Mat image(std::size_t camera, const BasePath& T_world_base, std::uint64_t reading,
+                double time) const;
 
  private:
   World world_;

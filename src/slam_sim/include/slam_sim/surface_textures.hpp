@@ -22,6 +22,14 @@ cv::Mat wallpaperTexture(int edge, std::uint64_t seed);  ///< faint stripes with
 cv::Mat floorTexture(int edge, std::uint64_t seed);      ///< speckled linoleum in sheets
 cv::Mat woodTexture(int edge, std::uint64_t seed);       ///< grain along v
 
+// With features from near and from afar; band-limited to their texels.
+cv::Mat brickTexture(int edge, std::uint64_t seed);       ///< 16 courses of 8 bricks
+cv::Mat panellingTexture(int edge, std::uint64_t seed);   ///< 8 upright boards
+cv::Mat tiledFloorTexture(int edge, std::uint64_t seed);  ///< 4 x 4 tiles, as on a chessboard
+cv::Mat parquetTexture(int edge, std::uint64_t seed);     ///< 16 rows of planks along u
+cv::Mat terrazzoTexture(int edge, std::uint64_t seed);    ///< splinters of all sizes
+cv::Mat booksTexture(int edge, std::uint64_t seed);       ///< three shelves of spines
+
 /// A ceiling, kCeilingTiles tiles along an edge of the texture. Its bright parts are lamps.
 /// @param name one of ceilingTextures()
 cv::Mat ceilingTexture(const std::string& name, int edge, std::uint64_t seed);
