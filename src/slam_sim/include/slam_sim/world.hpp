@@ -56,7 +56,6 @@ struct Ceiling {
   double scale = 0.6;             ///< edge of a tile, or size of the largest blots [m]
 };
 
-/// What the robot drives: a smooth closed curve through the way-points, `laps` times.
 /// How bright the light is while the robot drives.
 struct Light {
   /// Seconds since the start, rising, and the level then (1: full light); linear in between,
@@ -66,6 +65,7 @@ struct Light {
   double levelAt(double time) const;  ///< `time` since the start [s]
 };
 
+/// What the robot drives: a smooth closed curve through the way-points, `laps` times.
 struct DrivePath {
   std::vector<Eigen::Vector2d> points;  ///< [m], the last is not the first one again
   double speed = 0.3;                   ///< where no curve and no end slows it down [m/s]
