@@ -32,7 +32,8 @@ PipeRun::PipeRun(const RunOptions& options)
 void PipeRun::configure() {
   const auto topics = slam_ros::configured(settings_, whole_);
   const auto& components = whole_.components();
-  inputs_.emplace(bag_, components, slam_ros::BagContext{topics, components.frames},
+  inputs_.emplace(bag_, components,
+                  slam_ros::BagContext{topics, components.frames, slam_ros::GivenMounts(settings_)},
                   slam_ros::parseRemaps(options_.remaps));
 }
 

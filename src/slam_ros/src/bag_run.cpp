@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "slam_core/common/config_error.hpp"
@@ -38,15 +39,48 @@ TopicsConfig configured(slam::Settings& settings, slam::MetaCoordinator& product
   return topics;
 }
 
+namespace {
+
+/// Whether it tells of the robot's surroundings: not only of its motion.
+bool isSight(const BagInputs::Found& found, const BagInputs& inputs) {
+  const auto parts = inputs.parts();
+  return found.kind != slam::kindOf<slam::Motion>() &&
+         std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
+           return part.input(found.port, found.kind) != nullptr &&
+                  !part.makes("motion", slam::kindOf<slam::Motion>());
+         });
+}
+
+/// What the first sensor lacked whose data nothing could be made of, where that is so of all that
+/// see; else empty.
+std::string blindness(const BagInputs& inputs) {
+  std::string lack;
+  for (const auto& found : inputs.found()) {
+    if (!isSight(found, inputs)) continue;
+    const auto lacking = found.input->lacking();
+    if (lacking.empty()) return "";
+    if (lack.empty()) lack = lacking;
+  }
+  return lack;
+}
+
+std::string firstLack(const BagInputs& inputs) {
+  for (const auto& found : inputs.found())
+    if (const auto lacking = found.input->lacking(); !lacking.empty()) return lacking;
+  return "";
+}
+
+}  // namespace
+
 void requireSteps(const RunMetrics& metrics, std::size_t poses, const BagInputs& inputs,
                   const BagReader& bag) {
-  if (metrics.updates() > 0) return;
+  const bool has_steps = metrics.updates() > 0;
+  const auto lack = has_steps ? blindness(inputs) : firstLack(inputs);
+  if (has_steps && lack.empty()) return;
   const std::string what =
       poses == 0 ? "no step could be taken: "
                  : "nothing that the sensors saw could be used, and odometry alone is no result: ";
-  for (const auto& found : inputs.found())
-    if (const auto lacking = found.input->lacking(); !lacking.empty())
-      throw std::runtime_error(what + lacking);
+  if (!lack.empty()) throw std::runtime_error(what + lack);
   throw std::runtime_error(
       fmt::format("{}no observation or scan of the bag {} has a stamp that its odometry covers",
                   what, bag.path()));

@@ -81,7 +81,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
       auto settings = settingsFromRos(getNodeHandle());
       slam::ProductConfig product;
       slam::readProduct(settings, product);
-      const BagContext context{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>()};
+      const BagContext context{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>(),
+                               GivenMounts(settings)};
       frames_ = context.frames;
       bag_ = std::make_unique<BagReader>(config_.bag);
       inputs_.emplace(*bag_, slam::createComponents(product), context, parseRemaps(config_.remaps));

@@ -3,9 +3,6 @@
 
 #include "slam_ros/input_binding.hpp"
 
-#include "slam_core/imu/imu_config.hpp"
-#include "slam_core/laser/laser_config.hpp"
-
 namespace slam_ros {
 
 InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& settings,
@@ -14,8 +11,7 @@ InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& setting
   context.handle = handle;
   context.topics = settings.read<TopicsConfig>();
   context.frames = settings.read<slam::FramesConfig>();
-  context.has_laser_mount = !settings.read<slam::LaserConfig>().sensor_pose.empty();
-  context.has_imu_mount = !settings.read<slam::ImuConfig>().sensor_pose.empty();
+  context.mounts = GivenMounts(settings);
   context.options = options;
   return context;
 }

@@ -44,7 +44,8 @@ OfflineRun::OfflineRun(const OfflineOptions& options)
 void OfflineRun::configure() {
   const auto topics = configured(settings_, coordinator_);
   const auto& parts = coordinator_.components();
-  inputs_.emplace(bag_, parts, BagContext{topics, parts.frames}, parseRemaps(options_.remaps));
+  inputs_.emplace(bag_, parts, BagContext{topics, parts.frames, GivenMounts(settings_)},
+                  parseRemaps(options_.remaps));
   for (const auto& trigger : inputs_->flow().triggersOfBackend())
     if (!inputs_->isSupplied(trigger))
       coordinator_.estimator().intake().expectNothing(trigger.name);

@@ -51,7 +51,8 @@ class Recorder {
  public:
   Recorder(const TuneOptions& options, const std::string& bag)
       : bag_(bag), settings_(settingsFor(options, {})) {
-    const BagContext context{settings_.read<TopicsConfig>(), settings_.read<slam::FramesConfig>()};
+    const BagContext context{settings_.read<TopicsConfig>(), settings_.read<slam::FramesConfig>(),
+                             GivenMounts(settings_)};
     map_frame_ = frameId(context.frames.map);
     front_end_.configure(settings_, {slam::ProductPart::Extent::kDetector, ""});
     front_end_.listen<slam::LandmarkObservationArray>(

@@ -16,15 +16,17 @@
 #include "slam_core/product/product_config.hpp"
 #include "slam_ros/bag_search.hpp"
 #include "slam_ros/conversions.hpp"
+#include "slam_ros/given_mounts.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/topics_config.hpp"
 
 namespace slam_ros {
 
-/// What a robot calls its topics and frames.
+/// What a robot calls its topics and frames, and which mounts its file gives.
 struct BagContext {
   TopicsConfig topics;
   slam::FramesConfig frames;
+  GivenMounts mounts;
 };
 
 /// When data hold; what is latched has no stamp.
@@ -91,7 +93,7 @@ class BagInput {
 
   /// Handlers that give the sinks what the messages hold. They refer to this object.
   virtual BagHandlers readers(const BagSinks& sinks) = 0;
-  /// Why nothing could be made of what was read: one clause; empty where it could.
+  /// Why nothing could be made of all that was read: one clause; empty where it could.
   virtual std::string lacking() const { return ""; }
 
   virtual BagPlay play() const { return {}; }

@@ -38,6 +38,7 @@ class CameraInput {
 
   bool hasImage() const { return mount_.hasFrame(); }
   bool hasCalibration() const { return calibration_.has_value(); }
+  bool hasMount() const { return mount_.isKnown(); }
   /// "base_link -> camera_optical_frame" while images came and that transform did not, else empty.
   std::string missingTransform() const { return mount_.missing(); }
 

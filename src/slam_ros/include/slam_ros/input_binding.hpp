@@ -12,6 +12,7 @@
 #include "slam_core/contract/ports.hpp"
 #include "slam_core/product/product_config.hpp"
 #include "slam_ros/door.hpp"
+#include "slam_ros/given_mounts.hpp"
 #include "slam_ros/latency_window.hpp"
 #include "slam_ros/topics_config.hpp"
 #include "slam_ros/transport_config.hpp"
@@ -35,8 +36,7 @@ struct InputContext {
   ros::NodeHandle handle;  ///< the product's namespace
   TopicsConfig topics;
   slam::FramesConfig frames;
-  /// Whether the robot file gives the mount; else it comes as a transform.
-  bool has_laser_mount = false, has_imu_mount = false;
+  GivenMounts mounts;
   InputOptions options;
   Pass pass;  ///< what callbacks go through
   Put put;

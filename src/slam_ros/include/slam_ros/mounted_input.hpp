@@ -44,6 +44,7 @@ class MountedInput {
   void take(const tf2_msgs::TFMessage& static_transforms) { mount_.take(static_transforms); }
 
   bool hasData() const { return mount_.hasFrame(); }
+  bool hasMount() const { return mount_.isKnown(); }
   /// "base_link -> laser" while data came and that transform did not, else empty.
   std::string missingTransform() const { return mount_.missing(); }
 

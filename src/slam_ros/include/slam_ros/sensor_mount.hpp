@@ -28,6 +28,8 @@ class SensorMount {
   void takeFrame(const std::string& sensor_frame);
 
   bool hasFrame() const { return frame_.has_value(); }
+  /// Whether it was reported, if only for data of another frame.
+  bool isKnown() const { return told_.has_value(); }
   /// "base_link -> laser" while data came and that transform did not, else empty.
   std::string missing() const;
 

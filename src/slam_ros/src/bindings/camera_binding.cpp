@@ -22,6 +22,7 @@ class CameraBinding final : public InputBinding {
   CameraBinding(const InputContext& context, const slam::InputPort& port)
       : topics_(cameraTopics(context.topics.of(port.name))),
         pass_(context.pass),
+        robot_file_has_mount_(context.mounts.has(port.name)),
         input_(frameId(context.frames.base), sinks(context, port)) {
     for (const auto& topic : {topics_.raw, topics_.compressed, topics_.info})
       context.handle.resolveName(topic);  // throws now what subscribing would throw later
@@ -39,8 +40,8 @@ class CameraBinding final : public InputBinding {
     if (!input_.hasImage())
       return "waiting for images on " + topics_.raw + " or " + topics_.compressed;
     if (!input_.hasCalibration()) return "waiting for the camera's calibration on " + topics_.info;
-    if (const auto transform = input_.missingTransform(); !transform.empty())
-      return "waiting for the transform " + transform + " on /tf_static";
+    const auto transform = robot_file_has_mount_ ? "" : input_.missingTransform();
+    if (!transform.empty()) return "waiting for the transform " + transform + " on /tf_static";
     return "";
   }
 
@@ -82,6 +83,7 @@ class CameraBinding final : public InputBinding {
 
   CameraTopics topics_;
   Pass pass_;
+  bool robot_file_has_mount_;  ///< else it comes as a transform
   CameraInput input_;
   std::mutex kind_;  ///< held while it is found which of raw_ and compressed_ there are
   ros::Subscriber raw_, compressed_, info_, transforms_;
@@ -92,7 +94,7 @@ class CameraBinding final : public InputBinding {
 class CameraInBag final : public BagInput {
  public:
   CameraInBag(const BagContext& context, const std::string& port)
-      : CameraInBag(cameraTopics(context.topics.of(port)), port, frameId(context.frames.base)) {}
+      : CameraInBag(cameraTopics(context.topics.of(port)), port, context) {}
 
   std::vector<Input> names() const override { return {raw_, compressed_, info_}; }
   Remap meaningOf(Remap remap, const std::vector<BagTopic>& topics) const override;
@@ -125,7 +127,8 @@ class CameraInBag final : public BagInput {
   }
   std::string lacking() const override {
     if (!input_->hasCalibration()) return images_ + " came without the camera's calibration";
-    return lackOfTransform(input_->missingTransform());
+    const bool has_mount = robot_file_has_mount_ || input_->hasMount();
+    return has_mount ? "" : lackOfTransform(input_->missingTransform());
   }
 
   BagPlay play() const override { return {kImagesInFlight, kImagesHeld, true}; }
@@ -140,11 +143,12 @@ class CameraInBag final : public BagInput {
   }
 
  private:
-  CameraInBag(const CameraTopics& topics, const std::string& port, std::string base_frame)
+  CameraInBag(const CameraTopics& topics, const std::string& port, const BagContext& context)
       : raw_(inputOf<sensor_msgs::Image>(port, topics.raw)),
         compressed_(inputOf<sensor_msgs::CompressedImage>(port + "/compressed", topics.compressed)),
         info_(inputOf<sensor_msgs::CameraInfo>(port + "_info", topics.info)),
-        base_frame_(std::move(base_frame)) {}
+        base_frame_(frameId(context.frames.base)),
+        robot_file_has_mount_(context.mounts.has(port)) {}
 
   std::string findCalibration(BagSearch& bag) const;
   BagHandlers handlers(BagHandler of_images, BagHandler of_calibration) const {
@@ -159,6 +163,7 @@ class CameraInBag final : public BagInput {
 
   Input raw_, compressed_, info_;
   std::string base_frame_;
+  bool robot_file_has_mount_;
   std::string images_, calibration_;  ///< topics of the bag
   bool is_raw_ = true;                ///< the images are
   std::optional<CameraInput> input_;

@@ -18,7 +18,6 @@ struct Laser {
   using Input = LaserInput;
   static constexpr const char* kWaiting = "waiting for scans on ";
   static constexpr std::size_t kSent = kScansInFlight;  ///< before one is acknowledged
-  static bool hasMount(const InputContext& context) { return context.has_laser_mount; }
 };
 
 struct Imu {
@@ -27,7 +26,6 @@ struct Imu {
   using Input = ImuInput;
   static constexpr const char* kWaiting = "waiting for an IMU on ";
   static constexpr std::size_t kSent = kInFlight;
-  static bool hasMount(const InputContext& context) { return context.has_imu_mount; }
 };
 
 template <class Sensor>
@@ -35,7 +33,7 @@ class MountedBinding final : public InputBinding {
  public:
   MountedBinding(const InputContext& context, const slam::InputPort& port)
       : topic_(context.topics.of(port.name)),
-        robot_file_has_mount_(Sensor::hasMount(context)),
+        robot_file_has_mount_(context.mounts.has(port.name)),
         input_(frameId(context.frames.base), sinks(context, port)) {
     context.handle.resolveName(topic_);  // throws now what subscribing would throw later
     start_.emplace([this, handle = context.handle, pass = context.pass] {
@@ -81,7 +79,8 @@ class MountedInBag final : public TopicInBag {
  public:
   MountedInBag(const BagContext& context, const std::string& port)
       : TopicInBag(inputOf<typename Sensor::Message>(port, context.topics.of(port))),
-        base_frame_(frameId(context.frames.base)) {}
+        base_frame_(frameId(context.frames.base)),
+        robot_file_has_mount_(context.mounts.has(port)) {}
 
   BagHandlers readers(const BagSinks& sinks) override {
     const auto put = [sinks](const auto& data) { sinks.give(data); };
@@ -90,7 +89,10 @@ class MountedInBag final : public TopicInBag {
     const auto take = [this](const typename Sensor::Message& message) { sensor_->take(message); };
     return {{topic_, onMessage<typename Sensor::Message>(take)}};
   }
-  std::string lacking() const override { return lackOfTransform(sensor_->missingTransform()); }
+  std::string lacking() const override {
+    const bool has_mount = robot_file_has_mount_ || sensor_->hasMount();
+    return has_mount ? "" : lackOfTransform(sensor_->missingTransform());
+  }
 
   BagPlay play() const override { return {Sensor::kSent, 0, true}; }
   BagHandlers senders(ros::NodeHandle handle, const Gate& gate) override {
@@ -101,6 +103,7 @@ class MountedInBag final : public TopicInBag {
 
  private:
   std::string base_frame_;
+  bool robot_file_has_mount_;
   std::optional<typename Sensor::Input> sensor_;
 };
 

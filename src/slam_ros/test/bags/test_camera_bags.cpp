@@ -243,24 +243,24 @@ TEST_F(OfflineCamera, CalibrationAndTransformMayComeAfterTheFirstImages) {
     EXPECT_EQ(folder.read(std::string("first") + name), folder.read(std::string("later") + name));
 }
 
-TEST_F(OfflineCamera, GoesOnWithoutCalibrationOrTransform) {
+/// Its path would be that of the odometry alone.
+TEST_F(OfflineCamera, FailsWithoutCalibrationOrTransformOfTheWholeBag) {
   {
     BagMaker bag(folder / "x.bag");
     bag.addOdometry().add("/tf_static", 0, test::cameraMount());
     addCamera(bag, kRaw, "");
   }
-  EXPECT_EQ(run("no_calibration"), "");
+  EXPECT_EQ(run("run"),
+            "nothing that the sensors saw could be used, and odometry alone is no result: "
+            "/camera/image_raw came without the camera's calibration");
   {
     BagMaker bag(folder / "x.bag");
     bag.addOdometry();
     addCamera(bag, kRaw, kInfo);
   }
-  EXPECT_EQ(run("no_transform"), "");
-  for (const auto* out : {"no_calibration", "no_transform"}) {
-    EXPECT_GT(lines(out), 0) << out;
-    EXPECT_TRUE(contains(folder.read(std::string(out) + "/landmarks.yaml"), "landmarks: []"))
-        << out;
-  }
+  EXPECT_TRUE(contains(run("run"), "does not tell the transform base_link -> camera"));
+  EXPECT_EQ(run("run", {"camera.sensor_pose=[0.1, 0, 0.3, -1.57, 0, -1.57]"}), "")
+      << "the robot file may give the mount";
 }
 
 TEST_F(OfflineCamera, SaysWhatTheImagesOfAShortBagWaitedFor) {
