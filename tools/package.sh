@@ -11,7 +11,8 @@ copy_sources_to() { # FOLDER: what the packages are made of, and no build
   mapfile -d '' packages < <(package_folders | grep -zv '^\./test')
   mkdir -p "$1"
   (cd "$repo" && tar -c --exclude=__pycache__ --exclude='*.pyc' \
-    debian tools slam docs ./*.md LICENSE "${packages[@]}") | tar -C "$1" -x
+    debian tools slam docs ./*.md LICENSE test/toys "${packages[@]}") | tar -C "$1" -x
+  touch "$1/test/CATKIN_IGNORE" # what new_component copies is installed, not built
 }
 
 build_packages() { # FOLDER: the packages come to lie beside it

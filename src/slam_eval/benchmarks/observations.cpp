@@ -31,6 +31,7 @@ class DetectorRun {
     slam::Settings settings(slam::loadConfigFile(slam_ros::productFile(product)),
                             slam::loadConfigFile(slam_ros::robotFile(bag_.robot())), {});
     topics_ = settings.read<slam_ros::TopicsConfig>();
+    mounts_ = slam_ros::GivenMounts(settings);
     product_.configure(settings);
     product_.listen<LandmarkObservationArray>(
         "observations", [this](const auto& array) { seen_.push_back(array); });
@@ -38,7 +39,7 @@ class DetectorRun {
 
   const std::vector<LandmarkObservationArray>& seen() {
     const auto& parts = product_.components();
-    slam_ros::BagInputs inputs(bag_, parts, {topics_, parts.frames}, {});
+    slam_ros::BagInputs inputs(bag_, parts, {topics_, parts.frames, mounts_}, {});
     const auto transforms = slam_ros::staticTransforms(bag_, parts.frames.map);
     bag_.read(inputs.readers([&](const slam_ros::BagInputs::Found& input) {
       slam_ros::BagSinks sinks;
@@ -57,6 +58,7 @@ class DetectorRun {
  private:
   slam_ros::BagReader bag_;
   slam_ros::TopicsConfig topics_;
+  slam_ros::GivenMounts mounts_;
   slam::MetaCoordinator product_;
   std::vector<LandmarkObservationArray> seen_;
 };
