@@ -27,6 +27,16 @@ def sensors_for(product):
     return f"{SENSORS},ceiling_camera" if twin_of(product) else SENSORS
 
 
+def landmark_sensors_for(product):
+    """What a drive has to hold for a product whose landmarks come from a camera, from one that looks at
+    the ceiling, or from a laser."""
+    file = package_folder("slam_launch") / "products" / f"{product}.yaml"
+    detector = yaml.safe_load(file.read_text(encoding="utf-8")).get("detector", "none")
+    if detector.startswith("laser_"):
+        return "odom,scan"
+    return "odom,ceiling_camera" if detector == "ceiling_features" else sensors_for(product)
+
+
 def twin_of(product):
     """For one of our products that look at the ceiling the one with wheels instead, where the ceiling
     takes the markers' place the one with markers; else None."""
