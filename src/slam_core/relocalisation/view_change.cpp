@@ -25,6 +25,9 @@ constexpr double kByChance = 0.25;
 constexpr double kMostSure = 0.95;
 /// Landmarks of a view are not independent: they count as so many at most.
 constexpr double kMostIndependent = 8.0;
+/// What is gone and what is new have to say the same: the sum of both is so many times the lesser
+/// at most.
+constexpr double kMostOfLesser = 3.0;
 constexpr double kRemembered = 500.0;  ///< landmarks that a learnt rate goes by
 
 /// The log-likelihood ratio of "lost" to "right" of a binomial number of hits.
@@ -127,7 +130,8 @@ double ViewChange::judge(const LandmarkObservationArray& array, bool is_right) {
     kept_.learn(kept);
     known_.learn(known);
   }
-  return 2.0 * std::max(0.0, std::min(gone, other));
+  const double lesser = std::min(gone, other);
+  return lesser > 0.0 ? std::min(gone + other, kMostOfLesser * lesser) : 0.0;
 }
 
 }  // namespace slam::relocalisation

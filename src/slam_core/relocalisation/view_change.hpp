@@ -29,7 +29,7 @@ class ViewChange {
   /// To be called with each motion before the observations at its end.
   void move(const Motion& motion);
   /// The log-likelihood ratio of "lost" to "right" of these observations, 0 or above: what is gone
-  /// and what is new have to say the same, so that the lesser of the two counts twice.
+  /// and what is new have to say the same.
   /// @param array with covariances @param is_right whether the robot counts as being at its
   /// estimated pose, so that its view is learnt from
   double judge(const LandmarkObservationArray& array, bool is_right);

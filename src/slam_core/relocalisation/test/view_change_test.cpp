@@ -77,6 +77,13 @@ TEST(ViewChange, IsEvidentByFewLandmarks) {
   EXPECT_GT(evidenceOf(change, somePlaces(2, 3), 3), 15.0);
 }
 
+/// Four landmarks are gone, and two are seen in their place.
+TEST(ViewChange, IsEvidentByFewerLandmarksThanBefore) {
+  ViewChange change;
+  EXPECT_EQ(evidenceOf(change, somePlaces(1, 4), 100), 0.0);
+  EXPECT_GT(evidenceOf(change, somePlaces(2, 2), 3), 15.0);
+}
+
 TEST(ViewChange, IsEvidentWhileTheRobotDrivesFast) {
   ViewChange change;
   const Places here = somePlaces(1, 8), there = somePlaces(2, 8);
