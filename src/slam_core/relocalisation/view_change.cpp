@@ -104,16 +104,13 @@ bool ViewChange::areNear() const {
 }
 
 /// How many landmarks of a view the other block shows as well, and how many not, of those that
-/// a second view of their own block shows.
+/// all views of their own block show.
 ViewChange::Rate ViewChange::seenAlso(const Views& block, std::size_t reference,
                                       const Views& other) {
   Rate rate{0.0, 0.0};
   for (const auto& landmark : block[reference].seen) {
     const auto shows = [&](const View& view) { return isIn(landmark, view.seen); };
-    const auto confirms = [&](const View& view) {
-      return &view != &block[reference] && shows(view);
-    };
-    if (std::none_of(block.begin(), block.end(), confirms)) continue;
+    if (!std::all_of(block.begin(), block.end(), shows)) continue;
     ++(std::any_of(other.begin(), other.end(), shows) ? rate.yes : rate.no);
   }
   return rate;
