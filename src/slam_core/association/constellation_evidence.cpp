@@ -49,15 +49,19 @@ bool ConstellationEvidence::isInMap(const LocalLandmark& local) const {
 std::vector<ConstellationEvidence::Pairing> ConstellationEvidence::pairingsAt(
     const Pose2& robot, const std::vector<LocalLandmark>& around) const {
   std::vector<std::pair<double, Pairing>> near;
-  for (std::size_t i = 0; i < around.size(); ++i)
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const Eigen::Vector2d seen = robot.transform(around[i].position);
+    const double trace = around[i].covariance.trace() + 2.0 * kLeastSigma * kLeastSigma;
     for (std::size_t j = 0; j < map_.size(); ++j) {
+      const Eigen::Vector2d d = map_[j].position - seen;
+      // most landmarks are far away, and a trace needs no rotation
+      if (d.squaredNorm() > kMatchGate * (trace + map_[j].covariance.trace())) continue;
       if (!mayHaveIdOf(around[i], map_[j])) continue;
-      const Eigen::Vector2d d = map_[j].position - robot.transform(around[i].position);
       const auto S = covarianceOf(robot, around[i], map_[j]);
-      if (d.squaredNorm() > kMatchGate * S.trace()) continue;
       const double squared = d.dot(S.inverse() * d);
       if (squared < kMatchGate && mayBe(around[i], map_[j])) near.push_back({squared, {i, j}});
     }
+  }
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Pairing> pairings;
@@ -134,6 +138,14 @@ double ConstellationEvidence::logOddsOfMissing(const Pose2& robot,
   for (std::size_t i = 0; i < map_.size(); ++i)
     missing += !is_seen[i] && reach.covers(T_base_map.transform(map_[i].position)) ? 1 : 0;
   return static_cast<double>(std::min(missing, kMostMissing)) * std::log(kHidden);
+}
+
+std::size_t ConstellationEvidence::within(const SensorReach& reach, const Pose2& robot) const {
+  const Pose2 T_base_map = robot.inverse();
+  return static_cast<std::size_t>(
+      std::count_if(map_.begin(), map_.end(), [&](const Landmark& landmark) {
+        return reach.covers(T_base_map.transform(landmark.position));
+      }));
 }
 
 std::optional<Place> ConstellationEvidence::near(Pose2 robot,

@@ -200,7 +200,7 @@ void Estimator::give(const Intake::Step& step) {
     const auto motion = noise_.scaled(reported);
     if (consistency_config_.adapt) doubt_.predict(reported);
     events_.predict(motion);
-    relocaliser_.predict(motion);
+    relocaliser_.predict(reported);
   }
   if (!step.motions.empty()) last_motion_ = step.motions.back();
   if (!step.trigger) return;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "slam_core/geometry/angle.hpp"
 
@@ -26,20 +27,18 @@ constexpr double kMostOfAStep = 3.0;
 constexpr double kMostOfOne = 3.0;
 /// Log-likelihood ratio by which a step in which most observations fit is evidence for "right".
 constexpr double kOfWhatFits = 1.0;
-/// Relative to the threshold: below this sum the robot counts as right, and its steps are learnt
-/// from.
-constexpr double kRight = 0.2;
+/// The same of a step of a robot that explores, in which no landmark is expected: a healthy one is
+/// not to be in doubt for ever since a view of it has changed.
+constexpr double kOfNothingExpected = 0.2;
 constexpr double kMostDoubt = 2.0;     ///< bound of the sum, relative to the threshold
 constexpr double kRemembered = 200.0;  ///< expected landmarks that the learnt probability goes by
 
-View viewOf(const std::vector<AssociatedObservation>& associations) {
-  View view;
+/// The landmarks of the map that observations were taken for.
+std::set<LandmarkId> landmarksOf(const std::vector<AssociatedObservation>& associations) {
+  std::set<LandmarkId> seen;
   for (const auto& observation : associations)
-    if (observation.taken_for == TakenFor::kLandmark)
-      view.known.insert(observation.landmark);
-    else
-      ++view.others;
-  return view;
+    if (observation.taken_for == TakenFor::kLandmark) seen.insert(observation.landmark);
+  return seen;
 }
 
 int countOfBoth(const std::set<LandmarkId>& a, const std::set<LandmarkId>& b) {
@@ -54,21 +53,30 @@ LandmarkDoubt::Cell LandmarkDoubt::cellOf(const Pose2& robot) {
           std::lround(wrapAngle(robot.theta()) / kViewAngle)};
 }
 
+void LandmarkDoubt::move(const Motion& motion) {
+  for (auto& [frame, sensor] : sensors_) sensor.move(motion);
+}
+
+void LandmarkDoubt::see(const LandmarkObservationArray& array) {
+  change_ += sensors_[array.sensor_frame].judge(array, isRight());
+}
+
 void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp) {
+  const double change = std::exchange(change_, 0.0);
   if (statistics.associations.empty()) return;
-  const View view = viewOf(statistics.associations);
-  const auto& seen = view.known;
+  const auto seen = landmarksOf(statistics.associations);
   const auto expected = expectedAt(robot, seen);
   const double weight = weightOf(robot, stamp);
   const auto fitting = static_cast<std::size_t>(countOfBoth(seen, trusted_));
   const bool fits = 2 * fitting >= statistics.associations.size();
   const double evidence = evidenceOf(expected, seen);
   // where most observations fit, the missing landmarks are taken for hidden, not the robot for lost
-  sum_ += weight * (fits ? std::min(0.0, evidence) - kOfWhatFits : evidence);
-  sum_ += view_.judge(view, robot, sum_ < kRight * kThreshold);
+  const double otherwise = expected.empty() ? -kOfNothingExpected : evidence;
+  sum_ += weight * (fits ? std::min(0.0, evidence) - kOfWhatFits : otherwise);
+  sum_ += change;
   sum_ = std::clamp(sum_, 0.0, kMostDoubt * kThreshold);
   if (!fits) noteMissing(expected, seen, weight * evidence);
-  if (sum_ < kRight * kThreshold) {
+  if (isRight()) {
     learn(expected, seen, weight);
     views_[cellOf(robot)].insert(seen.begin(), seen.end());
   }
@@ -122,11 +130,11 @@ void LandmarkDoubt::learn(const Ids& expected, const Ids& seen, double weight) {
   misses_ /= excess;
 }
 
-/// Landmarks that were mapped in doubt are trusted as soon as the doubt is gone.
+/// Landmarks that were mapped in doubt are trusted as soon as the robot counts as right again.
 void LandmarkDoubt::note(const Ids& seen) {
   since_doubt_.insert(seen.begin(), seen.end());
-  if (sum_ > 0.0) return;
-  missing_.clear();
+  if (sum_ <= 0.0) missing_.clear();
+  if (!isRight()) return;
   trusted_.merge(since_doubt_);
   since_doubt_.clear();
 }
@@ -136,11 +144,11 @@ void LandmarkDoubt::know(const LandmarkMap& map) {
 }
 
 void LandmarkDoubt::relocate() {
-  sum_ = 0.0;
+  sum_ = change_ = 0.0;
   missing_.clear();
   since_doubt_.clear();
   robot_.reset();
-  view_.forgetBefore();
+  for (auto& [frame, sensor] : sensors_) sensor.forgetBefore();
 }
 
 void LandmarkDoubt::forget() { *this = LandmarkDoubt(); }

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "slam_core/common/time.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
@@ -26,8 +27,11 @@ namespace slam::relocalisation {
 /// that changes at once is noticed there as well (ViewChange).
 class LandmarkDoubt {
  public:
-  /// To be called once for each step. Steps without observations, and steps whose observations were
-  /// associated by id, are ignored.
+  /// To be called with each motion, and with what was seen at its end.
+  void move(const Motion& motion);
+  void see(const LandmarkObservationArray& array);
+  /// To be called once for each step, after what was seen in it. Steps without observations, and
+  /// steps whose observations were associated by id, are ignored.
   /// @param robot T_map_base of the back-end after the step
   void judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp);
   bool isLost() const { return sum_ >= kThreshold; }
@@ -43,7 +47,8 @@ class LandmarkDoubt {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(views_, view_, trusted_, since_doubt_, missing_, hits_, misses_, sum_, robot_, stamp_);
+    archive(views_, sensors_, change_, trusted_, since_doubt_, missing_, hits_, misses_, sum_,
+            robot_, stamp_);
   }
 
  private:
@@ -58,14 +63,19 @@ class LandmarkDoubt {
   void noteMissing(const Ids& expected, const Ids& seen, double evidence);
   void learn(const Ids& expected, const Ids& seen, double weight);
   void note(const Ids& seen);
+  bool isRight() const { return sum_ < kRight * kThreshold; }
 
   static constexpr double kThreshold = 15.0;  ///< at most one false alarm in e^15 independent steps
+  /// Relative to the threshold: below this sum the robot counts as right, and its steps are learnt
+  /// from.
+  static constexpr double kRight = 0.2;
 
-  std::map<Cell, Ids> views_;  ///< landmarks that were seen from each cell
-  ViewChange view_;
-  Ids trusted_, since_doubt_;             ///< seen before the doubt began, and since then
-  std::map<LandmarkId, double> missing_;  ///< evidence by each since the doubt began
-  double hits_ = 7.0, misses_ = 3.0;      ///< expected landmarks that were seen, or not
+  std::map<Cell, Ids> views_;                  ///< landmarks that were seen from each cell
+  std::map<std::string, ViewChange> sensors_;  ///< by their frames
+  double change_ = 0.0;                        ///< evidence of what was seen since the last step
+  Ids trusted_, since_doubt_;                  ///< seen before the doubt began, and since then
+  std::map<LandmarkId, double> missing_;       ///< evidence by each since the doubt began
+  double hits_ = 7.0, misses_ = 3.0;           ///< expected landmarks that were seen, or not
   double sum_ = 0.0;
   std::optional<Pose2> robot_;  ///< pose at the last step that was judged
   Stamp stamp_;

@@ -27,6 +27,7 @@ LandmarkObservationArray aroundBase(LandmarkObservationArray array) {
 
 void LandmarkRecogniser::move(const Motion& motion) {
   local_.move(motion);
+  rivals_.move(motion);
   if (candidate_) candidate_->pose = candidate_->pose * motion.increment;
 }
 
@@ -38,6 +39,7 @@ void LandmarkRecogniser::see(const LandmarkObservationArray& array) {
 
 void LandmarkRecogniser::forget() {
   local_.forget();
+  rivals_.forget();
   candidate_.reset();
   has_news_ = false;
 }
@@ -45,27 +47,42 @@ void LandmarkRecogniser::forget() {
 void LandmarkRecogniser::begin(LandmarkMap map) {
   map_ = std::move(map);
   search_ = std::make_unique<association::ConstellationSearch>(map_, config_.outlier_share);
+  rivals_.forget();
   candidate_.reset();
   has_news_ = true;
 }
 
+/// Landmarks that cannot be told apart stand in rows and at equal distances: constellations of them
+/// look alike more often than those of landmarks that stand at random, so that their evidence
+/// counts half.
+double LandmarkRecogniser::leastLogOdds() const {
+  constexpr double kNameless = 0.5;
+  return std::log(config_.odds) / (has_ids_ ? 1.0 : kNameless);
+}
+
+Recognition::Verdict LandmarkRecogniser::verdictOn(const std::vector<association::Place>& places) {
+  using Verdict = Recognition::Verdict;
+  const double at_least = leastLogOdds();
+  const auto& evidence = search_->evidence();
+  if (!has_ids_) rivals_.update(places, at_least, evidence, local_.all(), reach_);
+  const double alone = evidence.logOddsOfOneAlone(local_.all());
+  if (places.empty() || places[0].log_odds < alone + at_least) return Verdict::kNothing;
+  const bool has_second = places.size() > 1 && places[0].log_odds < places[1].log_odds + at_least;
+  return has_second || rivals_.hasOtherThan(places[0].robot.pose) ? Verdict::kAmbiguous
+                                                                  : Verdict::kLikely;
+}
+
 std::optional<Recognition> LandmarkRecogniser::find(Stamp stamp) {
   if (!std::exchange(has_news_, false)) return std::nullopt;
-  using Verdict = Recognition::Verdict;
   const auto places = search_->placesOf(local_.all(), reach_);
-  const double at_least = std::log(config_.odds);
-  const double alone = search_->evidence().logOddsOfOneAlone(local_.all());
-  if (places.empty() || places[0].log_odds < alone + at_least) {
+  Recognition found{verdictOn(places), {}};
+  if (!found.hasPlace()) {
     candidate_.reset();
-    return Recognition();
+    return found;
   }
-  const auto& best = places[0];
-  if (places.size() > 1 && best.log_odds < places[1].log_odds + at_least) {
-    candidate_.reset();
-    return Recognition{Verdict::kAmbiguous, {}};
-  }
-  const bool is_confirmed = stays(best.robot.pose, stamp);
-  return Recognition{is_confirmed ? Verdict::kConfirmed : Verdict::kLikely, best.robot};
+  found.robot = places[0].robot;
+  if (stays(found.robot.pose, stamp)) found.verdict = Recognition::Verdict::kConfirmed;
+  return found;
 }
 
 /// Whether the place has been the best one for long enough to be confirmed.

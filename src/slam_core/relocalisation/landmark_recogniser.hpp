@@ -10,17 +10,19 @@
 #include "slam_core/relocalisation/local_landmarks.hpp"
 #include "slam_core/relocalisation/recognition.hpp"
 #include "slam_core/relocalisation/relocalisation_config.hpp"
+#include "slam_core/relocalisation/rival_places.hpp"
 
 namespace slam::relocalisation {
 
 /// Recognises the place of a robot by the landmarks around it. Two markers may have the same id,
 /// and a marker may have been moved. So a place must be much more likely than all others, and
-/// remain so for a while.
+/// remain so for a while. Where landmarks have no ids, no other place may be left either that has
+/// explained what is seen since the search began (RivalPlaces).
 class LandmarkRecogniser {
  public:
   explicit LandmarkRecogniser(const RelocalisationConfig& config = {},
                               LocalLandmarks::Ids ids = LocalLandmarks::Ids::kKnown)
-      : config_(config), local_(ids) {}
+      : config_(config), has_ids_(ids == LocalLandmarks::Ids::kKnown), local_(ids) {}
 
   void move(const Motion& motion);
   void see(const LandmarkObservationArray& array);
@@ -40,7 +42,7 @@ class LandmarkRecogniser {
     bool is_searching = search_ != nullptr;
     archive(is_searching, map_);
     if constexpr (Archive::kReads) is_searching ? begin(std::move(map_)) : end();
-    archive(local_, reach_, candidate_, has_news_);
+    archive(local_, reach_, rivals_, candidate_, has_news_);
   }
 
  private:
@@ -56,13 +58,17 @@ class LandmarkRecogniser {
     }
   };
 
+  Recognition::Verdict verdictOn(const std::vector<association::Place>& places);
+  double leastLogOdds() const;
   bool stays(const Pose2& place, Stamp stamp);
 
   RelocalisationConfig config_;
+  bool has_ids_;
   LocalLandmarks local_;
   association::SensorReach reach_;  ///< around the base
   LandmarkMap map_;
   std::unique_ptr<association::ConstellationSearch> search_;  ///< in the map
+  RivalPlaces rivals_;                                        ///< where landmarks have no ids
   std::optional<Candidate> candidate_;
   bool has_news_ = false;
 };

@@ -36,18 +36,30 @@ void fuse(LocalLandmark& known, const LocalLandmark& seen) {
 
 }  // namespace
 
-void LocalLandmarks::move(const Motion& motion) {
-  const Pose2 back = motion.increment.inverse();
+LocalLandmark localised(const LandmarkObservation& z, const Pose2& sensor_pose) {
+  LocalLandmark seen;
+  Eigen::Matrix2d J_z;
+  seen.position = RangeBearingModel().invert({}, sensor_pose, z.vector(), nullptr, &J_z);
+  seen.covariance = J_z * z.covariance * J_z.transpose();
+  seen.descriptor = z.descriptor;
+  return seen;
+}
+
+void move(const Motion& motion, std::vector<LocalLandmark>& landmarks) {
   Eigen::Matrix3d J_inverse;
-  motion.increment.inverse(&J_inverse);
+  const Pose2 back = motion.increment.inverse(&J_inverse);
   const Eigen::Matrix3d Q = J_inverse * motion.covariance * J_inverse.transpose();
-  for (auto& landmark : landmarks_) {
+  for (auto& landmark : landmarks) {
     Eigen::Matrix<double, 2, 3> J_motion;
     Eigen::Matrix2d J_position;
     landmark.position = back.transform(landmark.position, &J_motion, &J_position);
     landmark.covariance = J_position * landmark.covariance * J_position.transpose() +
                           J_motion * Q * J_motion.transpose();
   }
+}
+
+void LocalLandmarks::move(const Motion& motion) {
+  relocalisation::move(motion, landmarks_);
   const auto is_vague = [](const LocalLandmark& landmark) {
     return !(landmark.covariance.trace() < kVagueSigma * kVagueSigma);
   };
@@ -56,16 +68,11 @@ void LocalLandmarks::move(const Motion& motion) {
 }
 
 bool LocalLandmarks::see(const LandmarkObservationArray& array) {
-  const RangeBearingModel model;
   bool has_new = false;
   for (const auto& z : array.observations) {
     if (z.isLine()) continue;  // a line has no position
-    LocalLandmark seen;
-    Eigen::Matrix2d J_z;
+    auto seen = localised(z, array.sensor_pose);
     if (ids_ == Ids::kKnown) seen.id = z.id;
-    seen.position = model.invert({}, array.sensor_pose, z.vector(), nullptr, &J_z);
-    seen.covariance = J_z * z.covariance * J_z.transpose();
-    seen.descriptor = z.descriptor;
     if (seen.position.allFinite() && seen.covariance.trace() < kVagueSigma * kVagueSigma)
       has_new |= see(seen);
   }

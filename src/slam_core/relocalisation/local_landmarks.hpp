@@ -14,6 +14,11 @@ namespace slam::relocalisation {
 
 using association::LocalLandmark;
 
+/// Where an observation of a point places its landmark, in the robot's frame; without the id.
+LocalLandmark localised(const LandmarkObservation& z, const Pose2& sensor_pose);
+/// Moves landmarks into the robot's new frame, in which they are less certain.
+void move(const Motion& motion, std::vector<LocalLandmark>& landmarks);
+
 /// A local map of the landmarks that the robot has seen on the last metres. It needs neither a map
 /// nor a pose, and can be searched for in a map.
 class LocalLandmarks {

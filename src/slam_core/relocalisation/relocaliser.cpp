@@ -67,6 +67,7 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
   if (has_grid) faults.attempt([&] { settings.read(grid); });
   if (has_grid) faults.attempt([&] { settings.read(matcher); });
   faults.raise();
+  ids_ = ids;
   landmarks_ = LandmarkRecogniser(config_, ids);
   grid_.reset();
   if (has_grid) grid_.emplace(config_, grid, matcher);
@@ -160,6 +161,7 @@ bool Relocaliser::usesScans() const { return searches_grid_ || (grid_ && isTesti
 
 void Relocaliser::predict(const Motion& motion) {
   if (searches_landmarks_) landmarks_.move(motion);
+  doubt_.move(motion);
   if (usesScans()) grid_->move(motion);
 }
 
@@ -169,6 +171,7 @@ bool Relocaliser::see(const LandmarkObservationArray& array) {
     sees_only_lines_ = true;
   }
   if (searches_landmarks_) landmarks_.see(array);
+  if (belief_ == Belief::kSure && ids_ == LocalLandmarks::Ids::kIgnored) doubt_.see(array);
   if (!searches_landmarks_ || is_lost_by_scans_) return true;
   counters_.add("withheld", array.observations.size());
   return false;

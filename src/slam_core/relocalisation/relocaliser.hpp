@@ -109,7 +109,8 @@ class Relocaliser {
   /// map [m].
   std::optional<double> unsearched_radius_;
   GatingRate gating_{kWindow};  ///< of observations that are associated by id
-  LandmarkDoubt doubt_;         ///< of observations that are associated by place
+  LocalLandmarks::Ids ids_ = LocalLandmarks::Ids::kKnown;
+  LandmarkDoubt doubt_;  ///< of observations that are associated by place
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

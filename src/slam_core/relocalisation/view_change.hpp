@@ -4,50 +4,56 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <set>
+#include <vector>
 
 #include "slam_core/geometry/pose2.hpp"
-#include "slam_core/models/landmark_map.hpp"
+#include "slam_core/models/landmark_observation.hpp"
+#include "slam_core/models/motion.hpp"
+#include "slam_core/relocalisation/local_landmarks.hpp"
 
 namespace slam::relocalisation {
 
-/// The observations of one step, which were associated by place.
-struct View {
-  std::set<LandmarkId> known;  ///< landmarks of the map that observations were taken for
-  std::size_t others = 0;      ///< observations that were taken for none
-
-  template <class Archive>
-  void persist(Archive& archive) {
-    archive(known, others);
-  }
-};
-
-/// Judges whether the view has changed at once although the robot has hardly moved: the landmarks
-/// of a view are gone, and something else is seen in their place, in several views one after the
-/// other. Then the robot has been carried away, or its sensor turned. Objects that come between
-/// hide landmarks as well, but do not put others there.
+/// Judges whether the view of one landmark sensor has changed at once: the landmarks of a view are
+/// gone, and others are seen, which were not seen before. Then the robot has been carried away, or
+/// its sensor turned. Objects that come between hide landmarks as well, but do not put others
+/// there; where a robot explores, landmarks come and go one by one.
 ///
-/// How often a landmark is still seen in the next view, and how many observations are of none, is
-/// learnt while the robot is at its estimated pose, of changed views only where the next ones show
-/// that they were passing.
+/// Views are compared by their landmarks' places, which odometry moves into the robot's frame of
+/// now: neither a map nor a pose is needed, so that a back-end that takes landmarks for others of
+/// its map has no influence. Three views are compared with the three before, since a single image
+/// may be blurred, and a detector misses a landmark now and then.
+///
+/// How often a landmark is still seen, and how often it was seen before, is learnt.
 class ViewChange {
  public:
-  /// The log-likelihood ratio of "lost" to "right", 0 or above; 0 where the robot has moved, or
-  /// where there were few landmarks before.
-  /// @param robot T_map_base of the back-end after the step
-  /// @param is_right whether it counts as being there, so that its view is learnt from
-  double judge(const View& view, const Pose2& robot, bool is_right);
-  /// The next view is compared with none before it.
-  void forgetBefore() { robot_.reset(); }
+  /// To be called with each motion before the observations at its end.
+  void move(const Motion& motion);
+  /// The log-likelihood ratio of "lost" to "right" of these observations, 0 or above: what is gone
+  /// and what is new have to say the same.
+  /// @param array with covariances @param is_right whether the robot counts as being at its
+  /// estimated pose, so that its view is learnt from
+  double judge(const LandmarkObservationArray& array, bool is_right);
+  /// Later views are compared with none before them.
+  void forgetBefore();
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(before_, robot_, kept_, known_, new_kept_, new_known_, changed_, evidence_);
+    archive(before_, after_, kept_, known_);
   }
 
  private:
-  /// Counts how often something was so and how often it was not. The counts begin with a guess.
+  /// What was seen at one stamp.
+  struct View {
+    std::vector<LocalLandmark> seen;  ///< in the robot's frame of now
+    Pose2 sensor;                     ///< of then, in that frame
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(seen, sensor);
+    }
+  };
+  using Views = std::vector<View>;
+  /// Counts how often something was so and how often it was not.
   struct Rate {
     double yes, no;
 
@@ -60,19 +66,14 @@ class ViewChange {
     }
   };
 
-  bool isNear(const Pose2& robot) const;
-  std::size_t keptOf(const View& view) const;
-  double evidenceOf(const View& view) const;
-  void note(const View& view);
-  double begin(const View& view, const Pose2& robot);
+  void add(const LandmarkObservationArray& array);
+  bool areNear() const;
+  static Rate seenAlso(const Views& block, std::size_t reference, const Views& other);
 
-  View before_;                 ///< the last one that had not changed
-  std::optional<Pose2> robot_;  ///< there
-  Rate kept_{7.0, 3.0};         ///< landmarks of a view that the next one holds as well
-  Rate known_{7.0, 3.0};        ///< observations that are taken for a landmark
-  Rate new_kept_{0.0, 0.0}, new_known_{0.0, 0.0};  ///< of the views since then
-  int changed_ = 0;                                ///< views since then
-  double evidence_ = 0.0;                          ///< the least of them
+  Views before_, after_;  ///< two blocks of successive views, the newest last
+  /// Landmarks that the views after show as well, and landmarks that the views before show as well.
+  /// The counts begin with a guess.
+  Rate kept_{7.0, 3.0}, known_{7.0, 3.0};
 };
 
 }  // namespace slam::relocalisation

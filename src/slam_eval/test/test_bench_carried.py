@@ -4,7 +4,9 @@
 import unittest
 
 from slam_eval.bench import carried
+from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.judge import Outcome
+from slam_eval.bench.harness.products import landmark_sensors_for
 
 
 def outcome(told=0.2, wrong=0.0, false=0):
@@ -35,6 +37,20 @@ class Carried(unittest.TestCase):
     def test_a_robot_that_is_never_reported_lost_is_counted(self):
         self.assertIn("never reported lost: 1 of 2 (MISSED)", self.text(outcome(), outcome(None)))
         self.assertIn("never reported lost: 1 of 1 (MISSED)", self.text(outcome(None)))
+
+    def test_the_world_and_how_far_it_was_carried_are_named(self):
+        text = carried.section("ekf_wheel_trunks", [carried.row(1, outcome())], "forest", 30.0).markdown()
+        self.assertIn("ekf_wheel_trunks, carried on in the world forest", text)
+        self.assertIn("30 s later", text)
+
+    def test_a_drive_holds_what_the_products_landmarks_come_from(self):
+        self.assertEqual(landmark_sensors_for("ekf_wheel_trunks"), "odom,scan")
+        self.assertEqual(landmark_sensors_for("graph_ceiling"), "odom,ceiling_camera")
+        self.assertEqual(landmark_sensors_for("ekf_wheel"), "odom,camera")
+
+    def test_a_product_that_there_is_not(self):
+        with self.assertRaisesRegex(BenchError, "there is no product nothing"):
+            landmark_sensors_for("nothing")
 
 
 if __name__ == "__main__":

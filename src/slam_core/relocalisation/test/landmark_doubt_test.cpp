@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "slam_core/common/random.hpp"
 
 namespace slam::relocalisation {
@@ -17,15 +19,32 @@ class LandmarkDoubtTest : public testing::Test {
   /// One step. @param from the place that the robot really sees [m]
   void step(double from) {
     UpdateStatistics statistics;
+    LandmarkObservationArray array;
     for (int i = 0; i < 400; ++i) {
       const double place = 0.5 * i;
       if (std::abs(place - from) > 4.0 || random.uniform() > detected) continue;
       const bool is_mapped = std::abs(place - believed) <= 4.0;
       const auto taken = is_mapped ? TakenFor::kLandmark : TakenFor::kNew;
       statistics.associations.push_back({kUnknownId, i, taken});
+      array.observations.push_back(observationOf({place - from, 3.0 * std::sin(100.0 * i)}));
     }
+    doubt.see(array);
     doubt.judge(statistics, {believed, 0.0, 0.0}, stamp += std::chrono::milliseconds(100));
     believed += length;
+    doubt.move(motionBy(length));
+  }
+  static LandmarkObservation observationOf(const Eigen::Vector2d& place) {
+    LandmarkObservation z;
+    z.range = place.norm();
+    z.bearing = std::atan2(place.y(), place.x());
+    z.covariance << 1e-4, 0.0, 0.0, 1e-5;
+    return z;
+  }
+  static Motion motionBy(double way) {
+    Motion motion;
+    motion.increment = Pose2(way, 0.0, 0.0);
+    motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+    return motion;
   }
   /// @return whether it counts as lost within a way [m]
   bool drive(double way, double carried = 0.0) {
@@ -77,6 +96,7 @@ TEST_F(LandmarkDoubtTest, AViewThatChangesWhileTheRobotDrivesOnIsNoSign) {
   length = 0.02;
   ASSERT_FALSE(drive(60.0));
   believed += 10.0;  // the camera has delivered nothing meanwhile
+  doubt.move(motionBy(10.0));
   EXPECT_FALSE(drive(20.0));
 }
 
@@ -93,6 +113,36 @@ TEST_F(LandmarkDoubtTest, DoesNotTrustWhatALostRobotHasBegun) {
   ASSERT_TRUE(drive(5.0, 60.0));
   EXPECT_TRUE(doubt.isTrusted(20));
   EXPECT_FALSE(doubt.isTrusted(140));
+}
+
+/// Whoever explores leaves the landmarks behind that were seen before the doubt began, and would
+/// not trust any of those that came since.
+TEST_F(LandmarkDoubtTest, TrustsWhatWasMappedLongAfterAViewHasChanged) {
+  UpdateStatistics statistics;
+  statistics.associations = {{kUnknownId, 0, TakenFor::kLandmark}};
+  const auto look = [&](LandmarkId id, std::uint64_t seed, int count) {
+    LandmarkObservationArray array;
+    RandomStream places(seed, 1);
+    for (int i = 0; i < count; ++i)
+      array.observations.push_back(
+          observationOf({1.0 + 4.0 * places.uniform(), 4.0 * places.uniform() - 2.0}));
+    statistics.associations[0].landmark = id;
+    doubt.see(array);
+    doubt.judge(statistics, {believed, 0.0, 0.0}, stamp += std::chrono::milliseconds(100));
+  };
+  for (int i = 0; i < 100; ++i) look(1, 1, 2);
+  for (int i = 0; i < 3; ++i) look(2, 2, 2);
+  for (int i = 0; i < 3; ++i) look(3, 2, 2);
+  ASSERT_FALSE(doubt.isLost());
+  EXPECT_FALSE(doubt.isTrusted(3));
+  for (int i = 0; i < 300; ++i) {
+    believed += 0.4;
+    doubt.move(motionBy(0.4));
+    look(4 + i, 4, 0);
+  }
+  EXPECT_FALSE(doubt.isLost());
+  EXPECT_TRUE(doubt.isTrusted(3));
+  EXPECT_TRUE(doubt.isTrusted(300));
 }
 
 TEST_F(LandmarkDoubtTest, ExpectsNothingWhereTheRobotHasNeverBeen) {

@@ -108,6 +108,42 @@ TEST_F(LandmarkRecogniserTest, TellsThatTwoPlacesAreAlike) {
   EXPECT_EQ(lookFor(3.0, room).verdict, Verdict::kConfirmed);
 }
 
+/// A robot drives under a ceiling of tiles that are alike, of which only the first ones are in the
+/// map. It began beyond them.
+TEST_F(LandmarkRecogniserTest, IsNowhereUnderTilesThatAreAlike) {
+  constexpr double kTile = 2.0;  // [m]
+  LandmarkRecogniser without_ids({}, LocalLandmarks::Ids::kIgnored);
+  recogniser = std::move(without_ids);
+  RandomStream random(1, 8);
+  LandmarkMap tile, map, ceiling;
+  for (int i = 0; i < 4; ++i)
+    tile.push_back({i, {kTile * random.uniform(), 4.0 * random.uniform() - 2.0}, exact});
+  for (int i = 0; i < 30; ++i)
+    for (auto spot : tile) {
+      spot.id += 10 * i;
+      spot.position.x() += kTile * i;
+      ceiling.push_back(spot);
+      if (i < 6) map.push_back(spot);
+    }
+  recogniser.begin(map);
+  int ambiguous = 0;
+  for (int step = 0; step < 150; ++step) {  // 15 m
+    const Pose2 place(24.0 + 0.1 * step, 0.0, 0.0);
+    StandingRobot there(place, 10 + step);
+    auto array = there.look(ceiling);
+    Motion motion;
+    motion.increment = Pose2(0.1, 0.0, 0.0);
+    motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+    recogniser.move(motion);
+    recogniser.see(array);
+    const auto found = recogniser.find(robot.stamp += std::chrono::milliseconds(100));
+    ASSERT_TRUE(found);
+    ASSERT_NE(found->verdict, Verdict::kConfirmed) << "after " << 0.1 * step << " m";
+    ambiguous += found->verdict == Verdict::kAmbiguous;
+  }
+  EXPECT_GT(ambiguous, 20);
+}
+
 TEST_F(LandmarkRecogniserTest, SaysNothingUntilSomethingNewIsSeen) {
   recogniser.begin(tags);
   recogniser.see(robot.look(tags));

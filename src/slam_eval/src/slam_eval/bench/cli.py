@@ -125,7 +125,7 @@ BENCHMARKS = {
         "a product in the simulated office", "a product in the simulated office, many seeds",
         {"office": office.measure}, command_line.add_office),
     "carried": Benchmark(
-        "robots that are carried on", "a product in the simulated office from which the robot is "
+        "robots that are carried on", "a product in a simulated world in which the robot is "
         "carried on: when it is reported lost, and whether it is ever wrong and sure of itself",
         {"carried": carried.measure}, command_line.add_carried),
     "fiducial": Benchmark(

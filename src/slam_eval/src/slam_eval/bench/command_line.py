@@ -177,6 +177,14 @@ def add_carried(parser):
     """Options of `slam_bench carried`."""
     parser.add_argument("--product", metavar="NAME", default="ekf_ceiling",
                         help="what is measured (%(default)s)")
+    parser.add_argument("--world", metavar="NAME", default="office",
+                        help="world of the simulation (%(default)s)")
+    parser.add_argument("--robot", metavar="NAME", default="segway",
+                        help="robot of the simulation, like car for the forest (%(default)s)")
+    parser.add_argument("--duration", metavar="S", type=_seconds,
+                        help="of a drive (default: all of the world's path)")
+    parser.add_argument("--carried", metavar="S", type=_seconds, default=10.0,
+                        help="so much of the drive is left out (%(default)g)")
     parser.add_argument("--seeds", metavar="N", type=count, default=20,
                         help="drives, with the seeds 1 to N (%(default)s)")
 

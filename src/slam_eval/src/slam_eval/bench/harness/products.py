@@ -5,6 +5,7 @@ import dataclasses
 
 import yaml
 
+from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.programs import package_folder
 
 EKF_WHEEL = "ekf_wheel"
@@ -25,6 +26,18 @@ class Twin:
 def sensors_for(product):
     """What a drive for this product has to hold."""
     return f"{SENSORS},ceiling_camera" if twin_of(product) else SENSORS
+
+
+def landmark_sensors_for(product):
+    """What a drive has to hold for a product whose landmarks come from a camera, from one that looks at
+    the ceiling, or from a laser."""
+    file = package_folder("slam_launch") / "products" / f"{product}.yaml"
+    if not file.is_file():
+        raise BenchError(f"there is no product {product}; ./slam products lists them")
+    detector = yaml.safe_load(file.read_text(encoding="utf-8")).get("detector", "none")
+    if detector.startswith("laser_"):
+        return "odom,scan"
+    return "odom,ceiling_camera" if detector == "ceiling_features" else sensors_for(product)
 
 
 def twin_of(product):

@@ -42,11 +42,13 @@ def import_log(context, name, arguments):
     return bag
 
 
-def simulate(context, name, world, seed, sensors, label=None, robot="segway"):
-    """Simulate a drive through a world with the sensors given as NAME.bag; returns the bag."""
+def simulate(context, name, world, seed, sensors, label=None, robot="segway", duration=None):
+    """Simulate a drive through a world with the sensors given as NAME.bag; returns the bag. duration: of
+    the drive [s], instead of the whole path."""
     bag = context.work / f"{name}.bag"
     command = [workspace_program("slam_sim", "slam_sim"), bag, "--world", world,
                "--robot", robot, "--seed", str(seed), "--only", sensors]
+    command += ["--duration", str(duration)] if duration else []
     call(context, f"{label or name}: simulation", command, context.work / f"{name}_simulation.log")
     return bag
 

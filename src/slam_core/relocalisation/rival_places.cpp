@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/rival_places.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "slam_core/geometry/one_place.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+constexpr double kNearlyAll = 0.8;    ///< of the landmarks around the robot
+constexpr std::size_t kMost = 32;     ///< places that are followed
+constexpr std::size_t kOnTheMap = 2;  ///< so many landmarks within reach contradict, if unseen
+
+}  // namespace
+
+void RivalPlaces::move(const Motion& motion) {
+  for (auto& pose : poses_) pose = pose * motion.increment;
+}
+
+void RivalPlaces::add(const Pose2& place) {
+  const auto is_same = [&](const Pose2& pose) { return areOnePlace(pose, place); };
+  const auto known = std::find_if(poses_.begin(), poses_.end(), is_same);
+  if (known != poses_.end())
+    *known = place;
+  else if (poses_.size() < kMost)
+    poses_.push_back(place);
+}
+
+void RivalPlaces::update(const std::vector<association::Place>& places, double at_least,
+                         const association::ConstellationEvidence& evidence,
+                         const std::vector<association::LocalLandmark>& around,
+                         const association::SensorReach& reach) {
+  const auto nearly_all = kNearlyAll * static_cast<double>(around.size());
+  for (const auto& place : places)
+    if (place.log_odds >= at_least && static_cast<double>(place.matches) >= nearly_all)
+      add(place.robot.pose);
+  for (const auto& pose : std::exchange(poses_, {}))
+    if (evidence.within(reach, pose) < kOnTheMap)
+      add(pose);
+    else if (const auto place = evidence.near(pose, around, reach); place && place->log_odds > 0.0)
+      add(place->robot.pose);
+}
+
+bool RivalPlaces::hasOtherThan(const Pose2& place) const {
+  return std::any_of(poses_.begin(), poses_.end(),
+                     [&](const Pose2& pose) { return !areOnePlace(pose, place); });
+}
+
+}  // namespace slam::relocalisation

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "slam_core/association/constellation_search.hpp"
+#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/models/motion.hpp"
+
+namespace slam::relocalisation {
+
+/// The places at which a lost robot may have been since it is searched for: each of them has
+/// explained nearly all landmarks around the robot. Where places look alike, as under a ceiling of
+/// tiles, the evidence of one over another changes by little that is chance, and a place loses
+/// evidence as soon as the robot would have left the map there. So each is followed with the
+/// robot's motion, and remains until the map contradicts it (multiple hypotheses: Jensfelt and
+/// Kristensen 2001). A robot that drives where the map does not reach contradicts none.
+class RivalPlaces {
+ public:
+  void move(const Motion& motion);
+  void forget() { poses_.clear(); }
+  /// Takes in the places that the last search has found, and leaves out those that are
+  /// contradicted.
+  /// @param at_least logarithm of the odds that a place must have to be taken in
+  void update(const std::vector<association::Place>& places, double at_least,
+              const association::ConstellationEvidence& evidence,
+              const std::vector<association::LocalLandmark>& around,
+              const association::SensorReach& reach);
+  /// Whether the robot may be at another place than this one.
+  bool hasOtherThan(const Pose2& place) const;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(poses_);
+  }
+
+ private:
+  void add(const Pose2& place);
+
+  std::vector<Pose2> poses_;  ///< T_map_base now
+};
+
+}  // namespace slam::relocalisation
