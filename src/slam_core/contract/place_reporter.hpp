@@ -4,18 +4,24 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "slam_core/common/time.hpp"
 
 namespace slam {
 
+/// A step of the way, and when the place where the robot took itself to be was visited first.
+struct PlaceVisit {
+  Stamp stamp;
+  std::optional<Stamp> first;  ///< nothing where no place was recognised or made
+};
+
 /// The capability of a back-end that divides the world into places and recognises them.
 class PlaceReporter {
  public:
   virtual ~PlaceReporter() = default;
-  /// When the place where the robot is now was visited first; nothing before the first place, and
-  /// while the robot sees nothing that could be recognised.
-  virtual std::optional<Stamp> place() const = 0;
+  /// In their order, as they were taken at the time.
+  virtual std::vector<PlaceVisit> visits() const = 0;
 };
 
 }  // namespace slam

@@ -5,9 +5,10 @@
 
 namespace slam {
 
-/// The capability, in fact the lack of one, of a back-end that does not estimate how wrong its pose
-/// is. What it reports as covariance is that of the odometry since the start, so that others can
-/// compute with it; it goes out as unknown: the first element of a message's covariance is -1.
+/// What a back-end offers that does not estimate how wrong its pose is. The covariance that it
+/// reports is that of the odometry, for those who compute with it inside: jumps are told from
+/// motion by it. It goes out as zeros, which says "unknown" in ROS (sensor_msgs), and no figure
+/// comes of it.
 class WithoutCovariance {
  public:
   virtual ~WithoutCovariance() = default;

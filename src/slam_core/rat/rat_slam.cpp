@@ -46,7 +46,6 @@ void RatSlam::reset() {
   map_ = ExperienceMap(config_);
   covariance_ = kInitialVariance * Eigen::Matrix3d::Identity();
   way_.clear();
-  place_.reset();
   events_.clear();
   inputs_ = {};
   counters_.clear();
@@ -58,11 +57,10 @@ Status RatSlam::execute() {
   for (const auto& motion : std::exchange(inputs_.motions, {})) move(motion);
   const auto cells = std::exchange(inputs_.cells, std::nullopt);
   if (!cells) return Status::ok();
-  const auto status = arrive(*cells);
+  const auto arrival = arrive(*cells);
   map_.relax();
-  way_.push_back(
-      {cells->stamp, map_.current(), map_.current() ? map_.sinceCurrent() : map_.pose()});
-  return status;
+  noteStep(cells->stamp, arrival != ExperienceMap::Arrival::kNowhere);
+  return statusOf(*cells, arrival);
 }
 
 void RatSlam::relocate() {
@@ -70,7 +68,6 @@ void RatSlam::relocate() {
   const auto initial = *std::exchange(inputs_.initial_pose, std::nullopt);
   map_.placeAt(initial.pose);
   covariance_ = initial.covariance;
-  place_.reset();
 }
 
 void RatSlam::move(const Motion& motion) {
@@ -81,20 +78,21 @@ void RatSlam::move(const Motion& motion) {
   map_.move(motion.increment);
 }
 
-Status RatSlam::arrive(const PoseCellState& state) {
-  using Arrival = ExperienceMap::Arrival;
+ExperienceMap::Arrival RatSlam::arrive(const PoseCellState& state) {
   const Pose2 before = map_.pose();
   const auto arrival = map_.arrive(state);
-  place_.reset();
-  if (arrival != Arrival::kNowhere) place_ = map_.experiences()[*map_.current()].first_visit;
-  if (arrival == Arrival::kLoop) note(before);
-  if (arrival != Arrival::kNowhere || state.view == kNoView) return Status::ok();
+  if (arrival == ExperienceMap::Arrival::kLoop) noteLoop(before);
+  return arrival;
+}
+
+Status RatSlam::statusOf(const PoseCellState& state, ExperienceMap::Arrival arrival) {
+  if (arrival != ExperienceMap::Arrival::kNowhere || state.view == kNoView) return Status::ok();
   counters_.add("experiences_full");
   return Status::warning(
       "rat.most_experiences places are remembered and no more: raise it to go on mapping");
 }
 
-void RatSlam::note(const Pose2& before) {
+void RatSlam::noteLoop(const Pose2& before) {
   const Pose2 after = map_.pose();
   Event event;
   event.kind = Event::Kind::kLoopClosed;
@@ -104,6 +102,13 @@ void RatSlam::note(const Pose2& before) {
                  " is recognised where the pose cells expect it";
   events_.push_back(event);
   counters_.add("loops");
+}
+
+void RatSlam::noteStep(Stamp stamp, bool is_at_place) {
+  const auto here = map_.current();
+  WayPoint point{stamp, here, here ? map_.sinceCurrent() : map_.pose(), std::nullopt};
+  if (is_at_place) point.first_visit = map_.experiences()[*here].first_visit;
+  way_.push_back(point);
 }
 
 PoseEstimate RatSlam::pose() const { return {map_.pose(), covariance_}; }
@@ -131,6 +136,12 @@ std::vector<StampedPose> RatSlam::path() const {
                                      ? map_.experiences()[*point.experience].pose * point.pose
                                      : point.pose});
   return path;
+}
+
+std::vector<PlaceVisit> RatSlam::visits() const {
+  std::vector<PlaceVisit> visits;
+  for (const auto& point : way_) visits.push_back({point.stamp, point.first_visit});
+  return visits;
 }
 
 }  // namespace slam::rat

@@ -49,7 +49,7 @@ class RatSlam final : public Backend,
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(map_, covariance_, way_, place_, events_, inputs_, counters_);
+    archive(map_, covariance_, way_, events_, inputs_, counters_);
   }
 
  private:
@@ -71,11 +71,12 @@ class RatSlam final : public Backend,
   struct WayPoint {
     Stamp stamp;
     std::optional<std::size_t> experience;
-    Pose2 pose;  ///< in the experience; in the map where there is none
+    Pose2 pose;                        ///< in the experience; in the map where there is none
+    std::optional<Stamp> first_visit;  ///< of the place, where there is one
 
     template <class Archive>
     void persist(Archive& archive) {
-      archive(stamp, experience, pose);
+      archive(stamp, experience, pose, first_visit);
     }
   };
 
@@ -83,18 +84,19 @@ class RatSlam final : public Backend,
   std::vector<Event> events() const override { return events_; }
   GraphView graph() const override;
   std::vector<StampedPose> path() const override;
-  std::optional<Stamp> place() const override { return place_; }
+  std::vector<PlaceVisit> visits() const override;
 
   void relocate();
   void move(const Motion& motion);
-  Status arrive(const PoseCellState& state);
-  void note(const Pose2& before);
+  ExperienceMap::Arrival arrive(const PoseCellState& state);
+  Status statusOf(const PoseCellState& state, ExperienceMap::Arrival arrival);
+  void noteLoop(const Pose2& before);
+  void noteStep(Stamp stamp, bool is_at_place);
 
   ExperienceConfig config_;
   ExperienceMap map_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of odometry since the start
   std::vector<WayPoint> way_;
-  std::optional<Stamp> place_;
   std::vector<Event> events_;  ///< of the last step
   Inputs inputs_;
   Counters counters_;

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+
+#include "slam_core/product/test/driven_backend.hpp"
+#include "slam_core/rat/cell_place.hpp"
+
+namespace slam::test {
+
+/// A robot on a circle whose pose cells are where it is, with a view for each step of a lap.
+class CircleOfViews final : public SimulatedDrive {
+ public:
+  explicit CircleOfViews(std::uint64_t seed) : world_(seed) {}
+
+  Pose2 give(ComponentDriver& inputs) override {
+    const auto step = world_.next();
+    rat::PoseCellState state;
+    state.stamp = step.motion.end;
+    state.sequence = static_cast<std::uint64_t>(count_);
+    state.view = count_ % stepsOfALap();
+    state.edge = 100;
+    state.headings = 36;
+    state.place = {step.truth.x() * 4.0 + 50.0, step.truth.y() * 4.0 + 50.0,
+                   step.truth.theta() * 36 / (2 * M_PI) + 18.0};
+    ++count_;
+    inputs.set(step.motion);
+    inputs.set(state);
+    return step.truth;
+  }
+  int stepsOfALap() const override { return SimulatedWorld::kLap; }
+
+ private:
+  SimulatedWorld world_;
+  int count_ = 0;
+};
+
+}  // namespace slam::test
