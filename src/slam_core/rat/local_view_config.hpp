@@ -14,7 +14,7 @@ struct LocalViewConfig {
   double crop_top = 0.125;
   double crop_bottom = 0.2;
   int largest_shift = 3;
-  double largest_difference = 0.33;
+  double largest_difference = 0.25;
   double least_contrast = 4.0;
   int most_views = 10000;
 

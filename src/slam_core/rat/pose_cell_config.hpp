@@ -15,8 +15,8 @@ struct PoseCellConfig {
   double cell_size = 0.25;
   double excitation_sigma = 1.0;
   double inhibition_sigma = 2.0;
-  double global_inhibition = 2e-5;
-  double injected = 0.1;
+  double global_inhibition = 2e-4;
+  double injected = 0.05;
   double fading = 1.0;
   double recovery = 0.05;
 

@@ -10,7 +10,8 @@
 
 namespace slam::test {
 
-/// A robot on a circle whose pose cells are where it is, with a view for each step of a lap.
+/// A robot on a circle whose pose cells are where it is, with a view for each direction from its
+/// centre.
 class CircleOfViews final : public SimulatedDrive {
  public:
   explicit CircleOfViews(std::uint64_t seed) : world_(seed) {}
@@ -20,10 +21,12 @@ class CircleOfViews final : public SimulatedDrive {
     rat::PoseCellState state;
     state.stamp = step.motion.end;
     state.sequence = static_cast<std::uint64_t>(count_);
-    state.view = count_ % stepsOfALap();
+    const Eigen::Vector2d from_centre = step.truth.position() - Eigen::Vector2d(0.0, 4.0);
+    const double angle = std::atan2(from_centre.y(), from_centre.x()) + M_PI;
+    state.view = static_cast<std::int64_t>(angle * stepsOfALap() / (2.0 * M_PI));
     state.edge = 100;
     state.headings = 36;
-    state.place = {step.truth.x() * 4.0 + 50.0, step.truth.y() * 4.0 + 50.0,
+    state.place = {step.truth.x() + 50.0, step.truth.y() + 50.0,  // cells of 1 m
                    step.truth.theta() * 36 / (2 * M_PI) + 18.0};
     ++count_;
     inputs.set(step.motion);

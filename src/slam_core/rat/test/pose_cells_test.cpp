@@ -56,7 +56,9 @@ TEST(PoseCellNetwork, FollowsAWayByItsMotion) {
     network.move(step);
     network.settle();
   }
-  EXPECT_LT(distance(network.centre(), cellsOf(pose)), 1.0);
+  // The packet is several headings wide, whose ways are shorter together than that of one.
+  const double way = 400 * 0.08 / PoseCellConfig().cell_size;
+  EXPECT_LT(distance(network.centre(), cellsOf(pose)), 0.04 * way);
 }
 
 TEST(PoseCellNetwork, GoesBackwardsAndSideways) {
@@ -68,30 +70,36 @@ TEST(PoseCellNetwork, GoesBackwardsAndSideways) {
     network.move(step);
     network.settle();
   }
-  EXPECT_LT(distance(network.centre(), cellsOf(pose)), 0.7);
+  EXPECT_LT(distance(network.centre(), cellsOf(pose)), 1.0);
 }
 
 TEST(PoseCellNetwork, IsNotMovedByOneViewButBySeveral) {
   auto network = settled();
   const CellPlace elsewhere{10, 5, 9};
-  network.inject(elsewhere, 0.1);
-  network.settle();
-  EXPECT_LT(distance(network.centre(), {0, 0, 0}), 0.5);
+  const double injected = PoseCellConfig().injected;
+  for (int i = 0; i < 3; ++i) {  // as long as one view is in sight
+    network.inject(elsewhere, injected);
+    network.settle();
+    EXPECT_LT(distance(network.centre(), {0, 0, 0}), 0.5);
+  }
   int steps = 0;
   while (distance(network.centre(), elsewhere) > 0.5 && ++steps < 60) {
-    network.inject(elsewhere, 0.1);
+    network.inject(elsewhere, injected);
     network.settle();
   }
-  EXPECT_GT(steps, 2);
-  EXPECT_LT(steps, 40);
+  EXPECT_LT(steps, 20);
   EXPECT_NEAR(sumOf(network), 1.0, 1e-9);
 }
 
 TEST(PoseCellNetwork, ForgetsAViewThatNothingConfirms) {
   auto network = settled();
-  network.inject({10, 5, 9}, 0.1);
-  for (int i = 0; i < 30; ++i) network.settle();
-  EXPECT_LT(network.activityAt(10, 5, 9), 1e-6);
+  for (int i = 0; i < 3; ++i) {
+    network.inject({10, 5, 9}, PoseCellConfig().injected);
+    network.settle();
+  }
+  for (int i = 0; i < 40; ++i) network.settle();
+  EXPECT_EQ(network.activityAt(10, 5, 9), 0.0);
+  EXPECT_LT(distance(network.centre(), {0, 0, 0}), 0.5);
 }
 
 /// Motion of 0.1 s and 0.08 m, and a view at its end.
@@ -167,7 +175,7 @@ TEST_F(PoseCellsInMotion, ComeBackToWhereAWayOfViewsWasSeenFirst) {
   std::vector<std::int64_t> views;
   for (int i = 0; i < 40; ++i) views.push_back(i);
   const auto first = drive(views);
-  std::vector<std::int64_t> elsewhere(60, kNoView);
+  std::vector<std::int64_t> elsewhere(30, kNoView);
   drive(elsewhere, 0.05);
   const auto second = drive(views);
   EXPECT_GT(distance(second[0].place, first[0].place), 4.0) << "one view convinces nobody";
