@@ -200,6 +200,20 @@ class ShippedModel(unittest.TestCase):
             self.assertIsNone(self.model.needed_by("scan_to_map", features))
             self.assertEqual(self.model.needed_by("pf", features), "backend=pf")
 
+    def test_ratslam_goes_with_any_odometry_and_without_detectors_and_associations(self):
+        chosen = {"backend": "rat", "odometry": "wheel", "map": "landmarks", "detector": "none"}
+        for odometry in self.model.groups["odometry"].symbols:
+            features = self.model.require_valid({**chosen, "odometry": odometry})
+            self.assertEqual(self.model.launch_files(features)["backend"],
+                             ["slam_backend_rat/launch/backend.launch"])
+        for wrong in ({"detector": "apriltag"}, {"association": "jcbb"}):
+            with self.subTest(wrong), self.assertRaises(ProductError) as caught:
+                self.model.require_valid({**chosen, **wrong})
+            self.assertIn("maps no landmarks, so that backend=rat goes with detector=none",
+                          str(caught.exception))
+        with self.assertRaises(ProductError):
+            self.model.require_valid({**chosen, "map": "grid"})
+
     def test_the_matcher_of_scans_belongs_to_grids_whichever_back_end_makes_them(self):
         features = self.model.require_valid({"backend": "pf", "odometry": "wheel", "map": "grid",
                                              "detector": "none"})

@@ -24,6 +24,7 @@ LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
             "backend=graph": {"/graph_markers", *LANDMARKS},
             "backend=pf": {"/particlecloud", *LANDMARKS},
+            "backend=rat": {"/graph_markers"},
             "pointmap=true": {"/points"},
             "map=grid": {"/map", "/map_metadata"},
             "odometry=visual": {"/visual_odometry/odom"},
@@ -41,18 +42,18 @@ def promised(features, composition):
 
 
 def between(features):
-    """Returns what components exchange: the grid back-end takes in no observations; it and a graph
-    with a grid take in motion only where there is an odometry source."""
+    """Returns what components exchange: the grid back-end and RatSLAM take in no observations; the
+    grid back-end and a graph with a grid take in motion only where there is an odometry source."""
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
-    return observations(features, is_grid) | ({"/motion"} if has_motion else set())
+    return observations(features, is_grid or features["backend"] == "rat") | ({"/motion"} if has_motion else set())
 
 
-def observations(features, is_grid):
+def observations(features, takes_none):
     """Returns what the product's detectors make, each of its own."""
     has_second, has_rear = features["second_detector"] != "none", features["second_camera"] == "true"
-    made = {"/observations": not is_grid, SECOND: has_second, REAR: has_rear,
+    made = {"/observations": not takes_none, SECOND: has_second, REAR: has_rear,
             REAR_SECOND: has_second and has_rear}
     return {topic for topic, is_made in made.items() if is_made}
 
@@ -98,9 +99,10 @@ class ProductLaunches:
         cls.model = FeatureModel()
 
     def bag_for(self, number, features):
-        """A product without a detector or odometry needs what others made."""
+        """A product without a detector or odometry needs what others made; RatSLAM needs images."""
         made_of = {topic: sensors for key, (topic, sensors) in MADE_OF.items()
-                   if features[key] == "none"}
+                   if features[key] == "none"
+                   and (key, features["backend"]) != ("detector", "rat")}
         path = self.root / f"{number}_sensors.bag"
         with_made(self.root / "images.bag", self.root / "made.bag", path, made_of)
         return path

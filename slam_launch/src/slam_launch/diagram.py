@@ -58,7 +58,9 @@ def components(product, model):
     launch file that the feature model has for its role. A launch file beyond them takes and makes
     nothing that the parts say."""
     launches = model.launches(product.features)
-    drawn = [component(part, taken(launches, part)) for part in ports.of_product(product).components]
+    wired = ports.of_product(product)
+    gates = {gate.name: gate for gate in wired.gates}
+    drawn = [component(part, taken(launches, part), gates) for part in wired.components]
     return drawn + [Component(*nodelet(launch), (), ()) for launch in launches]
 
 
@@ -72,10 +74,21 @@ def taken(launches, part):
                        f"which {' and '.join(part.features)} names")
 
 
-def component(part, launch):
-    inputs = [port.topic for port in part.inputs if port.time != ports.LATCHED]
+def component(part, launch, gates):
+    inputs = [topic for port in part.inputs for topic in topics_of(port, gates)]
     outputs = [port.topic for port in part.outputs]
     return Component(*nodelet(launch), tuple(dict.fromkeys(inputs)), tuple(dict.fromkeys(outputs)))
+
+
+def topics_of(port, gates):
+    """Returns the topics that an input's data come from: those of a gate which makes data of another
+    name are what the gate takes in, in the same nodelet."""
+    if port.time == ports.LATCHED:
+        return []
+    gate = gates.get(port.gate)
+    if gate is None or any(before.name == port.name for before in gate.inputs):
+        return [port.topic]
+    return [topic for before in gate.inputs for topic in topics_of(before, gates)]
 
 
 @functools.lru_cache(maxsize=None)

@@ -11,6 +11,7 @@
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
+#include "slam_core/contract/without_covariance.hpp"
 #include "slam_core/product/calibration_check.hpp"
 
 namespace slam {
@@ -327,6 +328,7 @@ void Estimator::reportStep(const Intake::Step& step) {
                                         : Trust::kDoubtful;
   report.restarted = step.restart;
   events_.complete(report, capabilities_);
+  if (capabilities_.find<WithoutCovariance>() != nullptr) report.pose.covariance.setZero();
   pose_ = FilterPose::of(report.stamp, report.pose.pose);
   report_ = std::move(report);
 }
@@ -345,6 +347,8 @@ std::string Estimator::doubt() const {
     return "the place in the loaded map has not been recognised yet";
   const auto fault = consistency_.fault();
   if (fault == Fault::kLost || fault == Fault::kBias) return consistency_.finding();
+  // A pose without covariance cannot contradict what it claims.
+  if (capabilities_.find<WithoutCovariance>() != nullptr) return "";
   return doubt_.reason();
 }
 

@@ -20,9 +20,11 @@
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
+#include "slam_core/contract/place_reporter.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/product/graph_file.hpp"
 #include "slam_core/product/map_files.hpp"
+#include "slam_core/product/place_file.hpp"
 
 namespace slam {
 namespace {
@@ -280,6 +282,8 @@ void RunWriter::finish(const Capabilities& backend, const std::string& map_frame
     saveMap(unfinished() + "/landmarks.yaml", {map_frame, last_stamp_, keeper->state()});
   if (const auto* reporter = backend.find<GraphReporter>())
     writeFileAtomically(unfinished() + "/graph.csv", graphTable(reporter->graph()));
+  if (const auto* places = backend.find<PlaceReporter>())
+    writeFileAtomically(unfinished() + "/places.csv", placeTable(places->visits()));
   writeFileAtomically(unfinished() + "/config.yaml", config);
   folder_.complete();
 }

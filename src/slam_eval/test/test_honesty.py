@@ -52,6 +52,12 @@ class ConfidentlyWrong(unittest.TestCase):
         self.assertEqual(claim(0.5, (0.05, 0.11)).seconds_wrong, 0.0)
         self.assertGreater(claim(0.5, (0.05, 0.09)).seconds_wrong, 0.0)
 
+    def test_is_nothing_where_the_covariance_is_unknown(self):
+        stamps = np.arange(5, dtype=np.int64) * STEP
+        poses = Trajectory(stamps, np.zeros((5, 3)))
+        unknown = Updates(stamps, np.zeros((5, 3, 3)), None, None, {})
+        self.assertIsNone(honesty.position_claim(poses, unknown, poses))
+
     def test_is_no_small_error_however_small_the_covariance(self):
         self.assertEqual(claim(0.29, (0.001, 0.001)).seconds_wrong, 0.0)
         self.assertGreater(claim(0.31, (0.001, 0.001)).seconds_wrong, 0.0)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "slam_core/models/motion.hpp"
+
 namespace slam_ros {
 namespace {
 
@@ -41,7 +43,7 @@ std::optional<slam::Pose2> TruthComparison::truthAt(slam::Stamp stamp) const {
 
 std::optional<double> TruthComparison::nees(slam::Stamp stamp, const slam::PoseEstimate& estimate) {
   const auto truth = truthAt(stamp);
-  if (!truth) return std::nullopt;
+  if (!truth || !slam::isCovariance(estimate.covariance)) return std::nullopt;
   if (!T_map_truth_) T_map_truth_ = estimate.pose * truth->inverse();
   const slam::Pose2 expected = *T_map_truth_ * *truth;
   Eigen::Vector3d error = estimate.pose.vector() - expected.vector();

@@ -3,6 +3,10 @@
 
 #include "slam_core/product/test/backend_contract.hpp"
 
+#include <memory>
+
+#include "slam_core/rat/test/circle_of_views.hpp"
+
 namespace slam::test {
 namespace {
 
@@ -11,6 +15,9 @@ namespace {
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const auto& name : Registry<Backend>::instance().names()) all.push_back({name, name, {}});
+  for (auto& variant : all)
+    if (variant.backend == "rat")  // which is driven by pose cells
+      variant.drive = [](std::uint64_t seed) { return std::make_unique<CircleOfViews>(seed); };
   for (const std::string linearization :
        {"textbook", "first_estimates", "observability_constrained", "right_invariant"})
     all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});

@@ -14,6 +14,7 @@ from slam_eval.io.events import read_events
 from slam_eval.io.graph import Graph, read_graph
 from slam_eval.io.grid_map import GridMap, read_grid
 from slam_eval.io.landmarks import LandmarkMap, read_labels, read_landmarks
+from slam_eval.io.places import PlaceVisits, read_places
 from slam_eval.io.point_cloud import read_points
 from slam_eval.io.trajectory import Trajectory, read_trajectory, read_truth
 from slam_eval.io.updates import Updates, read_updates
@@ -40,6 +41,7 @@ class RunFolder:
     grid: Optional[GridMap] = None
     points: Optional[np.ndarray] = None
     graph: Optional[Graph] = None
+    places: Optional[PlaceVisits] = None
     events: Optional[list] = None
     true_landmarks: Optional[LandmarkMap] = None
     metrics: dict = dataclasses.field(default_factory=dict)
@@ -110,6 +112,7 @@ def read_run(path):
     run.labels = _optional(path / "labels.yaml", read_labels) or {}
     run.grid = _optional(path / "map.yaml", read_grid)
     run.graph = _optional(path / "graph.csv", read_graph)
+    run.places = _optional(path / "places.csv", read_places)
     run.events = _optional(path / "events.csv", read_events)
     run.points = _optional(path / "points.pcd", read_points)
     run.true_landmarks = _optional(path / "ground_truth_landmarks.yaml", read_landmarks)

@@ -15,6 +15,7 @@ from slam_eval.metrics.honesty import (
     DOUBTFUL, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
 from slam_eval.metrics.landmark_detection import landmark_detection, LandmarkDetection
 from slam_eval.metrics.map_agreement import MapAgreement
+from slam_eval.metrics.place_recognition import place_recognition, PlaceRecognition
 from slam_eval.metrics.relations import RelationErrors
 from slam_eval.metrics.relative_error import relative_metrics
 
@@ -77,6 +78,7 @@ class Evaluation:
     detection: Optional[LandmarkDetection] = None
     consistency: Optional[PoseConsistency] = None
     claim: Optional[PositionClaim] = None
+    places: Optional[PlaceRecognition] = None
     relations: Optional[RelationErrors] = None
     agreement: Optional[MapAgreement] = None
     metrics: dict = dataclasses.field(default_factory=dict)
@@ -175,6 +177,8 @@ def evaluate(run, relations=None, agreement=None):
             wheels = at_stamps(run.wheels, run.trajectory.stamps)
             result.wheels_ate = trajectory_error(wheels, run.truth)
             result.wheels_drift = segment_drift(wheels, run.truth)
+        if run.places is not None:
+            result.places = place_recognition(run.places, run.truth)
         if run.updates is not None:
             result.consistency = pose_consistency(run.trajectory, run.updates, run.truth)
             result.claim = position_claim(run.trajectory, run.updates, run.truth)
@@ -217,6 +221,7 @@ def _collect(run, result):
         "confidently_wrong_s": result.claim and result.claim.seconds_wrong,
         "lost_s": seconds_in(LOST, run),
         "doubtful_s": seconds_in(DOUBTFUL, run),
+        **(result.places.metrics if result.places else {}),
         **(result.relations.metrics if result.relations else {}),
         **(result.agreement.metrics if result.agreement else {}),
         "map_area_m2": run.grid and run.grid.known_area,

@@ -71,9 +71,10 @@ def durations(stamps):
 
 
 def position_claim(trajectory, updates, truth):
-    """The PositionClaim of a run, or None where truth_in_map() has none."""
+    """The PositionClaim of a run, or None where truth_in_map() has none, and where the run claims
+    nothing: all its covariances are zero, which says that they are unknown."""
     moved = truth_in_map(trajectory, truth)
-    if moved is None:
+    if moved is None or not np.any(updates.covariances):
         return None
     true, valid = moved
     errors = trajectory.poses[:, :2] - true[:, :2]

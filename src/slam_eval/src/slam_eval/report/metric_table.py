@@ -87,6 +87,20 @@ KEYS = {
         "Mean NIS per degree of freedom", "", ".3f",
         "Sum of the squared innovations in units of their covariance over the sum of their "
         "degrees of freedom; 1 is expected.", "Consistency", True),
+    "places_recognised": Key(
+        "Recognised places", "", "d",
+        "Steps at which the run took itself to be where it had been more than 10 s before.",
+        "Accuracy", True),
+    "place_precision": Key(
+        "Precision of recognised places", "", ".4f",
+        "The share of these steps where the truth of both stamps is within 1 m.", "Accuracy", True),
+    "place_recall": Key(
+        "Recall of places", "", ".4f",
+        "Of the steps whose true pose was within 0.5 m and 30 degrees of one more than 10 s before: "
+        "the share that recognised the place rightly.", "Accuracy", True),
+    "place_error_max_m": Key(
+        "Largest error of a recognised place", "m", ".3f",
+        "The largest true distance of a recognised place.", "Accuracy", True),
     "relations": Key(
         "Relations", "", "d",
         "Reference relations between two poses that the run has (Kuemmerle et al. 2009).",

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/rat/pose_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam_core/contract/known_sections.hpp"
+
+namespace slam::rat {
+namespace {
+
+const GateRegistrar<PoseCells> kPoseCells(PoseCellConfig::kSection);
+const SectionRegistrar<PoseCellConfig> kPoseCellSection;
+
+/// The share of its activity that a view adds which has faded by so much (Ball et al. 2013, the
+/// constants of the rat's network).
+double shareOf(double fading) { return std::max(1.0 - std::exp(1.2 * fading) / 30.0, 0.0); }
+
+}  // namespace
+
+void PoseCells::describe(Ports& ports) {
+  ports.takes<Motion>("motion", "motion", this).carrier();
+  ports.takes<ViewCell>("local_view", "local view cells", this);
+  ports.makes<PoseCellState>("pose_cells", state_);
+}
+
+void PoseCells::configure(const PoseCellConfig& config) {
+  requireUsable(config);
+  config_ = config;
+  reset();
+}
+
+void PoseCells::configure(Settings& settings) { configure(settings.read<PoseCellConfig>()); }
+
+void PoseCells::reset() {
+  collator_ = Inputs();
+  network_ = PoseCellNetwork(config_);
+  network_.settle();
+  learnt_.clear();
+  next_sequence_ = 0;
+  is_busy_ = false;
+  state_.reset();
+}
+
+Status PoseCells::execute() {
+  state_.reset();
+  const auto step = collator_.next();
+  is_busy_ = step.has_value();
+  if (!step) return Status::ok();
+  for (const auto& motion : step->motions) network_.move(motion.increment);
+  if (!step->trigger) return Status::ok();
+  const auto view = step->trigger->cell;
+  recall(view);
+  network_.settle();
+  learn(view);
+  state_ = PoseCellState{step->stamp, next_sequence_++, network_.centre(),
+                         view,        config_.edge,     config_.headings};
+  return Status::ok();
+}
+
+void PoseCells::recall(std::int64_t view) {
+  for (auto& [number, learnt] : learnt_)
+    learnt.fading = std::max(learnt.fading - config_.recovery, 0.0);
+  const auto known = learnt_.find(view);
+  if (known == learnt_.end()) return;
+  network_.inject(known->second.place, config_.injected * shareOf(known->second.fading));
+  known->second.fading += config_.fading;
+}
+
+void PoseCells::learn(std::int64_t view) {
+  if (view == kNoView || learnt_.count(view) > 0) return;
+  learnt_[view] = {network_.centre(), config_.fading};
+}
+
+}  // namespace slam::rat
