@@ -31,7 +31,7 @@ def run(off, events=(), count=400, sigma=0.01):
     return types.SimpleNamespace(
         trajectory=Trajectory(stamps, seen), truth=Trajectory(stamps, true), final=None,
         odometry=None, wheels=None, landmarks=None, true_landmarks=None, grid=None, points=None,
-        updates=Updates(stamps, covariances, zeros, zeros.astype(int), {}), metrics={},
+        updates=Updates(stamps, covariances, zeros, zeros.astype(int), {}), places=None, metrics={},
         events=[Event(int(time * 1e9), kind, 0.0, 0.0, "") for time, kind in events])
 
 

@@ -33,7 +33,7 @@ def landmark_sensors_for(product):
     the ceiling, or from a laser."""
     file = package_folder("slam_launch") / "products" / f"{product}.yaml"
     if not file.is_file():
-        raise BenchError(f"there is no product {product}; ./slam products lists them")
+        raise BenchError(f"there is no product {product}; products are the files in {file.parent}")
     detector = yaml.safe_load(file.read_text(encoding="utf-8")).get("detector", "none")
     if detector.startswith("laser_"):
         return "odom,scan"
