@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Calls slam.launch and the programs as a user does."""
 
+import contextlib
 import json
 import os
 import pathlib
+import random
 import signal
 import socket
 import subprocess
@@ -58,9 +60,13 @@ def run_offline(bag, folder, *options, product="ekf_wheel"):
 
 
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Returns a port below those that the system gives to connections, which could take it until the
+    master does."""
+    while True:
+        port = random.randrange(12000, 32000)
+        with socket.socket() as probe, contextlib.suppress(OSError):
+            probe.bind(("127.0.0.1", port))
+            return port
 
 
 def start_launch(*arguments, port=None, namespace="/"):

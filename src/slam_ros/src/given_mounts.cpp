@@ -9,7 +9,7 @@
 
 namespace slam_ros {
 
-GivenMounts::GivenMounts(slam::Settings& settings) {
+GivenMounts::GivenMounts(slam::Settings settings) {
   const auto add = [this](const std::string& port, const std::vector<double>& sensor_pose) {
     if (!sensor_pose.empty()) ports_.insert(port);
   };

@@ -14,8 +14,9 @@ namespace slam_ros {
 class GivenMounts {
  public:
   GivenMounts() = default;
+  /// @param settings a copy: that they are looked at here puts no section into force
   /// @throw slam::ConfigError
-  explicit GivenMounts(slam::Settings& settings);
+  explicit GivenMounts(slam::Settings settings);
 
   /// @param port that takes the sensor's data
   bool has(const std::string& port) const { return ports_.count(port) > 0; }
