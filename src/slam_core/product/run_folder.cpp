@@ -16,32 +16,19 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a run and its evaluation leave in the folder: none of it may be of another run.
-constexpr const char* kResults[] = {"trajectory.tum",
-                                    "trajectory_final.tum",
-                                    "odometry.tum",
-                                    "wheel_odometry.tum",
-                                    "updates.csv",
-                                    "events.csv",
-                                    "graph.csv",
-                                    "places.csv",
-                                    "ground_truth.tum",
-                                    "ground_truth_landmarks.yaml",
-                                    "stamps.csv",
-                                    "landmarks.yaml",
-                                    "map.pgm",
-                                    "map.yaml",
-                                    "points.pcd",
-                                    "config.yaml",
-                                    "robot.yaml",
-                                    "metrics.json",
-                                    "trajectory.png",
-                                    "odometry.png",
-                                    "map.png",
-                                    "landmark_errors.png",
-                                    "consistency.png",
-                                    "graph.png",
-                                    "relations.png",
-                                    "report.html"};
+constexpr const char* kResults[] = {"trajectory.tum",   "trajectory_final.tum",
+                                    "odometry.tum",     "wheel_odometry.tum",
+                                    "updates.csv",      "events.csv",
+                                    "graph.csv",        "places.csv",
+                                    "ground_truth.tum", "ground_truth_landmarks.yaml",
+                                    "stamps.csv",       "landmarks.yaml",
+                                    "map.pgm",          "map.yaml",
+                                    "points.pcd",       "config.yaml",
+                                    "robot.yaml",       "metrics.json",
+                                    "trajectory.png",   "odometry.png",
+                                    "map.png",          "landmark_errors.png",
+                                    "consistency.png",  "graph.png",
+                                    "relations.png",    "report.html"};
 constexpr const char* kKept = ".before_restart_";  ///< in names of what was written until a restart
 constexpr const char* kLast = "config.yaml";
 

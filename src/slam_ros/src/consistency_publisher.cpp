@@ -88,8 +88,9 @@ void ConsistencyPublisher::fill(diagnostic_updater::DiagnosticStatusWrapper& sta
   else if (!finding.empty())
     status.summary(is_faulty ? DiagnosticStatus::WARN : DiagnosticStatus::OK, finding);
   else
-    status.summary(DiagnosticStatus::OK,
-                   monitor_.updates() == 0 ? "nothing to judge by" : "errors match the reported covariance");
+    status.summary(DiagnosticStatus::OK, monitor_.updates() == 0
+                                             ? "nothing to judge by"
+                                             : "errors match the reported covariance");
   status.add("trust", slam::nameOf(trust_, slam::namesOfTrust()));
   status.add("updates", monitor_.updates());
   status.add("NIS per degree of freedom", monitor_.nisMean());

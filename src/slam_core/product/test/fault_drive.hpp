@@ -157,8 +157,8 @@ class FaultDrive {
     running_ = std::move(resumed);
   }
 
-  /// The messages since the checkpoint are lost, as for a robot that drove on. A checkpoint does not
-  /// hold how the process was interrupted: each process that resumes from it is told that anew.
+  /// The messages since the checkpoint are lost, as for a robot that drove on. A checkpoint does
+  /// not hold how the process was interrupted: each process that resumes from it is told that anew.
   void goOnWithoutWhatWasMissed(std::unique_ptr<MetaCoordinator> resumed, int step) {
     constexpr int kUntilJudged = 50;
     saves_from_ = step + kUntilJudged;

@@ -36,8 +36,8 @@ slam::Settings settingsFor(const BagRunOptions& options, const BagReader& bag);
 /// slam::ConfigError
 TopicsConfig configured(slam::Settings& settings, slam::MetaCoordinator& product);
 
-/// Refuses a run in which no step was taken, or none of the sensors that see could be used: its path
-/// would be that of the odometry alone.
+/// Refuses a run in which no step was taken, or none of the sensors that see could be used: its
+/// path would be that of the odometry alone.
 /// @param poses of the run @throw std::runtime_error with what was lacking
 void requireSteps(const RunMetrics& metrics, std::size_t poses, const BagInputs& inputs,
                   const BagReader& bag);
