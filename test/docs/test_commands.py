@@ -5,13 +5,13 @@
 import os
 import pathlib
 import shutil
-import socket
 import subprocess
 import tempfile
 import unittest
 
 from catkin.find_in_workspaces import find_in_workspaces
 from doc_commands import Block, blocks, REPO, shell_blocks, texts
+from launching import free_port
 
 DRIVE = 8  # [s] of the office
 WITHIN = 200  # [s], of a block
@@ -40,12 +40,6 @@ end_lives() {
   done
 }
 """
-
-
-def free_port():
-    with socket.socket() as listener:
-        listener.bind(("", 0))
-        return listener.getsockname()[1]
 
 
 def workspace():

@@ -47,7 +47,8 @@ def between(features):
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
-    return observations(features, is_grid or features["backend"] == "rat") | ({"/motion"} if has_motion else set())
+    takes_none = is_grid or features["backend"] == "rat"
+    return observations(features, takes_none) | ({"/motion"} if has_motion else set())
 
 
 def observations(features, takes_none):

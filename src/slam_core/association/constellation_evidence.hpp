@@ -49,7 +49,7 @@ class ConstellationEvidence {
     return mayHaveIdOf(local, landmark) &&
            fitOf(local.descriptor, landmark.descriptor, kRightPasses).passes;
   }
-  /// How many landmarks of the map a robot at this pose should see.
+  /// Counts the landmarks of the map that a robot at this pose should see.
   std::size_t within(const SensorReach& reach, const Pose2& robot) const;
   /// Radius of the circle in which the robot must be to see landmarks of the map [m].
   double radius() const { return radius_; }

@@ -54,7 +54,7 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
   }
 
  private:
-  /// What was set since the last step.
+  /// These inputs were set since the last step.
   struct Inputs {
     std::optional<MapState> map;
     std::optional<PoseEstimate> initial_pose;

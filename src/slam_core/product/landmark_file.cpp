@@ -15,6 +15,7 @@
 #include "slam_core/common/yaml_file.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/product/place_fault.hpp"
+#include "slam_core/product/stamp_text.hpp"
 
 namespace slam {
 namespace {
@@ -228,15 +229,13 @@ LandmarkFile parse(const YAML::Node& root, const std::string& frame) {
 
 std::string toYaml(const LandmarkFile& file) {
   const auto& robot = file.map.robot;
-  const auto ns = nanoseconds(file.stamp);
   std::string text = fmt::format(
-      "version: {}\nframe: {}\nunits: {{position: m, angle: rad}}\nstamp: \"{}.{:09d}\"\n"
+      "version: {}\nframe: {}\nunits: {{position: m, angle: rad}}\nstamp: \"{}\"\n"
       "contents: {{landmarks: {}, joint_covariance: {}}}\n"
       "pose: {{x: {}, y: {}, theta: {}, covariance: [{}]}}\nlandmarks:{}\n",
-      LandmarkFile::kVersion, file.frame, ns / 1000000000, ns % 1000000000,
-      file.map.landmarks.size(), file.map.joint_covariance.size() > 0, robot.pose.x(),
-      robot.pose.y(), robot.pose.theta(), numbers(robot.covariance),
-      file.map.landmarks.empty() ? " []" : "");
+      LandmarkFile::kVersion, file.frame, stampText(file.stamp), file.map.landmarks.size(),
+      file.map.joint_covariance.size() > 0, robot.pose.x(), robot.pose.y(), robot.pose.theta(),
+      numbers(robot.covariance), file.map.landmarks.empty() ? " []" : "");
   for (const auto& landmark : file.map.landmarks) text += textOf(landmark);
   if (file.map.joint_covariance.size() > 0) text += jointText(file.map.joint_covariance);
   return text;

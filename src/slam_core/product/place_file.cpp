@@ -3,21 +3,14 @@
 
 #include "slam_core/product/place_file.hpp"
 
-#include <fmt/format.h>
+#include "slam_core/product/stamp_text.hpp"
 
 namespace slam {
-namespace {
-
-std::string secondsText(Stamp stamp) {
-  return fmt::format("{}.{:09d}", nanoseconds(stamp) / 1000000000, nanoseconds(stamp) % 1000000000);
-}
-
-}  // namespace
 
 std::string placeTable(const std::vector<PlaceVisit>& visits) {
   std::string table = "stamp,first_visit\n";
   for (const auto& [stamp, first] : visits)
-    table += secondsText(stamp) + "," + (first ? secondsText(*first) : "") + "\n";
+    table += stampText(stamp) + "," + (first ? stampText(*first) : "") + "\n";
   return table;
 }
 

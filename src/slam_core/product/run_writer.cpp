@@ -25,6 +25,7 @@
 #include "slam_core/product/graph_file.hpp"
 #include "slam_core/product/map_files.hpp"
 #include "slam_core/product/place_file.hpp"
+#include "slam_core/product/stamp_text.hpp"
 
 namespace slam {
 namespace {
@@ -32,10 +33,6 @@ namespace {
 constexpr const char* kUpdatesHeader =
     "stamp,cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt,nis,nis_dof,used,gated,added,unknown,"
     "landmarks\n";
-
-std::string stampText(Stamp stamp) {
-  return fmt::format("{}.{:09d}", nanoseconds(stamp) / 1000000000, nanoseconds(stamp) % 1000000000);
-}
 
 constexpr const char* kAssociationsHeader = "stamp,own_id,taken_for,landmark\n";
 constexpr const char* kAssociations = "associations.csv";

@@ -50,7 +50,7 @@ class PoseCells final : public Gate {
   }
 
  private:
-  /// Where the packet was when a view was seen first.
+  /// It says where the packet was when a view was seen first.
   struct Learnt {
     CellPlace place;
     double fading = 0.0;  ///< grows each time that the view is seen, and goes back by and by

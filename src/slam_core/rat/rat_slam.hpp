@@ -53,7 +53,7 @@ class RatSlam final : public Backend,
   }
 
  private:
-  /// What was set since the last step.
+  /// These inputs were set since the last step.
   struct Inputs {
     std::optional<PoseEstimate> initial_pose;
     std::vector<Motion> motions;

@@ -42,7 +42,7 @@ class ViewChange {
   }
 
  private:
-  /// What was seen at one stamp.
+  /// A view holds what the sensor saw at one stamp.
   struct View {
     std::vector<LocalLandmark> seen;  ///< in the robot's frame of now
     Pose2 sensor;                     ///< of then, in that frame

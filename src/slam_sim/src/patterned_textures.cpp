@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSoftness = 0.7;  // standard deviation of the blur that limits the band [texels]
 
-/// As gray values of 8 bit, without what is finer than a texel.
+/// Returns the values as grays of 8 bit; what is finer than a texel is blurred.
 cv::Mat finished(const cv::Mat& values) {
   const int rim = 4;
   cv::Mat wide, gray;

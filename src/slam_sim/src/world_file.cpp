@@ -117,7 +117,8 @@ class WorldReader {
     for (std::size_t i = 1; i < points.size(); ++i) {
       wall.from = points[i - 1];
       wall.to = points[i];
-      // Of its own, unless the file gives a seed: then lines of one seed look alike.
+      // Each wall has a look of its own, unless the file gives a seed: lines of one seed look
+      // alike.
       wall.look = seed > 0 ? static_cast<std::uint64_t>(seed) << 32U | i : world_.walls.size();
       if (wall.from == wall.to) map.fault("has a part of length 0");
       world_.walls.push_back(wall);

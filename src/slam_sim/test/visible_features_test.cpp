@@ -29,7 +29,7 @@ cv::Mat seen(const World& world, const Eigen::Isometry3d& T, const CameraOptics&
   return studioCamera(world, optics).render(standing(T), RandomStream(1, 1));
 }
 
-/// How many corners FAST finds on the wall, the image's noise smoothed.
+/// Counts the corners that FAST finds on the wall after the image's noise is smoothed.
 std::size_t cornersOn(const cv::Mat& image, const cv::Rect& part) {
   cv::Mat smooth;
   cv::GaussianBlur(image, smooth, cv::Size(), 1.0);

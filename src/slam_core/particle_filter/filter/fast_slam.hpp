@@ -72,7 +72,7 @@ class FastSlam final : public Backend,
   }
 
  private:
-  /// What was set since the last step.
+  /// These inputs were set since the last step.
   struct Inputs {
     std::optional<MapState> map;
     std::optional<PoseEstimate> initial_pose;

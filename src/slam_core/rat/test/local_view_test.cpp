@@ -35,7 +35,7 @@ class LocalViewCells : public testing::Test {
  protected:
   LocalViewCells() { cells_.configure(LocalViewConfig()); }
 
-  /// What an image activates; the next one comes a tenth of a second later.
+  /// Returns what an image activates. Each image comes a tenth of a second after the last one.
   ViewCell see(const cv::Mat& gray, bool is_usable = true) {
     CameraView view;
     view.stamp = at(time_ += 0.1);

@@ -190,8 +190,8 @@ TEST_F(BagFile, IsReadInTheOrderOfItsTimesAcrossTopics) {
   EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
 }
 
-/// As where nodelets are loaded while a bag is read: what loads plugins has a lock, which the
-/// process that reads the bag could wait for in vain.
+/// Nodelets are loaded while a bag is read. A thread that loads a plugin holds a lock, for which
+/// the process that reads the bag would wait in vain.
 TEST_F(BagFile, IsReadWhileAnotherThreadLoadsPlugins) {
   BagMaker(folder / "x.bag").addOdometry();
   EXPECT_EQ(faultOf("x.bag"), "");  // the first one loads a plugin itself

@@ -56,7 +56,7 @@ struct Ceiling {
   double scale = 0.6;             ///< edge of a tile, or size of the largest blots [m]
 };
 
-/// How bright the light is while the robot drives.
+/// It says how bright the light is while the robot drives.
 struct Light {
   /// Seconds since the start, rising, and the level then (1: full light); linear in between,
   /// constant before and after. Empty: always 1.
