@@ -42,8 +42,8 @@ class Package(FrontDoorTest):
         self.set_machine("debian 12", "bash")
         for name in ("LICENSE", "README.md"):
             shutil.copy(REPO / name, self.clone)
-        for name in ("debian", "docs"):
-            (self.clone / name).mkdir()
+        for name in ("debian", "docs", "test/toys"):
+            (self.clone / name).mkdir(parents=True)
         with (self.clone / "tools/package.sh").open("a", encoding="utf-8") as file:
             file.write("build_packages() { ls \"$1\" && echo wheels fell off && false; }\n")
         self.expect(call(self.slam, "package"), 1, "slam_launch", "wheels fell off",
