@@ -123,6 +123,7 @@ Status Estimator::resetBackend() {
   events_ = EventWatch(events_config_);
   relocaliser_.reset();
   noise_ = NoiseAdaptation();
+  dead_reckoning_.correct();
   doubt_.restart();
   if (start_session_) return set(*start_session_);
   return start_map_ ? set(*start_map_) : Status::ok();
@@ -191,7 +192,8 @@ std::optional<CalibrationEstimate> Estimator::calibration() const {
   return calibrator == nullptr ? std::nullopt : calibrator->calibration();
 }
 
-/// The back-end corrects by itself what it is given.
+/// The back-end corrects by itself what it is given. Where it estimates the parameters of the
+/// wheels, its covariance has what they do to long ways.
 void Estimator::give(const Intake::Step& step) {
   const auto known = calibration();
   for (const auto& measured : step.motions) {
@@ -199,6 +201,7 @@ void Estimator::give(const Intake::Step& step) {
     carrier_->set(&scaled);
     const auto reported = known ? calibrated(measured, known->parameters) : measured;
     const auto motion = noise_.scaled(reported);
+    if (!known) dead_reckoning_.predict(motion);
     if (consistency_config_.adapt) doubt_.predict(reported);
     events_.predict(motion);
     relocaliser_.predict(reported);
@@ -213,10 +216,11 @@ void Estimator::give(const Intake::Step& step) {
   }
 }
 
-void Estimator::give(const Intake::Trigger& trigger) const {
+void Estimator::give(const Intake::Trigger& trigger) {
   const auto* const value = trigger.value.get();
-  if (trigger.port->kind != kindOf<LandmarkObservationArray>() || noise_.isNeutral())
-    return trigger.port->set(value);
+  const bool has_landmarks = trigger.port->kind == kindOf<LandmarkObservationArray>();
+  if (!has_landmarks) dead_reckoning_.correct();
+  if (!has_landmarks || noise_.isNeutral()) return trigger.port->set(value);
   const auto scaled = noise_.scaled(*static_cast<const LandmarkObservationArray*>(value));
   trigger.port->set(&scaled);
 }
@@ -241,6 +245,7 @@ Status Estimator::relocate(Stamp stamp) {
   if (!place) return relocaliser_.status();
   backend_->set(*place);
   events_.relocate("the place was recognised in the map");
+  dead_reckoning_.correct();
   consistency_ = ConsistencyMonitor(consistency_config_);
   const auto status = backend_->execute();
   doubt_.relocate(backend_->pose().pose);
@@ -264,7 +269,9 @@ UpdateStatistics Estimator::statistics() const {
 Status Estimator::watchConsistency() {
   using Fault = ConsistencyMonitor::Fault;
   const auto before = consistency_.fault();
-  consistency_.add(statistics());
+  const auto update = statistics();
+  consistency_.add(update);
+  dead_reckoning_.correct(update.innovations, backend_->pose().pose);
   const auto now = consistency_.fault();
   const auto finding = consistency_.finding();
   adaptNoise();
@@ -281,6 +288,7 @@ Status Estimator::watchCalibration() const {
 PoseEstimate Estimator::reportedPose() const {
   auto pose = backend_->pose();
   const bool contradicts_odometry = noise_.scale(ConsistencyMonitor::kMotion) > 1.0;
+  pose.covariance += dead_reckoning_.covarianceAt(pose.pose);
   pose.covariance += doubt_.covarianceAt(pose.pose, contradicts_odometry);
   return relocaliser_.told(pose);
 }

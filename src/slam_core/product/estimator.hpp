@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "slam_core/consistency/consistency_monitor.hpp"
+#include "slam_core/consistency/dead_reckoning.hpp"
 #include "slam_core/consistency/noise_adaptation.hpp"
 #include "slam_core/consistency/pose_doubt.hpp"
 #include "slam_core/contract/backend.hpp"
@@ -105,7 +106,7 @@ class Estimator final : public Component {
   }
   template <class Archive>
   void persist(Archive& archive) {
-    archive(intake_, consistency_, noise_, doubt_, events_, relocaliser_, start_map_,
+    archive(intake_, consistency_, noise_, dead_reckoning_, doubt_, events_, relocaliser_, start_map_,
             start_session_, last_motion_, fault_, paused_, counters_);
   }
 
@@ -119,7 +120,7 @@ class Estimator final : public Component {
   Status restart();
   Status judgePause();
   void give(const Intake::Step& step);
-  void give(const Intake::Trigger& trigger) const;
+  void give(const Intake::Trigger& trigger);
   void adaptNoise();
   /// The back-end's parameters, if it estimates some.
   std::optional<CalibrationEstimate> calibration() const;
@@ -150,6 +151,7 @@ class Estimator final : public Component {
   ConsistencyConfig consistency_config_;
   ConsistencyMonitor consistency_;
   NoiseAdaptation noise_;
+  DeadReckoning dead_reckoning_;
   PoseDoubt doubt_;
   EventsConfig events_config_;
   EventWatch events_;

@@ -22,6 +22,7 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
   const auto status = backend_->execute();
   relocaliser_.assume(Belief::kSure);
   events_.relocate("the robot was put there");
+  dead_reckoning_.correct();
   doubt_.put(backend_->pose().pose);
   consistency_.add(statistics());
   return status;
@@ -42,6 +43,8 @@ Status Estimator::set(const MapState& map) {
                                               "maps points only: use backend=ekf"));
   status = together(status, expected_.judge(used.landmarks));
   events_.relocate("a map was loaded");
+  dead_reckoning_.correct();
+  dead_reckoning_.know(map.landmarks);
   doubt_.load(backend_->pose().pose);
   consistency_ = ConsistencyMonitor(consistency_config_);
   intake_.knowOnly(map.landmarks);
@@ -59,11 +62,14 @@ Status Estimator::set(const SavedSession& session) {
   const auto status = backend_->execute();
   if (status.level == Status::Level::kError) return status;
   events_.relocate("a session was loaded");
+  dead_reckoning_.correct();
   doubt_.load(backend_->pose().pose);
   relocaliser_.reset();
   consistency_ = ConsistencyMonitor(consistency_config_);
-  if (const auto* mapper = capabilities_.find<LandmarkMapper>())
-    intake_.knowOnly(mapper->landmarks());
+  const auto* mapper = capabilities_.find<LandmarkMapper>();
+  const auto landmarks = mapper == nullptr ? LandmarkMap() : mapper->landmarks();
+  intake_.knowOnly(landmarks);
+  dead_reckoning_.know(landmarks);
   return status;
 }
 
