@@ -15,6 +15,14 @@ JOBS = f"-j{os.cpu_count() or 1}"
 TIMEOUT = 900  # [s], a test that takes longer hangs
 PART_SIZE = 60  # cases of a sanitized program that run together
 LIVE = r"_rostest_|_nosetests_(test\.)?(launch|two_machines|docs)"  # run by the wall clock
+# Long drives and many runs, for the sake of what comes of them in the mean: minutes under
+# sanitizers, which other tests of the same code serve as well.
+STATISTICS = ("*FindsTheNoiseOfASimulatedLog*:*TellsUncertaintiesThatHoldTheTruth*:"
+              "*MarkerPoseMonteCarlo*:FastSlamConsistency.*:*IsAsWrongAsItSays*:"
+              "NoiseTunerTest.FindsTheSame*:NoiseTunerTest.KeepsWhat*:NoiseTunerTest.IsNotMisled*:"
+              "*SelfCalibration*.IsNearly*:*SelfCalibration*.KnowsHowWell*:"
+              "SystematicErrorTest.*:LostOnAGrid.*:MatchingInARoom.ARobotCarried*:"
+              "Aisles.*:*WoodOfPairs.*:*LostByPlace.*:*LyingMarkers.*:HeadingDrift.*")
 # Gives way to tests that run by the wall clock. Each test has a session of its own; where the
 # kernel groups processes by session, the nice value of the group counts.
 BACKGROUND = ["sh", "-c", 'echo 19 2>/dev/null >/proc/$$/autogroup; exec nice -n 19 "$@"',
