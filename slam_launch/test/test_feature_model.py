@@ -214,6 +214,18 @@ class ShippedModel(unittest.TestCase):
         with self.assertRaises(ProductError):
             self.model.require_valid({**chosen, "map": "grid"})
 
+    def test_the_monocular_ekf_finds_its_corners_itself(self):
+        chosen = {"backend": "mono_ekf", "odometry": "wheel", "map": "landmarks", "detector": "none"}
+        features = self.model.require_valid(chosen)
+        self.assertEqual(self.model.launch_files(features)["backend"],
+                         ["slam_backend_mono_ekf/launch/backend.launch"])
+        for wrong in ({"detector": "apriltag"}, {"association": "jcbb"}):
+            with self.subTest(wrong), self.assertRaises(ProductError) as caught:
+                self.model.require_valid({**chosen, **wrong})
+            self.assertIn("so that backend=mono_ekf goes with detector=none", str(caught.exception))
+        with self.assertRaises(ProductError):
+            self.model.require_valid({**chosen, "map": "grid"})
+
     def test_the_matcher_of_scans_belongs_to_grids_whichever_back_end_makes_them(self):
         features = self.model.require_valid({"backend": "pf", "odometry": "wheel", "map": "grid",
                                              "detector": "none"})

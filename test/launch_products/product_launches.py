@@ -23,6 +23,7 @@ ALWAYS = {"/pose", "/path", "/tf"}
 LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
             "backend=graph": {"/graph_markers", *LANDMARKS},
+            "backend=mono_ekf": {"/features"},
             "backend=pf": {"/particlecloud", *LANDMARKS},
             "backend=rat": {"/graph_markers"},
             "pointmap=true": {"/points"},
@@ -31,6 +32,7 @@ PROMISED = {"backend=ekf": LANDMARKS,
             "odometry=visual_wheel": {"/visual_odometry/odom"},
             "odometry=laser": {"/laser_odometry/odom"},
             "odometry=laser_wheel": {"/laser_odometry/odom"}}
+LOOK_THEMSELVES = {"mono_ekf", "rat"}  # back-ends that take in images
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
 
@@ -42,12 +44,12 @@ def promised(features, composition):
 
 
 def between(features):
-    """Returns what components exchange: the grid back-end and RatSLAM take in no observations; the
+    """Returns what components exchange: the grid back-end, RatSLAM and the monocular EKF take in no observations; the
     grid back-end and a graph with a grid take in motion only where there is an odometry source."""
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
-    takes_none = is_grid or features["backend"] == "rat"
+    takes_none = is_grid or features["backend"] in LOOK_THEMSELVES
     return observations(features, takes_none) | ({"/motion"} if has_motion else set())
 
 
@@ -100,10 +102,10 @@ class ProductLaunches:
         cls.model = FeatureModel()
 
     def bag_for(self, number, features):
-        """A product without a detector or odometry needs what others made; RatSLAM needs images."""
+        """A product without a detector or odometry needs what others made; who looks itself needs images."""
         made_of = {topic: sensors for key, (topic, sensors) in MADE_OF.items()
                    if features[key] == "none"
-                   and (key, features["backend"]) != ("detector", "rat")}
+                   and not (key == "detector" and features["backend"] in LOOK_THEMSELVES)}
         path = self.root / f"{number}_sensors.bag"
         with_made(self.root / "images.bag", self.root / "made.bag", path, made_of)
         return path

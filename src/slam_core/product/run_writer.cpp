@@ -22,6 +22,7 @@
 #include "slam_core/contract/map_keeper.hpp"
 #include "slam_core/contract/place_reporter.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/product/feature_file.hpp"
 #include "slam_core/product/graph_file.hpp"
 #include "slam_core/product/map_files.hpp"
 #include "slam_core/product/place_file.hpp"
@@ -281,6 +282,8 @@ void RunWriter::finish(const Capabilities& backend, const std::string& map_frame
     writeFileAtomically(unfinished() + "/graph.csv", graphTable(reporter->graph()));
   if (const auto* places = backend.find<PlaceReporter>())
     writeFileAtomically(unfinished() + "/places.csv", placeTable(places->visits()));
+  if (const auto* mapper = backend.find<FeatureMapper>())
+    writeFileAtomically(unfinished() + "/features.csv", featureTable(mapper->features()));
   writeFileAtomically(unfinished() + "/config.yaml", config);
   folder_.complete();
 }

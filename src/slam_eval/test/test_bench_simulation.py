@@ -82,6 +82,14 @@ class Office(unittest.TestCase):
             missed = [part for part in self.verdicts([good, bad]).split("\n") if "MISSED" in part]
             self.assertEqual([part.startswith("- " + what) for part in missed], [True], missed)
 
+    def test_a_path_that_is_too_large_or_too_small_misses_the_goal_of_the_gallery(self):
+        for scale, word in ((0.009, "reached"), (-0.009, "reached"), (-0.011, "MISSED")):
+            run = types.SimpleNamespace(landmarks=None, true_landmarks=None)
+            result = types.SimpleNamespace(metrics={"ate_rmse_m": 0.02, "scale_error": scale})
+            row = office.values(1, run, result, Usage(5.0, 6.0, 30.0))
+            line = [line for line in self.verdicts([row], "gallery").split("\n") if "scale" in line]
+            self.assertIn(word, line[0])
+
     def test_a_product_that_looks_up_is_measured_by_that_with_wheels(self):
         for name, twin in (("pf_visual", Twin("pf_wheel", 1.1)),
                            ("ekf_visual_wheel", Twin("ekf_wheel", 1.1)),

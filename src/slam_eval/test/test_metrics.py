@@ -66,6 +66,13 @@ class TrajectoryError(unittest.TestCase):
         self.assertAlmostEqual(result.max, 0.1, places=9)
         self.assertAlmostEqual(result.rmse, np.sqrt(np.mean((0.1 * line[:, 0]) ** 2)), places=9)
 
+    def test_the_scale_of_a_path_is_told_from_its_place(self):
+        world = se2.transform_poses(T, self.poses)
+        self.assertAlmostEqual(evaluation.scale_error(self.estimate, trajectory(world)), 0.0)
+        large = trajectory(self.poses * [1.03, 1.03, 1.0])
+        self.assertAlmostEqual(evaluation.scale_error(large, trajectory(world)), 0.03)
+        self.assertIsNone(evaluation.scale_error(trajectory(0.0 * self.poses), trajectory(world)))
+
     def test_a_zigzag_of_known_size_is_the_error(self):
         count = 400
         line = np.column_stack([np.linspace(0.0, 100.0, count), np.zeros((count, 2))])

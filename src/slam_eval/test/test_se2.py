@@ -55,6 +55,26 @@ class Se2(unittest.TestCase):
         moved = se2.transform_points(se2.align_rigid(points, mirrored), points)
         self.assertGreater(np.max(np.abs(moved - mirrored)), 0.5)
 
+    def test_similarity_finds_the_scale_between_two_copies(self):
+        points = np.random.default_rng(5).uniform(-3.0, 3.0, (30, 2))
+        for scale in (0.5, 1.0, 1.07):
+            copy = scale * se2.transform_points(np.array([4.0, -1.0, 2.2]), points)
+            self.assertAlmostEqual(se2.similarity_scale(points, copy), scale)
+
+    def test_similarity_is_that_of_a_general_optimiser(self):
+        random = np.random.default_rng(6)
+        points = random.uniform(-3.0, 3.0, (40, 2))
+        moved = 1.1 * se2.transform_points(np.array([4.0, -1.0, 2.2]), points)
+        noisy = moved + random.normal(0.0, 0.3, (40, 2))
+        # linear least squares in a = s cos, b = s sin, and the translation
+        x, y, one, zero = points[:, 0], points[:, 1], np.ones(40), np.zeros(40)
+        rows = np.vstack([np.column_stack([x, -y, one, zero]), np.column_stack([y, x, zero, one])])
+        a, b = np.linalg.lstsq(rows, noisy.T.ravel(), rcond=None)[0][:2]
+        self.assertAlmostEqual(se2.similarity_scale(points, noisy), np.hypot(a, b))
+
+    def test_points_that_coincide_have_no_scale(self):
+        self.assertIsNone(se2.similarity_scale(np.zeros((3, 2)), np.ones((3, 2))))
+
     def test_alignment_of_coinciding_points_is_a_translation(self):
         found = se2.align_rigid(np.zeros((3, 2)), np.ones((3, 2)))
         np.testing.assert_allclose(found, [1.0, 1.0, 0.0])

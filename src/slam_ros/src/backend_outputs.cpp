@@ -25,6 +25,10 @@ BackendOutputs::BackendOutputs(ros::NodeHandle handle, const slam::Estimator& es
     grid_.emplace(handle, *mapper, map_frame, config.map_period);
   if (const auto* reporter = backend.find<slam::GraphReporter>())
     graph_.emplace(handle, *reporter, map_frame, config.map_period);
+  if (const auto* mapper = backend.find<slam::FeatureMapper>())
+    features_.emplace(handle, *mapper, map_frame, config.landmark_rate);
+  drawer_ = backend.find<slam::ViewDrawer>();
+  if (drawer_ != nullptr) drawing_.emplace(handle, "");
   const auto flush = [this](const ros::WallTimerEvent&) {
     pose_.flush();
     if (landmarks_) landmarks_->flush();
@@ -40,6 +44,7 @@ void BackendOutputs::configure(const OutputsConfig& config) {
   if (particles_) particles_->setRate(config.landmark_rate);
   if (grid_) grid_->setRate(1.0 / config.map_period);
   if (graph_) graph_->setRate(1.0 / config.map_period);
+  if (features_) features_->setRate(config.landmark_rate);
   map_odom_.configure(config);
 }
 
@@ -50,6 +55,8 @@ void BackendOutputs::publish(const slam::StepReport& report) {
   if (particles_) particles_->update(report.stamp);
   if (grid_) grid_->update(report.stamp);
   if (graph_) graph_->update(report.stamp);
+  if (features_) features_->update(report.stamp);
+  if (drawing_) drawing_->publish(*drawer_, report.stamp, report.base_frame);
   events_.publish(report);
 }
 

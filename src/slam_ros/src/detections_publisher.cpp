@@ -13,12 +13,17 @@ DetectionsPublisher::DetectionsPublisher(ros::NodeHandle handle, const std::stri
 
 void DetectionsPublisher::publish(const slam::ViewDrawer& detector,
                                   const slam::LandmarkObservationArray& array) const {
+  publish(detector, array.stamp, array.sensor_frame);
+}
+
+void DetectionsPublisher::publish(const slam::ViewDrawer& drawer, slam::Stamp stamp,
+                                  const std::string& frame) const {
   if (publisher_.getNumSubscribers() == 0) return;
-  const auto drawing = detector.drawing();
+  const auto drawing = drawer.drawing();
   if (drawing.empty()) return;
   std_msgs::Header header;
-  header.stamp = toRos(array.stamp);
-  header.frame_id = array.sensor_frame;
+  header.stamp = toRos(stamp);
+  header.frame_id = frame;
   publisher_.publish(boost::make_shared<sensor_msgs::Image>(toMsg(drawing, header)));
 }
 

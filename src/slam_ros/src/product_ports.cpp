@@ -8,6 +8,7 @@
 #include "slam_core/association/association_policy.hpp"
 #include "slam_core/camera/camera_calibration.hpp"
 #include "slam_core/camera/view_drawer.hpp"
+#include "slam_core/contract/feature_mapper.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
@@ -64,6 +65,7 @@ void addCapabilities(const slam::Capabilities& capabilities, Json& outputs) {
     outputs.push_back(published("landmarks"));
   if (capabilities.find<slam::PoseSampler>() != nullptr)
     outputs.push_back(published("particlecloud"));
+  if (capabilities.find<slam::FeatureMapper>() != nullptr) outputs.push_back(published("features"));
   if (capabilities.find<slam::GridMapper>() != nullptr) outputs.push_back(published("map"));
 }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "slam_core/mono_ekf/test/room_drive.hpp"
 #include "slam_core/rat/test/circle_of_views.hpp"
 
 namespace slam::test {
@@ -18,6 +19,9 @@ std::vector<Variant> variants() {
   for (auto& variant : all)
     if (variant.backend == "rat")  // which is driven by pose cells
       variant.drive = [](std::uint64_t seed) { return std::make_unique<CircleOfViews>(seed); };
+  for (auto& variant : all)
+    if (variant.backend == "mono_ekf")  // which is driven by images
+      variant.drive = [](std::uint64_t seed) { return std::make_unique<RoomWithView>(seed); };
   for (const std::string linearization :
        {"textbook", "first_estimates", "observability_constrained", "right_invariant"})
     all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});

@@ -5,7 +5,9 @@
 
 #include <optional>
 
+#include "slam_ros/detections_publisher.hpp"
 #include "slam_ros/event_publisher.hpp"
+#include "slam_ros/feature_publisher.hpp"
 #include "slam_ros/graph_publisher.hpp"
 #include "slam_ros/grid_publisher.hpp"
 #include "slam_ros/landmark_publisher.hpp"
@@ -38,6 +40,9 @@ class BackendOutputs {
   std::optional<ParticlePublisher> particles_;
   std::optional<GridPublisher> grid_;
   std::optional<GraphPublisher> graph_;
+  std::optional<FeaturePublisher> features_;
+  const slam::ViewDrawer* drawer_ = nullptr;  ///< null: the back-end looks through no camera
+  std::optional<DetectionsPublisher> drawing_;
   EventPublisher events_;
   ros::WallTimer flush_timer_;
 };

@@ -13,8 +13,8 @@
 
 namespace slam_ros {
 
-/// Publishes the marked-up image of a detector on a topic of its own, and has it drawn only while
-/// somebody looks.
+/// Publishes the marked-up image of a detector, or of a back-end that looks itself, on a topic of
+/// its own, and has it drawn only while somebody looks.
 class DetectionsPublisher {
  public:
   /// @param place of the detector, whose prefix `detections/image` has
@@ -22,6 +22,8 @@ class DetectionsPublisher {
 
   /// @param array what `detector` has made of its last image
   void publish(const slam::ViewDrawer& detector, const slam::LandmarkObservationArray& array) const;
+  /// @param stamp of its last image
+  void publish(const slam::ViewDrawer& drawer, slam::Stamp stamp, const std::string& frame) const;
 
  private:
   ros::Publisher publisher_;

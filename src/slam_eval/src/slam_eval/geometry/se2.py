@@ -61,3 +61,15 @@ def align_rigid(source, target):
     angle = float(np.arctan2(cross, dot))
     x, y = target.mean(axis=0) - rotation(angle) @ source.mean(axis=0)
     return np.array([x, y, angle])
+
+
+def similarity_scale(source, target):
+    """The scale s of the similarity that minimises sum |s R source_i + t - target_i|^2 (Umeyama 1991).
+
+    None where it is not positive: the points coincide, or have nothing to do with one another.
+    """
+    source, target = np.asarray(source, dtype=float), np.asarray(target, dtype=float)
+    a, b = source - source.mean(axis=0), target - target.mean(axis=0)
+    turned = b @ rotation(align_rigid(source, target)[2])
+    overlap, size = float(np.sum(a * turned)), float(np.sum(a * a))
+    return overlap / size if size > 0.0 and overlap > 0.0 else None

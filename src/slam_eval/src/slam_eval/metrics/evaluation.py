@@ -70,6 +70,7 @@ class Evaluation:
     ate: Optional[TrajectoryError] = None
     unaligned: Optional[TrajectoryError] = None
     final_ate: Optional[TrajectoryError] = None
+    scale_error: Optional[float] = None
     odometry_ate: Optional[TrajectoryError] = None
     odometry_drift: Optional[Drift] = None
     wheels_ate: Optional[TrajectoryError] = None
@@ -114,6 +115,16 @@ def trajectory_error(trajectory, truth, align=True):
         T = se2.align_rigid(estimate, true)
     errors = np.linalg.norm(se2.transform_points(T, estimate) - true, axis=1)
     return TrajectoryError(T, valid, errors)
+
+
+def scale_error(trajectory, truth):
+    """How much too large the path is, as a share: 1 / s - 1 of the similarity that moves it onto
+    truth. None where it cannot be told."""
+    true, valid = interpolate(truth, trajectory.stamps)
+    if not truth.has_heading or np.count_nonzero(valid) < 2:
+        return None
+    scale = se2.similarity_scale(trajectory.poses[valid, :2], true[valid, :2])
+    return None if scale is None else 1.0 / scale - 1.0
 
 
 def landmark_error(estimate, truth, align=True):
@@ -168,6 +179,7 @@ def evaluate(run, relations=None, agreement=None):
     if run.truth is not None:
         result.ate = trajectory_error(run.trajectory, run.truth)
         result.unaligned = trajectory_error(run.trajectory, run.truth, align=False)
+        result.scale_error = scale_error(run.trajectory, run.truth)
         if run.final is not None:
             result.final_ate = trajectory_error(run.final, run.truth)
         if run.odometry is not None:
@@ -207,6 +219,7 @@ def _collect(run, result):
         "ate_rmse_m": result.ate and result.ate.rmse,
         "ate_max_m": result.ate and result.ate.max,
         "ate_unaligned_rmse_m": result.unaligned and result.unaligned.rmse,
+        "scale_error": result.scale_error,
         **(relative_metrics(run.trajectory, run.truth) if run.truth is not None else {}),
         "ate_final_rmse_m": result.final_ate and result.final_ate.rmse,
         "odometry_ate_rmse_m": result.odometry_ate and result.odometry_ate.rmse,

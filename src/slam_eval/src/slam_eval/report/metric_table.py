@@ -29,6 +29,10 @@ KEYS = {
         "Trajectory error, not aligned", "m", ".4f",
         "The same mean where truth is moved onto the estimate by its first pose, without a fit.",
         "Accuracy", True),
+    "scale_error": Key(
+        "Error of the scale", "", ".4f",
+        "By which share the path is too large (negative: too small): 1 / s - 1, where s scales it in "
+        "the similarity that fits it to truth best (Umeyama 1991).", "Accuracy", True),
     "ate_final_rmse_m": Key(
         "Trajectory error of the revised path", "m", ".4f",
         "The absolute trajectory error of the path as the back-end saw it at the end of the run.",

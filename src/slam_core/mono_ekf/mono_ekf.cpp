@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_ekf/mono_ekf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "slam_core/camera/camera_config.hpp"
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/mono_ekf/consensus.hpp"
+#include "slam_core/mono_ekf/corner_finder.hpp"
+#include "slam_core/mono_ekf/drawing.hpp"
+#include "slam_core/mono_ekf/feature_seeds.hpp"
+
+namespace slam::mono_ekf {
+namespace {
+
+const Registrar<Backend, MonoEkf> kRegistrar("mono_ekf");
+const SectionRegistrar<MonoEkfConfig> kSectionRegistrar;
+
+constexpr double kInitialVariance = 1e-6;  // [m^2, rad^2]
+constexpr std::size_t kLeastCorners = 8;   // an image with fewer shows nothing
+constexpr std::size_t kLeastMatches = 4;   // fewer may agree by chance
+// of a feature: images after which it has left the view, matches that make it worth to be kept
+// although its depth is not known
+constexpr int kImagesInView = 3, kEnoughMatches = 10;
+
+PoseEstimate start() { return {Pose2(), kInitialVariance * Eigen::Matrix3d::Identity()}; }
+
+std::size_t countOf(const std::vector<Search>& searches, Search::Outcome outcome) {
+  return static_cast<std::size_t>(std::count_if(
+      searches.begin(), searches.end(), [&](const auto& each) { return each.outcome == outcome; }));
+}
+
+bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() && !a.empty() &&
+         cv::norm(a, b, cv::NORM_INF) == 0.0;
+}
+
+}  // namespace
+
+void MonoEkf::describe(Ports& ports) {
+  ports.takes<Motion>("motion", "motion", &inputs_).carrier();
+  ports.takes<CameraView>(CameraConfig::kSection, "what the camera sees", &inputs_);
+}
+
+void MonoEkf::describe(Capabilities& capabilities) {
+  capabilities.offer<FeatureMapper>(*this);
+  capabilities.offer<LostReporter>(*this);
+  capabilities.offer<ViewDrawer>(*this);
+}
+
+void MonoEkf::configure(const MonoEkfConfig& config) {
+  requireUsable(config);
+  config_ = config;
+  active_search_ = ActiveSearch(config);
+  reset();
+}
+
+void MonoEkf::configure(Settings& settings) { configure(settings.read<MonoEkfConfig>()); }
+
+void MonoEkf::reset() {
+  state_ = MonoState(start());
+  watch_ = TrackingWatch(config_.lost_after);
+  inputs_ = {};
+  next_id_ = 0;
+  last_gray_ = cv::Mat();
+  nis_ = 0.0;
+  seen_ = {};
+  counters_.clear();
+}
+
+Status MonoEkf::execute() {
+  relocate();
+  for (const auto& motion : std::exchange(inputs_.motions, {})) state_.predict(motion);
+  const auto view = std::exchange(inputs_.view, std::nullopt);
+  return view ? look(*view) : Status::ok();
+}
+
+void MonoEkf::relocate() {
+  if (!inputs_.initial_pose) return;
+  state_.place(*std::exchange(inputs_.initial_pose, std::nullopt));
+  watch_.settle();
+}
+
+Status MonoEkf::look(const CameraView& view) {
+  seen_ = {};
+  nis_ = 0.0;
+  const auto& gray = view.image.gray;
+  if (!view.isUsable() || gray.empty() || isSameImage(gray, last_gray_)) return unusable(view);
+  last_gray_ = gray;
+  const PlanarCamera camera(view.camera, view.mount.T_base_camera);
+  seen_.gray = gray;
+  take(active_search_.searchFar(state_, camera, gray), camera);
+  take(active_search_.searchNear(state_, camera, gray, seen_.searches), camera);
+  judgeExistence();
+  const auto corners = beginFeatures(camera, gray, view.stamp);
+  const auto status = judge(view.stamp, corners);
+  convertSure(state_, camera.centre(state_.robot().pose), config_.largest_linearity_index);
+  removeFeatures();
+  return status;
+}
+
+Status MonoEkf::unusable(const CameraView& view) {
+  if (!view.isUsable() || view.image.gray.empty()) {
+    counters_.add("unusable");
+    return Status::ok();  // the camera's gate has said why
+  }
+  counters_.add("repeated");
+  return Status::warning(
+      "the camera sent the same image again, so that it is left out and the pose goes on by "
+      "odometry: look whether its driver hangs");
+}
+
+/// Updates the state with what the image agrees on; those become matched.
+void MonoEkf::take(std::vector<Search> searches, const PlanarCamera& camera) {
+  measure(searches, camera);
+  for (const auto& search : searches) {
+    seen_.searches.push_back(search);
+    seen_.are_points.push_back(state_.features()[search.feature].is_point);
+  }
+}
+
+void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera) {
+  std::vector<Match> matches;
+  std::vector<Search*> found;
+  for (auto& search : searches) {
+    if (search.outcome == Search::Outcome::kNotFound) continue;
+    matches.push_back({search.feature, search.found});
+    found.push_back(&search);
+  }
+  const auto consensus = consensusOf(state_, matches, camera, config_.pixel_sigma);
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    if (consensus.agrees[i]) found[i]->outcome = Search::Outcome::kMatched;
+  const auto agreed = consensus.measurements.size();
+  if (agreed < kLeastMatches || 2 * agreed < matches.size()) {  // patterns that repeat
+    for (auto* search : found) search->outcome = Search::Outcome::kRejected;
+    return;
+  }
+  const double nis = state_.update(consensus.measurements, config_.pixel_sigma);
+  nis_ = nis / static_cast<double>(2 * agreed);
+}
+
+void MonoEkf::judgeExistence() {
+  const auto& searches = seen_.searches;
+  const auto matched = countOf(searches, Search::Outcome::kMatched);
+  counters_.add("matched", matched);
+  counters_.add("rejected", countOf(searches, Search::Outcome::kRejected));
+  counters_.add("not_found", countOf(searches, Search::Outcome::kNotFound));
+  for (auto& feature : state_.features()) ++feature.images_unsearched;
+  const bool is_good = 3 * matched >= searches.size();  // else the image is at fault
+  for (const auto& search : searches) {
+    auto& feature = state_.features()[search.feature];
+    feature.images_unsearched = 0;
+    if (search.outcome == Search::Outcome::kMatched) {
+      ++feature.matches;
+      feature.existence = std::min(feature.existence + 1, Feature::kSurest);
+    } else if (is_good || !feature.isProven()) {
+      --feature.existence;
+    }
+  }
+}
+
+/// Where the image has few. @return how many corners it has beside the features
+std::size_t MonoEkf::beginFeatures(const PlanarCamera& camera, const cv::Mat& gray, Stamp stamp) {
+  const auto matched = countOf(seen_.searches, Search::Outcome::kMatched);
+  const auto wanted = static_cast<std::size_t>(config_.features_in_view);
+  if (wanted - matched <= wanted / 8) return 0;
+  std::vector<Eigen::Vector2d> occupied;
+  for (const auto& search : seen_.searches)
+    occupied.push_back(search.outcome == Search::Outcome::kNotFound ? search.predicted
+                                                                    : search.found);
+  const auto corners =
+      cornersOf(gray, occupied, config_.least_gradient, config_.spacing, Patch::kStoredRadius + 1);
+  const double rho = 1.0 / config_.typical_distance;
+  std::vector<MonoState::Seed> seeds;
+  for (const auto& corner : corners) {
+    if (matched + seeds.size() >= wanted) break;
+    auto seed = seedAt(corner, gray, camera, state_.robot().pose, rho);
+    if (!seed) continue;
+    seed->feature.id = next_id_++;
+    seed->feature.begun = stamp;
+    seeds.push_back(std::move(*seed));
+    seen_.added.push_back(corner);
+  }
+  state_.add(seeds, config_.pixel_sigma, (1.0 / config_.nearest - rho) / 2.0);
+  counters_.add("added", seeds.size());
+  return corners.size();
+}
+
+/// Those that are not there, those that left the view before much was known of them, and where
+/// there are too many those that were seen least.
+void MonoEkf::removeFeatures() {
+  const auto& features = state_.features();
+  std::vector<bool> kept;
+  std::vector<std::pair<int, std::size_t>> out_of_view;  // by how often they were seen
+  for (const auto& feature : features) {
+    const bool is_fleeting = !feature.is_point && feature.matches < kEnoughMatches;
+    const bool is_in_view = feature.images_unsearched <= kImagesInView;
+    kept.push_back(feature.existence > 0 && (is_in_view || !is_fleeting));
+    if (kept.back() && !is_in_view) out_of_view.emplace_back(feature.matches, kept.size() - 1);
+  }
+  auto count = std::count(kept.begin(), kept.end(), true);
+  std::sort(out_of_view.begin(), out_of_view.end());
+  for (const auto& [matches, which] : out_of_view) {
+    if (count <= config_.most_features) break;
+    kept[which] = false;
+    --count;
+  }
+  counters_.add("given_up", features.size() - static_cast<std::size_t>(count));
+  state_.keep(kept);
+}
+
+Status MonoEkf::judge(Stamp stamp, std::size_t corners) {
+  const auto matched = countOf(seen_.searches, Search::Outcome::kMatched);
+  const bool has_texture = matched + corners >= kLeastCorners;
+  if (!has_texture && matched < kLeastMatches) {
+    counters_.add("blank");
+    return Status::warning(
+        "the camera sees nothing that it could track, as in a dark room, before a blank wall or "
+        "behind a lens cap: the pose goes on by odometry meanwhile");
+  }
+  const auto of_old = oldSearches(stamp);
+  if (watch_.judge(stamp, of_old.size(), countOf(of_old, Search::Outcome::kMatched), has_texture))
+    widen();
+  if (watch_.isContradicted()) counters_.add("contradicted");
+  if (watch_.lostSince() && isKnownAgain()) watch_.settle();
+  if (!watch_.lostSince()) return Status::ok();
+  return Status::alarm(
+      "the robot is lost: the features are not where they are predicted, as after the robot or "
+      "its camera was moved by hand; bring it back to where it was, or set an initial pose");
+}
+
+/// Of features from before a contradiction, if there is one; those that began in it agree with it.
+std::vector<Search> MonoEkf::oldSearches(Stamp now) const {
+  const auto age = durationFromSeconds(2.0 * config_.lost_after);
+  std::vector<Search> searches;
+  for (const auto& search : seen_.searches)
+    if (const auto& feature = state_.features()[search.feature];
+        feature.isProven() && now - feature.begun >= age)
+      searches.push_back(search);
+  return searches;
+}
+
+/// The map goes on from here, where the robot may be elsewhere.
+void MonoEkf::widen() {
+  counters_.add("tracking_lost");
+  const double position = config_.lost_sigma_position, heading = config_.lost_sigma_heading;
+  mono_ekf::widen(state_, {position * position, position * position, heading * heading});
+}
+
+/// What was seen before has been recognised.
+bool MonoEkf::isKnownAgain() const {
+  constexpr double kShare = 0.2;
+  const Eigen::Array3d sigmas = state_.robot().covariance.diagonal().array().sqrt();
+  return sigmas.head<2>().maxCoeff() < kShare * config_.lost_sigma_position &&
+         sigmas(2) < kShare * config_.lost_sigma_heading;
+}
+
+std::vector<MappedFeature> MonoEkf::features() const {
+  std::vector<MappedFeature> mapped;
+  for (const auto& feature : state_.features())
+    if (feature.is_point)
+      mapped.push_back({feature.id, coordinatesOf(state_, feature),
+                        state_.covariance().block<3, 3>(feature.offset, feature.offset)});
+  return mapped;
+}
+
+cv::Mat MonoEkf::drawing() const {
+  return draw(seen_.gray, seen_.searches, seen_.are_points, seen_.added);
+}
+
+Component::Figures MonoEkf::figures() const {
+  const auto& features = state_.features();
+  const auto points = std::count_if(features.begin(), features.end(),
+                                    [](const auto& each) { return each.is_point; });
+  return {
+      {"features", static_cast<double>(features.size())},
+      {"features_with_depth", static_cast<double>(points)},
+      {"features_in_view", static_cast<double>(countOf(seen_.searches, Search::Outcome::kMatched))},
+      {"image_nis", nis_}};
+}
+
+}  // namespace slam::mono_ekf

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_ekf/mono_state.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <utility>
+
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/mono_ekf/inverse_depth.hpp"
+
+namespace slam::mono_ekf {
+
+MonoState::MonoState(const PoseEstimate& robot)
+    : mean_(robot.pose.vector()), covariance_(robot.covariance) {}
+
+PoseEstimate MonoState::robot() const {
+  return {Pose2::fromVector(mean_.head<kPose>()), covariance_.topLeftCorner<kPose, kPose>()};
+}
+
+void MonoState::predict(const Motion& motion) {
+  Eigen::Matrix3d J_pose, J_u;
+  const Pose2 moved = robot().pose.compose(motion.increment, &J_pose, &J_u);
+  mean_.head<kPose>() = moved.vector();
+  const auto map = mean_.size() - kPose;
+  const Eigen::Matrix3d P = covariance_.topLeftCorner<kPose, kPose>();
+  const Eigen::Matrix3d P_moved =
+      J_pose * P * J_pose.transpose() + J_u * motion.covariance * J_u.transpose();
+  covariance_.topLeftCorner<kPose, kPose>() = 0.5 * (P_moved + P_moved.transpose());
+  covariance_.topRightCorner(kPose, map) = (J_pose * covariance_.topRightCorner(kPose, map)).eval();
+  covariance_.bottomLeftCorner(map, kPose) = covariance_.topRightCorner(kPose, map).transpose();
+}
+
+void MonoState::place(const PoseEstimate& robot) {
+  mean_.head<kPose>() = robot.pose.vector();
+  covariance_.topRows<kPose>().setZero();
+  covariance_.leftCols<kPose>().setZero();
+  covariance_.topLeftCorner<kPose, kPose>() = robot.covariance;
+}
+
+Eigen::Matrix2d predictedCovariance(const MonoState& state, int offset,
+                                    const Prediction& prediction) {
+  const auto& P = state.covariance();
+  const auto& H_r = prediction.J_pose;
+  const auto& H_f = prediction.J_feature;
+  constexpr int kPose = MonoState::kPose;
+  const Eigen::Matrix2d cross = H_r * P.block(0, offset, kPose, H_f.cols()) * H_f.transpose();
+  return H_r * P.topLeftCorner<kPose, kPose>() * H_r.transpose() + cross + cross.transpose() +
+         H_f * P.block(offset, offset, H_f.cols(), H_f.cols()) * H_f.transpose();
+}
+
+Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement, double sigma) {
+  const auto& [offset, prediction, nu] = measurement;
+  const auto& P = state.covariance();
+  const Eigen::Matrix2d S =
+      predictedCovariance(state, offset, prediction) + sigma * sigma * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d weighted = S.inverse() * nu;
+  Eigen::VectorXd mean = state.mean();
+  mean += P.leftCols<MonoState::kPose>() * (prediction.J_pose.transpose() * weighted);
+  mean += P.middleCols(offset, prediction.J_feature.cols()) *
+          (prediction.J_feature.transpose() * weighted);
+  return mean;
+}
+
+MonoState partOf(const MonoState& state, const std::vector<std::size_t>& features) {
+  MonoState part(state.robot());
+  std::vector<int> rows = {0, 1, 2};
+  for (const auto which : features) {
+    auto& feature = part.features_.emplace_back(state.features_[which]);
+    for (int i = 0; i < feature.size(); ++i) rows.push_back(feature.offset + i);
+    feature.offset = static_cast<int>(rows.size()) - feature.size();
+  }
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  part.mean_.resize(size);
+  part.covariance_.resize(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    part.mean_(j) = state.mean_(rows[std::size_t(j)]);
+    for (Eigen::Index i = 0; i < size; ++i)
+      part.covariance_(i, j) = state.covariance_(rows[std::size_t(i)], rows[std::size_t(j)]);
+  }
+  return part;
+}
+
+void widen(MonoState& state, const Eigen::Vector3d& variances) {
+  state.covariance_.topLeftCorner<MonoState::kPose, MonoState::kPose>().diagonal() += variances;
+}
+
+double MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
+  const auto rows = static_cast<Eigen::Index>(2 * measurements.size());
+  if (rows == 0) return 0.0;
+  Eigen::MatrixXd PHt(mean_.size(), rows), S(rows, rows);
+  Eigen::VectorXd nu(rows);
+  Eigen::Index row = 0;
+  for (const auto& [offset, prediction, residual] : measurements) {
+    PHt.middleCols<2>(row) = covariance_.leftCols<kPose>() * prediction.J_pose.transpose();
+    PHt.middleCols<2>(row) += covariance_.middleCols(offset, prediction.J_feature.cols()) *
+                              prediction.J_feature.transpose();
+    nu.segment<2>(row) = residual;
+    row += 2;
+  }
+  row = 0;
+  for (const auto& [offset, prediction, residual] : measurements) {
+    S.middleRows<2>(row) = prediction.J_pose * PHt.topRows<kPose>();
+    S.middleRows<2>(row) +=
+        prediction.J_feature * PHt.middleRows(offset, prediction.J_feature.cols());
+    row += 2;
+  }
+  S.diagonal().array() += sigma * sigma;
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(S);
+  const Eigen::MatrixXd W = cholesky.matrixL().solve(PHt.transpose());
+  const Eigen::VectorXd whitened = cholesky.matrixL().solve(nu);
+  mean_ += W.transpose() * whitened;
+  mean_(2) = wrapAngle(mean_(2));
+  covariance_.selfadjointView<Eigen::Lower>().rankUpdate(W.transpose(), -1.0);
+  covariance_.triangularView<Eigen::StrictlyUpper>() = covariance_.transpose();
+  return whitened.squaredNorm();
+}
+
+void MonoState::add(const std::vector<Seed>& seeds, double sigma, double sigma_rho) {
+  const auto old_size = mean_.size();
+  const auto size = old_size + Feature::kCoordinates * static_cast<Eigen::Index>(seeds.size());
+  mean_.conservativeResize(size);
+  covariance_.conservativeResize(size, size);
+  const double variance = sigma_rho * sigma_rho;
+  auto offset = old_size;
+  for (const auto& seed : seeds) {
+    auto& feature = features_.emplace_back(seed.feature);
+    feature.offset = static_cast<int>(offset);
+    mean_.segment<5>(offset) = seed.coordinates;
+    covariance_.block(offset, 0, 5, offset) = seed.J_pose * covariance_.topLeftCorner(3, offset);
+    covariance_.block(0, offset, offset, 5) = covariance_.block(offset, 0, 5, offset).transpose();
+    Eigen::Matrix<double, 5, 5> own =
+        seed.J_pose * covariance_.topLeftCorner<kPose, kPose>() * seed.J_pose.transpose() +
+        sigma * sigma * seed.J_pixel * seed.J_pixel.transpose();
+    own(4, 4) += variance;
+    for (auto other = old_size; other < offset; other += Feature::kCoordinates)
+      covariance_(offset + 4, other + 4) = covariance_(other + 4, offset + 4) += 0.5 * variance;
+    covariance_.block<5, 5>(offset, offset) = 0.5 * (own + own.transpose());
+    offset += Feature::kCoordinates;
+  }
+}
+
+void convertSure(MonoState& state, const Eigen::Vector3d& centre_now,
+                 double largest_linearity_index) {
+  std::vector<int> kept_rows = {0, 1, 2};
+  int offset = MonoState::kPose;
+  for (auto& feature : state.features_) {
+    const int old_offset = std::exchange(feature.offset, offset);
+    const double height = feature.first.centre.z();
+    if (!feature.is_point) {
+      const InverseDepth y = state.mean_.segment<5>(old_offset);
+      const double sigma_rho = std::sqrt(state.covariance_(old_offset + 4, old_offset + 4));
+      feature.is_point = linearityIndex(y, height, sigma_rho, centre_now) < largest_linearity_index;
+      if (feature.is_point) state.toPoint(old_offset, height);
+    }
+    for (int i = 0; i < feature.size(); ++i) kept_rows.push_back(old_offset + i);
+    offset += feature.size();
+  }
+  state.compact(kept_rows);
+}
+
+/// The point stands where the first three of the five coordinates were.
+void MonoState::toPoint(int offset, double height) {
+  Eigen::Matrix<double, 3, 5> J;
+  mean_.segment<3>(offset) = pointOf(InverseDepth(mean_.segment<5>(offset)), height, &J);
+  covariance_.middleRows<3>(offset) = (J * covariance_.middleRows<5>(offset)).eval();
+  covariance_.middleCols<3>(offset) = (covariance_.middleCols<5>(offset) * J.transpose()).eval();
+}
+
+void MonoState::keep(const std::vector<bool>& kept) {
+  std::vector<int> kept_rows;
+  for (int i = 0; i < kPose; ++i) kept_rows.push_back(i);
+  std::vector<Feature> features;
+  int offset = kPose;
+  for (std::size_t i = 0; i < features_.size(); ++i) {
+    if (!kept[i]) continue;
+    auto& feature = features.emplace_back(std::move(features_[i]));
+    const int old_offset = std::exchange(feature.offset, offset);
+    for (int k = 0; k < feature.size(); ++k) kept_rows.push_back(old_offset + k);
+    offset += feature.size();
+  }
+  features_ = std::move(features);
+  compact(kept_rows);
+}
+
+/// In place: a row comes from itself or from one behind it.
+void MonoState::compact(const std::vector<int>& kept_rows) {
+  const auto size = static_cast<Eigen::Index>(kept_rows.size());
+  if (size == mean_.size()) return;
+  for (Eigen::Index i = 0; i < size; ++i) mean_(i) = mean_(kept_rows[std::size_t(i)]);
+  for (Eigen::Index j = 0; j < size; ++j)
+    for (Eigen::Index i = 0; i < size; ++i)
+      covariance_(i, j) = covariance_(kept_rows[std::size_t(i)], kept_rows[std::size_t(j)]);
+  mean_.conservativeResize(size);
+  covariance_.conservativeResize(size, size);
+}
+
+}  // namespace slam::mono_ekf

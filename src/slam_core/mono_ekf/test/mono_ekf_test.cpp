@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_ekf/mono_ekf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <string>
+
+#include "slam_core/common/config_error.hpp"
+#include "slam_core/mono_ekf/test/textured_room.hpp"
+
+namespace slam::mono_ekf {
+namespace {
+
+Stamp at(double s) { return Stamp(durationFromSeconds(s)); }
+
+/// A robot that drives an arc through a painted room, ten images a second, with exact odometry that
+/// claims some noise.
+class MonoEkfInARoom : public testing::Test {
+ protected:
+  MonoEkfInARoom() : room_(1, kHalf), inputs_(portsOf(filter_)) {
+    filter_.configure(MonoEkfConfig());
+  }
+
+  Motion move(double seconds = 0.1) {
+    const Pose2 step = Pose2::exp({0.5 * seconds, 0.0, 0.2 * seconds});
+    truth_ = truth_ * step;
+    Motion motion;
+    motion.start = at(time_);
+    motion.end = at(time_ += seconds);
+    motion.increment = step;
+    motion.covariance = (Eigen::Vector3d(1e-4, 1e-4, 1e-3) * seconds).asDiagonal();
+    inputs_.input("motion", kindOf<Motion>())->set(&motion);
+    return motion;
+  }
+  CameraView seen(double turned = 0.0) { return room_.look(truth_, at(time_), turned); }
+  Status take(const CameraView& view) {
+    inputs_.input("camera", kindOf<CameraView>())->set(&view);
+    const auto status = filter_.execute();
+    expectSound();
+    return status;
+  }
+  Status step() {
+    move();
+    return take(seen());
+  }
+  void drive(int steps) {
+    for (int i = 0; i < steps; ++i) step();
+  }
+  void expectSound() const {
+    const auto& P = filter_.state().covariance();
+    ASSERT_TRUE(filter_.state().mean().allFinite() && P.allFinite());
+    ASSERT_LT((P - P.transpose()).norm(), 1e-9 * P.norm());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(P, Eigen::EigenvaluesOnly);
+    ASSERT_GT(eigen.eigenvalues().minCoeff(), -1e-9);
+  }
+  double error() const { return (filter_.pose().pose.position() - truth_.position()).norm(); }
+  std::optional<Stamp> lostSince() { return as<LostReporter>(filter_).lostSince(); }
+  double figure(const std::string& name) const {
+    for (const auto& [other, value] : filter_.figures())
+      if (other == name) return value;
+    return -1.0;
+  }
+
+  static constexpr double kHalf = 4.0;  ///< of the room [m]
+
+  test::TexturedRoom room_;
+  MonoEkf filter_;
+  Ports inputs_;
+  Pose2 truth_;
+  double time_ = 0.0;
+};
+
+TEST_F(MonoEkfInARoom, MapsCornersAndKnowsTheirDepth) {
+  drive(60);
+  EXPECT_LT(error(), 0.1);
+  EXPECT_GT(figure("features"), 20.0);
+  EXPECT_GT(figure("features_with_depth"), 3.0);
+  EXPECT_GT(figure("features_in_view"), 15.0);
+  const auto features = as<FeatureMapper>(filter_).features();
+  EXPECT_EQ(static_cast<double>(features.size()), figure("features_with_depth"));
+  for (const auto& [id, position, covariance] : features) {
+    const double off_wall = kHalf - position.head<2>().cwiseAbs().maxCoeff();
+    EXPECT_LT(std::abs(off_wall), 1.0) << "it is on a wall";
+    EXPECT_GT(covariance.diagonal().minCoeff(), 0.0);
+  }
+  EXPECT_GT(filter_.counters()["matched"], 10 * filter_.counters()["rejected"]);
+}
+
+TEST_F(MonoEkfInARoom, CorrectsOdometryThatTurnsTooFar) {
+  for (int i = 0; i < 30; ++i) {
+    move();
+    Motion slip;
+    slip.increment = Pose2(0.0, 0.0, 0.006);
+    slip.covariance = Eigen::Vector3d(1e-9, 1e-9, 4e-5).asDiagonal();
+    inputs_.input("motion", kindOf<Motion>())->set(&slip);
+    take(seen());
+  }
+  EXPECT_LT(std::abs(filter_.pose().pose.theta() - truth_.theta()), 0.02) << "of 0.18 rad";
+}
+
+TEST_F(MonoEkfInARoom, ShowsWhatItDoes) {
+  EXPECT_TRUE(as<ViewDrawer>(filter_).drawing().empty()) << "no image yet";
+  drive(6);
+  const auto drawing = as<ViewDrawer>(filter_).drawing();
+  ASSERT_EQ(drawing.type(), CV_8UC3);
+  EXPECT_EQ(drawing.size(), cv::Size(320, 240));
+}
+
+TEST_F(MonoEkfInARoom, GoesOnByOdometryInADarkRoomBeforeABlankWallAndBehindACap) {
+  drive(10);
+  const auto features = figure("features");
+  const double sigma = filter_.pose().covariance(0, 0);
+  for (const double gray : {0.0, 4.0, 190.0}) {
+    for (int i = 0; i < 3; ++i) {
+      move();
+      auto view = seen();
+      view.image.gray = cv::Mat(240, 320, CV_8U);
+      cv::RNG(static_cast<std::uint64_t>(time_ * 100))
+          .fill(view.image.gray, cv::RNG::NORMAL, gray, 2.0);
+      const auto status = take(view);
+      EXPECT_NE(status.message.find("dark room"), std::string::npos) << status.message;
+    }
+  }
+  EXPECT_EQ(filter_.counters()["blank"], 9U);
+  EXPECT_LT(error(), 0.05);
+  EXPECT_GT(filter_.pose().covariance(0, 0), sigma);
+  EXPECT_GT(figure("features"), 0.5 * features) << "what is not seen in the dark is not gone";
+  EXPECT_FALSE(lostSince());
+  drive(3);
+  EXPECT_GT(figure("features_in_view"), 8.0) << "it finds the features again";
+}
+
+TEST_F(MonoEkfInARoom, LeavesOutTheSameImageThatComesAgain) {
+  drive(8);
+  const auto view = seen();
+  move();
+  auto again = view;
+  take(view);
+  const auto before = filter_.pose();
+  again.stamp = at(time_);
+  const auto status = take(again);
+  EXPECT_NE(status.message.find("same image again"), std::string::npos) << status.message;
+  EXPECT_EQ(filter_.counters()["repeated"], 1U);
+  EXPECT_EQ(filter_.pose().pose.vector(), before.pose.vector());
+}
+
+TEST_F(MonoEkfInARoom, TakesAnotherResolutionInTheMiddle) {
+  drive(12);
+  room_.setSize({480, 360});
+  drive(4);
+  EXPECT_GT(figure("features_in_view"), 8.0);
+  EXPECT_LT(error(), 0.06);
+  EXPECT_FALSE(lostSince());
+}
+
+TEST_F(MonoEkfInARoom, WorksWithTwoImagesASecond) {
+  for (int i = 0; i < 8; ++i) {
+    move(0.5);
+    take(seen());
+  }
+  EXPECT_GT(figure("features_in_view"), 5.0);
+  EXPECT_LT(error(), 0.15);
+}
+
+TEST_F(MonoEkfInARoom, FindsItsFeaturesAfterAGapOfTenSeconds) {
+  drive(20);
+  Motion motion;  // it waits; odometry only becomes less certain
+  motion.covariance = Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal();
+  inputs_.input("motion", kindOf<Motion>())->set(&motion);
+  time_ += 10.0;
+  take(seen());
+  EXPECT_GT(figure("features_in_view"), 10.0);
+  EXPECT_FALSE(lostSince());
+}
+
+TEST_F(MonoEkfInARoom, MovesTimeOnWithoutACalibration) {
+  drive(3);
+  move();
+  CameraView view;
+  view.stamp = at(time_);
+  const auto status = take(view);
+  EXPECT_TRUE(status.isOk()) << "the gate of the camera has said why: " << status.message;
+  EXPECT_EQ(filter_.counters()["unusable"], 1U);
+  EXPECT_LT(error(), 0.05);
+}
+
+TEST_F(MonoEkfInARoom, IsLostWhenItsCameraIsTurnedByHand) {
+  drive(40);
+  EXPECT_FALSE(lostSince());
+  Status status;
+  for (int i = 0; i < 16; ++i) {
+    move();
+    status = take(seen(0.35));
+  }
+  EXPECT_TRUE(lostSince().has_value());
+  EXPECT_NE(status.message.find("the robot is lost"), std::string::npos) << status.message;
+  EXPECT_GT(std::sqrt(filter_.pose().covariance(2, 2)), 0.3);
+  filter_.set(PoseEstimate{Pose2(1.0, 2.0, 0.3), 1e-4 * Eigen::Matrix3d::Identity()});
+  filter_.execute();
+  EXPECT_FALSE(lostSince()) << "it was told where it is";
+  EXPECT_EQ(filter_.pose().pose.vector(), Eigen::Vector3d(1.0, 2.0, 0.3));
+}
+
+TEST_F(MonoEkfInARoom, GoesOnFromItsStateWithTheSameBits) {
+  drive(10);
+  ArchiveWriter writer;
+  filter_.saveState(writer);
+  const auto bytes = writer.take();
+  MonoEkf second;
+  second.configure(MonoEkfConfig());
+  ArchiveReader reader(bytes);
+  second.restoreState(reader);
+  for (int i = 0; i < 5; ++i) {
+    const auto motion = move();
+    const auto view = seen();
+    take(view);
+    give(motion, second);
+    give(view, second);
+    second.execute();
+    ASSERT_EQ(filter_.pose().pose.vector(), second.pose().pose.vector()) << i;
+    ASSERT_EQ(filter_.pose().covariance, second.pose().covariance) << i;
+  }
+}
+
+TEST_F(MonoEkfInARoom, KeepsNoMoreFeaturesThanItMay) {
+  MonoEkfConfig config;
+  config.features_in_view = 12;
+  config.most_features = 14;
+  filter_.configure(config);
+  for (int i = 0; i < 40; ++i) {
+    step();
+    ASSERT_LE(figure("features"), 40.0);
+  }
+  EXPECT_LT(error(), 0.3);
+}
+
+TEST(MonoEkfConfiguration, IsRefusedWithASentence) {
+  const auto messageOf = [](const std::vector<std::string>& changes) -> std::string {
+    Settings settings({}, {}, changes);
+    try {
+      MonoEkf().configure(settings);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(messageOf({}), "");
+  EXPECT_NE(messageOf({"mono_ekf.mode=localization"}).find("set mode to slam"), std::string::npos);
+  EXPECT_NE(messageOf({"mono_ekf.most_features=10"}).find("features_in_view"), std::string::npos);
+  EXPECT_NE(messageOf({"mono_ekf.nearest=5"}).find("typical_distance"), std::string::npos);
+  EXPECT_NE(messageOf({"mono_ekf.pixel_sigma=0"}).find("pixel_sigma"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slam::mono_ekf

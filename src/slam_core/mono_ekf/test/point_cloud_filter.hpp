@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/LU>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "slam_core/geometry/angle.hpp"
+#include "slam_core/mono_ekf/consensus.hpp"
+#include "slam_core/mono_ekf/feature_seeds.hpp"
+#include "slam_core/mono_ekf/test/point_cloud_drive.hpp"
+
+namespace slam::test {
+
+/// The filter over a drive whose points are recognised without fail.
+class PointCloudFilter {
+ public:
+  explicit PointCloudFilter(std::uint64_t seed)
+      : drive_(seed), state_({Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}) {}
+
+  void step() {
+    if (steps_++ > 0) state_.predict(drive_.move());
+    const auto seen = drive_.look();
+    measure(seen);
+    convertSure(state_, drive_.camera().centre(state_.robot().pose), 0.1);
+    begin(seen);
+  }
+
+  mono_ekf::MonoState& state() { return state_; }
+  const PointCloudDrive& drive() const { return drive_; }
+  /// The point that a feature is of.
+  Eigen::Vector3d truthOf(const mono_ekf::Feature& feature) const {
+    return drive_.points()[feature.id];
+  }
+
+  double nees() const {
+    Eigen::Vector3d error = state_.robot().pose.vector() - drive_.truth().vector();
+    error.z() = wrapAngle(error.z());
+    return error.dot(state_.robot().covariance.inverse() * error);
+  }
+
+ private:
+  void measure(const std::vector<PointCloudDrive::Pixel>& seen) {
+    std::map<std::size_t, std::size_t> features;
+    for (std::size_t i = 0; i < state_.features().size(); ++i)
+      features[state_.features()[i].id] = i;
+    std::vector<mono_ekf::Match> matches;
+    for (const auto& [point, pixel] : seen)
+      if (features.count(point) > 0 && matches.size() < 40)
+        matches.push_back({features[point], pixel});
+    const auto consensus =
+        mono_ekf::consensusOf(state_, matches, drive_.camera(), PointCloudDrive::kPixelSigma);
+    state_.update(consensus.measurements, PointCloudDrive::kPixelSigma);
+  }
+
+  void begin(const std::vector<PointCloudDrive::Pixel>& seen) {
+    std::vector<mono_ekf::MonoState::Seed> seeds;
+    for (const auto& [point, pixel] : seen) {
+      if (!known_.insert(point).second) continue;
+      auto seed = mono_ekf::raySeed(pixel, drive_.camera(), state_.robot().pose, 0.4);
+      seed->feature.id = point;
+      seeds.push_back(*seed);
+    }
+    state_.add(seeds, PointCloudDrive::kPixelSigma, 0.8);
+  }
+
+  PointCloudDrive drive_;
+  mono_ekf::MonoState state_;
+  std::set<std::size_t> known_;
+  int steps_ = 0;
+};
+
+}  // namespace slam::test
