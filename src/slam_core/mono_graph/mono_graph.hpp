@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam_core/camera/camera_view.hpp"
+#include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/event_reporter.hpp"
+#include "slam_core/contract/graph_reporter.hpp"
+#include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/models/motion.hpp"
+#include "slam_core/mono_graph/local_mapper.hpp"
+#include "slam_core/mono_graph/mono_graph_config.hpp"
+#include "slam_core/mono_graph/odometry_anchor.hpp"
+#include "slam_core/mono_graph/orb_extractor.hpp"
+#include "slam_core/mono_graph/tracker.hpp"
+#include "slam_core/mono_graph/visual_map.hpp"
+
+namespace slam::mono_graph {
+
+/// SLAM with keyframes of one camera that looks ahead (the strategy of ORB-SLAM: Mur-Artal,
+/// Montiel, Tardos 2015), for a robot on the plane whose odometry gives the scale: each image is
+/// tracked in the map of points, some become keyframes, and those around the newest are adjusted
+/// together.
+///
+/// Counted: "untracked" (images that show too few points of the map), "blank" (too few features),
+/// "unusable" (without calibration, mount or pixels), "keyframes_full".
+class MonoGraph final : public Backend, EventReporter, GraphReporter, PathReviser {
+ public:
+  /// @throw ConfigError
+  void configure(const MonoGraphConfig& config);
+  void configure(Settings& settings) override;
+  void describe(Ports& ports) override;
+  void describe(Capabilities& capabilities) override;
+
+  void set(const PoseEstimate& initial_pose) override { inputs_.initial_pose = initial_pose; }
+  Status execute() override;
+  PoseEstimate pose() const override;
+  Counters counters() const override { return counters_; }
+  Figures figures() const override;
+  void reset() override;
+  bool canResume() const override { return true; }
+  void saveState(ArchiveWriter& archive) const override { archive(*this); }
+  void restoreState(ArchiveReader& archive) override { archive(*this); }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(map_, mapper_, anchor_, way_, reference_, pose_, covariance_, path_, events_, inputs_,
+            counters_);
+  }
+
+ private:
+  /// These inputs were set since the last step.
+  struct Inputs {
+    std::optional<PoseEstimate> initial_pose;
+    std::vector<Motion> motions;
+    std::optional<CameraView> view;
+
+    void set(const Motion& motion) { motions.push_back(motion); }
+    void set(const CameraView& seen) { view = seen; }
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(initial_pose, motions, view);
+    }
+  };
+  /// A step of the way, relative to the keyframe that it was tracked by.
+  struct WayPoint {
+    Stamp stamp;
+    std::optional<int> keyframe;
+    Pose2 pose;  ///< in the keyframe; in the map where there is none
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(stamp, keyframe, pose);
+    }
+  };
+
+  // what it offers as capabilities
+  std::vector<Event> events() const override { return events_; }
+  GraphView graph() const override;
+  std::vector<StampedPose> path() const override;
+
+  void relocate();
+  void move(const Motion& motion);
+  Status see(const CameraView& view);
+  Status follow(const CameraView& view, const Features& features);
+  bool wantsKeyframe(const TrackedView& tracked) const;
+  bool isFarFromKeyframes() const;
+  Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
+  void believe(const TrackedView& tracked);
+  void predict();
+  void noteStep(Stamp stamp);
+
+  MonoGraphConfig config_;
+  OrbExtractor orb_;
+  VisualMap map_;
+  LocalMapper mapper_;
+  OdometryAnchor anchor_;         ///< where points showed the robot last
+  OdometryAnchor way_;            ///< odometry since the newest keyframe
+  std::optional<int> reference_;  ///< the keyframe that the robot is tracked by
+  Pose2 pose_;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< relative to the reference
+  std::vector<WayPoint> path_;
+  std::vector<Event> events_;  ///< of the last step
+  Inputs inputs_;
+  Counters counters_;
+};
+
+}  // namespace slam::mono_graph

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_graph/pose_chain.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "slam_core/geometry/covariance.hpp"
+
+namespace slam::mono_graph {
+namespace {
+
+constexpr int kLinkPoints = 20;      // points that make a link of a chain
+constexpr double kDependence = 4.0;  // of the points: their positions come from the same keyframes
+
+/// How well the points that both see determine the pose of the one relative to the other.
+Eigen::Matrix3d sharedInformation(const VisualMap& map, int number, int other) {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  const auto& keyframe = map.keyframe(number);
+  for (std::size_t i = 0; i < keyframe.points.size(); ++i) {
+    if (keyframe.points[i] == kNoPoint) continue;
+    const auto& point = map.point(keyframe.points[i]);
+    bool is_shared = false;
+    for (const auto& sighting : point.sightings) is_shared |= sighting.keyframe == other;
+    Eigen::Matrix<double, 2, 3> J;
+    const auto& features = keyframe.features;
+    if (!is_shared || !features.camera().project(keyframe.pose, point.position, &J)) continue;
+    H += J.transpose() * J / (features[i].sigma * features[i].sigma);
+  }
+  return H;
+}
+
+/// Which of two chains leaves more; a radian counts as a metre.
+double sizeOf(const Eigen::Matrix3d& covariance) { return covariance.trace(); }
+
+}  // namespace
+
+Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, const Pose2& pose,
+                        const Eigen::Matrix3d& of_pose) {
+  Eigen::Matrix3d J;
+  origin.compose(origin.between(pose), &J);
+  return symmetric(J * of_origin * J.transpose() + of_pose);
+}
+
+std::optional<Eigen::Matrix3d> chainedCovariance(const VisualMap& map, int number) {
+  std::optional<Eigen::Matrix3d> best;
+  const auto& keyframe = map.keyframe(number);
+  const auto consider = [&](const Keyframe& other, const Eigen::Matrix3d& of_link) {
+    const auto covariance = chained(other.pose, other.covariance, keyframe.pose, of_link);
+    if (covariance.allFinite() && (!best || sizeOf(covariance) < sizeOf(*best))) best = covariance;
+  };
+  if (keyframe.way) {
+    const auto& before = map.keyframe(number - 1);
+    Eigen::Matrix3d J;
+    before.pose.compose(*keyframe.way, nullptr, &J);
+    consider(before, J * keyframe.way_covariance * J.transpose());
+  }
+  for (const auto& [other, shared] : sharedPoints(map, number)) {
+    if (shared < kLinkPoints || other > number) continue;
+    consider(map.keyframe(other), kDependence * sharedInformation(map, number, other).inverse());
+  }
+  return best;
+}
+
+}  // namespace slam::mono_graph
