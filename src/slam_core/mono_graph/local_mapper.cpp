@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kTriangulated = 4;    // neighbours that new points come from
 constexpr int kTrial = 2;                   // keyframes after which a point has proved itself
-constexpr std::size_t kLeastSightings = 3;  // that it needs for that
+constexpr std::size_t kLeastSightings = 2;  // that it needs for that
 constexpr double kLeastFound = 0.25;        // share of the images that were to show it
 constexpr double kJoinRadius = 4.0;         // [px]
 constexpr int kAdjustmentSteps = 6;         // of an adjustment

@@ -4,6 +4,7 @@
 #include "slam_core/mono_graph/mono_graph.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,13 @@ const SectionRegistrar<MonoGraphConfig> kSectionRegistrar;
 
 constexpr double kInitialVariance = 1e-6;  // [m^2, rad^2]
 constexpr std::size_t kLeastFeatures = 30;
+constexpr double kFewShared = 0.5;      // of the points of the reference
+constexpr double kNearKeyframe = 0.4;   // of the usual distance
+
+int countOfPoints(const Keyframe& keyframe) {
+  return static_cast<int>(keyframe.points.size()) -
+         static_cast<int>(std::count(keyframe.points.begin(), keyframe.points.end(), kNoPoint));
+}
 
 }  // namespace
 
@@ -108,6 +116,7 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
   if (reference_)
     tracked = track(map_, features, anchor_.predicted(), keyframesAround(map_, *reference_));
   const bool is_tracked = tracked.matches.size() >= static_cast<std::size_t>(config_.least_points);
+  if (getenv("DBG")) fprintf(stderr, "DBG %.2f f %zu exp %zu m %zu rej %zu kf %zu pts %zu\n", double(nanoseconds(view.stamp)%1000000000000)*1e-9, features.size(), tracked.expected.size(), tracked.matches.size(), tracked.rejected.size(), map_.keyframes().size(), map_.countOfPoints());
   if (is_tracked)
     believe(tracked);
   else if (reference_)
@@ -125,20 +134,23 @@ void MonoGraph::believe(const TrackedView& tracked) {
   anchor_.place(pose_, symmetric(tracked.information.inverse()));
 }
 
-bool MonoGraph::isFarFromKeyframes() const {
-  if (map_.keyframes().empty()) return true;
+/// @param share of the distance and the turn that make a keyframe
+bool MonoGraph::isFarFromKeyframes(double share) const {
   auto nearby = reference_ ? keyframesAround(map_, *reference_) : std::vector<int>();
-  nearby.push_back(static_cast<int>(map_.keyframes().size()) - 1);
-  for (const int number : nearby) {
+  if (!map_.keyframes().empty()) nearby.push_back(static_cast<int>(map_.keyframes().size()) - 1);
+  return std::all_of(nearby.begin(), nearby.end(), [&](int number) {
     const Pose2 apart = map_.keyframe(number).pose.between(pose_);
-    if (apart.position().norm() < config_.keyframe_distance &&
-        std::abs(apart.theta()) < config_.keyframe_turn)
-      return false;
-  }
-  return true;
+    return apart.position().norm() >= share * config_.keyframe_distance ||
+           std::abs(apart.theta()) >= share * config_.keyframe_turn;
+  });
 }
 
-bool MonoGraph::wantsKeyframe(const TrackedView&) const { return isFarFromKeyframes(); }
+/// Where an image shows few of the points that its reference does, new ones are needed.
+bool MonoGraph::wantsKeyframe(const TrackedView& tracked) const {
+  const auto shown = reference_ ? countOfPoints(map_.keyframe(*reference_)) : 0;
+  const bool are_few = static_cast<double>(tracked.matches.size()) < kFewShared * shown;
+  return isFarFromKeyframes(are_few ? kNearKeyframe : 1.0);
+}
 
 Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
                               const TrackedView& tracked) {

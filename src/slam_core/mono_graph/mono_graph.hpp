@@ -90,7 +90,7 @@ class MonoGraph final : public Backend, EventReporter, GraphReporter, PathRevise
   Status see(const CameraView& view);
   Status follow(const CameraView& view, const Features& features);
   bool wantsKeyframe(const TrackedView& tracked) const;
-  bool isFarFromKeyframes() const;
+  bool isFarFromKeyframes(double share) const;
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
   void believe(const TrackedView& tracked);
   void predict();

@@ -14,11 +14,11 @@ struct MonoGraphConfig {
   static constexpr const char* kSection = "mono_graph";
 
   BackendMode mode = BackendMode::kSlam;
-  int features = 600;
+  int features = 1000;
   double sigma = 0.8;
-  double keyframe_distance = 0.2;
-  double keyframe_turn = 0.2;
-  int window = 8;
+  double keyframe_distance = 0.25;
+  double keyframe_turn = 0.25;
+  int window = 12;
   int least_points = 15;
   int most_keyframes = 5000;
 
