@@ -22,8 +22,8 @@ const SectionRegistrar<MonoGraphConfig> kSectionRegistrar;
 
 constexpr double kInitialVariance = 1e-6;  // [m^2, rad^2]
 constexpr std::size_t kLeastFeatures = 30;
-constexpr double kFewShared = 0.5;      // of the points of the reference
-constexpr double kNearKeyframe = 0.4;   // of the usual distance
+constexpr double kFewShared = 0.5;     // of the points of the reference
+constexpr double kNearKeyframe = 0.4;  // of the usual distance
 
 int countOfPoints(const Keyframe& keyframe) {
   return static_cast<int>(keyframe.points.size()) -
@@ -116,7 +116,11 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
   if (reference_)
     tracked = track(map_, features, anchor_.predicted(), keyframesAround(map_, *reference_));
   const bool is_tracked = tracked.matches.size() >= static_cast<std::size_t>(config_.least_points);
-  if (getenv("DBG")) fprintf(stderr, "DBG %.2f f %zu exp %zu m %zu rej %zu kf %zu pts %zu\n", double(nanoseconds(view.stamp)%1000000000000)*1e-9, features.size(), tracked.expected.size(), tracked.matches.size(), tracked.rejected.size(), map_.keyframes().size(), map_.countOfPoints());
+  if (getenv("DBG"))
+    fprintf(stderr, "DBG %.2f f %zu exp %zu m %zu rej %zu kf %zu pts %zu\n",
+            double(nanoseconds(view.stamp) % 1000000000000) * 1e-9, features.size(),
+            tracked.expected.size(), tracked.matches.size(), tracked.rejected.size(),
+            map_.keyframes().size(), map_.countOfPoints());
   if (is_tracked)
     believe(tracked);
   else if (reference_)

@@ -20,7 +20,8 @@ void MonoGraphConfig::describe(Fields& fields) {
       .in(Range::closed(0.1, 10));
   fields
       .add("keyframe_distance", &keyframe_distance,
-           "an image this far from all keyframes nearby becomes one; where it shows few of their points, "
+           "an image this far from all keyframes nearby becomes one; where it shows few of their "
+           "points, "
            "one at 0.4 times the distance or turn")
       .unit("m")
       .in(Range::closed(0.02, 5));
