@@ -6,11 +6,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
-#include "slam_core/geometry/angle.hpp"
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/mono_graph/pose_chain.hpp"
 
@@ -25,9 +26,20 @@ constexpr std::size_t kLeastFeatures = 30;
 constexpr double kFewShared = 0.5;     // of the points of the reference
 constexpr double kNearKeyframe = 0.4;  // of the usual distance
 
-int countOfPoints(const Keyframe& keyframe) {
-  return static_cast<int>(keyframe.points.size()) -
-         static_cast<int>(std::count(keyframe.points.begin(), keyframe.points.end(), kNoPoint));
+Eigen::Matrix3d initialCovariance() { return kInitialVariance * Eigen::Matrix3d::Identity(); }
+
+double countOfPoints(const Keyframe& keyframe) {
+  const auto none = std::count(keyframe.points.begin(), keyframe.points.end(), kNoPoint);
+  return static_cast<double>(keyframe.points.size()) - static_cast<double>(none);
+}
+
+Vocabulary vocabularyOf(const MonoGraphConfig& config) {
+  if (config.vocabulary.empty()) return Vocabulary::builtIn();
+  try {
+    return Vocabulary::load(config.vocabulary);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(std::string("mono_graph.vocabulary: ") + error.what());
+  }
 }
 
 }  // namespace
@@ -40,11 +52,14 @@ void MonoGraph::describe(Ports& ports) {
 void MonoGraph::describe(Capabilities& capabilities) {
   capabilities.offer<EventReporter>(*this);
   capabilities.offer<GraphReporter>(*this);
+  capabilities.offer<LostReporter>(*this);
   capabilities.offer<PathReviser>(*this);
+  capabilities.offer<PlaceReporter>(*this);
 }
 
 void MonoGraph::configure(const MonoGraphConfig& config) {
   requireUsable(config);
+  vocabulary_ = vocabularyOf(config);
   config_ = config;
   orb_ = OrbExtractor(config.features, config.sigma);
   reset();
@@ -55,11 +70,12 @@ void MonoGraph::configure(Settings& settings) { configure(settings.read<MonoGrap
 void MonoGraph::reset() {
   map_ = {};
   mapper_ = LocalMapper(config_.window);
-  anchor_ = way_ = {};
-  anchor_.place({}, kInitialVariance * Eigen::Matrix3d::Identity());
-  way_.place({}, Eigen::Matrix3d::Zero());
+  recogniser_ = PlaceRecogniser(config_.least_place_points, seed_);
+  closer_ = {};
+  way_ = {};
   reference_.reset();
-  predict();
+  putAt({}, initialCovariance());
+  is_tracked_ = false;
   path_.clear();
   events_.clear();
   inputs_ = {};
@@ -78,17 +94,41 @@ Status MonoGraph::execute() {
   return status;
 }
 
-/// A map that is kept has nothing to do with the new pose.
+/// The map is kept; where the robot now is in it, it is tracked by what is near.
 void MonoGraph::relocate() {
   if (!inputs_.initial_pose) return;
   const auto initial = *std::exchange(inputs_.initial_pose, std::nullopt);
-  anchor_.place(initial.pose, initial.covariance);
-  reference_.reset();
+  putAt(initial.pose, initial.covariance);
+  reference_ = nearestKeyframe();
+}
+
+void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
+  anchor_.place(pose, covariance);
+  is_way_known_ = false;
+  watch_.clear();
+  agreement_.clear();
+  lost_since_.reset();
+  predict();
+}
+
+std::optional<int> MonoGraph::nearestKeyframe() const {
+  constexpr double kNear = 1.0;  // [m, rad]
+  std::optional<int> nearest;
+  double least = kNear;
+  for (int i = 0; i < static_cast<int>(map_.keyframes().size()); ++i) {
+    const Pose2 apart = map_.keyframe(i).pose.between(pose_);
+    const double distance = apart.position().norm() + std::abs(apart.theta());
+    if (distance > least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
 }
 
 void MonoGraph::move(const Motion& motion) {
   anchor_.move(motion);
   way_.move(motion);
+  agreement_.move(motion);
 }
 
 void MonoGraph::predict() {
@@ -98,6 +138,7 @@ void MonoGraph::predict() {
 }
 
 Status MonoGraph::see(const CameraView& view) {
+  is_tracked_ = false;
   if (!view.isUsable() || view.image.gray.empty()) {
     counters_.add("unusable");
     return Status::ok();  // the camera's gate has said why
@@ -111,22 +152,35 @@ Status MonoGraph::see(const CameraView& view) {
 }
 
 Status MonoGraph::follow(const CameraView& view, const Features& features) {
-  TrackedView tracked;
-  tracked.pose = pose_;
-  if (reference_)
-    tracked = track(map_, features, anchor_.predicted(), keyframesAround(map_, *reference_));
-  const bool is_tracked = tracked.matches.size() >= static_cast<std::size_t>(config_.least_points);
-  if (getenv("DBG"))
-    fprintf(stderr, "DBG %.2f f %zu exp %zu m %zu rej %zu kf %zu pts %zu\n",
-            double(nanoseconds(view.stamp) % 1000000000000) * 1e-9, features.size(),
-            tracked.expected.size(), tracked.matches.size(), tracked.rejected.size(),
-            map_.keyframes().size(), map_.countOfPoints());
-  if (is_tracked)
-    believe(tracked);
+  if (lost_since_) lookForPlace(features);
+  if (lost_since_) return Status::ok();
+  const auto seen = tracked(features);
+  is_tracked_ = seen.matches.size() >= static_cast<std::size_t>(config_.least_points);
+  if (is_tracked_)
+    believe(seen);
   else if (reference_)
     counters_.add("untracked");
-  if (!wantsKeyframe(tracked)) return Status::ok();
-  return addKeyframe(view, features, tracked);
+  watch_.add(view.stamp, features.size(), seen.expected.size(), seen.matches.size());
+  lost_since_ = watch_.lostSince();
+  if (watch_.isContradicted() || !wantsKeyframe(seen)) return Status::ok();
+  return addKeyframe(view, features, seen);
+}
+
+/// Several images in a row have to agree before the robot is put anywhere.
+void MonoGraph::lookForPlace(const Features& features) {
+  const auto place = recogniser_.find(map_, features, vocabulary_.wordsOf(features.all()), {},
+                                      config_.least_similarity);
+  if (!place || !agreement_.add(*place)) return;
+  putAt(place->pose, place->covariance);
+  reference_ = place->keyframe;
+}
+
+TrackedView MonoGraph::tracked(const Features& features) const {
+  if (reference_)
+    return track(map_, features, anchor_.predicted(), keyframesAround(map_, *reference_));
+  TrackedView nothing;
+  nothing.pose = pose_;
+  return nothing;
 }
 
 void MonoGraph::believe(const TrackedView& tracked) {
@@ -151,7 +205,7 @@ bool MonoGraph::isFarFromKeyframes(double share) const {
 
 /// Where an image shows few of the points that its reference does, new ones are needed.
 bool MonoGraph::wantsKeyframe(const TrackedView& tracked) const {
-  const auto shown = reference_ ? countOfPoints(map_.keyframe(*reference_)) : 0;
+  const double shown = reference_ ? countOfPoints(map_.keyframe(*reference_)) : 0.0;
   const bool are_few = static_cast<double>(tracked.matches.size()) < kFewShared * shown;
   return isFarFromKeyframes(are_few ? kNearKeyframe : 1.0);
 }
@@ -168,57 +222,54 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   keyframe.stamp = view.stamp;
   keyframe.pose = pose_;
   keyframe.features = features;
-  if (!map_.keyframes().empty()) keyframe.way = way_.since();
+  if (is_way_known_) keyframe.way = way_.since();
   keyframe.way_covariance = way_.covarianceSince();
   const int number = map_.add(std::move(keyframe));
   for (const auto& match : tracked.matches)
     map_.addSighting(match.point, {number, static_cast<int>(match.feature)});
   mapper_.map(map_);
-  auto& added = map_.keyframe(number);
-  added.covariance = chainedCovariance(map_, number).value_or(covariance_);
-  const Eigen::Matrix3d of_pose = kInitialVariance * Eigen::Matrix3d::Identity();
+  map_.keyframe(number).covariance = chainedCovariance(map_, number).value_or(covariance_);
+  recogniser_.add(vocabulary_.wordsOf(features.all()));
+  closeLoop(number);
+
   reference_ = number;
-  pose_ = added.pose;
-  covariance_ = of_pose;
-  anchor_.place(pose_, of_pose);
+  pose_ = map_.keyframe(number).pose;
+  covariance_ = initialCovariance();
+  anchor_.place(pose_, covariance_);
   way_.place({}, Eigen::Matrix3d::Zero());
+  is_way_known_ = true;
   return Status::ok();
 }
 
-void MonoGraph::noteStep(Stamp stamp) {
-  path_.push_back(
-      {stamp, reference_, reference_ ? map_.keyframe(*reference_).pose.between(pose_) : pose_});
-}
-
-PoseEstimate MonoGraph::pose() const {
-  if (!reference_) return {pose_, covariance_};
-  const auto& origin = map_.keyframe(*reference_);
-  return {pose_, chained(origin.pose, origin.covariance, pose_, covariance_)};
-}
-
-Component::Figures MonoGraph::figures() const {
-  return {{"keyframes", static_cast<double>(map_.keyframes().size())},
-          {"points", static_cast<double>(map_.countOfPoints())}};
-}
-
-GraphView MonoGraph::graph() const {
-  GraphView view;
-  const auto& keyframes = map_.keyframes();
-  for (std::size_t i = 0; i < keyframes.size(); ++i) {
-    view.nodes.push_back(keyframes[i].pose);
-    if (keyframes[i].way)
-      view.edges.push_back({GraphEdge::Kind::kMotion, keyframes[i - 1].pose.position(),
-                            keyframes[i].pose.position()});
+/// Keyframes that a keyframe is joined with already: what they show is no news.
+std::set<int> MonoGraph::knownAround(int keyframe) const {
+  constexpr int kRecent = 10;
+  std::set<int> known;
+  for (const auto& [other, shared] : sharedPoints(map_, keyframe)) {
+    const auto around = keyframesAround(map_, other);
+    known.insert(around.begin(), around.end());
   }
-  return view;
+  for (int i = std::max(0, keyframe - kRecent); i <= keyframe; ++i) known.insert(i);
+  return known;
 }
 
-std::vector<StampedPose> MonoGraph::path() const {
-  std::vector<StampedPose> path;
-  for (const auto& point : path_)
-    path.push_back({point.stamp, point.keyframe ? map_.keyframe(*point.keyframe).pose * point.pose
-                                                : point.pose});
-  return path;
+void MonoGraph::closeLoop(int keyframe) {
+  const auto place =
+      recogniser_.find(map_, map_.keyframe(keyframe).features, recogniser_.index()[keyframe],
+                       knownAround(keyframe), config_.least_similarity);
+  if (!place) return;
+  const Pose2 before = map_.keyframe(keyframe).pose;
+  if (!closer_.close(map_, *place, keyframe)) return counters_.add("loops_rejected");
+  joinPlaces(map_, *place, keyframe);
+  adjustAround(map_, keyframe, config_.window);
+  auto& joined = map_.keyframe(keyframe);
+  joined.covariance = chainedCovariance(map_, keyframe).value_or(joined.covariance);
+  noteLoop(*place, before, joined.pose);
+}
+
+void MonoGraph::noteStep(Stamp stamp) {
+  const Pose2 relative = reference_ ? map_.keyframe(*reference_).pose.between(pose_) : pose_;
+  path_.push_back({stamp, reference_, relative, firstVisit()});
 }
 
 }  // namespace slam::mono_graph

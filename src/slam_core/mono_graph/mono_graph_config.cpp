@@ -45,6 +45,21 @@ void MonoGraphConfig::describe(Fields& fields) {
            "so many keyframes are remembered; beyond them the map does not grow")
       .unit("1")
       .in(Range::closed(2, 1000000));
+  fields
+      .add("least_place_points", &least_place_points,
+           "a place is recognised where so many points fit one pose")
+      .unit("1")
+      .in(Range::closed(10, 1000));
+  fields
+      .add("least_similarity", &least_similarity,
+           "points are compared where an image and a keyframe have this share of their words in "
+           "common")
+      .unit("1")
+      .in(Range::closed(0, 1));
+  fields.add(
+      "vocabulary", &vocabulary,
+      "file with another vocabulary of visual words, as slam_vocabulary writes it; empty: the "
+      "one that comes with the program");
 }
 
 void requireUsable(const MonoGraphConfig& config) {

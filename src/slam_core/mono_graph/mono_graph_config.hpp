@@ -21,6 +21,9 @@ struct MonoGraphConfig {
   int window = 12;
   int least_points = 15;
   int most_keyframes = 5000;
+  int least_place_points = 30;
+  double least_similarity = 0.04;
+  std::string vocabulary;
 
   void describe(Fields& fields);
 };

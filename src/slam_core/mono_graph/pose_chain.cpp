@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
+#include <utility>
 
 #include "slam_core/geometry/covariance.hpp"
 
@@ -43,22 +45,34 @@ Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, c
   return symmetric(J * of_origin * J.transpose() + of_pose);
 }
 
+std::vector<Link> linksOf(const VisualMap& map, int number, std::size_t most) {
+  std::vector<std::pair<int, int>> ranked;  // by number of points, the newer one first
+  for (const auto& [other, shared] : sharedPoints(map, number))
+    if (shared >= kLinkPoints && other < number) ranked.emplace_back(shared, other);
+  std::sort(ranked.rbegin(), ranked.rend());
+  if (ranked.size() > most) ranked.resize(most);
+  std::vector<Link> links;
+  for (const auto& each : ranked) {
+    const Eigen::Matrix3d H = sharedInformation(map, number, each.second);
+    const Eigen::Matrix3d covariance = kDependence * H.inverse();
+    if (covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0)
+      links.push_back({each.second, covariance});
+  }
+  const auto& keyframe = map.keyframe(number);
+  if (!links.empty() || !keyframe.way) return links;
+  Eigen::Matrix3d J;
+  map.keyframe(number - 1).pose.compose(*keyframe.way, nullptr, &J);
+  return {{number - 1, J * keyframe.way_covariance * J.transpose()}};
+}
+
 std::optional<Eigen::Matrix3d> chainedCovariance(const VisualMap& map, int number) {
   std::optional<Eigen::Matrix3d> best;
   const auto& keyframe = map.keyframe(number);
-  const auto consider = [&](const Keyframe& other, const Eigen::Matrix3d& of_link) {
-    const auto covariance = chained(other.pose, other.covariance, keyframe.pose, of_link);
+  for (const auto& link : linksOf(map, number, map.keyframes().size())) {
+    const auto& earlier = map.keyframe(link.earlier);
+    const auto covariance =
+        chained(earlier.pose, earlier.covariance, keyframe.pose, link.covariance);
     if (covariance.allFinite() && (!best || sizeOf(covariance) < sizeOf(*best))) best = covariance;
-  };
-  if (keyframe.way) {
-    const auto& before = map.keyframe(number - 1);
-    Eigen::Matrix3d J;
-    before.pose.compose(*keyframe.way, nullptr, &J);
-    consider(before, J * keyframe.way_covariance * J.transpose());
-  }
-  for (const auto& [other, shared] : sharedPoints(map, number)) {
-    if (shared < kLinkPoints || other > number) continue;
-    consider(map.keyframe(other), kDependence * sharedInformation(map, number, other).inverse());
   }
   return best;
 }

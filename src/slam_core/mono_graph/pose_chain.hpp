@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "slam_core/mono_graph/visual_map.hpp"
 
@@ -14,6 +15,17 @@ namespace slam::mono_graph {
 /// @param of_pose that of the pose (x, y, theta) in the map, the origin taken as exact
 Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, const Pose2& pose,
                         const Eigen::Matrix3d& of_pose);
+
+/// What joins a keyframe with an earlier one.
+struct Link {
+  int earlier = 0;
+  /// Of the keyframe's coordinates in the map frame, the earlier one taken as exact.
+  Eigen::Matrix3d covariance;
+};
+
+/// Up to so many links to the earlier keyframes that share most points with this one; where there
+/// are none that by odometry, if the keyframe has one.
+std::vector<Link> linksOf(const VisualMap& map, int keyframe, std::size_t most);
 
 /// The covariance of a keyframe's pose in the map: of the chains over keyframes that see the same
 /// points, and over odometry, the one that leaves least. Chains are not fused, since points that
