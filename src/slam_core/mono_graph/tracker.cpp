@@ -3,9 +3,12 @@
 
 #include "slam_core/mono_graph/tracker.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "slam_core/geometry/angle.hpp"
 
 namespace slam::mono_graph {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 constexpr double kNearRadius = 4.0, kLeastRadius = 8.0, kMostRadius = 40.0;  // [px]
 constexpr double kTypicalDepth = 1.5;  // [m], at which an error of position moves points
 constexpr double kSigmas = 3.0;
+constexpr double kLargestNis = 16.27;  // chi-square: 0.999 with three degrees of freedom
 constexpr std::size_t kLeastMatches = 6;
 constexpr std::size_t kMostNeighbours = 10;
 constexpr int kBeforeAndAfter = 2;
@@ -33,6 +37,21 @@ void take(const PointMatches& found, const FittedPose& fit, TrackedView& view) {
   view.rejected.clear();
   for (std::size_t i = 0; i < found.matches.size(); ++i)
     (fit.fits[i] ? view.matches : view.rejected).push_back(found.matches[i]);
+}
+
+/// The squared distance from what odometry predicted, in its standard deviations.
+double nisOf(const PosePrior& prior, const Pose2& pose) {
+  Eigen::Vector3d innovation = pose.vector() - prior.pose.vector();
+  innovation.z() = wrapAngle(innovation.z());
+  return innovation.dot(prior.covariance.ldlt().solve(innovation));
+}
+
+void reject(const PosePrior& prior, TrackedView& view) {
+  view.pose = prior.pose;
+  view.covariance = prior.covariance;
+  view.information.setZero();
+  view.rejected.insert(view.rejected.end(), view.matches.begin(), view.matches.end());
+  view.matches.clear();
 }
 
 }  // namespace
@@ -64,6 +83,7 @@ TrackedView track(const VisualMap& map, const Features& features, const PosePrio
     if (!fit) break;
     take(found, *fit, view);
   }
+  if (nisOf(prior, view.pose) > kLargestNis) reject(prior, view);
   return view;
 }
 
