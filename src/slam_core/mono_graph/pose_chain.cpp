@@ -13,8 +13,10 @@
 namespace slam::mono_graph {
 namespace {
 
-constexpr int kLinkPoints = 20;      // points that make a link of a chain
-constexpr double kDependence = 4.0;  // of the points: their positions come from the same keyframes
+constexpr int kLinkPoints = 20;       // points that make a link of a chain
+constexpr double kLeastWay = 0.05;    // [m] by odometry, that tells its noise
+constexpr double kPersistence = 4.0;  // of the variance of the scale
+constexpr double kDependence = 4.0;   // of the points: their positions come from the same keyframes
 
 /// How well the points that both see determine the pose of the one relative to the other.
 Eigen::Matrix3d sharedInformation(const VisualMap& map, int number, int other) {
@@ -31,6 +33,21 @@ Eigen::Matrix3d sharedInformation(const VisualMap& map, int number, int other) {
     H += J.transpose() * J / (features[i].sigma * features[i].sigma);
   }
   return H;
+}
+
+/// How long the way between two keyframes is, one camera cannot tell: only odometry does. Its
+/// errors stay in the scale of the points for the length of some neighbourhoods, so that they add
+/// up to more than those of odometry itself.
+Eigen::Matrix3d scaleCovariance(const Keyframe& keyframe, const Keyframe& other) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  const double length = keyframe.way ? keyframe.way->position().norm() : 0.0;
+  if (length < kLeastWay) return covariance;
+  const double per_metre = keyframe.way_covariance.topLeftCorner<2, 2>().trace() / length;
+  const Eigen::Vector2d apart = keyframe.pose.position() - other.pose.position();
+  if (apart.norm() > 0.0)
+    covariance.topLeftCorner<2, 2>() =
+        kPersistence * per_metre * apart * apart.transpose() / apart.norm();
+  return covariance;
 }
 
 /// Which of two chains leaves more; a radian counts as a metre.
@@ -54,7 +71,9 @@ std::vector<Link> linksOf(const VisualMap& map, int number, std::size_t most) {
   std::vector<Link> links;
   for (const auto& each : ranked) {
     const Eigen::Matrix3d H = sharedInformation(map, number, each.second);
-    const Eigen::Matrix3d covariance = kDependence * H.inverse();
+    const Eigen::Matrix3d covariance =
+        kDependence * H.inverse() +
+        scaleCovariance(map.keyframe(number), map.keyframe(each.second));
     if (covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0)
       links.push_back({each.second, covariance});
   }
