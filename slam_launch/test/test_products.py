@@ -153,7 +153,8 @@ class Writing(ProductFiles):
         self.expect_refusal_of("there is no feature 'particles'; pf.particles is a parameter of "
                                "that name, given with the section", "backend=pf",
                                "odometry=wheel", "particles=50")
-        self.expect_refusal_of("ekf.mode and graph.mode and grid.mode and pf.mode and rat.mode are "
+        self.expect_refusal_of("ekf.mode and graph.mode and grid.mode and mono_graph.mode and "
+                               "pf.mode and rat.mode are "
                                "parameters of that name", "mode=slam")
 
     def test_refuses_an_octal_number(self):

@@ -23,6 +23,7 @@ ALWAYS = {"/pose", "/path", "/tf"}
 LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
             "backend=graph": {"/graph_markers", *LANDMARKS},
+            "backend=mono_graph": {"/graph_markers"},
             "backend=pf": {"/particlecloud", *LANDMARKS},
             "backend=rat": {"/graph_markers"},
             "pointmap=true": {"/points"},
@@ -33,6 +34,7 @@ PROMISED = {"backend=ekf": LANDMARKS,
             "odometry=laser_wheel": {"/laser_odometry/odom"}}
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
+OF_IMAGES = ("mono_graph", "rat")  # back-ends that take in images and no observations
 
 
 def promised(features, composition):
@@ -42,12 +44,12 @@ def promised(features, composition):
 
 
 def between(features):
-    """Returns what components exchange: the grid back-end and RatSLAM take in no observations; the
-    grid back-end and a graph with a grid take in motion only where there is an odometry source."""
+    """Returns what components exchange: the grid back-end and those of images take in no observations;
+    the grid back-end and a graph with a grid take in motion only where there is an odometry source."""
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
-    takes_none = is_grid or features["backend"] == "rat"
+    takes_none = is_grid or features["backend"] in OF_IMAGES
     return observations(features, takes_none) | ({"/motion"} if has_motion else set())
 
 
@@ -100,10 +102,11 @@ class ProductLaunches:
         cls.model = FeatureModel()
 
     def bag_for(self, number, features):
-        """A product without a detector or odometry needs what others made; RatSLAM needs images."""
+        """A product without a detector or odometry needs what others made; some back-ends need
+        images."""
         made_of = {topic: sensors for key, (topic, sensors) in MADE_OF.items()
                    if features[key] == "none"
-                   and (key, features["backend"]) != ("detector", "rat")}
+                   and not (key == "detector" and features["backend"] in OF_IMAGES)}
         path = self.root / f"{number}_sensors.bag"
         with_made(self.root / "images.bag", self.root / "made.bag", path, made_of)
         return path

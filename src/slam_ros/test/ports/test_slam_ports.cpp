@@ -154,7 +154,7 @@ TEST(SlamPorts, TakeAnInputThatAComponentCanDoWithoutAndAnyNameOfAKnownKind) {
 
 TEST(SlamPorts, NameAllComponentsByTheProductsKey) {
   const auto names = Json::parse(askWithOdd("--components").printed);
-  EXPECT_EQ(names["backend"], Json({"ekf", "graph", "grid", "pf", "rat"}));
+  EXPECT_EQ(names["backend"], Json({"ekf", "graph", "grid", "mono_graph", "pf", "rat"}));
   EXPECT_EQ(names["association"], Json({"descriptor", "jcbb", "known_ids", "nearest"}));
   EXPECT_EQ(names["modules"], Json({"echo_map", "pointmap"}));
   EXPECT_EQ(ask("--components ekf_wheel").code, 2);
