@@ -162,6 +162,10 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
     counters_.add("untracked");
   watch_.add(view.stamp, features.size(), seen.expected.size(), seen.matches.size());
   lost_since_ = watch_.lostSince();
+  if (lost_since_)
+    return Status::alarm(
+        "the robot is lost: the camera sees next to nothing of what the map has here; drive on "
+        "slowly where the robot has been, or set an initial pose");
   if (watch_.isContradicted() || !wantsKeyframe(seen)) return Status::ok();
   return addKeyframe(view, features, seen);
 }

@@ -103,6 +103,7 @@ class MonoGraph final : public Backend,
   std::vector<Event> events() const override { return events_; }
   GraphView graph() const override;
   std::optional<Stamp> lostSince() const override { return lost_since_; }
+  bool findsItself() const override { return true; }
   std::vector<StampedPose> path() const override;
   std::vector<PlaceVisit> visits() const override;
 
