@@ -8,16 +8,12 @@
 #include "slam_core/mono_graph/mono_graph.hpp"
 #include "slam_core/mono_graph/test/room_of_pictures.hpp"
 
-namespace slam::mono_graph::test {
-
-using slam::test::ComponentDriver;
-using slam::test::figureOf;
-using slam::test::RoundOfPictures;
+namespace slam::test {
 
 /// A robot in a room of pictures, step by step.
 class PictureDrive {
  public:
-  explicit PictureDrive(std::uint64_t seed, const MonoGraphConfig& config = {})
+  explicit PictureDrive(std::uint64_t seed, const mono_graph::MonoGraphConfig& config = {})
       : drive_(seed), inputs_(graph_) {
     graph_.configure(config);
   }
@@ -51,16 +47,16 @@ class PictureDrive {
   }
   bool isLost() { return capabilitiesOf(graph_).find<LostReporter>()->lostSince().has_value(); }
 
-  MonoGraph& graph() { return graph_; }
+  mono_graph::MonoGraph& graph() { return graph_; }
   RoundOfPictures& round() { return drive_; }
   ComponentDriver& inputs() { return inputs_; }
   void know(const Pose2& truth) { truth_ = truth; }
 
  private:
   RoundOfPictures drive_;
-  MonoGraph graph_;
+  mono_graph::MonoGraph graph_;
   ComponentDriver inputs_;
   Pose2 truth_;
 };
 
-}  // namespace slam::mono_graph::test
+}  // namespace slam::test
