@@ -226,6 +226,20 @@ class ShippedModel(unittest.TestCase):
         with self.assertRaises(ProductError):
             self.model.require_valid({**chosen, "map": "grid"})
 
+    def test_keyframes_of_a_camera_go_with_any_odometry_and_without_detectors_and_associations(self):
+        chosen = {"backend": "mono_graph", "odometry": "wheel", "map": "landmarks",
+                  "detector": "none"}
+        features = self.model.require_valid(chosen)
+        self.assertEqual(self.model.launch_files(features)["backend"],
+                         ["slam_backend_mono_graph/launch/backend.launch"])
+        for wrong in ({"detector": "apriltag"}, {"association": "jcbb"}):
+            with self.subTest(wrong), self.assertRaises(ProductError) as caught:
+                self.model.require_valid({**chosen, **wrong})
+            self.assertIn("maps no landmarks, so that backend=mono_graph goes with detector=none",
+                          str(caught.exception))
+        with self.assertRaises(ProductError):
+            self.model.require_valid({**chosen, "map": "grid"})
+
     def test_the_matcher_of_scans_belongs_to_grids_whichever_back_end_makes_them(self):
         features = self.model.require_valid({"backend": "pf", "odometry": "wheel", "map": "grid",
                                              "detector": "none"})

@@ -208,7 +208,7 @@ class Drawn(Tree):
         lines = tree_text.draw(FeatureTree(self.model, product).root(), product)
         text = "\n".join(lines)
         for piece in ("[x] ◇ backend=ekf", "[ ] ◇ backend=pf", "[-] ◇ backend=grid",
-                      "[-] ◇ backend=rat", "✗ backend=seif"):
+                      "[-] ◇ backend=mono_graph", "[-] ◇ backend=rat", "✗ backend=seif"):
             self.assertIn(piece, text)
 
     def test_the_picture_has_each_feature_with_its_mark(self):

@@ -153,8 +153,9 @@ class Writing(ProductFiles):
         self.expect_refusal_of("there is no feature 'particles'; pf.particles is a parameter of "
                                "that name, given with the section", "backend=pf",
                                "odometry=wheel", "particles=50")
-        self.expect_refusal_of("ekf.mode and graph.mode and grid.mode and mono_ekf.mode and pf.mode "
-                               "and rat.mode are parameters of that name", "mode=slam")
+        self.expect_refusal_of("ekf.mode and graph.mode and grid.mode and mono_ekf.mode and "
+                               "mono_graph.mode and pf.mode and rat.mode are parameters of that name",
+                               "mode=slam")
 
     def test_refuses_an_octal_number(self):
         self.expect_refusal_of("pf.particles=010 is no value: a number does not begin with 0",

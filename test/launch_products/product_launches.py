@@ -24,6 +24,7 @@ LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
             "backend=graph": {"/graph_markers", *LANDMARKS},
             "backend=mono_ekf": {"/features"},
+            "backend=mono_graph": {"/graph_markers"},
             "backend=pf": {"/particlecloud", *LANDMARKS},
             "backend=rat": {"/graph_markers"},
             "pointmap=true": {"/points"},
@@ -32,7 +33,7 @@ PROMISED = {"backend=ekf": LANDMARKS,
             "odometry=visual_wheel": {"/visual_odometry/odom"},
             "odometry=laser": {"/laser_odometry/odom"},
             "odometry=laser_wheel": {"/laser_odometry/odom"}}
-LOOK_THEMSELVES = {"mono_ekf", "rat"}  # back-ends that take in images
+LOOK_THEMSELVES = {"mono_ekf", "mono_graph", "rat"}  # back-ends that take in images
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())
 
@@ -44,8 +45,9 @@ def promised(features, composition):
 
 
 def between(features):
-    """Returns what components exchange: the grid back-end, RatSLAM and the monocular EKF take in no observations; the
-    grid back-end and a graph with a grid take in motion only where there is an odometry source."""
+    """Returns what components exchange: the grid back-end and those of images take in no
+    observations; the grid back-end and a graph with a grid take in motion only where there is an
+    odometry source."""
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
@@ -102,7 +104,8 @@ class ProductLaunches:
         cls.model = FeatureModel()
 
     def bag_for(self, number, features):
-        """A product without a detector or odometry needs what others made; who looks itself needs images."""
+        """A product without a detector or odometry needs what others made; some back-ends need
+        images."""
         made_of = {topic: sensors for key, (topic, sensors) in MADE_OF.items()
                    if features[key] == "none"
                    and not (key == "detector" and features["backend"] in LOOK_THEMSELVES)}

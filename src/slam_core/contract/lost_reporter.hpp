@@ -15,6 +15,8 @@ class LostReporter {
   virtual ~LostReporter() = default;
   /// Nothing while the pose is believed.
   virtual std::optional<Stamp> lostSince() const = 0;
+  /// Whether the back-end looks for the robot by itself. Else who has its map does (Relocaliser).
+  virtual bool findsItself() const { return false; }
 };
 
 }  // namespace slam

@@ -175,10 +175,11 @@ Status Estimator::execute() {
   give(*step);
   if (const auto of_step = intake_.takeFault(); fault.empty()) fault = of_step;
   auto status = start.isOk() ? statusOf(fault) : start;
+  const bool was_lost = isLostByBackend();
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
   const auto consistency_status = watchConsistency();
-  if (consistency_config_.adapt) doubt_.compare(backend_->pose().pose);
+  judgeWay(was_lost);
   const auto place_status = relocate(step->stamp);
   // what the monitor finds is said once only
   for (const auto& other : {step_status, place_status, consistency_status, watchCalibration()})
@@ -341,11 +342,25 @@ void Estimator::reportStep(const Intake::Step& step) {
   report_ = std::move(report);
 }
 
-bool Estimator::isLost() const {
+bool Estimator::isLostByBackend() const {
   const auto* reporter = capabilities_.find<LostReporter>();
-  const bool is_lost_by_backend = reporter != nullptr && reporter->lostSince().has_value();
+  return reporter != nullptr && reporter->lostSince().has_value();
+}
+
+/// Where the back-end has found the robot by itself, it jumped there: that is no way.
+void Estimator::judgeWay(bool was_lost) {
+  const auto* reporter = capabilities_.find<LostReporter>();
+  const bool has_jumped =
+      was_lost && reporter != nullptr && reporter->findsItself() && !isLostByBackend();
+  if (has_jumped)
+    doubt_.relocate(backend_->pose().pose);
+  else if (consistency_config_.adapt)
+    doubt_.compare(backend_->pose().pose);
+}
+
+bool Estimator::isLost() const {
   const auto belief = relocaliser_.belief();
-  return is_lost_by_backend || belief == Belief::kLost || belief == Belief::kAnywhere;
+  return isLostByBackend() || belief == Belief::kLost || belief == Belief::kAnywhere;
 }
 
 std::string Estimator::doubt() const {

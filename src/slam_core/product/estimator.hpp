@@ -131,6 +131,8 @@ class Estimator final : public Component {
   void reportStep(const Intake::Step& step);
   UpdateStatistics statistics() const;
   bool isLost() const;
+  bool isLostByBackend() const;
+  void judgeWay(bool was_lost);
   /// A clause on why the pose is in doubt; empty where it is not.
   std::string doubt() const;
   /// An error where the back-end's pose is not finite.

@@ -185,7 +185,7 @@ bool Relocaliser::see(const LaserScan& scan) {
 
 bool Relocaliser::isLostByScans() const {
   const auto* reporter = capabilities_.find<LostReporter>();
-  return reporter != nullptr && reporter->lostSince().has_value();
+  return reporter != nullptr && !reporter->findsItself() && reporter->lostSince().has_value();
 }
 
 /// Whether enough observations fit the map since a loss that nobody looked for.

@@ -46,15 +46,17 @@ add_executable(slam_ros_ground_truth src/slam_ground_truth.cpp)
 add_executable(slam_ros_parameters src/slam_parameters.cpp src/parameter_check.cpp)
 add_executable(slam_ros_ports src/slam_ports.cpp src/product_ports.cpp)
 add_executable(slam_ros_tune src/slam_tune.cpp)
+add_executable(slam_ros_vocabulary src/slam_vocabulary.cpp)
 set_target_properties(slam_ros_offline PROPERTIES OUTPUT_NAME slam_offline)
 set_target_properties(slam_ros_merge PROPERTIES OUTPUT_NAME slam_merge)
 set_target_properties(slam_ros_ground_truth PROPERTIES OUTPUT_NAME slam_ground_truth)
 set_target_properties(slam_ros_parameters PROPERTIES OUTPUT_NAME slam_parameters)
 set_target_properties(slam_ros_ports PROPERTIES OUTPUT_NAME slam_ports)
 set_target_properties(slam_ros_tune PROPERTIES OUTPUT_NAME slam_tune)
+set_target_properties(slam_ros_vocabulary PROPERTIES OUTPUT_NAME slam_vocabulary)
 foreach(target
         slam_ros_offline slam_ros_ground_truth slam_ros_merge slam_ros_parameters slam_ros_ports
-        slam_ros_tune)
+        slam_ros_tune slam_ros_vocabulary)
   slam_ros_bag_target(${target})
   target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt CLI11::CLI11)
 endforeach()
@@ -63,7 +65,7 @@ target_link_libraries(slam_ros_ports PRIVATE nlohmann_json::nlohmann_json)
 install(TARGETS slam_ros_bags slam_ros_bag_source LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(TARGETS
         slam_ros_offline slam_ros_ground_truth slam_ros_merge slam_ros_parameters slam_ros_ports
-        slam_ros_tune
+        slam_ros_tune slam_ros_vocabulary
   RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 catkin_install_python(PROGRAMS scripts/slam_run
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

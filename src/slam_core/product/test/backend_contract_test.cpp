@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "slam_core/mono_ekf/test/room_drive.hpp"
+#include "slam_core/mono_graph/test/room_of_pictures.hpp"
 #include "slam_core/rat/test/circle_of_views.hpp"
 
 namespace slam::test {
@@ -16,12 +17,14 @@ namespace {
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const auto& name : Registry<Backend>::instance().names()) all.push_back({name, name, {}});
-  for (auto& variant : all)
-    if (variant.backend == "rat")  // which is driven by pose cells
-      variant.drive = [](std::uint64_t seed) { return std::make_unique<CircleOfViews>(seed); };
-  for (auto& variant : all)
+  for (auto& variant : all) {
     if (variant.backend == "mono_ekf")  // which is driven by images
       variant.drive = [](std::uint64_t seed) { return std::make_unique<RoomWithView>(seed); };
+    if (variant.backend == "mono_graph")  // so is this one
+      variant.drive = [](std::uint64_t seed) { return std::make_unique<RoundOfPictures>(seed); };
+    if (variant.backend == "rat")  // which is driven by pose cells
+      variant.drive = [](std::uint64_t seed) { return std::make_unique<CircleOfViews>(seed); };
+  }
   for (const std::string linearization :
        {"textbook", "first_estimates", "observability_constrained", "right_invariant"})
     all.push_back({"ekf", "ekf_" + linearization, {"ekf.linearization=" + linearization}});

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_graph/mono_graph.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "slam_core/common/config_error.hpp"
+#include "slam_core/contract/known_sections.hpp"
+#include "slam_core/contract/registry.hpp"
+#include "slam_core/geometry/covariance.hpp"
+#include "slam_core/mono_graph/pose_chain.hpp"
+
+namespace slam::mono_graph {
+namespace {
+
+const Registrar<Backend, MonoGraph> kRegistrar("mono_graph");
+const SectionRegistrar<MonoGraphConfig> kSectionRegistrar;
+
+constexpr double kInitialVariance = 1e-6;  // [m^2, rad^2]
+constexpr std::size_t kLeastFeatures = 30;
+constexpr double kFewShared = 0.5;     // of the points of the reference
+constexpr double kNearKeyframe = 0.4;  // of the usual distance
+
+Eigen::Matrix3d initialCovariance() { return kInitialVariance * Eigen::Matrix3d::Identity(); }
+
+double countOfPoints(const Keyframe& keyframe) {
+  const auto none = std::count(keyframe.points.begin(), keyframe.points.end(), kNoPoint);
+  return static_cast<double>(keyframe.points.size()) - static_cast<double>(none);
+}
+
+Vocabulary vocabularyOf(const MonoGraphConfig& config) {
+  if (config.vocabulary.empty()) return Vocabulary::builtIn();
+  try {
+    return Vocabulary::load(config.vocabulary);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(std::string("mono_graph.vocabulary: ") + error.what());
+  }
+}
+
+}  // namespace
+
+void MonoGraph::describe(Ports& ports) {
+  ports.takes<Motion>("motion", "motion", &inputs_).carrier();
+  ports.takes<CameraView>("camera", "what the camera sees", &inputs_);
+}
+
+void MonoGraph::describe(Capabilities& capabilities) {
+  capabilities.offer<EventReporter>(*this);
+  capabilities.offer<GraphReporter>(*this);
+  capabilities.offer<LostReporter>(*this);
+  capabilities.offer<PathReviser>(*this);
+  capabilities.offer<PlaceReporter>(*this);
+}
+
+void MonoGraph::configure(const MonoGraphConfig& config) {
+  requireUsable(config);
+  vocabulary_ = vocabularyOf(config);
+  config_ = config;
+  orb_ = OrbExtractor(config.features, config.sigma);
+  reset();
+}
+
+void MonoGraph::configure(Settings& settings) { configure(settings.read<MonoGraphConfig>()); }
+
+void MonoGraph::reset() {
+  map_ = {};
+  mapper_ = LocalMapper(config_.window);
+  recogniser_ = PlaceRecogniser(config_.least_place_points, seed_);
+  closer_ = {};
+  way_ = {};
+  reference_.reset();
+  putAt({}, initialCovariance());
+  is_tracked_ = false;
+  path_.clear();
+  events_.clear();
+  inputs_ = {};
+  counters_.clear();
+}
+
+Status MonoGraph::execute() {
+  events_.clear();
+  relocate();
+  for (const auto& motion : std::exchange(inputs_.motions, {})) move(motion);
+  predict();
+  const auto view = std::exchange(inputs_.view, std::nullopt);
+  if (!view) return Status::ok();
+  const auto status = see(*view);
+  noteStep(view->stamp);
+  return status;
+}
+
+/// The map is kept; where the robot now is in it, it is tracked by what is near.
+void MonoGraph::relocate() {
+  if (!inputs_.initial_pose) return;
+  const auto initial = *std::exchange(inputs_.initial_pose, std::nullopt);
+  putAt(initial.pose, initial.covariance);
+  reference_ = nearestKeyframe();
+}
+
+void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
+  anchor_.place(pose, covariance);
+  is_way_known_ = false;
+  watch_.clear();
+  agreement_.clear();
+  lost_since_.reset();
+  predict();
+}
+
+std::optional<int> MonoGraph::nearestKeyframe() const {
+  constexpr double kNear = 1.0;  // [m, rad]
+  std::optional<int> nearest;
+  double least = kNear;
+  for (int i = 0; i < static_cast<int>(map_.keyframes().size()); ++i) {
+    const Pose2 apart = map_.keyframe(i).pose.between(pose_);
+    const double distance = apart.position().norm() + std::abs(apart.theta());
+    if (distance > least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
+}
+
+void MonoGraph::move(const Motion& motion) {
+  anchor_.move(motion);
+  way_.move(motion);
+  agreement_.move(motion);
+}
+
+void MonoGraph::predict() {
+  const auto prior = anchor_.predicted();
+  pose_ = prior.pose;
+  covariance_ = prior.covariance;
+}
+
+Status MonoGraph::see(const CameraView& view) {
+  is_tracked_ = false;
+  if (!view.isUsable() || view.image.gray.empty()) {
+    counters_.add("unusable");
+    return Status::ok();  // the camera's gate has said why
+  }
+  const auto features = orb_.extract(view);
+  if (features.size() >= kLeastFeatures) return follow(view, features);
+  counters_.add("blank");
+  return Status::warning(
+      "the camera sees next to nothing, as in a dark room or before a blank wall: the pose follows "
+      "odometry alone meanwhile");
+}
+
+Status MonoGraph::follow(const CameraView& view, const Features& features) {
+  if (lost_since_) lookForPlace(features);
+  if (lost_since_) return Status::ok();
+  const auto seen = tracked(features);
+  is_tracked_ = seen.matches.size() >= static_cast<std::size_t>(config_.least_points);
+  if (is_tracked_)
+    believe(seen);
+  else if (reference_)
+    counters_.add("untracked");
+  watch_.add(view.stamp, features.size(), seen.expected.size(), seen.matches.size());
+  lost_since_ = watch_.lostSince();
+  if (lost_since_)
+    return Status::alarm(
+        "the robot is lost: the camera sees next to nothing of what the map has here; drive on "
+        "slowly where the robot has been, or set an initial pose");
+  if (watch_.isContradicted() || !wantsKeyframe(seen)) return Status::ok();
+  return addKeyframe(view, features, seen);
+}
+
+/// Several images in a row have to agree before the robot is put anywhere.
+void MonoGraph::lookForPlace(const Features& features) {
+  const auto place = recogniser_.find(map_, features, vocabulary_.wordsOf(features.all()), {},
+                                      config_.least_similarity);
+  if (!place || !agreement_.add(*place)) return;
+  putAt(place->pose, place->covariance);
+  reference_ = place->keyframe;
+}
+
+TrackedView MonoGraph::tracked(const Features& features) const {
+  if (reference_)
+    return track(map_, features, anchor_.predicted(), keyframesAround(map_, *reference_));
+  TrackedView nothing;
+  nothing.pose = pose_;
+  return nothing;
+}
+
+void MonoGraph::believe(const TrackedView& tracked) {
+  for (const int point : tracked.expected) ++map_.point(point).expected;
+  for (const auto& match : tracked.matches) ++map_.point(match.point).found;
+  reference_ = referenceOf(map_, tracked.matches);
+  pose_ = tracked.pose;
+  covariance_ = tracked.covariance;
+  anchor_.place(pose_, symmetric(tracked.information.inverse()));
+}
+
+/// @param share of the distance and the turn that make a keyframe
+bool MonoGraph::isFarFromKeyframes(double share) const {
+  auto nearby = reference_ ? keyframesAround(map_, *reference_) : std::vector<int>();
+  if (!map_.keyframes().empty()) nearby.push_back(static_cast<int>(map_.keyframes().size()) - 1);
+  return std::all_of(nearby.begin(), nearby.end(), [&](int number) {
+    const Pose2 apart = map_.keyframe(number).pose.between(pose_);
+    return apart.position().norm() >= share * config_.keyframe_distance ||
+           std::abs(apart.theta()) >= share * config_.keyframe_turn;
+  });
+}
+
+/// Where an image shows few of the points that its reference does, new ones are needed.
+bool MonoGraph::wantsKeyframe(const TrackedView& tracked) const {
+  const double shown = reference_ ? countOfPoints(map_.keyframe(*reference_)) : 0.0;
+  const bool are_few = static_cast<double>(tracked.matches.size()) < kFewShared * shown;
+  return isFarFromKeyframes(are_few ? kNearKeyframe : 1.0);
+}
+
+Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
+                              const TrackedView& tracked) {
+  if (map_.keyframes().size() >= static_cast<std::size_t>(config_.most_keyframes)) {
+    counters_.add("keyframes_full");
+    return Status::warning(
+        "mono_graph.most_keyframes keyframes are remembered and no more: raise it to go on "
+        "mapping");
+  }
+  Keyframe keyframe;
+  keyframe.stamp = view.stamp;
+  keyframe.pose = pose_;
+  keyframe.features = features;
+  if (is_way_known_) keyframe.way = way_.since();
+  keyframe.way_covariance = way_.covarianceSince();
+  const int number = map_.add(std::move(keyframe));
+  for (const auto& match : tracked.matches)
+    map_.addSighting(match.point, {number, static_cast<int>(match.feature)});
+  mapper_.map(map_);
+  map_.keyframe(number).covariance = chainedCovariance(map_, number).value_or(covariance_);
+  recogniser_.add(vocabulary_.wordsOf(features.all()));
+  closeLoop(number);
+
+  reference_ = number;
+  pose_ = map_.keyframe(number).pose;
+  covariance_ = initialCovariance();
+  anchor_.place(pose_, covariance_);
+  way_.place({}, Eigen::Matrix3d::Zero());
+  is_way_known_ = true;
+  return Status::ok();
+}
+
+/// Keyframes that a keyframe is joined with already: what they show is no news.
+std::set<int> MonoGraph::knownAround(int keyframe) const {
+  constexpr int kRecent = 10;
+  std::set<int> known;
+  for (const auto& [other, shared] : sharedPoints(map_, keyframe)) {
+    const auto around = keyframesAround(map_, other);
+    known.insert(around.begin(), around.end());
+  }
+  for (int i = std::max(0, keyframe - kRecent); i <= keyframe; ++i) known.insert(i);
+  return known;
+}
+
+void MonoGraph::closeLoop(int keyframe) {
+  const auto place =
+      recogniser_.find(map_, map_.keyframe(keyframe).features, recogniser_.index()[keyframe],
+                       knownAround(keyframe), config_.least_similarity);
+  if (!place) return;
+  const Pose2 before = map_.keyframe(keyframe).pose;
+  if (!closer_.close(map_, *place, keyframe)) return counters_.add("loops_rejected");
+  joinPlaces(map_, *place, keyframe);
+  adjustAround(map_, keyframe, config_.window);
+  auto& joined = map_.keyframe(keyframe);
+  joined.covariance = chainedCovariance(map_, keyframe).value_or(joined.covariance);
+  noteLoop(*place, before, joined.pose);
+}
+
+void MonoGraph::noteStep(Stamp stamp) {
+  const Pose2 relative = reference_ ? map_.keyframe(*reference_).pose.between(pose_) : pose_;
+  path_.push_back({stamp, reference_, relative, firstVisit()});
+}
+
+}  // namespace slam::mono_graph
