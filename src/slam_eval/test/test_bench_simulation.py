@@ -28,7 +28,8 @@ def landmark_map(ids):
 
 def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None, own_ids=False):
     """The numbers of a seed's line."""
-    run = types.SimpleNamespace(landmarks=landmark_map(mapped), true_landmarks=landmark_map(true))
+    run = types.SimpleNamespace(landmarks=landmark_map(mapped), true_landmarks=landmark_map(true),
+                                metrics={"update_ms_p99": 3.0})
     run.landmarks.has_own_ids = own_ids
     result = types.SimpleNamespace(metrics={
         "ate_rmse_m": ate, "odometry_ate_rmse_m": drift, "landmark_rmse_m": 0.01,
@@ -57,7 +58,7 @@ class Office(unittest.TestCase):
         self.assertNotIn("markers", self.verdicts([row]))
 
     def test_a_run_without_a_map_has_mapped_nothing(self):
-        run = types.SimpleNamespace(landmarks=None, true_landmarks=landmark_map([1, 2]))
+        run = types.SimpleNamespace(landmarks=None, true_landmarks=landmark_map([1, 2]), metrics={})
         row = office.values(1, run, types.SimpleNamespace(metrics={}), Usage(1.0, 1.0, 1.0))
         self.assertEqual([self.cell(row, c) for c in ("mapped", "of", "ATE [m]")], [0, 2, None])
 
@@ -84,7 +85,7 @@ class Office(unittest.TestCase):
 
     def test_a_path_that_is_too_large_or_too_small_misses_the_goal_of_the_gallery(self):
         for scale, word in ((0.009, "reached"), (-0.009, "reached"), (-0.011, "MISSED")):
-            run = types.SimpleNamespace(landmarks=None, true_landmarks=None)
+            run = types.SimpleNamespace(landmarks=None, true_landmarks=None, metrics={})
             result = types.SimpleNamespace(metrics={"ate_rmse_m": 0.02, "scale_error": scale})
             row = office.values(1, run, result, Usage(5.0, 6.0, 30.0))
             line = [line for line in self.verdicts([row], "gallery").split("\n") if "scale" in line]
