@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "slam_core/camera/plane_camera.hpp"
+#include "slam_core/camera/normalised_camera.hpp"
 
 namespace slam::mono_graph {
 
@@ -14,7 +14,7 @@ namespace slam::mono_graph {
 struct Bundle {
   struct View {
     Pose2 pose;  ///< T_map_base
-    PlaneCamera camera;
+    NormalisedCamera camera;
     bool is_fixed = false;
   };
   struct Observation {

@@ -13,7 +13,7 @@ constexpr double kCell = 24.0;  // edge [px]
 
 }  // namespace
 
-Features::Features(std::vector<Feature> features, const PlaneCamera& camera, double focal)
+Features::Features(std::vector<Feature> features, const NormalisedCamera& camera, double focal)
     : features_(std::move(features)), camera_(camera), focal_(focal) {
   sort();
 }

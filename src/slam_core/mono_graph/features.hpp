@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/camera/plane_camera.hpp"
+#include "slam_core/camera/normalised_camera.hpp"
 #include "slam_core/mono_graph/descriptor.hpp"
 
 namespace slam::mono_graph {
@@ -36,12 +36,12 @@ class Features {
  public:
   Features() = default;
   /// @param focal [px] of the camera, sigma [px] of a feature of the finest level
-  Features(std::vector<Feature> features, const PlaneCamera& camera, double focal);
+  Features(std::vector<Feature> features, const NormalisedCamera& camera, double focal);
 
   std::size_t size() const { return features_.size(); }
   const Feature& operator[](std::size_t i) const { return features_[i]; }
   const std::vector<Feature>& all() const { return features_; }
-  const PlaneCamera& camera() const { return camera_; }
+  const NormalisedCamera& camera() const { return camera_; }
   double focal() const { return focal_; }  ///< [px]
 
   /// Appends the features within a distance [px] of a point of the plane z = 1, in a fixed order.
@@ -61,7 +61,7 @@ class Features {
   int row(double y) const;
 
   std::vector<Feature> features_;
-  PlaneCamera camera_;
+  NormalisedCamera camera_;
   double focal_ = 1.0;
   Eigen::Vector2d least_ = Eigen::Vector2d::Zero(), most_ = Eigen::Vector2d::Zero();
   int columns_ = 0, rows_ = 0;

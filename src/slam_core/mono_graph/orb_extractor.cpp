@@ -83,7 +83,7 @@ Features OrbExtractor::extract(const CameraView& view) const {
     features.push_back(
         {*seen, pixel, sigma, keypoint.angle * M_PI / 180.0, keypoint.octave, descriptors[i]});
   }
-  return {std::move(features), PlaneCamera(view.mount.T_base_camera), focal};
+  return {std::move(features), NormalisedCamera(view.mount.T_base_camera), focal};
 }
 
 }  // namespace slam::mono_graph

@@ -24,7 +24,7 @@ Eigen::Vector3d errorFrom(const Pose2& known, const Pose2& pose) {
 }
 
 /// The squared residual of a sighting in its standard deviations; far where it is not seen at all.
-double chi2Of(const PlaneCamera& camera, const PoseSighting& sighting, const Pose2& pose) {
+double chi2Of(const NormalisedCamera& camera, const PoseSighting& sighting, const Pose2& pose) {
   const auto seen = camera.project(pose, sighting.point);
   return seen ? (*seen - sighting.seen).squaredNorm() / (sighting.sigma * sighting.sigma) : 1e9;
 }
@@ -34,7 +34,7 @@ struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
 
-  void add(const PlaneCamera& camera, const PoseSighting& sighting, const Pose2& pose,
+  void add(const NormalisedCamera& camera, const PoseSighting& sighting, const Pose2& pose,
            bool is_robust) {
     Eigen::Matrix<double, 2, 3> J;
     const auto seen = camera.project(pose, sighting.point, &J);
@@ -69,14 +69,14 @@ bool step(const NormalEquations& points, const std::optional<PosePrior>& prior, 
 
 }  // namespace
 
-std::size_t countFits(const PlaneCamera& camera, const std::vector<PoseSighting>& sightings,
+std::size_t countFits(const NormalisedCamera& camera, const std::vector<PoseSighting>& sightings,
                       const Pose2& pose) {
   std::size_t count = 0;
   for (const auto& sighting : sightings) count += chi2Of(camera, sighting, pose) <= kGateOfTwo;
   return count;
 }
 
-std::optional<FittedPose> fitPose(const PlaneCamera& camera,
+std::optional<FittedPose> fitPose(const NormalisedCamera& camera,
                                   const std::vector<PoseSighting>& sightings, const Pose2& start,
                                   const std::optional<PosePrior>& prior) {
   FittedPose fit;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/camera/plane_camera.hpp"
+#include "slam_core/camera/normalised_camera.hpp"
 
 namespace slam::mono_graph {
 
@@ -35,12 +35,12 @@ struct FittedPose {
 /// The pose on the plane from which points are seen as they are: Gauss-Newton with Huber's weights,
 /// then with the points alone that fit (chi-square with two degrees of freedom at 0.95; Mur-Artal
 /// et al. 2015, appendix). Nothing where points and prior do not determine it.
-std::optional<FittedPose> fitPose(const PlaneCamera& camera,
+std::optional<FittedPose> fitPose(const NormalisedCamera& camera,
                                   const std::vector<PoseSighting>& sightings, const Pose2& start,
                                   const std::optional<PosePrior>& prior);
 
 /// How many sightings fit a pose.
-std::size_t countFits(const PlaneCamera& camera, const std::vector<PoseSighting>& sightings,
+std::size_t countFits(const NormalisedCamera& camera, const std::vector<PoseSighting>& sightings,
                       const Pose2& pose);
 
 }  // namespace slam::mono_graph

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSigma = 0.002;  // on the plane z = 1
 
-PlaneCamera camera() { return PlaneCamera(test::RoomOfPictures::mount()); }
+NormalisedCamera camera() { return NormalisedCamera(test::RoomOfPictures::mount()); }
 
 /// Points ahead of a robot at the origin.
 std::vector<Eigen::Vector3d> pointsAhead(std::uint64_t seed, int count) {

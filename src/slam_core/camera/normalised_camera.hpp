@@ -10,13 +10,14 @@
 
 namespace slam {
 
-/// A camera on a robot that moves in the plane: points of the map [m] to the plane z = 1 before the
-/// camera, whose lens is taken out (CameraModel::unproject). Jacobians are by the coordinates
-/// (x, y, theta) of the robot's pose and by the point.
-class PlaneCamera {
+/// A camera on a robot that moves in the plane, in normalised image coordinates: points of the map
+/// [m] to the plane z = 1 before the camera, whose lens is taken out (CameraModel::unproject);
+/// PlanarCamera leads to pixels. Jacobians are by the coordinates (x, y, theta) of the robot's pose
+/// and by the point.
+class NormalisedCamera {
  public:
-  PlaneCamera() = default;
-  explicit PlaneCamera(const Eigen::Isometry3d& T_base_camera)
+  NormalisedCamera() = default;
+  explicit NormalisedCamera(const Eigen::Isometry3d& T_base_camera)
       : T_camera_base_(T_base_camera.inverse()) {}
 
   /// The point in the optical frame [m].

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/camera/plane_camera.hpp"
+#include "slam_core/camera/normalised_camera.hpp"
 
 namespace slam {
 namespace {
@@ -17,14 +17,14 @@ Eigen::Vector3d inBase(const Pose2& T_map_base, const Eigen::Vector3d& point) {
 
 }  // namespace
 
-Eigen::Vector3d PlaneCamera::inCamera(const Pose2& T_map_base, const Eigen::Vector3d& point) const {
+Eigen::Vector3d NormalisedCamera::inCamera(const Pose2& T_map_base,
+                                           const Eigen::Vector3d& point) const {
   return T_camera_base_ * inBase(T_map_base, point);
 }
 
-std::optional<Eigen::Vector2d> PlaneCamera::project(const Pose2& T_map_base,
-                                                    const Eigen::Vector3d& point,
-                                                    Eigen::Matrix<double, 2, 3>* J_pose,
-                                                    Eigen::Matrix<double, 2, 3>* J_point) const {
+std::optional<Eigen::Vector2d> NormalisedCamera::project(
+    const Pose2& T_map_base, const Eigen::Vector3d& point, Eigen::Matrix<double, 2, 3>* J_pose,
+    Eigen::Matrix<double, 2, 3>* J_point) const {
   const Eigen::Vector3d in_base = inBase(T_map_base, point);
   const Eigen::Vector3d p = T_camera_base_ * in_base;
   if (!(p.z() > kNearest)) return std::nullopt;
@@ -45,13 +45,14 @@ std::optional<Eigen::Vector2d> PlaneCamera::project(const Pose2& T_map_base,
   return seen;
 }
 
-Eigen::Vector3d PlaneCamera::ray(const Pose2& T_map_base, const Eigen::Vector2d& on_plane) const {
+Eigen::Vector3d NormalisedCamera::ray(const Pose2& T_map_base,
+                                      const Eigen::Vector2d& on_plane) const {
   const Eigen::Vector3d in_base = T_camera_base_.linear().transpose() * on_plane.homogeneous();
   const Eigen::Vector2d turned = T_map_base.rotation() * in_base.head<2>();
   return {turned.x(), turned.y(), in_base.z()};
 }
 
-Eigen::Vector3d PlaneCamera::centre(const Pose2& T_map_base) const {
+Eigen::Vector3d NormalisedCamera::centre(const Pose2& T_map_base) const {
   const Eigen::Vector3d in_base = T_camera_base_.inverse().translation();
   const Eigen::Vector2d moved = T_map_base.transform(in_base.head<2>());
   return {moved.x(), moved.y(), in_base.z()};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/camera/plane_camera.hpp"
+#include "slam_core/camera/normalised_camera.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,17 +11,17 @@ namespace slam {
 namespace {
 
 /// Looks ahead and a little down, beside the robot's centre.
-PlaneCamera camera() {
+NormalisedCamera camera() {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   T.linear() = T.linear() * Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitX()).toRotationMatrix();
   T.translation() << 0.2, -0.1, 0.7;
-  return PlaneCamera(T);
+  return NormalisedCamera(T);
 }
 
 const Pose2 kPose(1.0, -2.0, 0.7);
 
-TEST(PlaneCamera, SeesAPointAlongItsRay) {
+TEST(NormalisedCamera, SeesAPointAlongItsRay) {
   const Eigen::Vector2d seen(0.2, -0.1);
   const Eigen::Vector3d point = camera().centre(kPose) + 2.5 * camera().ray(kPose, seen);
   const auto again = camera().project(kPose, point);
@@ -30,13 +30,13 @@ TEST(PlaneCamera, SeesAPointAlongItsRay) {
   EXPECT_NEAR(camera().inCamera(kPose, point).z(), 2.5, 1e-12);
 }
 
-TEST(PlaneCamera, SeesNothingBehindIt) {
+TEST(NormalisedCamera, SeesNothingBehindIt) {
   const Eigen::Vector3d behind = camera().centre(kPose) - camera().ray(kPose, {0.0, 0.0});
   EXPECT_FALSE(camera().project(kPose, behind).has_value());
   EXPECT_FALSE(camera().project(kPose, camera().centre(kPose)).has_value());
 }
 
-TEST(PlaneCamera, HasTheJacobiansOfItsProjection) {
+TEST(NormalisedCamera, HasTheJacobiansOfItsProjection) {
   const Eigen::Vector3d point = camera().centre(kPose) + 2.0 * camera().ray(kPose, {0.3, 0.1});
   Eigen::Matrix<double, 2, 3> J_pose, J_point;
   camera().project(kPose, point, &J_pose, &J_point);
