@@ -106,8 +106,8 @@ class Estimator final : public Component {
   }
   template <class Archive>
   void persist(Archive& archive) {
-    archive(intake_, consistency_, noise_, dead_reckoning_, doubt_, events_, relocaliser_, start_map_,
-            start_session_, last_motion_, fault_, paused_, counters_);
+    archive(intake_, consistency_, noise_, dead_reckoning_, doubt_, events_, relocaliser_,
+            start_map_, start_session_, last_motion_, fault_, paused_, counters_);
   }
 
  private:
