@@ -119,6 +119,22 @@ underlay() { # what is sourced beneath this workspace: it must not be built on w
   (IFS=: && echo "${below[*]}")
 }
 
+# What this workspace and those on top of it have put into a list of paths is left out: catkin writes
+# down what its setup script adds to the environment for the tests, and must find none of it there.
+outside() { # LIST
+  local entry prefix entries prefixes kept=() below
+  below=:$(underlay):
+  IFS=: read -ra entries <<<"$1"
+  IFS=: read -ra prefixes <<<"${CMAKE_PREFIX_PATH:-}"
+  for entry in "${entries[@]}"; do
+    for prefix in "${prefixes[@]}"; do
+      [[ $below == *:$prefix:* || $entry/ != "$prefix"/* ]] || continue 2
+    done
+    kept+=("$entry")
+  done
+  (IFS=: && echo "${kept[*]}")
+}
+
 # An enclosing workspace keeps its own flags. The tests of slam_core are built once, with sanitizers
 # (test/run_tests), but for those of statistics.
 build_flags() {
@@ -167,6 +183,9 @@ build() { # TARGET
   [[ $workspace != "$home" || -e $home/build/CMakeCache.txt ]] || flags+=(-DCMAKE_UNITY_BUILD=ON)
   # catkin writes down the tests' environment before the first build, and leaves out what is not there
   mkdir -p "$workspace/devel/lib/python3/dist-packages"
-  CMAKE_PREFIX_PATH=$(underlay) logged "building" "$home/build.log" catkin_make -C "$workspace" "${flags[@]}" -j"$(nproc)" "$1"
+  PATH=$(outside "$PATH") PYTHONPATH=$(outside "${PYTHONPATH:-}") \
+    LD_LIBRARY_PATH=$(outside "${LD_LIBRARY_PATH:-}") \
+    PKG_CONFIG_PATH=$(outside "${PKG_CONFIG_PATH:-}") ROS_PACKAGE_PATH='' CMAKE_PREFIX_PATH=$(underlay) \
+    logged "building" "$home/build.log" catkin_make -C "$workspace" "${flags[@]}" -j"$(nproc)" "$1"
   echo "$now" >"$stamp"
 }

@@ -264,6 +264,8 @@ class WithOverlay(FrontDoorTest):
         log = (self.slam.parent / ".slam/build.log").read_text(encoding="utf-8")
         self.assertIn("Using CMAKE_PREFIX_PATH: \n", log)
         self.assertNotIn(str(self.overlay), log)
+        of_tests = self.slam.parent / ".slam/build/catkin_generated/setup_cached.sh"
+        self.assertIn("PYTHONPATH=", of_tests.read_text(encoding="utf-8"))
 
 
 class WithAllPrograms(FrontDoorTest):
