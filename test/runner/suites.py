@@ -22,7 +22,8 @@ STATISTICS = ("*FindsTheNoiseOfASimulatedLog*:*TellsUncertaintiesThatHoldTheTrut
               "NoiseTunerTest.FindsTheSame*:NoiseTunerTest.KeepsWhat*:NoiseTunerTest.IsNotMisled*:"
               "*SelfCalibration*.IsNearly*:*SelfCalibration*.KnowsHowWell*:"
               "SystematicErrorTest.*:LostOnAGrid.*:MatchingInARoom.ARobotCarried*:"
-              "Aisles.*:*WoodOfPairs.*:*LostByPlace.*:*LyingMarkers.*:HeadingDrift.*")
+              "Aisles.*:*WoodOfPairs.*:*LostByPlace.*:*LyingMarkers.*:HeadingDrift.*:"
+              "*BackendContract.StaysWithTheRobot*:*LandmarkContract.ConvergesToAStaticWorld*")
 # Gives way to tests that run by the wall clock. Each test has a session of its own; where the
 # kernel groups processes by session, the nice value of the group counts.
 BACKGROUND = ["sh", "-c", 'echo 19 2>/dev/null >/proc/$$/autogroup; exec nice -n 19 "$@"',
