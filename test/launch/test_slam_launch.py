@@ -155,7 +155,7 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
                         self.assertIn("an IMU's angular velocities", done.stderr)
                     elif not has_height and ("visual" in product.stem or "ceiling" in product.stem):
                         self.assertIn("ceiling_height is 0", done.stderr)
-                    elif product.stem.startswith("rat_"):
+                    elif any(name in product.stem for name in ("mono", "rat_")):
                         self.assertIn("lacks images", done.stderr)
                     elif "visual" in product.stem:
                         self.assertIn("lacks images of the ceiling", done.stderr)
