@@ -10,8 +10,7 @@
 namespace slam::mono_ekf {
 namespace {
 
-constexpr double kSearchGate = 9.21;  // 99 % of a chi-square distribution, two degrees of freedom
-constexpr double kNearShare = 0.2;    // of the largest search: where most features should be
+constexpr double kNearShare = 0.2;  // of the largest search: where most features should be
 constexpr std::size_t kFew = 10;
 
 bool isInside(const Eigen::Vector2d& pixel, const cv::Mat& gray) {
@@ -24,7 +23,7 @@ bool isInside(const Eigen::Vector2d& pixel, const cv::Mat& gray) {
 double reachOf(const Search& search) {
   const double half_trace = 0.5 * search.S.trace();
   const double square = half_trace * half_trace - search.S.determinant();
-  return std::sqrt(kSearchGate * (half_trace + std::sqrt(std::max(square, 0.0))));
+  return std::sqrt(kPixelGate * (half_trace + std::sqrt(std::max(square, 0.0))));
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ std::vector<Search> ActiveSearch::find(std::vector<Search> candidates, const Eff
       continue;
     const auto patch = patchOf(state, search.feature, camera);
     if (!patch) continue;
-    const auto found = patch->find(gray, search.predicted, search.S, kSearchGate);
+    const auto found = patch->find(gray, search.predicted, search.S, kPixelGate);
     if (found && found->correlation >= config_.least_correlation) {
       search.outcome = Search::Outcome::kRejected;
       search.found = found->pixel;

@@ -31,7 +31,7 @@ struct Search {
 /// mapped then, which is what closes a loop.
 class ActiveSearch {
  public:
-  /// How many features are searched, and how far from where they are predicted.
+  /// So many features are searched, so far from where they are predicted.
   struct Effort {
     std::size_t most;
     double largest_reach;  ///< semi-axis of the ellipse that holds 99 % [px]
@@ -42,7 +42,7 @@ class ActiveSearch {
 
   /// Few and far, where the pose is so uncertain that most features may be anywhere in a wide
   /// region, as after a turn of bad odometry: once these are measured, the others are near.
-  /// Nothing where that is not so.
+  /// The result is empty where the pose is known better.
   std::vector<Search> searchFar(const MonoState& state, const PlanarCamera& camera,
                                 const cv::Mat& gray) const;
   /// The others, up to features_in_view together. Who was found counts as kRejected: nobody has

@@ -12,7 +12,6 @@
 namespace slam::mono_ekf {
 namespace {
 
-constexpr double kGate = 9.21;        // 99 % of a chi-square distribution, two degrees of freedom
 constexpr double kNearSigmas = 2.45;  // the radius that holds 95 % of a Gaussian in the plane
 
 /// The robot and the matched features alone, in the order of the matches.
@@ -98,7 +97,7 @@ class MatchedPart {
     const Eigen::Matrix2d S =
         predictedCovariance(belief_, measurement.offset, measurement.prediction) +
         sigma_ * sigma_ * Eigen::Matrix2d::Identity();
-    return measurement.nu.dot(S.inverse() * measurement.nu) <= kGate;
+    return measurement.nu.dot(S.inverse() * measurement.nu) <= kPixelGate;
   }
 
   const std::vector<Match>& matches_;

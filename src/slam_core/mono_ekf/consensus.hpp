@@ -18,8 +18,8 @@ struct Match {
 /// What the matches agree on.
 struct Consensus {
   std::vector<bool> agrees;  ///< of each match
-  /// Of those that agree, linearised where they are after an update with most of them (a step of
-  /// the iterated EKF), for an update of the state that the matches were judged by.
+  /// Those that agree, to update the state with that they were judged by. They are linearised at
+  /// the state after an update with most of them (a step of the iterated EKF).
   std::vector<Measurement> measurements;
 };
 

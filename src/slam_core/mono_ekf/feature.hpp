@@ -20,7 +20,7 @@ struct FirstSight {
   Eigen::Vector3d ray = Eigen::Vector3d::UnitX();    ///< map frame, of length 1
   /// Two directions along the surface, map frame, of length 1.
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
-  /// How a step along them moves the pixel, of a surface 1 m away [px/m].
+  /// A step along them on a surface 1 m away moves the pixel by this [px/m].
   Eigen::Matrix2d J_pixel_tangents = Eigen::Matrix2d::Identity();
   cv::Mat patch;  ///< 8 bit gray, the feature in its centre
 

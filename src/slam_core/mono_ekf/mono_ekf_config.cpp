@@ -7,75 +7,94 @@
 
 namespace slam::mono_ekf {
 
-void MonoEkfConfig::describe(Fields& fields) {
-  fields.add("mode", &mode, backendModeNames(),
-             "build the map; to keep a map of image features fixed is not possible");
+namespace {
+
+/// These say which features the map has.
+void describeMap(MonoEkfConfig& config, Fields& fields) {
   fields
-      .add("features_in_view", &features_in_view,
+      .add("features_in_view", &config.features_in_view,
            "so many features are measured in an image; where there are fewer, new ones begin")
       .unit("1")
       .in(Range::closed(4, 200));
   fields
-      .add("most_features", &most_features,
+      .add("most_features", &config.most_features,
            "so many features are kept in the map; beyond them those that were seen least give way")
       .unit("1")
       .in(Range::closed(4, 2000));
   fields
-      .add("pixel_sigma", &pixel_sigma,
+      .add("pixel_sigma", &config.pixel_sigma,
            "standard deviation of where a feature is found in an image")
       .unit("px")
       .in(Range::closed(0.05, 20));
   fields
-      .add("nearest", &nearest,
+      .add("nearest", &config.nearest,
            "a new feature is not nearer than this, with 95 %; it may be at infinity")
       .unit("m")
       .in(Range::closed(0.01, 100));
   fields
-      .add("typical_distance", &typical_distance,
+      .add("typical_distance", &config.typical_distance,
            "a new feature is taken to be at this distance until more is known")
       .unit("m")
       .in(Range::closed(0.01, 1000));
+}
+
+/// These say how a feature is found, and when its depth is known.
+void describeSearch(MonoEkfConfig& config, Fields& fields) {
   fields
-      .add("least_correlation", &least_correlation,
+      .add("least_correlation", &config.least_correlation,
            "a patch is found where it correlates with the image by at least so much")
       .unit("1")
       .in(Range::closed(0.3, 0.999));
   fields
-      .add("least_gradient", &least_gradient,
+      .add("least_gradient", &config.least_gradient,
            "a corner has at least this gradient in each direction: more than noise has")
       .unit("1 of 255 per px")
       .in(Range::closed(0.5, 200));
-  fields.add("spacing", &spacing, "features are at least so far apart in an image")
+  fields.add("spacing", &config.spacing, "features are at least so far apart in an image")
       .unit("px")
       .in(Range::closed(4, 200));
   fields
-      .add("largest_search", &largest_search,
+      .add("largest_search", &config.largest_search,
            "a feature is not searched where it may be further off than this")
       .unit("px")
       .in(Range::closed(4, 400));
   fields
-      .add("largest_view_change", &largest_view_change,
+      .add("largest_view_change", &config.largest_view_change,
            "a feature is not searched from a direction that differs by more than this")
       .unit("rad")
       .in(Range::closed(0.05, 1.5));
   fields
-      .add("largest_linearity_index", &largest_linearity_index,
+      .add("largest_linearity_index", &config.largest_linearity_index,
            "a feature becomes a point in metres when its linearity index is below this")
       .unit("1")
       .in(Range::closed(0, 1));
+}
+
+/// These say when the robot is lost.
+void describeLoss(MonoEkfConfig& config, Fields& fields) {
   fields
-      .add("lost_after", &lost_after,
+      .add("lost_after", &config.lost_after,
            "the robot is lost when for so long the features are not where they are predicted")
       .unit("s")
       .in(Range::closed(0.1, 60));
   fields
-      .add("lost_sigma_position", &lost_sigma_position,
+      .add("lost_sigma_position", &config.lost_sigma_position,
            "a lost robot's position is believed to be off by this standard deviation")
       .unit("m")
       .in(Range::closed(0.01, 100));
-  fields.add("lost_sigma_heading", &lost_sigma_heading, "and its heading by this one")
+  fields.add("lost_sigma_heading", &config.lost_sigma_heading, "and its heading by this one")
       .unit("rad")
       .in(Range::closed(0.01, 3.14));
+}
+
+}  // namespace
+
+void MonoEkfConfig::describe(Fields& fields) {
+  fields.add("mode", &mode, backendModeNames(),
+             "build the map; to keep a map of image features fixed is not possible");
+  describeMap(*this, fields);
+  describeSearch(*this, fields);
+  describeLoss(*this, fields);
 }
 
 void requireUsable(const MonoEkfConfig& config) {
@@ -83,8 +102,7 @@ void requireUsable(const MonoEkfConfig& config) {
   if (config.mode != BackendMode::kSlam)
     throw ConfigError(
         "mono_ekf.mode: the monocular EKF cannot keep its map fixed and localise in it: set mode "
-        "to "
-        "slam, or take another back-end");
+        "to slam, or take another back-end");
   if (config.most_features < config.features_in_view)
     throw ConfigError(
         "mono_ekf.most_features: the map must hold the features of one image: set it to "
@@ -92,8 +110,7 @@ void requireUsable(const MonoEkfConfig& config) {
   if (config.nearest >= config.typical_distance)
     throw ConfigError(
         "mono_ekf.nearest: it must be below mono_ekf.typical_distance, since features are nearer "
-        "and "
-        "farther than that");
+        "and farther than that");
 }
 
 }  // namespace slam::mono_ekf

@@ -12,6 +12,10 @@
 
 namespace slam::mono_ekf {
 
+/// Innovations of pixels within this gate count: 99 % of a chi-square distribution with two degrees
+/// of freedom.
+constexpr double kPixelGate = 9.21;
+
 /// A measured pixel as an update sees it: z = prediction + J_pose dx_pose + J_feature dx_feature.
 struct Measurement {
   int offset = 0;  ///< of the feature's first coordinate in the state
@@ -42,8 +46,8 @@ class MonoState {
   /// @param sigma of a pixel's coordinate [px] @return nu^T S^-1 nu
   double update(const std::vector<Measurement>& measurements, double sigma);
 
-  /// What begins where a pixel looks: the feature, its coordinates as an InverseDepth, and how
-  /// these depend on the robot's pose and on the pixel.
+  /// A feature that begins where a pixel looks, its coordinates as an InverseDepth, and their
+  /// Jacobians in the robot's pose and in the pixel.
   struct Seed {
     Feature feature;
     Eigen::Matrix<double, 5, 1> coordinates;

@@ -26,7 +26,8 @@ class Patch {
   static constexpr int kSize = 2 * kRadius + 1;
   static constexpr int kStoredRadius = 18;  ///< of what is kept of the first image [px]
 
-  /// What is kept of a pixel's surroundings; empty where they reach beyond the image.
+  /// Cuts out the surroundings of a pixel that are kept. The result is empty where they reach
+  /// beyond the image.
   static cv::Mat cut(const cv::Mat& gray, const Eigen::Vector2d& pixel);
   /// The patch of a feature, warped to how its surface is seen now; nothing where it would be seen
   /// too differently, or shows no corner.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "slam_core/camera/camera_config.hpp"
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
@@ -46,7 +47,7 @@ Vocabulary vocabularyOf(const MonoGraphConfig& config) {
 
 void MonoGraph::describe(Ports& ports) {
   ports.takes<Motion>("motion", "motion", &inputs_).carrier();
-  ports.takes<CameraView>("camera", "what the camera sees", &inputs_);
+  ports.takes<CameraView>(CameraConfig::kSection, "what the camera sees", &inputs_);
 }
 
 void MonoGraph::describe(Capabilities& capabilities) {

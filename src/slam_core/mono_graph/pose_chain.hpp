@@ -19,7 +19,7 @@ Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, c
 /// What joins a keyframe with an earlier one.
 struct Link {
   int earlier = 0;
-  /// Of the keyframe's coordinates in the map frame, the earlier one taken as exact.
+  /// It is that of the keyframe's coordinates in the map frame where the earlier one is exact.
   Eigen::Matrix3d covariance;
 };
 

@@ -25,10 +25,12 @@ struct Keyframe {
   Pose2 pose;  ///< T_map_base
   Features features;
   std::vector<int> points;  ///< of the map, by feature; kNoPoint where there is none
-  /// By odometry from the keyframe before; nothing at the first one and behind a jump.
+  /// Odometry led here from the keyframe before; nothing is known of it at the first one and behind
+  /// a jump.
   std::optional<Pose2> way;
   Eigen::Matrix3d way_covariance = Eigen::Matrix3d::Zero();
-  /// Of the pose in the map (x, y, theta), by the best chain of keyframes from the first one.
+  /// The pose in the map (x, y, theta) has this covariance by the best chain of keyframes from the
+  /// first one.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
   template <class Archive>

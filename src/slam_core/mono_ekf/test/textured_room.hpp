@@ -40,7 +40,7 @@ class TexturedRoom {
     mount_.T_base_camera.translation() << 0.1, 0.0, 0.65;
   }
 
-  /// What the camera sees from a pose of the robot, with noise of its own for each image.
+  /// The camera sees this from a pose of the robot; each image has noise of its own.
   /// @param turned by how much a hand has turned the camera to the left [rad]
   CameraView look(const Pose2& T_world_base, Stamp stamp, double turned = 0.0) {
     const auto& c = model_->calibration();
