@@ -6,6 +6,7 @@ Features are a map of keys and values: {"backend": "pf", "odometry": "visual", "
 """
 
 import dataclasses
+import functools
 import glob
 import itertools
 import tempfile
@@ -94,6 +95,10 @@ class FeatureModel:
 
     def valid(self):
         """Returns the features of every valid product."""
+        return self._valid
+
+    @functools.cached_property
+    def _valid(self):  # takes over a second: there are thousands of combinations
         values = [group.symbols for group in self.groups.values()]
         combinations = (dict(zip(self.groups, chosen)) for chosen in itertools.product(*values))
         return [features for features in combinations if not self.faults(features)]
