@@ -3,17 +3,11 @@
 
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "slam_core/camera/camera_view.hpp"
-#include "slam_core/common/random.hpp"
-#include "slam_core/geometry/pose2.hpp"
+#include "slam_core/camera/test/painted_room.hpp"
 
 namespace slam::test {
 
@@ -22,8 +16,8 @@ namespace slam::test {
 class TexturedRoom {
  public:
   /// @param half length of a wall [m]
-  explicit TexturedRoom(std::uint64_t seed, double half = 8.0) : half_(half) {
-    for (std::size_t i = 0; i < walls_.size(); ++i) walls_[i] = painted(seed, i);
+  explicit TexturedRoom(std::uint64_t seed, double half = 8.0)
+      : room_(seed, half, 3.5, {static_cast<int>(32 * half), 0.16, 0.84}) {
     setSize({320, 240});
   }
 
@@ -48,67 +42,16 @@ class TexturedRoom {
     view.stamp = view.image.stamp = stamp;
     view.mount = mount_;
     view.camera = model_;
-    view.image.gray = cv::Mat(c.height, c.width, CV_8U);
-    const Pose2 looking = T_world_base * Pose2(0.1, 0.0, turned);
-    cv::Mat noise(c.height, c.width, CV_32F);
+    const Pose2 T_base_camera(0.1, 0.0, turned);
+    const cv::Mat clear = room_.seenFrom(T_world_base * T_base_camera, 0.65, c);
+    cv::Mat noise(clear.size(), CV_32F);
     cv::RNG(0x51a3 + ++images_).fill(noise, cv::RNG::NORMAL, 0.0, 2.0);
-    for (int row = 0; row < c.height; ++row)
-      for (int column = 0; column < c.width; ++column) {
-        const double left = (c.cx - column) / c.fx, up = (c.cy - row) / c.fy;
-        const float gray = grayAt(looking, left, up) + noise.at<float>(row, column);
-        view.image.gray.at<std::uint8_t>(row, column) = cv::saturate_cast<std::uint8_t>(gray);
-      }
+    cv::add(clear, noise, view.image.gray, cv::noArray(), CV_8U);
     return view;
   }
 
  private:
-  static constexpr double kHeight = 3.5;   // [m]
-  static constexpr double kTexels = 32.0;  // [1/m]
-
-  cv::Mat painted(std::uint64_t seed, std::size_t wall) const {
-    const int width = static_cast<int>(2.0 * half_ * kTexels) + 2;
-    const int height = static_cast<int>(kHeight * kTexels) + 2;
-    cv::Mat gray(height, width, CV_8U, cv::Scalar(128));
-    RandomStream random(seed, wall);
-    for (int i = 0; i < 32 * half_; ++i) {
-      const int x = static_cast<int>(width * random.uniform());
-      const int y = static_cast<int>(height * random.uniform());
-      const int w = 5 + static_cast<int>(22 * random.uniform());
-      const int h = 5 + static_cast<int>(22 * random.uniform());
-      cv::rectangle(gray, {x, y, w, h}, 20.0 + 215.0 * random.uniform(), cv::FILLED);
-    }
-    cv::GaussianBlur(gray, gray, {5, 5}, 1.0);
-    return gray;
-  }
-
-  /// @param left, up of a point at a distance of 1 along the camera's axis
-  float grayAt(const Pose2& camera, double left, double up) const {
-    const double c = std::cos(camera.theta()), s = std::sin(camera.theta());
-    const double dx = c - s * left, dy = s + c * left;
-    const double to_x = ((dx > 0 ? half_ : -half_) - camera.x()) / dx;
-    const double to_y = ((dy > 0 ? half_ : -half_) - camera.y()) / dy;
-    const bool is_x = to_x < to_y;
-    const double distance = is_x ? to_x : to_y, z = 0.65 + distance * up;
-    if (z < 0.0) return 90.0F;
-    if (z > kHeight) return 200.0F;
-    const double along = is_x ? camera.y() + distance * dy : camera.x() + distance * dx;
-    const std::size_t wall = is_x ? (dx > 0 ? 0 : 1) : (dy > 0 ? 2 : 3);
-    return texel(walls_[wall], (along + half_) * kTexels, z * kTexels);
-  }
-
-  static float texel(const cv::Mat& texture, double x, double y) {
-    const int column = std::clamp(static_cast<int>(x), 0, texture.cols - 2);
-    const int row = std::clamp(static_cast<int>(y), 0, texture.rows - 2);
-    const auto fx = static_cast<float>(x - column), fy = static_cast<float>(y - row);
-    const auto at = [&](int i, int j) {
-      return static_cast<float>(texture.at<std::uint8_t>(row + i, column + j));
-    };
-    return (at(0, 0) * (1 - fx) + at(0, 1) * fx) * (1 - fy) +
-           (at(1, 0) * (1 - fx) + at(1, 1) * fx) * fy;
-  }
-
-  double half_;
-  std::array<cv::Mat, 4> walls_;
+  PaintedRoom room_;
   std::shared_ptr<const CameraModel> model_;
   CameraMount mount_;
   std::uint64_t images_ = 0;

@@ -3,14 +3,11 @@
 
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "slam_core/camera/camera_view.hpp"
+#include "slam_core/camera/test/painted_room.hpp"
 #include "slam_core/common/random.hpp"
 #include "slam_core/product/test/driven_backend.hpp"
 
@@ -23,9 +20,7 @@ class RoomOfPictures {
   static constexpr double kHalf = 3.0;    ///< of an edge of the room [m]
   static constexpr double kHeight = 2.4;  ///< of the walls [m]
 
-  explicit RoomOfPictures(std::uint64_t seed) {
-    for (std::size_t i = 0; i < walls_.size(); ++i) walls_[i] = picture(seed, i);
-  }
+  explicit RoomOfPictures(std::uint64_t seed) : room_(seed, kHalf, kHeight, {500, 0.04, 0.34}) {}
 
   static CameraCalibration calibration(int width = 320) {
     CameraCalibration calibration;
@@ -46,16 +41,8 @@ class RoomOfPictures {
 
   /// @param T_room_base of the robot, within the walls
   cv::Mat seenFrom(const Pose2& T_room_base, const CameraCalibration& camera) const {
-    cv::Mat image(camera.height, camera.width, CV_8U);
-    const Eigen::Vector2d centre = T_room_base.transform(mount().translation().head<2>());
-    for (int v = 0; v < image.rows; ++v)
-      for (int u = 0; u < image.cols; ++u) {
-        const Eigen::Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
-        const Eigen::Vector3d in_base = mount().linear() * ray;
-        const Eigen::Vector2d on_floor = T_room_base.rotation() * in_base.head<2>();
-        image.at<std::uint8_t>(v, u) = seenAlong(centre, on_floor, in_base.z());
-      }
-    return image;
+    const Pose2 T_base_camera(mount().translation().x(), mount().translation().y(), 0.0);
+    return room_.seenFrom(T_room_base * T_base_camera, mount().translation().z(), camera);
   }
   CameraView view(Stamp stamp, const Pose2& T_room_base, int width = 320) const {
     CameraView view;
@@ -67,54 +54,7 @@ class RoomOfPictures {
   }
 
  private:
-  static constexpr int kTexels = 100;  // a metre
-
-  static cv::Mat picture(std::uint64_t seed, std::size_t wall) {
-    const cv::Size size(static_cast<int>(2 * kHalf * kTexels), static_cast<int>(kHeight * kTexels));
-    cv::Mat picture(size, CV_8U, cv::Scalar(130));
-    RandomStream random(seed, wall);
-    for (int i = 0; i < 500; ++i) {
-      const cv::Point at(static_cast<int>(size.width * random.uniform()),
-                         static_cast<int>(size.height * random.uniform()));
-      const int edge = 4 + static_cast<int>(30 * random.uniform() * random.uniform());
-      cv::rectangle(picture, at, at + cv::Point(edge, 2 + edge / 2),
-                    cv::Scalar(255.0 * random.uniform()), cv::FILLED);
-    }
-    return picture;
-  }
-
-  /// Floor and ceiling are plain.
-  std::uint8_t seenAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& ray,
-                         double rise) const {
-    double least = 1e9;
-    std::size_t wall = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto axis = static_cast<Eigen::Index>(i / 2);
-      const double reach = ((i % 2 == 0 ? kHalf : -kHalf) - from[axis]) / ray[axis];
-      if (!(reach > 0.0) || reach >= least) continue;
-      least = reach;
-      wall = i;
-    }
-    const Eigen::Vector2d at = from + least * ray;
-    const double height = mount().translation().z() + least * rise;
-    if (height <= 0.0 || height >= kHeight) return 90;
-    return sampled(walls_[wall], (at[wall / 2 == 0 ? 1 : 0] + kHalf) * kTexels,
-                   (kHeight - height) * kTexels);
-  }
-
-  static std::uint8_t sampled(const cv::Mat& picture, double x, double y) {
-    const int left = std::clamp(static_cast<int>(x), 0, picture.cols - 2);
-    const int top = std::clamp(static_cast<int>(y), 0, picture.rows - 2);
-    const double right = std::clamp(x - left, 0.0, 1.0), below = std::clamp(y - top, 0.0, 1.0);
-    const auto value = [&](int dy, int dx) {
-      return static_cast<double>(picture.at<std::uint8_t>(top + dy, left + dx));
-    };
-    const double above = (1.0 - right) * value(0, 0) + right * value(0, 1);
-    const double under = (1.0 - right) * value(1, 0) + right * value(1, 1);
-    return static_cast<std::uint8_t>(std::lround((1.0 - below) * above + below * under));
-  }
-
-  std::array<cv::Mat, 4> walls_;
+  PaintedRoom room_;
 };
 
 /// A robot that drives round and round in such a room, with odometry that errs.
