@@ -67,8 +67,9 @@ TEST(UnsearchedMap, OfAGridThatIsTooLargeIsTold) {
   MapState map;
   map.grid.emplace();
   map.grid->resolution = 2.0;
-  map.grid->width = map.grid->height = 300;
-  map.grid->cells.assign(300 * 300, 0);
+  map.grid->width = 300;
+  map.grid->height = 10;
+  map.grid->cells.assign(300 * 10, 0);
   EXPECT_TRUE(warns(estimator.set(map), "more than 500 m"));
 }
 
