@@ -9,14 +9,16 @@ import unittest
 from unittest import mock
 import xml.etree.ElementTree as ElementTree
 
-from slam_launch import launch_checks, ports
+from slam_launch import launch_checks, launch_parameters, ports
 from slam_launch.errors import ProductError
+import yaml
 
 DEFAULTS = dict.fromkeys(
-    ("product", "backend", "odometry", "map", "detector", "association", "pointmap", "load_map",
-     "load_session", "bag", "seed", "output_dir", "save_on_exit", "publish_tf", "set", "frontend_machine",
-     "backend_machine", "env_loader", "only", "jump_limit"), "")
-DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto")
+    ("product", "load_map", "load_session", "bag", "remap", "output_dir", "save_on_exit",
+     "checkpoints", "publish_tf", "set", "frontend_machine", "backend_machine", "env_loader", "only",
+     *launch_parameters.OVERRIDING), "")
+DEFAULTS.update(composition="pubsub", mode="slam", rate="1", camera_transport="auto",
+                autosave="10", resume="false", rviz="false", robot="sim_segway")
 
 
 class LaunchChecks(unittest.TestCase):
@@ -26,7 +28,7 @@ class LaunchChecks(unittest.TestCase):
         self.parts = pathlib.Path(folder.name) / "parts.launch"
 
     def check(self, **given):
-        return launch_checks.product_for({**DEFAULTS, "parts": str(self.parts), **given})
+        return launch_parameters.prepare({**DEFAULTS, "parts": str(self.parts), **given})
 
     def expect_refusal(self, sentence, **given):
         with self.assertRaises(ProductError) as caught:
@@ -64,8 +66,8 @@ class LaunchChecks(unittest.TestCase):
         with mock.patch.dict(os.environ, ROS_PACKAGE_PATH=bare):
             self.expect_refusal("rviz:=true needs the package slam_rviz, which is not installed: "
                                 "install it", rviz="true")
-        self.check(rviz="false")
         self.check(rviz="true")
+        self.assertIn("slam_launch/sim_segway", self.parameter("robot_description"))
 
     def test_refuses_components_that_cannot_be_joined(self):
         sentence = "two components make 'motion'; leave one of them out"
@@ -98,10 +100,8 @@ class LaunchChecks(unittest.TestCase):
     def test_refuses_pipes_and_devices(self):
         pipe = str(self.parts.parent / "pipe.yaml")
         os.mkfifo(pipe)
-        for key in ("bag", "load_map", "product"):
+        for key in ("bag", "load_map", "product", "robot"):
             self.expect_refusal("pipe.yaml is a folder, a pipe or a device", **{key: pipe})
-        with self.assertRaisesRegex(ProductError, "pipe.yaml is a folder, a pipe or a device"):
-            launch_checks.robot_for({**DEFAULTS, "robot": pipe})
         self.expect_refusal("bag:=/dev/zero is a folder, a pipe or a device", bag="/dev/zero")
         self.expect_refusal("there is no such file", bag="/nowhere/x.bag")
 
@@ -115,20 +115,32 @@ class LaunchChecks(unittest.TestCase):
                 self.robot(content)
             self.assertIn(sentence, str(caught.exception))
             self.assertIn("robot.yaml", str(caught.exception))
-        content, _ = self.robot("fiducial: {marker_sizes: &s {5: 0.2}}\n# an alias: *s")
+        content = self.robot("fiducial: {marker_sizes: &s {5: 0.2}}\n# an alias: *s")
         self.assertEqual(content["fiducial"], {"marker_sizes": {"5": 0.2}})
 
     def test_refuses_a_damaged_bag_of_which_it_wants_to_know_the_robot(self):
         bag = self.parts.parent / "x.bag"
         bag.write_bytes(b"#ROSBAG V2.0\n" + bytes(range(256)) * 40)
-        with self.assertRaisesRegex(ProductError, "cannot read the bag .*x.bag"):
-            launch_checks.robot_for({**DEFAULTS, "robot": "", "bag": str(bag)})
+        self.expect_refusal(f"cannot read the bag {bag}", robot="", bag=str(bag))
 
     def test_refuses_what_sets_no_parameter(self):
         for word in ("ekf.gate_probability", ".mode=slam", "ekf.gate_probability=", "x"):
             self.expect_refusal(f"'{word}' is set, which is not [SECTION.]KEY=VALUE",
                                 set=f"ekf.mode=slam {word}")
         self.check(set="ekf.gate_probability=0.9 frames.map=world source_timeout=20")
+
+    def test_arguments_count_instead_of_the_files_values(self):
+        self.check(odom_topic="/odom it's", seed="3", set="ekf.gate_probability=0.9")
+        self.assertEqual(self.parameter("overrides"),
+                         ["seed=3", "topics.odom=/odom it's", "ekf.gate_probability=0.9"])
+        self.check()
+        self.assertEqual(self.parameter("overrides"), [])
+
+    def test_a_bags_topics_may_have_other_names(self):
+        self.check(bag=__file__, remap="scan=/front/scan, odom=/wheels")
+        values = {entry.get("name"): entry.get("value")
+                  for entry in ElementTree.parse(self.parts).iter("arg")}
+        self.assertEqual(yaml.safe_load(values["remaps"]), ["scan:=/front/scan", "odom:=/wheels"])
 
     def test_a_feature_is_an_argument_of_its_own(self):
         for word in ("backend=pf", "odometry=visual", "map=grid", "pointmap=true", "detector=none"):
@@ -138,6 +150,7 @@ class LaunchChecks(unittest.TestCase):
     def test_refuses_what_is_set_twice(self):
         self.expect_refusal("ekf.gate_probability is set twice, to 0.9 and to 0.8; set it once",
                             set="ekf.gate_probability=0.9 seed=2 ekf.gate_probability=0.8")
+        self.expect_refusal("seed is set twice, to 3 and to 4; set it once", seed="3", set="seed=4")
 
     def test_localization_needs_a_map_however_it_is_asked_for(self):
         sentence = "localization keeps a map fixed and needs one: load_map:=FILE"
@@ -177,12 +190,20 @@ class LaunchChecks(unittest.TestCase):
         self.assertIn("load_session", self.parts.read_text(encoding="utf-8"))
 
     def robot(self, content, **given):
+        """Returns the parameter for a robot file that holds this."""
         path = self.parts.parent / "robot.yaml"
         path.write_text(f"version: 1\nrobot: mine\n{content}\n", encoding="utf-8")
-        return launch_checks.robot_for({**DEFAULTS, "robot": str(path), **given}), path
+        self.check(robot=str(path), **given)
+        return self.parameter("robot")
+
+    def parameter(self, name):
+        """Returns the parameter that the launch file of the last check sets."""
+        tags = ElementTree.parse(self.parts).iter("param")
+        file = next(tag.get("textfile") for tag in tags if tag.get("name") == name)
+        return yaml.safe_load(pathlib.Path(file).read_text(encoding="utf-8"))
 
     def test_a_robot_may_have_what_the_product_does_not_use(self):
-        content, _ = self.robot("fiducial: {marker_sizes: {5: 0.2}}")
+        content = self.robot("fiducial: {marker_sizes: {5: 0.2}}")
         self.assertEqual(content["fiducial"], {"marker_sizes": {"5": 0.2}})
 
     def test_refuses_a_robot_that_no_component_could_read_and_names_the_line(self):

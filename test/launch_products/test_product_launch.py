@@ -74,13 +74,14 @@ class OwnProductTest(SameAsOffline, ProductLaunch):
     def test_the_list_of_parts_of_earlier_launches_is_removed(self):
         home = self.root / "ros_home"
         (home / "slam").mkdir(parents=True)
-        old = home / "slam" / "parts_old.launch"
-        old.touch()
-        os.utime(old, (0, 0))
+        old = [home / "slam" / f"parts_old{end}" for end in (".launch", "_robot.yaml")]
+        for path in old:
+            path.touch()
+            os.utime(path, (0, 0))
         with mock.patch.dict(os.environ, {"ROS_HOME": str(home)}):
             self.launch("clean", "product:=mine")
-        self.assertFalse(old.exists())
-        self.assertEqual(len(list((home / "slam").iterdir())), 1)
+        self.assertFalse(any(path.exists() for path in old))
+        self.assertEqual(len(list((home / "slam").glob("*.launch"))), 1)
 
 
 class BadInputTest(Refusals, ProductLaunch):

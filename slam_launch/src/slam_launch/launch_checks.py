@@ -1,17 +1,16 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What slam.launch asks before any node starts: is it a product, which robot, which parts."""
+"""What must hold of slam.launch's arguments: is it a product, which robot, which parts."""
 
 import os
 import pathlib
-import time
 import urllib.parse
 
 from catkin.find_in_workspaces import find_in_workspaces
 
 from . import config_files, machines, overrides, packages, parameters, ports, products
 from .errors import did_you_mean, ProductError
-from .feature_model import FeatureModel, text
+from .feature_model import text
 
 CHOICES = {"composition": ("pubsub", "inprocess"), "mode": ("slam", "localization"),
            "camera_transport": ("auto", "raw", "compressed"), "publish_tf": ("", "true", "false")}
@@ -19,7 +18,6 @@ DEFAULTS = {"backend": "ekf", "odometry": "wheel"}  # of a launch without a prod
 PATHS = {"bag": "frontend", "load_map": "backend", "load_session": "backend",
          "output_dir": "backend", "save_on_exit": "backend"}  # and the half that reads or writes there
 URI = "file://"  # and an absolute path, percent-encoded
-OLD = 60  # [s], after which nobody reads a list of parts any more
 
 
 def check_values(arguments):
@@ -29,7 +27,7 @@ def check_values(arguments):
             known = list(filter(None, choices))
             raise ProductError(f"{key}:={arguments[key]} is not one of: {', '.join(known)}"
                                f"{did_you_mean(arguments[key], known)}")
-    if arguments.get("rviz", "").lower() in ("true", "1"):
+    if is_true(arguments["rviz"]):
         require_rviz()
     require_map("mode:=", arguments["mode"], arguments)
     machines.check_machines(arguments)
@@ -45,6 +43,11 @@ def check_values(arguments):
                 raise ValueError
         except ValueError:
             raise ProductError(f"{key}:={arguments[key]} is not a number >= 0") from None
+
+
+def is_true(value):
+    """Whether roslaunch takes an argument for true."""
+    return value.lower() in ("true", "1")
 
 
 def require_rviz():
@@ -156,40 +159,12 @@ def publishes_edge(product, arguments):
     return "true" if owns else "false"
 
 
-def remove_if_old(path):
-    """Removes a list that nobody reads any more; another launch may do so at the same time."""
-    try:
-        if path.stat().st_mtime < time.time() - OLD:
-            path.unlink()
-    except FileNotFoundError:
-        pass
-
-
-def write_parts(path, content):
-    """Writes the file that slam.launch includes next, and removes what earlier launches left."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        for other in path.parent.glob("*.launch"):
-            remove_if_old(other)
-        path.write_text(content, encoding="utf-8")
-    except OSError as error:
-        raise ProductError(f"cannot write {path}, the list of the product's parts: "
-                           f"{error.strerror}") from error
-
-
-def product_for(arguments):
-    """Checks a launch's arguments; returns the product's content and writes its parts' file."""
-    check_values(arguments)
-    model = FeatureModel()
+def product_for(arguments, model):
+    """Returns the product that a launch's arguments choose."""
     product = choose_product(arguments, model)
-    content = configured(product, arguments, model)
     if arguments["load_session"]:
         require_session_keeper(product, model)
-    groups = machines.groups(parts(product, arguments, model), arguments)
-    write_parts(pathlib.Path(arguments["parts"]),
-                machines.launch_file(groups, common_arguments(product, arguments),
-                                     arguments["env_loader"]))
-    return content
+    return product
 
 
 def checkpoints_for(arguments):
@@ -221,7 +196,7 @@ def robot_of_bag(path):
         raise ProductError(f"cannot read the bag {path}, is it damaged? ({cause})") from error
 
 
-def robot_for(arguments):
+def robot_for(arguments, product):
     """Returns the content of the robot file that is given, or that the bag names. It may hold
     parameters of all components that the product brings."""
     name = arguments["robot"]
@@ -232,6 +207,5 @@ def robot_for(arguments):
                            f"robot:=FILE, there are: {', '.join(config_files.files('robots'))}")
     path = config_files.find("robots", name)
     content = config_files.load(path)
-    product = choose_product(arguments, FeatureModel())
     parameters.require_valid_robot(path, product.content.get("libraries") or [])
     return content

@@ -57,8 +57,8 @@ def groups(files, arguments):
             if arguments["only"] in ("", half)]
 
 
-def launch_file(chosen, common, env_loader):
-    """Returns a launch file that starts groups; `common` are the arguments of all their files."""
+def include_tags(chosen, common, env_loader):
+    """Returns the tags that start groups; `common` are the arguments of all their files."""
     remote = any(group.machine for group in chosen)
     content = ""
     for group in chosen:
@@ -70,7 +70,12 @@ def launch_file(chosen, common, env_loader):
         content += "".join(include_tag(name, arguments) for name in [MANAGER, *group.files])
     if remote:  # a default holds beyond its group and file
         content += machine_tag("slam_launching", "", env_loader)
-    return f"<launch>\n{content}</launch>\n"
+    return content
+
+
+def param_tag(name, file):
+    """Returns the tag of a parameter that stands in a YAML file."""
+    return f"  <param name={quoteattr(name)} type=\"yaml\" textfile={quoteattr(str(file))}/>\n"
 
 
 def include_tag(name, arguments):
