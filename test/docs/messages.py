@@ -11,7 +11,7 @@ from doc_commands import REPO
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 ADJACENT = re.compile(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*')
 ASIDE = {"test", "tools", "tuning"}  # no running product has these
-PROGRAM = re.compile(r"slam_\w+\.cpp|command_line\.hpp")  # arguments that --help explains
+PROGRAM = re.compile(r"slam_\w+\.cpp|command_line\.[ch]pp")  # arguments that --help explains
 NAME = re.compile(r"[a-z]+(?:_[a-z]+)*_?")
 # Where a counter is named: in the call that counts, or by who gives a reason to such a call.
 COUNTED = re.compile(r"\b\w*(?:counters?_?|held|all|sinks)\.(?:add|count)\(")

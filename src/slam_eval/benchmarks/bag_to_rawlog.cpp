@@ -13,15 +13,15 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
-#include "benchmark_program.hpp"
 #include "slam_core/geometry/pose2.hpp"
+#include "slam_ros/command_line.hpp"
 
 // The laser and the odometry of a bag as a rawlog of actions and sensory frames, for MRPT's
 // programs. On stdout a line a scan, stamps rising: the stamp [ns], the odometry's pose [m], [rad],
@@ -183,11 +183,11 @@ void convert(const Options& options) {
 
 int main(int argc, char** argv) {
   std::cout.precision(9);
-  CLI::App app("The laser and the odometry of a bag as a rawlog");
+  slam_ros::CommandLine line("slam_eval_rawlog", "The laser and the odometry of a bag as a rawlog");
   slam::eval::Options options;
-  app.add_option("BAG", options.bag)->check(CLI::ExistingFile)->required();
-  app.add_option("RAWLOG", options.rawlog)->required();
-  app.add_option("--distance", options.distance, "between frames [m]")->capture_default_str();
-  app.add_option("--angle", options.angle, "or so much [rad]")->capture_default_str();
-  return slam::eval::runProgram(app, argc, argv, [&] { slam::eval::convert(options); });
+  line.add("BAG", options.bag).existingFile().required();
+  line.add("RAWLOG", options.rawlog).required();
+  line.add("--distance", options.distance, "between frames [m]").withDefault();
+  line.add("--angle", options.angle, "or so much [rad]").withDefault();
+  return line.run(argc, argv, [&] { slam::eval::convert(options); });
 }

@@ -3,13 +3,12 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <Eigen/LU>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "benchmark_program.hpp"
 #include "loop_world.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/contract/backend.hpp"
@@ -17,6 +16,7 @@
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/product/product_config.hpp"
+#include "slam_ros/command_line.hpp"
 
 // Runs a back-end over the consistency case for many seeds and prints, as JSON, the NEES of every
 // step averaged over the seeds, and the NIS per degree of freedom. slam_bench makes the table.
@@ -93,25 +93,21 @@ void run(const std::string& name, const std::vector<std::string>& overrides,
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("NEES and NIS of a back-end over a simulated loop, averaged over seeds");
+  slam_ros::CommandLine line(
+      "slam_eval_consistency",
+      "NEES and NIS of a back-end over a simulated loop, averaged over seeds");
   std::string backend = "ekf";
   std::vector<std::string> overrides;
   slam::eval::LoopWorldConfig world;
   int first = 1, seeds = 50;
   double noise = 1.0;
-  app.add_option("--backend", backend, "name of the back-end")->capture_default_str();
-  app.add_option("--set", overrides, "section.key=value of the back-end");
-  app.add_option("--loop", world.loop_length, "length of the loop [m]")->capture_default_str();
-  app.add_option("--noise", noise, "factor on every sigma of motion and sensor")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--first", first, "seed of the first run")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--seeds", seeds, "number of runs")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  return slam::eval::runProgram(app, argc, argv, [&] {
+  line.add("--backend", backend, "name of the back-end").withDefault();
+  line.add("--set", overrides, "section.key=value of the back-end");
+  line.add("--loop", world.loop_length, "length of the loop [m]").withDefault();
+  line.add("--noise", noise, "factor on every sigma of motion and sensor").positive().withDefault();
+  line.add("--first", first, "seed of the first run").nonNegative().withDefault();
+  line.add("--seeds", seeds, "number of runs").positive().withDefault();
+  return line.run(argc, argv, [&] {
     for (auto* sigma :
          {&world.sigma_range, &world.sigma_bearing, &world.sigma_position, &world.sigma_heading})
       *sigma *= noise;

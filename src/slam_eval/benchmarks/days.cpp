@@ -4,7 +4,6 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -14,12 +13,12 @@
 #include <variant>
 #include <vector>
 
-#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "slam_core/common/settings.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_core/product/run_writer.hpp"
 #include "slam_core/product/test/fault_world.hpp"
+#include "slam_ros/command_line.hpp"
 
 // Drives a product for days of stamps and prints, for each hour, how much memory the process takes,
 // and how much of it is what a checkpoint holds. Every other hour the robot stands still; else it
@@ -147,19 +146,16 @@ void run(const DaysConfig& config) {
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("memory of a product over days of stamps, as CSV: a line for each hour");
+  slam_ros::CommandLine line(
+      "slam_eval_days", "memory of a product over days of stamps, as CSV: a line for each hour");
   slam::eval::DaysConfig config;
-  app.add_option("product", config.product, "product file")->required()->check(CLI::ExistingFile);
-  app.add_option("--out", config.out, "folder of the run, whose files grow")->required();
-  app.add_option("--set", config.overrides, "section.key=value");
-  app.add_option("--hours", config.hours, "of stamps")
-      ->check(CLI::Range(1.0, 1e4))
-      ->capture_default_str();
-  app.add_option("--interval", config.interval, "between messages of a sensor [s]")
-      ->check(CLI::Range(0.01, 4.0))
-      ->capture_default_str();
-  app.add_option("--seed", config.seed, "of the world")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  return slam::eval::runProgram(app, argc, argv, [&] { slam::eval::run(config); });
+  line.add("product", config.product, "product file").required().existingFile();
+  line.add("--out", config.out, "folder of the run, whose files grow").required();
+  line.add("--set", config.overrides, "section.key=value");
+  line.add("--hours", config.hours, "of stamps").between(1.0, 1e4).withDefault();
+  line.add("--interval", config.interval, "between messages of a sensor [s]")
+      .between(0.01, 4.0)
+      .withDefault();
+  line.add("--seed", config.seed, "of the world").nonNegative().withDefault();
+  return line.run(argc, argv, [&] { slam::eval::run(config); });
 }

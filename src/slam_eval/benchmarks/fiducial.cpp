@@ -3,16 +3,15 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "benchmark_program.hpp"
 #include "fiducial_detection.hpp"
 #include "fiducial_timing.hpp"
 #include "slam_core/common/progress.hpp"
+#include "slam_ros/command_line.hpp"
 
 // Time of the fiducial detectors beside the bare libraries, and what they see from where.
 
@@ -51,18 +50,16 @@ nlohmann::json detections(const Options& options) {
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  slam_ros::CommandLine line(
+      "slam_eval_fiducial",
       "Time of the fiducial detectors beside the bare libraries, and their detection rate");
   slam::eval::Options options;
-  app.add_option("--image", options.image, "photograph to measure the time on as well")
-      ->check(CLI::ExistingFile);
-  app.add_option("--repeats", options.repeats, "frames for each time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--trials", options.trials, "images for each distance and obliqueness")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  return slam::eval::runProgram(app, argc, argv, [&] {
+  line.add("--image", options.image, "photograph to measure the time on as well").existingFile();
+  line.add("--repeats", options.repeats, "frames for each time").positive().withDefault();
+  line.add("--trials", options.trials, "images for each distance and obliqueness")
+      .positive()
+      .withDefault();
+  return line.run(argc, argv, [&] {
     cv::setNumThreads(1);
     const nlohmann::json result = {{"timing", slam::eval::times(options)},
                                    {"detection", slam::eval::detections(options)}};

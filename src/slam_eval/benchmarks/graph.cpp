@@ -3,11 +3,11 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "false_loops.hpp"
@@ -16,7 +16,9 @@
 #include "graph_truth.hpp"
 #include "graph_world.hpp"
 #include "import_error.hpp"
+#include "slam_core/common/nearest_name.hpp"
 #include "slam_core/common/progress.hpp"
+#include "slam_ros/command_line.hpp"
 
 // Solves a graph of poses at every pose, as a robot on its way does, and prints what that costs and
 // how near it comes to what Ceres makes of the whole graph at once. slam_bench makes the table.
@@ -31,14 +33,24 @@ const std::map<std::string, FalseLoopKind> kKinds = {
     {"local_groups", FalseLoopKind::kLocalGroups}};
 
 struct Options {
-  std::string g2o, truth;
-  std::uint64_t world = 0, seed = 1;
+  std::string g2o, truth, kind = "random";
+  std::optional<std::uint64_t> world;
+  std::uint64_t seed = 1;
   GraphWorldConfig city;
   int false_loops = 0;
-  FalseLoopKind kind = FalseLoopKind::kRandom;
   std::size_t limit = 0;
   bool detail = false, robust = false;
 };
+
+/// @throw UsageError
+FalseLoopKind kindOf(const std::string& name) {
+  const auto kind = kKinds.find(name);
+  if (kind != kKinds.end()) return kind->second;
+  std::vector<std::string> names;
+  for (const auto& entry : kKinds) names.push_back(entry.first);
+  throw UsageError("there is no kind of false loops '" + name + "'" + didYouMean(name, names) +
+                   "; there are: " + join(names));
+}
 
 /// Of this process so far [MB].
 double peakMemory() {
@@ -50,9 +62,12 @@ double peakMemory() {
 }
 
 PoseGraph load(const Options& options) {
+  if (!options.world && options.g2o.empty())
+    throw UsageError("--g2o or --world is required; --help lists the options");
+  const auto kind = kindOf(options.kind);
   PoseGraph graph;
-  if (options.g2o.empty()) {
-    graph = makeGraphWorld(options.city, options.world);
+  if (options.world) {
+    graph = makeGraphWorld(options.city, *options.world);
   } else {
     requireFile(options.g2o);
     graph = readG2o(options.g2o);
@@ -62,7 +77,7 @@ PoseGraph load(const Options& options) {
     graph.truth = readGraphTruth(options.truth, graph.ids);
   }
   if (options.limit > 0) keepFirst(graph, options.limit);
-  addFalseLoops(graph, options.kind, options.false_loops, options.seed);
+  addFalseLoops(graph, kind, options.false_loops, options.seed);
   return graph;
 }
 
@@ -96,56 +111,39 @@ void run(const Options& options) {
   std::puts(report.dump(options.detail ? -1 : 1).c_str());
 }
 
-void addGraphOptions(CLI::App& app, Options& options) {
-  auto& source = *app.add_option_group("graph", "what is solved");
-  auto* g2o = source.add_option("--g2o", options.g2o, "file of poses and edges in the plane");
-  auto* world = source.add_option("--world", options.world, "seed of a city to drive in")
-                    ->check(CLI::NonNegativeNumber);
-  source.require_option(1);
-  app.add_option("--truth", options.truth, "file of the true poses: x y theta or id x y theta")
-      ->needs(g2o);
+void addGraphOptions(slam_ros::CommandLine& line, Options& options) {
+  const auto g2o = line.add("--g2o", options.g2o, "file of poses and edges in the plane");
+  const auto world = line.add("--world", options.world, "seed of a city to drive in").excludes(g2o);
+  line.add("--truth", options.truth, "file of the true poses: x y theta or id x y theta")
+      .needs(g2o);
   const auto addCity = [&](const char* name, auto& value, const char* what) {
-    return app.add_option(name, value, what)->needs(world)->capture_default_str();
+    return line.add(name, value, what).needs(world).withDefault();
   };
-  addCity("--poses", options.city.poses, "of the drive, 1 m apart")->check(CLI::Range(2, 1000000));
-  addCity("--sigma-position", options.city.sigma_position, "of a measurement [m]")
-      ->check(CLI::PositiveNumber);
-  addCity("--sigma-heading", options.city.sigma_heading, "of a measurement [rad]")
-      ->check(CLI::PositiveNumber);
+  addCity("--poses", options.city.poses, "of the drive, 1 m apart").between(2, 1000000);
+  addCity("--sigma-position", options.city.sigma_position, "of a measurement [m]").positive();
+  addCity("--sigma-heading", options.city.sigma_heading, "of a measurement [rad]").positive();
 }
 
-void addOptions(CLI::App& app, Options& options) {
-  addGraphOptions(app, options);
-  app.add_option("--limit", options.limit, "only the first poses")->check(CLI::Range(2, 1000000));
-  app.add_option("--false-loops", options.false_loops, "so many are added")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--kind", options.kind, "of the false loops")
-      ->transform(CLI::CheckedTransformer(kKinds))
-      ->option_text("random (default), local, random_groups or local_groups");
-  app.add_option("--seed", options.seed, "of the false loops")->capture_default_str();
-  app.add_flag("--robust", options.robust, "any loop may be false; without Ceres");
-  app.add_flag("--detail", options.detail, "print poses, loops and the time of each step as well");
+void addOptions(slam_ros::CommandLine& line, Options& options) {
+  addGraphOptions(line, options);
+  line.add("--limit", options.limit, "only the first poses").between(2, 1000000);
+  line.add("--false-loops", options.false_loops, "so many are added").nonNegative().withDefault();
+  line.add("--kind", options.kind,
+           "of the false loops: random, local, random_groups or local_groups")
+      .withDefault();
+  line.add("--seed", options.seed, "of the false loops").withDefault();
+  line.add("--robust", options.robust, "any loop may be false; without Ceres");
+  line.add("--detail", options.detail, "print poses, loops and the time of each step as well");
 }
 
 }  // namespace
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("Solves a graph of poses at every pose, and at once by Ceres: CPU time and chi2");
+  slam_ros::CommandLine line(
+      "slam_eval_graph",
+      "Solves a graph of poses at every pose, and at once by Ceres: CPU time and chi2");
   slam::eval::Options options;
-  slam::eval::addOptions(app, options);
-  try {
-    app.parse(argc, argv);
-    slam::eval::run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const slam::eval::UsageError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  slam::eval::addOptions(line, options);
+  return line.run(argc, argv, [&] { slam::eval::run(options); });
 }

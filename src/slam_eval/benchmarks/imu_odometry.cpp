@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "benchmark_program.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/contract/odometry_source.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/imu/imu_gate.hpp"
 #include "slam_core/product/product_config.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_sim/drive.hpp"
 #include "slam_sim/gyroscope.hpp"
 #include "slam_sim/sensors.hpp"
@@ -174,15 +173,14 @@ nlohmann::json run(const Options& options) {
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("Drift and covariances of wheels with an IMU on a simulated drive");
+  slam_ros::CommandLine line("slam_eval_imu_odometry",
+                             "Drift and covariances of wheels with an IMU on a simulated drive");
   slam::eval::Options options;
-  app.add_option("--world", options.world, "world file")->check(CLI::ExistingFile)->required();
-  app.add_option("--robot", options.robot, "robot file")->check(CLI::ExistingFile)->required();
-  app.add_option("--seed", options.seed, "of noise")->capture_default_str();
-  app.add_option("--duration", options.duration, "at most [s]");
-  app.add_option("--lever-scale", options.lever_scale,
-                 "of the wheels: below 1 turns are too large");
-  app.add_option("--set", options.overrides, "SECTION.KEY=VALUE");
-  return slam::eval::runProgram(app, argc, argv,
-                                [&] { std::puts(slam::eval::run(options).dump(1).c_str()); });
+  line.add("--world", options.world, "world file").existingFile().required();
+  line.add("--robot", options.robot, "robot file").existingFile().required();
+  line.add("--seed", options.seed, "of noise").withDefault();
+  line.add("--duration", options.duration, "at most [s]");
+  line.add("--lever-scale", options.lever_scale, "of the wheels: below 1 turns are too large");
+  line.add("--set", options.overrides, "SECTION.KEY=VALUE");
+  return line.run(argc, argv, [&] { std::puts(slam::eval::run(options).dump(1).c_str()); });
 }

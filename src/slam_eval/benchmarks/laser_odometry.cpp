@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -11,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/common/progress.hpp"
@@ -19,6 +17,7 @@
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/laser/scan_gate.hpp"
 #include "slam_core/product/product_config.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_sim/drive.hpp"
 #include "slam_sim/sensors.hpp"
 #include "slam_sim/world_file.hpp"
@@ -157,14 +156,14 @@ nlohmann::json run(const Options& options) {
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("Time, drift and covariances of laser odometry on a simulated drive");
+  slam_ros::CommandLine line("slam_eval_laser_odometry",
+                             "Time, drift and covariances of laser odometry on a simulated drive");
   slam::eval::Options options;
-  app.add_option("--world", options.world, "world file")->check(CLI::ExistingFile)->required();
-  app.add_option("--robot", options.robot, "robot file")->check(CLI::ExistingFile)->required();
-  app.add_option("--seed", options.seed, "of noise")->capture_default_str();
-  app.add_option("--rate", options.rate, "of the laser [Hz]")->capture_default_str();
-  app.add_option("--duration", options.duration, "at most [s]");
-  app.add_option("--set", options.overrides, "SECTION.KEY=VALUE");
-  return slam::eval::runProgram(app, argc, argv,
-                                [&] { std::puts(slam::eval::run(options).dump(1).c_str()); });
+  line.add("--world", options.world, "world file").existingFile().required();
+  line.add("--robot", options.robot, "robot file").existingFile().required();
+  line.add("--seed", options.seed, "of noise").withDefault();
+  line.add("--rate", options.rate, "of the laser [Hz]").withDefault();
+  line.add("--duration", options.duration, "at most [s]");
+  line.add("--set", options.overrides, "SECTION.KEY=VALUE");
+  return line.run(argc, argv, [&] { std::puts(slam::eval::run(options).dump(1).c_str()); });
 }

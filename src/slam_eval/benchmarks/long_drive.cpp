@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <CLI/CLI.hpp>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "loop_world.hpp"
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_ros/command_line.hpp"
 
 // Drives the graph back-end round the same loop for many kilometres and prints, for each part of
 // the way, how large the graph is, how long a step takes and how well the robot knows where it is.
@@ -83,25 +83,21 @@ void run(const std::vector<std::string>& overrides, const LoopWorldConfig& world
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("size and step time of the graph back-end on a long way round the same loop");
+  slam_ros::CommandLine line(
+      "slam_eval_long_drive",
+      "size and step time of the graph back-end on a long way round the same loop");
   slam::eval::LoopWorldConfig world;
   std::vector<std::string> overrides;
   double metres = 10000.0;
   int seed = 1, rows = 10;
-  app.add_option("--set", overrides, "section.key=value of the back-end");
-  app.add_option("--loop", world.loop_length, "length of the loop [m]")
-      ->check(CLI::Range(1.0, 1e4))
-      ->capture_default_str();
-  app.add_option("--metres", metres, "length of the way [m]")
-      ->check(CLI::Range(1.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--rows", rows, "parts of the way, of which each one is a row of the table")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--seed", seed, "seed of the world")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  return slam::eval::runProgram(app, argc, argv, [&] {
+  line.add("--set", overrides, "section.key=value of the back-end");
+  line.add("--loop", world.loop_length, "length of the loop [m]").between(1.0, 1e4).withDefault();
+  line.add("--metres", metres, "length of the way [m]").between(1.0, 1e6).withDefault();
+  line.add("--rows", rows, "parts of the way, of which each one is a row of the table")
+      .between(1, 1000)
+      .withDefault();
+  line.add("--seed", seed, "seed of the world").nonNegative().withDefault();
+  return line.run(argc, argv, [&] {
     world.laps = std::max(1, static_cast<int>(std::lround(metres / world.loop_length)));
     slam::eval::run(overrides, world, seed, rows);
   });

@@ -4,7 +4,6 @@
 // Writes what a product's landmark detector sees in a bag as a bag of observations, so that many
 // runs of a back-end need not detect the same landmarks again.
 
-#include <CLI/CLI.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -77,13 +76,13 @@ void write(const std::string& path, const std::string& topic,
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes the observations that a product's detector makes of a bag.",
-               "slam_eval_observations");
+  slam_ros::CommandLine line("slam_eval_observations",
+                             "Writes the observations that a product's detector makes of a bag.");
   std::string product, bag, out;
-  app.add_option("PRODUCT", product, "a product with a landmark detector")->required();
-  app.add_option("BAG", bag, "the recorded data")->required();
-  app.add_option("OUT", out, "the bag that takes the observations")->required();
-  return slam_ros::runProgram(app, argc, argv, [&] {
+  line.add("PRODUCT", product, "a product with a landmark detector").required();
+  line.add("BAG", bag, "the recorded data").required();
+  line.add("OUT", out, "the bag that takes the observations").required();
+  return line.run(argc, argv, [&] {
     DetectorRun run(product, bag);
     write(out, run.topic(), run.seen());
   });

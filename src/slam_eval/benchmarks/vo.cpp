@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -11,12 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
-#include "benchmark_program.hpp"
 #include "cpu_time.hpp"
 #include "odometry_drift.hpp"
 #include "slam_core/camera/camera_gate.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/visual_odometry/visual_odometry.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_sim/world_file.hpp"
 #include "vo_scenarios.hpp"
 
@@ -151,21 +150,22 @@ nlohmann::json run(const Options& options) {
 }  // namespace slam::eval
 
 int main(int argc, char** argv) {
-  CLI::App app("Drift, covariances and speed of visual odometry on a simulated drive");
+  slam_ros::CommandLine line(
+      "slam_eval_vo", "Drift, covariances and speed of visual odometry on a simulated drive");
   slam::eval::Options options;
-  app.add_option("--world", options.world, "world file")->check(CLI::ExistingFile)->required();
-  app.add_option("--robot", options.robot, "robot file")->check(CLI::ExistingFile)->required();
-  app.add_option("--scenario", options.scenario, "drive, turn (on the spot), stand (a minute)")
-      ->capture_default_str();
-  app.add_option("--features", options.features, "kinds of features, all on the same images")
-      ->capture_default_str();
-  app.add_option("--seed", options.seed, "of noise and of RANSAC")->capture_default_str();
-  app.add_option("--ceiling-height", options.ceiling_height, "above the camera, as told [m]")
-      ->capture_default_str();
-  app.add_option("--images", options.images, "no more than these; 0: all")->capture_default_str();
-  app.add_flag("--track", options.track, "the paths as well");
-  app.add_option("--set", options.overrides, "SECTION.KEY=VALUE");
-  return slam::eval::runProgram(app, argc, argv, [&] {
+  line.add("--world", options.world, "world file").existingFile().required();
+  line.add("--robot", options.robot, "robot file").existingFile().required();
+  line.add("--scenario", options.scenario, "drive, turn (on the spot), stand (a minute)")
+      .withDefault();
+  line.add("--features", options.features, "kinds of features, all on the same images")
+      .withDefault();
+  line.add("--seed", options.seed, "of noise and of RANSAC").withDefault();
+  line.add("--ceiling-height", options.ceiling_height, "above the camera, as told [m]")
+      .withDefault();
+  line.add("--images", options.images, "no more than these; 0: all").withDefault();
+  line.add("--track", options.track, "the paths as well");
+  line.add("--set", options.overrides, "SECTION.KEY=VALUE");
+  return line.run(argc, argv, [&] {
     cv::setNumThreads(1);
     std::puts(slam::eval::run(options).dump(1).c_str());
   });

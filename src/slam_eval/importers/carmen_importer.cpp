@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -75,13 +76,13 @@ class CarmenImporter : public Importer {
     return "CARMEN log: scans of the front laser with raw odometry";
   }
 
-  void addOptions(CLI::App& command) override {
-    command.add_option("LOG", file_, "the log")->required();
+  void addOptions(slam_ros::CommandLine& command) override {
+    command.add("LOG", file_, "the log").required();
     command
-        .add_option("--max-range", max_range_,
-                    "range [m] at and beyond which the laser saw nothing [default: what the log "
-                    "says, at most 80]")
-        ->check(CLI::PositiveNumber);
+        .add("--max-range", max_range_,
+             "range [m] at and beyond which the laser saw nothing [default: what the log "
+             "says, at most 80]")
+        .positive();
   }
 
   std::string import(BagWriter& bag, Progress&) override {

@@ -3,7 +3,6 @@
 #include <slam_msgs/LandmarkObservationArray.h>
 #include <slam_msgs/Motion.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
 
@@ -87,8 +86,8 @@ class CirclesImporter : public Importer {
     return "DLR circles: odometry steps and identified landmarks with their covariances";
   }
 
-  void addOptions(CLI::App& command) override {
-    command.add_option("FILE", file_, "the data set's map.circles")->required();
+  void addOptions(slam_ros::CommandLine& command) override {
+    command.add("FILE", file_, "the data set's map.circles").required();
   }
 
   std::string import(BagWriter& bag, Progress&) override {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "slam_core/common/input_file.hpp"
+#include "slam_ros/wrong_use.hpp"
 
 namespace slam::eval {
 
@@ -17,9 +18,9 @@ class ImportError : public std::runtime_error {
 };
 
 /// The command names something that is not there. One sentence; exit code 2.
-class UsageError : public std::runtime_error {
+class UsageError : public slam_ros::WrongUse {
  public:
-  using std::runtime_error::runtime_error;
+  using WrongUse::WrongUse;
 };
 
 /// @throw UsageError where a path that the command names is no regular file

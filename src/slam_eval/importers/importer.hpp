@@ -7,10 +7,7 @@
 
 #include "bag_writer.hpp"
 #include "slam_core/common/progress.hpp"
-
-namespace CLI {
-class App;
-}
+#include "slam_ros/command_line.hpp"
 
 namespace slam::eval {
 
@@ -30,7 +27,7 @@ class Importer {
   virtual std::string description() const = 0;
 
   /// Declares the input's positional argument and the format's own options.
-  virtual void addOptions(CLI::App& command) = 0;
+  virtual void addOptions(slam_ros::CommandLine& command) = 0;
 
   /// The file that a foreign library reads, which may crash where it is damaged; empty where none
   /// does. After the command line is parsed.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slam_msgs/LandmarkObservationArray.h>
 
-#include <CLI/CLI.hpp>
+#include <sstream>
 
 #include "importer.hpp"
 #include "messages.hpp"
@@ -68,9 +68,9 @@ class MrclamImporter : public Importer {
     return "UTIAS MRCLAM: velocities, landmark readings and truth of one robot";
   }
 
-  void addOptions(CLI::App& command) override {
-    command.add_option("DIR", folder_, "folder of the data set")->required();
-    command.add_option("--robot", robot_, "number of the robot")->required();
+  void addOptions(slam_ros::CommandLine& command) override {
+    command.add("DIR", folder_, "folder of the data set").required();
+    command.add("--robot", robot_, "number of the robot").required();
   }
 
   std::string import(BagWriter& bag, Progress&) override {

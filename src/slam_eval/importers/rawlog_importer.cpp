@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slam_msgs/LandmarkObservationArray.h>
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -121,12 +120,12 @@ class RawlogImporter : public Importer {
     return "MRPT rawlog: planar odometry, range-bearing observations, scans, truth files beside it";
   }
 
-  void addOptions(CLI::App& command) override {
-    command.add_option("FILE", file_, "the rawlog")->required();
-    command.add_option("--truth-landmarks", landmarks_file_,
-                       "true landmarks [default: NAME_ground_truth.txt beside the rawlog]");
-    command.add_option("--truth-path", path_file_,
-                       "true path [default: NAME_ground_truth_robot_path.txt beside the rawlog]");
+  void addOptions(slam_ros::CommandLine& command) override {
+    command.add("FILE", file_, "the rawlog").required();
+    command.add("--truth-landmarks", landmarks_file_,
+                "true landmarks [default: NAME_ground_truth.txt beside the rawlog]");
+    command.add("--truth-path", path_file_,
+                "true path [default: NAME_ground_truth_robot_path.txt beside the rawlog]");
   }
 
   std::string fileOfLibrary() const override { return file_; }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -14,7 +12,7 @@
 #include "import_error.hpp"
 #include "importer.hpp"
 #include "slam_core/common/child_process.hpp"
-#include "slam_core/common/nearest_name.hpp"
+#include "slam_ros/command_line.hpp"
 
 namespace {
 
@@ -70,26 +68,13 @@ int runGuarded(Importer& importer, const std::string& output) {
   throw slam::eval::ImportError(file + " is damaged: reading it ends with " + end.crash);
 }
 
-/// CLI11 only says that it did not expect the word.
-/// @throw UsageError that names the formats, and the nearest one
-void requireKnownFormat(int argc, char** argv,
-                        const std::vector<std::unique_ptr<Importer>>& importers) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const auto& importer : importers) names.push_back(importer->name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw slam::eval::UsageError("there is no format '" + std::string(argv[1]) + "'" +
-                               slam::didYouMean(argv[1], names) +
-                               "; the formats are: " + slam::join(names));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   // A file size limit then shows as a write error, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
-  CLI::App app("Turns foreign logs into bags of the SLAM product line.", "slam_import");
-  app.require_subcommand(1);
+  slam_ros::CommandLine line("slam_import",
+                             "Turns foreign logs into bags of the SLAM product line.");
   std::vector<std::unique_ptr<Importer>> importers;
   importers.push_back(slam::eval::makeCarmenImporter());
   importers.push_back(slam::eval::makeCirclesImporter());
@@ -97,25 +82,16 @@ int main(int argc, char** argv) {
   importers.push_back(slam::eval::makeRawlogImporter());
   importers.push_back(slam::eval::makeVictoriaParkImporter());
   std::string output;
-  std::vector<CLI::App*> commands;
+  std::vector<slam_ros::CommandLine> commands;
   for (const auto& importer : importers) {
-    CLI::App* command = app.add_subcommand(importer->name(), importer->description());
-    importer->addOptions(*command);
-    command->add_option("OUT.bag", output, "the bag to write")->required();
-    commands.push_back(command);
+    auto& command = commands.emplace_back(importer->name(), importer->description());
+    importer->addOptions(command);
+    command.add("OUT.bag", output, "the bag to write").required();
+    line.addCommand(command);
   }
-  try {
-    requireKnownFormat(argc, argv, importers);
-    app.parse(argc, argv);
-    for (std::size_t i = 0; i < commands.size(); ++i) {
-      if (commands[i]->parsed()) return runGuarded(*importers[i], output);
-    }
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const slam::eval::UsageError& error) {
-    return fail(error, 2);
-  } catch (const std::exception& error) {
-    return fail(error, 1);
-  }
-  return 2;
+  return line.run(argc, argv, [&] {
+    std::size_t chosen = 0;
+    while (!commands[chosen].isChosen()) ++chosen;
+    return runGuarded(*importers[chosen], output);
+  });
 }

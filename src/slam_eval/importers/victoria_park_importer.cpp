@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <geometry_msgs/PointStamped.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -79,9 +78,9 @@ class VictoriaParkImporter : public Importer {
     return "Victoria Park data set: laser, speed and steering of a car, GPS as truth";
   }
 
-  void addOptions(CLI::App& command) override {
-    command.add_option("DIR", folder_, "the folder with aa3_lsr2.mat, aa3_dr.mat, aa3_gpsx.mat")
-        ->required();
+  void addOptions(slam_ros::CommandLine& command) override {
+    command.add("DIR", folder_, "the folder with aa3_lsr2.mat, aa3_dr.mat, aa3_gpsx.mat")
+        .required();
   }
 
   std::string import(BagWriter& bag, Progress&) override {

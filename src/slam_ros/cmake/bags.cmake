@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # What reads and writes bags: kept out of slam_ros, so that only these programs link rosbag.
-find_package(CLI11 REQUIRED)
 find_package(rosbag_storage REQUIRED)
 find_package(rosgraph_msgs REQUIRED)
 find_package(roslib REQUIRED)
@@ -58,7 +57,7 @@ foreach(target
         slam_ros_offline slam_ros_ground_truth slam_ros_merge slam_ros_parameters slam_ros_ports
         slam_ros_tune slam_ros_vocabulary)
   slam_ros_bag_target(${target})
-  target_link_libraries(${target} PRIVATE slam_ros_bags fmt::fmt CLI11::CLI11)
+  target_link_libraries(${target} PRIVATE slam_ros_bags slam_ros_command_line fmt::fmt)
 endforeach()
 target_link_libraries(slam_ros_ports PRIVATE nlohmann_json::nlohmann_json)
 

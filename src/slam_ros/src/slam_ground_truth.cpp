@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <string>
 
@@ -14,16 +13,16 @@
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
-  CLI::App app(
-      "Adds to the folder of a run what its bag knows better, and where the run comes from.",
-      "slam_ground_truth");
+  slam_ros::CommandLine line(
+      "slam_ground_truth",
+      "Adds to the folder of a run what its bag knows better, and where the run comes from.");
   std::string file, folder, origin;
   bool with_wheels = false;
-  app.add_option("BAG", file, "the bag of the run")->required();
-  app.add_option("FOLDER", folder, "the run's files")->required();
-  app.add_flag("--wheels", with_wheels, "write the odometry of the wheels as well");
-  app.add_option("--origin", origin, "JSON that metrics.json and config.yaml get as `run`");
-  return slam_ros::runProgram(app, argc, argv, [&] {
+  line.add("BAG", file, "the bag of the run").required();
+  line.add("FOLDER", folder, "the run's files").required();
+  line.add("--wheels", with_wheels, "write the odometry of the wheels as well");
+  line.add("--origin", origin, "JSON that metrics.json and config.yaml get as `run`");
+  return line.run(argc, argv, [&] {
     const slam_ros::RunOrigin of_run(origin);
     const slam_ros::BagReader bag(file);
     const slam::FolderLock lock(folder);

@@ -3,22 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "slam_core/graph_slam/session_file.hpp"
 #include "slam_core/graph_slam/session_merge.hpp"
+#include "slam_ros/command_line.hpp"
 
 namespace {
 
 namespace graph_slam = slam::graph_slam;
-
-constexpr int kFailed = 1, kWrongUse = 2;
-
-int fail(const std::string& sentence, int code) {
-  std::cerr << "slam_merge: " << sentence << std::endl;
-  return code;
-}
 
 struct Options {
   std::string first, second, out;
@@ -46,24 +39,13 @@ void merge(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  slam_ros::CommandLine line(
+      "slam_merge",
       "Puts the map of one graph session onto that of another one, by the landmarks and scans that "
-      "both have. The result is in the map frame of the first one.",
-      "slam_merge");
+      "both have. The result is in the map frame of the first one.");
   Options options;
-  app.add_option("FIRST", options.first, "a session's file, as --save-session writes it")
-      ->required();
-  app.add_option("SECOND", options.second, "the session to put onto it")->required();
-  app.add_option("--out", options.out, "the file to write")->required();
-  try {
-    app.parse(argc, argv);
-    merge(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(std::string(error.what()) + "; --help lists the arguments", kWrongUse);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kFailed);
-  }
-  return 0;
+  line.add("FIRST", options.first, "a session's file, as --save-session writes it").required();
+  line.add("SECOND", options.second, "the session to put onto it").required();
+  line.add("--out", options.out, "the file to write").required();
+  return line.run(argc, argv, [&] { merge(options); });
 }

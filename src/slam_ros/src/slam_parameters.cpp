@@ -3,19 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/nearest_name.hpp"
 #include "slam_core/common/parameter_table.hpp"
 #include "slam_core/contract/known_sections.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_ros/parameter_check.hpp"
 
 namespace {
 
-constexpr int kFailed = 1, kWrongUse = 2;
 constexpr const char* kTopLevel = "top";
 constexpr const char* kHead =
     "# Parameters\n\n"
@@ -51,22 +50,20 @@ std::vector<std::string> names(const std::map<std::string, std::string>& tables)
   return names;
 }
 
-int print(const std::string& section) {
+/// @throw slam_ros::WrongUse
+void print(const std::string& section) {
   const auto tables = sections();
   if (section.empty()) {
     fmt::print(kHead, calledAs());
     for (const auto& entry : tables) fmt::print("\n{}", entry.second);
-    return 0;
+    return;
   }
   const auto found = tables.find(section == kTopLevel ? "" : section);
-  if (found == tables.end()) {
-    std::cerr << "slam_parameters: there is no section '" << section << "'"
-              << slam::didYouMean(section, names(tables))
-              << "; there are: " << slam::join(names(tables)) << std::endl;
-    return kWrongUse;
-  }
+  if (found == tables.end())
+    throw slam_ros::WrongUse("there is no section '" + section + "'" +
+                             slam::didYouMean(section, names(tables)) +
+                             "; there are: " + slam::join(names(tables)));
   fmt::print("{}", found->second);
-  return 0;
 }
 
 /// What is to be checked instead of printed.
@@ -84,42 +81,28 @@ struct Check {
   }
 };
 
-void addOptions(CLI::App& app, Check& check) {
-  app.add_option("--check", check.file,
-                 "prints nothing and checks the parameters of this product file");
-  app.add_option("--check-robot", check.robot, "the same of this robot file");
-  app.add_option("--set", check.overrides,
-                 "also checks section.key=value, as slam_offline takes it");
-  app.add_option("--product-parameter", check.parameters,
-                 "checks section.key=value that a product file is to hold");
+void addOptions(slam_ros::CommandLine& line, Check& check) {
+  line.add("--check", check.file, "prints nothing and checks the parameters of this product file");
+  line.add("--check-robot", check.robot, "the same of this robot file");
+  line.add("--set", check.overrides, "also checks section.key=value, as slam_offline takes it");
+  line.add("--product-parameter", check.parameters,
+           "checks section.key=value that a product file is to hold");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Prints the parameters of product and robot files as tables in Markdown.",
-               "slam_parameters");
+  slam_ros::CommandLine line(
+      "slam_parameters", "Prints the parameters of product and robot files as tables in Markdown.");
   std::string section;
   std::vector<std::string> libraries;
   Check check;
-  app.add_option("SECTION", section,
-                 std::string("only this one; ") + kTopLevel + ": the top level");
-  app.add_option("--library", libraries, "also of the components in this shared library")
-      ->allow_extra_args(false);
-  addOptions(app, check);
-  try {
-    app.parse(argc, argv);
+  line.add("SECTION", section, std::string("only this one; ") + kTopLevel + ": the top level");
+  line.add("--library", libraries, "also of the components in this shared library").oneAtATime();
+  addOptions(line, check);
+  return line.run(argc, argv, [&] {
     slam::loadLibraries(libraries);
     if (!check.isAsked()) return print(section);
     check.run();
-    return 0;
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "slam_parameters: " << error.what() << "; --help lists the options" << std::endl;
-    return kWrongUse;
-  } catch (const slam::ConfigError& error) {
-    std::cerr << "slam_parameters: " << error.what() << std::endl;
-    return kFailed;
-  }
+  });
 }

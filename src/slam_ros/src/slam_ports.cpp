@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <iterator>
 #include <sstream>
@@ -54,25 +53,25 @@ void print(const nlohmann::ordered_json& answer) { std::cout << answer.dump(2) <
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Prints as JSON what a product's components take in and make, and who makes it.",
-               "slam_ports");
+  slam_ros::CommandLine line(
+      "slam_ports",
+      "Prints as JSON what a product's components take in and make, and who makes it.");
   std::vector<std::string> words, libraries;
   bool check = false, components = false;
-  auto* product =
-      app.add_option("PRODUCT", words,
-                     "a product's name, its file, or features as KEY=VALUE; -: a line of "
-                     "them for each product on the standard input, answered by a line each");
-  app.add_option("--library", libraries, "also knows the components in this shared library")
-      ->allow_extra_args(false);
-  app.add_flag("--check", check,
-               "prints nothing and refuses components that cannot be joined by their ports");
-  app.add_flag("--components", components,
-               "prints the names of all components by the product's key instead")
-      ->excludes(product);
-  return slam_ros::runProgram(app, argc, argv, [&] {
+  const auto product =
+      line.add("PRODUCT", words,
+               "a product's name, its file, or features as KEY=VALUE; -: a line of "
+               "them for each product on the standard input, answered by a line each");
+  line.add("--library", libraries, "also knows the components in this shared library").oneAtATime();
+  line.add("--check", check,
+           "prints nothing and refuses components that cannot be joined by their ports");
+  line.add("--components", components,
+           "prints the names of all components by the product's key instead")
+      .excludes(product);
+  return line.run(argc, argv, [&] {
     slam::loadLibraries(libraries);
     if (components) return print(slam_ros::describeComponents());
-    if (words.empty()) throw CLI::RequiredError("PRODUCT");
+    if (words.empty()) throw slam_ros::WrongUse("PRODUCT is required; --help lists the options");
     if (words == std::vector<std::string>{"-"}) return answerLines(std::cin);
     const auto ports = portsOf(words);
     if (!check) print(ports);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -12,18 +11,12 @@
 #include "slam_core/mono_graph/orb_extractor.hpp"
 #include "slam_core/mono_graph/vocabulary.hpp"
 #include "slam_ros/bag_reader.hpp"
+#include "slam_ros/command_line.hpp"
 #include "slam_ros/image_conversions.hpp"
 
 namespace {
 
 namespace mono_graph = slam::mono_graph;
-
-constexpr int kFailed = 1, kWrongUse = 2;
-
-int fail(const std::string& sentence, int code) {
-  std::cerr << "slam_vocabulary: " << sentence << std::endl;
-  return code;
-}
 
 struct Options {
   std::vector<std::string> bags;
@@ -82,30 +75,17 @@ void train(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  slam_ros::CommandLine line(
+      "slam_vocabulary",
       "Trains the vocabulary of visual words by which the back-end mono_graph recognises places, "
-      "of "
-      "the images of a camera in bags. The same bags and seed give the same file.",
-      "slam_vocabulary");
+      "of the images of a camera in bags. The same bags and seed give the same file.");
   Options options;
-  app.add_option("BAG", options.bags, "bags with images")->required();
-  app.add_option("--out", options.out, "the file to write")->required();
-  app.add_option("--topic", options.topic, "of the camera's images");
-  app.add_option("--every", options.every, "take each so many-th image")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--branching", options.branching, "children of a node of the tree")
-      ->check(CLI::Range(2, 100));
-  app.add_option("--depth", options.depth, "levels of the tree")->check(CLI::Range(1, 8));
-  app.add_option("--seed", options.seed, "of the random numbers");
-  try {
-    app.parse(argc, argv);
-    train(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(std::string(error.what()) + "; --help lists the arguments", kWrongUse);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kFailed);
-  }
-  return 0;
+  line.add("BAG", options.bags, "bags with images").required();
+  line.add("--out", options.out, "the file to write").required();
+  line.add("--topic", options.topic, "of the camera's images");
+  line.add("--every", options.every, "take each so many-th image").between(1, 1000);
+  line.add("--branching", options.branching, "children of a node of the tree").between(2, 100);
+  line.add("--depth", options.depth, "levels of the tree").between(1, 8);
+  line.add("--seed", options.seed, "of the random numbers");
+  return line.run(argc, argv, [&] { train(options); });
 }

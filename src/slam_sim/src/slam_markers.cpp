@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <stdexcept>
 
 #include "marker_sheets.hpp"
 #include "slam_core/common/atomic_file.hpp"
+#include "slam_core/common/nearest_name.hpp"
 #include "slam_ros/command_line.hpp"
 #include "slam_sim/marker_family.hpp"
 
@@ -38,22 +38,20 @@ void print(MarkerSheets sheets, const std::string& ids, const std::string& path)
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Draws fiducial markers as a PDF to be printed.", "slam_markers");
+  slam_ros::CommandLine line("slam_markers", "Draws fiducial markers as a PDF to be printed.");
   MarkerSheets sheets;
   sheets.family = "36h11";
   std::string ids = "0-11", path = "markers.pdf";
-  app.add_option("--family", sheets.family, "an AprilTag family or a dictionary of OpenCV")
-      ->capture_default_str();
-  app.add_option("--ids", ids, "which ones")->capture_default_str();
-  app.add_option("--size", sheets.size, "edge of the black square [m]")->capture_default_str();
-  app.add_option("--paper", sheets.paper, "A5 to A0, letter, legal, tabloid")
-      ->capture_default_str();
-  app.add_option("--out", path, "the file to write")->capture_default_str();
-  return slam_ros::runProgram(app, argc, argv, [&] {
+  line.add("--family", sheets.family, "an AprilTag family or a dictionary of OpenCV").withDefault();
+  line.add("--ids", ids, "which ones").withDefault();
+  line.add("--size", sheets.size, "edge of the black square [m]").withDefault();
+  line.add("--paper", sheets.paper, "A5 to A0, letter, legal, tabloid").withDefault();
+  line.add("--out", path, "the file to write").withDefault();
+  return line.run(argc, argv, [&] {
     try {
       print(sheets, ids, path);
     } catch (const std::invalid_argument& error) {
-      throw CLI::ValidationError(error.what());
+      throw slam_ros::WrongUse(error.what());
     }
   });
 }

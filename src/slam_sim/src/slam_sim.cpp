@@ -4,9 +4,8 @@
 #include <ros/package.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <thread>
@@ -22,7 +21,7 @@ namespace {
 
 using slam::sim::RobotModel;
 
-constexpr int kFailed = 1, kWrongUse = 2, kInterrupted = 130;
+constexpr int kInterrupted = 130;
 
 std::atomic<bool> stop{false};
 
@@ -31,51 +30,24 @@ struct Options {
   slam::sim::RecordingOptions recording;
 };
 
-/// A word on the command line that stands for nothing.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-int fail(const std::string& sentence, int code) {
-  std::cerr << "slam_sim: " << sentence << std::endl;
-  return code;
-}
-
-std::string faultOfDuration(const std::string& text) {
-  double seconds = 0.0;
-  if (CLI::detail::lexical_cast(text, seconds) && std::isfinite(seconds) && seconds > 0.0)
-    return "";
-  return "'" + text + "' is no number of seconds above 0";
-}
-
-/// Else a sign would make a large number of it.
-std::string faultOfSeed(const std::string& text) {
-  return text.empty() || text[0] != '-' ? "" : "'" + text + "' is below 0";
-}
-
-void addOptions(CLI::App& app, Options& options) {
+void addOptions(slam_ros::CommandLine& line, Options& options) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   auto& recording = options.recording;
   recording.threads = cores;
-  app.add_option("OUT.bag", options.bag, "the bag to write")->required();
-  app.add_option("--world", options.world,
-                 "office, corridor, hall, depot, forest, foyer, gallery, loops or a file.yaml")
-      ->capture_default_str();
-  app.add_option("--robot", options.robot,
-                 "segway, omni, skid, scout, car, turtlebot3 or a file.yaml")
-      ->capture_default_str();
-  app.add_option("--seed", recording.seed, "of all noise")
-      ->check(faultOfSeed)
-      ->capture_default_str();
-  app.add_option("--only", recording.streams,
-                 "odom,scan,imu,camera,rear_camera,ceiling_camera: some of them")
-      ->delimiter(',');
-  app.add_option("--duration", recording.duration, "the drive's first seconds only [s]")
-      ->check(faultOfDuration);
-  app.add_option("--threads", recording.threads, "that render; the bag is the same")
-      ->check(CLI::Range(1u, 256u))
-      ->capture_default_str();
+  line.add("OUT.bag", options.bag, "the bag to write").required();
+  line.add("--world", options.world,
+           "office, corridor, hall, depot, forest, foyer, gallery, loops or a file.yaml")
+      .withDefault();
+  line.add("--robot", options.robot, "segway, omni, skid, scout, car, turtlebot3 or a file.yaml")
+      .withDefault();
+  line.add("--seed", recording.seed, "of all noise").withDefault();
+  line.add("--only", recording.streams,
+           "odom,scan,imu,camera,rear_camera,ceiling_camera: some of them")
+      .separatedBy(',');
+  line.add("--duration", recording.duration, "the drive's first seconds only [s]").positive();
+  line.add("--threads", recording.threads, "that render; the bag is the same")
+      .between(1u, 256u)
+      .withDefault();
 }
 
 std::string fileOf(const std::string& folder, const std::string& kind, const std::string& name) {
@@ -86,8 +58,8 @@ void checkStreams(const std::vector<std::string>& wanted, const RobotModel& robo
   const auto known = slam::sim::streamNames(robot);
   for (const auto& name : wanted)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw UsageError("--only: there is no '" + name + "'" + slam::didYouMean(name, known) +
-                       "; there are: " + slam::join(known));
+      throw slam_ros::WrongUse("--only: there is no '" + name + "'" +
+                               slam::didYouMean(name, known) + "; there are: " + slam::join(known));
 }
 
 void run(const Options& options) {
@@ -108,26 +80,17 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit then shows as a write error
   std::signal(SIGINT, [](int) { stop = true; });
   std::signal(SIGTERM, [](int) { stop = true; });
-  CLI::App app("Simulates a robot's drive and writes what its sensors say as a bag.", "slam_sim");
+  slam_ros::CommandLine line("slam_sim",
+                             "Simulates a robot's drive and writes what its sensors say as a bag.");
   Options options;
-  addOptions(app, options);
-  try {
-    app.parse(argc, argv);
-    run(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(slam_ros::sentenceOf(app, error), kWrongUse);
-  } catch (const slam_ros::UnknownName& error) {
-    return fail(error.what(), kWrongUse);
-  } catch (const UsageError& error) {
-    return fail(error.what(), kWrongUse);
-  } catch (const slam_ros::BagPathError& error) {
-    return fail(error.what(), kWrongUse);
-  } catch (const slam::sim::Interrupted& error) {
-    return fail(error.what(), kInterrupted);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kFailed);
-  }
-  return 0;
+  addOptions(line, options);
+  return line.run(argc, argv, [&] {
+    try {
+      run(options);
+      return 0;
+    } catch (const slam::sim::Interrupted& error) {
+      std::cerr << "slam_sim: " << error.what() << std::endl;
+      return kInterrupted;
+    }
+  });
 }

@@ -11,12 +11,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "slam_ros/wrong_use.hpp"
+
 namespace slam_ros {
 
 /// The path that a bag shall go to cannot be one. One sentence.
-class BagPathError : public std::runtime_error {
+class BagPathError : public WrongUse {
  public:
-  using std::runtime_error::runtime_error;
+  using WrongUse::WrongUse;
 };
 
 /// Writing failed, and nothing is left of the bag. One sentence.

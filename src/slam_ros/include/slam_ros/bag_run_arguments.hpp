@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "slam_ros/bag_run.hpp"
+#include "slam_ros/command_line.hpp"
 
 namespace slam_ros {
 
@@ -14,16 +14,15 @@ namespace slam_ros {
 class BagRunArguments {
  public:
   /// @param options take what is given; they outlive the parsing
-  void addTo(CLI::App& app, BagRunOptions& options) {
-    app.add_option("PRODUCT", options.product, "a product's name, or its file")->required();
-    app.add_option("--bag", options.bag, "the recorded data")->required();
-    app.add_option("--robot", options.robot, "a robot's name or file; default: the bag's");
-    app.add_option("--seed", seed_, "of every random stream; default: the product's");
-    app.add_option("--set", options.overrides, "section.key=value, instead of the files' value");
-    app.add_option("--remap", options.remaps, "input:=topic of the bag");
-    app.add_option(
-        "--origin", origin_,
-        "JSON that metrics.json and config.yaml get as `run`: version, bag, date, command");
+  void addTo(CommandLine& line, BagRunOptions& options) {
+    line.add("PRODUCT", options.product, "a product's name, or its file").required();
+    line.add("--bag", options.bag, "the recorded data").required();
+    line.add("--robot", options.robot, "a robot's name or file; default: the bag's");
+    line.add("--seed", seed_, "of every random stream; default: the product's");
+    line.add("--set", options.overrides, "section.key=value, instead of the files' value");
+    line.add("--remap", options.remaps, "input:=topic of the bag");
+    line.add("--origin", origin_,
+             "JSON that metrics.json and config.yaml get as `run`: version, bag, date, command");
   }
 
   /// To be called when the command line has been parsed. @throw std::runtime_error

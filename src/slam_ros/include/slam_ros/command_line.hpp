@@ -3,53 +3,88 @@
 
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
+#include <functional>
+#include <memory>
 #include <string>
-#include <vector>
+#include <type_traits>
 
-#include "slam_core/common/nearest_name.hpp"
-#include "slam_ros/product_files.hpp"
+#include "slam_ros/wrong_use.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace slam_ros {
 
-/// One sentence for a command line that cannot be read: an option that does not exist is named with
-/// the one that was meant, not with the words that followed from it.
-inline std::string sentenceOf(const CLI::App& app, const CLI::ParseError& error) {
-  constexpr const char* kHint = "; --help lists the options";
-  std::vector<std::string> names;
-  for (const auto* option : app.get_options()) names.push_back(option->get_name());
-  for (const auto& extra : app.remaining()) {
-    const auto option = extra.substr(0, extra.find('='));
-    if (option.rfind("--", 0) == 0)
-      return "there is no option " + option + slam::didYouMean(option, names) + kHint;
-  }
-  return error.what() + std::string(kHint);
-}
+/// What is asked of one argument of a command line. Each function returns the argument again, and a
+/// copy stands for the same one. A value that is refused ends the program with the exit code 2.
+class Argument {
+ public:
+  explicit Argument(CLI::Option& option) : option_(&option) {}
 
-/// Reads the command line and calls `run`; what they throw is reported in one sentence.
-/// @return the program's exit code: 0, 1 where it failed, 2 for wrong use
-template <class Run>
-int runProgram(CLI::App& app, int argc, char** argv, Run run) {
-  constexpr int kFailed = 1, kWrongUse = 2;
-  const auto fail = [&](const std::string& sentence, int code) {
-    std::cerr << app.get_name() << ": " << sentence << std::endl;
-    return code;
-  };
-  try {
-    app.parse(argc, argv);
-    run();
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(sentenceOf(app, error), kWrongUse);
-  } catch (const UnknownName& error) {
-    return fail(error.what(), kWrongUse);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kFailed);
+  Argument required() const;
+  /// --help shows the value that the variable has at this call.
+  Argument withDefault() const;
+
+  Argument positive() const;     ///< a finite number above 0
+  Argument nonNegative() const;  ///< a finite number of at least 0
+  Argument between(double least, double most) const;
+  Argument existingFile() const;
+
+  /// Not together with another argument.
+  Argument excludes(const Argument& other) const;
+  /// Only together with another argument.
+  Argument needs(const Argument& other) const;
+
+  /// A list: one value each time that the option is given, so that a positional may follow.
+  Argument oneAtATime() const;
+  /// A list: several values stand in one word, with this letter between them.
+  Argument separatedBy(char delimiter) const;
+
+ private:
+  CLI::Option* option_;
+};
+
+/// The command line of a program: add its arguments, then call run().
+///
+/// CLI11 stands behind it. It is compiled here once, since its headers cost each program more than
+/// the program itself does.
+class CommandLine {
+ public:
+  CommandLine(const std::string& name, const std::string& description);
+
+  /// Adds an argument that is written into a variable, which keeps its value where the argument is
+  /// not given, and outlives run().
+  /// @param name "--option", or of a positional argument what --help calls it
+  /// @param value bool (an option without a value), int, unsigned, std::uint64_t, double,
+  ///   std::string, std::vector<std::string>, and std::optional of
+  ///   int, std::uint64_t and double
+  template <class T>
+  Argument add(const std::string& name, T& value, const std::string& help = "");
+
+  /// Adds a command with arguments of its own. Of the commands of a program exactly one is to be
+  /// given.
+  void addCommand(const CommandLine& command);
+  /// Whether this command was given.
+  bool isChosen() const;
+
+  /// Reads the command line and calls a function; what they throw is reported on standard error in
+  /// one sentence that begins with the program's name.
+  /// @param function returns nothing or the exit code
+  /// @return the program's exit code: 0, 1 where it failed, 2 for wrong use (WrongUse)
+  template <class Function>
+  int run(int argc, char** argv, Function function) const {
+    if constexpr (std::is_void_v<std::invoke_result_t<Function>>)
+      return runForCode(argc, argv, [&] { return function(), 0; });
+    else
+      return runForCode(argc, argv, function);
   }
-  return 0;
-}
+
+ private:
+  int runForCode(int argc, char** argv, const std::function<int()>& function) const;
+
+  std::shared_ptr<CLI::App> app_;
+};
 
 }  // namespace slam_ros

@@ -3,16 +3,17 @@
 
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "slam_ros/wrong_use.hpp"
 
 namespace slam_ros {
 
 /// A name that stands for no file; the message lists those that there are.
-class UnknownName : public std::runtime_error {
+class UnknownName : public WrongUse {
  public:
-  using std::runtime_error::runtime_error;
+  using WrongUse::WrongUse;
 };
 
 /// The file of a product, given as a path or by its name: in slam_launch's products/, in the
