@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     auto& command = commands.emplace_back(importer->name(), importer->description());
     importer->addOptions(command);
     command.add("OUT.bag", output, "the bag to write").required();
-    line.addCommand(command);
+    line.addCommand(command, "format");
   }
   return line.run(argc, argv, [&] {
     std::size_t chosen = 0;

@@ -186,7 +186,7 @@ TEST_F(SlamImport, WritesTheSameBytesTwice) {
 TEST_F(SlamImport, RefusesWrongUseWithCodeTwo) {
   writeMrclamSet(in_);
   EXPECT_EQ(runSlamImport("").exit_code, 2);
-  expectFailure("nonsense x y", 2, "'nonsense'; the commands are: carmen, circles, mrclam, rawlog");
+  expectFailure("nonsense x y", 2, "'nonsense'; the formats are: carmen, circles, mrclam, rawlog");
   expectFailure("mrclan x y", 2, "did you mean 'mrclam'?");
   EXPECT_EQ(runSlamImport("mrclam " + in_.path() + " " + bag()).exit_code, 2);
   EXPECT_EQ(runSlamImport("--help").exit_code, 0);

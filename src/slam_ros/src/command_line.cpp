@@ -22,10 +22,12 @@ namespace {
 constexpr int kFailed = 1, kWrongUse = 2;
 
 std::string missingCommand(const CLI::App& app, const std::string& word) {
+  const auto commands = app.get_subcommands({});
   std::vector<std::string> names;
-  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
-  return "there is no command '" + word + "'" + slam::didYouMean(word, names) +
-         "; the commands are: " + slam::join(names);
+  for (const auto* command : commands) names.push_back(command->get_name());
+  const std::string kind = commands.front()->get_group();
+  return "there is no " + kind + " '" + word + "'" + slam::didYouMean(word, names) + "; the " +
+         kind + "s are: " + slam::join(names);
 }
 
 /// One sentence for a command line that cannot be read: an option that does not exist is named with
@@ -145,8 +147,8 @@ template Argument CommandLine::add(const std::string&, std::optional<std::uint64
                                    const std::string&);
 template Argument CommandLine::add(const std::string&, std::optional<double>&, const std::string&);
 
-void CommandLine::addCommand(const CommandLine& command) {
-  app_->add_subcommand(command.app_);
+void CommandLine::addCommand(const CommandLine& command, const std::string& kind) {
+  app_->add_subcommand(command.app_)->group(kind);
   app_->require_subcommand(1);
 }
 

@@ -65,7 +65,8 @@ class CommandLine {
 
   /// Adds a command with arguments of its own. Of the commands of a program exactly one is to be
   /// given.
-  void addCommand(const CommandLine& command);
+  /// @param kind what its commands are for a user, in the singular
+  void addCommand(const CommandLine& command, const std::string& kind = "command");
   /// Whether this command was given.
   bool isChosen() const;
 
