@@ -4,6 +4,7 @@
 #include "slam_core/consistency/dead_reckoning.hpp"
 
 #include <cmath>
+#include <iterator>
 
 #include "slam_core/geometry/covariance.hpp"
 
@@ -52,6 +53,18 @@ void DeadReckoning::correct(const std::vector<ObservationInnovation>& innovation
   for (const auto id : used) of_landmarks_.emplace(id, left);
   beginWay();
   before_ = left;
+}
+
+void DeadReckoning::correct(Stamp first_seen, Stamp now, const Pose2& robot) {
+  Eigen::Matrix3d left = before_;
+  if (length_ > kIndependent) of_stamps_[corrected_] = left = covarianceAt(robot);
+  const auto later = of_stamps_.lower_bound(first_seen);
+  const Eigen::Matrix3d known =
+      later == of_stamps_.begin() ? Eigen::Matrix3d::Zero() : std::prev(later)->second;
+  if (known.trace() < left.trace()) of_stamps_[now] = left = known;
+  beginWay();
+  before_ = left;
+  corrected_ = now;
 }
 
 void DeadReckoning::beginWay() {

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "slam_core/common/time.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/models/landmark_map.hpp"
@@ -48,12 +49,16 @@ class DeadReckoning {
   /// To be called with the observations that a step compared with the map.
   /// @param robot the pose after it
   void correct(const std::vector<ObservationInnovation>& innovations, const Pose2& robot);
+  /// The same of what has no ids: the pose was corrected by what was first seen at a stamp.
+  /// @param now stamp of the correction @param robot the pose after it
+  void correct(Stamp first_seen, Stamp now, const Pose2& robot);
   /// @return what the correlation of the errors adds to the covariance of a pose (x, y, heading)
   Eigen::Matrix3d covarianceAt(const Pose2& robot) const;
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(way_, length_, independent_, correlated_, before_, of_landmarks_);
+    archive(way_, length_, independent_, correlated_, before_, of_landmarks_, of_stamps_,
+            corrected_);
   }
 
  private:
@@ -66,6 +71,9 @@ class DeadReckoning {
   /// What was added when the way began, and when each landmark was first seen; map frame.
   Eigen::Matrix3d before_ = Eigen::Matrix3d::Zero();
   std::map<LandmarkId, Eigen::Matrix3d> of_landmarks_;
+  /// What is left of what is first seen after each of these stamps.
+  std::map<Stamp, Eigen::Matrix3d> of_stamps_;
+  Stamp corrected_;  ///< last, by what has no ids
 };
 
 }  // namespace slam

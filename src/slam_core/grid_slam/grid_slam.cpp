@@ -61,6 +61,7 @@ void GridSlam::describe(Ports& ports) {
 }
 
 void GridSlam::describe(Capabilities& capabilities) {
+  capabilities.offer<CorrectionReporter>(*this);
   capabilities.offer<GridMapper>(*this);
   capabilities.offer<LostReporter>(*this);
   capabilities.offer<MapKeeper>(*this);
@@ -77,6 +78,7 @@ void GridSlam::reset() {
   carried_.reset();
   doubt_.forget();
   watch_.restart();
+  is_corrected_ = false;
   inputs_ = {};
   counters_.clear();
 }
@@ -85,6 +87,7 @@ Status GridSlam::execute() {
   const auto replaced = replaceMap();
   relocate();
   move();
+  is_corrected_ = false;
   const auto scan = std::exchange(inputs_.scan, std::nullopt);
   if (!scan) return moreUrgent(replaced, onTheWhole());
   const auto levels = scan_matching::pointsOf(*scan, models_, spacing_);
@@ -132,6 +135,7 @@ Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
   const auto found = tracker_.track(map_->view(), scan, stamp, motion);
   watch_.note(scan, map_->isEmpty(), found, motion.has_value(), counters_);
   doubt_.judge(found, stamp);
+  is_corrected_ = found.is_determined && doubt_.admits();
   return found;
 }
 
@@ -199,6 +203,11 @@ Component::Figures GridSlam::figures() const {
           {"lost_statistic", doubt_.statistic()},
           {"lost_for_s", seconds(doubt_.lostFor())},
           {"map_megabytes", static_cast<double>(map_->bytes()) / kMegabyte}};
+}
+
+/// What follows of errors that the map itself has, MapDrift says.
+std::optional<Stamp> GridSlam::correctedBy() const {
+  return is_corrected_ ? std::optional(Stamp()) : std::nullopt;
 }
 
 std::optional<OccupancyGrid> GridSlam::grid() const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/map_keeper.hpp"
@@ -28,7 +29,7 @@ namespace slam::grid_slam {
 /// The reported covariance is that of the robot among the parts of the map around it, and that of
 /// these parts (MapDrift). Counted: as ScanWatch; "contradicting" scans, which do not go into the
 /// map; "scans_without_memory"; "beams_beyond_map".
-class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
+class GridSlam final : public Backend, CorrectionReporter, GridMapper, LostReporter, MapKeeper {
  public:
   /// @throw ConfigError
   void configure(const GridSlamConfig& config, const grid_map::GridMapConfig& grid,
@@ -50,7 +51,8 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
   template <class Archive>
   void persist(Archive& archive) {
     archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(map_config_); });
-    archive(revision_, tracker_, trigger_, drift_, carried_, doubt_, watch_, inputs_, counters_);
+    archive(revision_, tracker_, trigger_, drift_, carried_, doubt_, watch_, is_corrected_, inputs_,
+            counters_);
   }
 
  private:
@@ -71,6 +73,7 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
   };
 
   // what it offers as capabilities
+  std::optional<Stamp> correctedBy() const override;
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override { return revision_; }
   std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
@@ -99,6 +102,7 @@ class GridSlam final : public Backend, GridMapper, LostReporter, MapKeeper {
   std::optional<Motion> carried_;  ///< since the last scan
   scan_matching::ScanDoubt doubt_;
   scan_matching::ScanWatch watch_;
+  bool is_corrected_ = false;  ///< by the scan of the last step
   Inputs inputs_;
   Counters counters_;
 };

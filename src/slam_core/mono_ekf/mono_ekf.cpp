@@ -65,6 +65,7 @@ void MonoEkf::configure(Settings& settings) { configure(settings.read<MonoEkfCon
 
 void MonoEkf::reset() {
   state_ = MonoState(start());
+  errors_ = OdometryErrors(config_.systematic_share);
   watch_ = TrackingWatch(config_.lost_after);
   inputs_ = {};
   next_id_ = 0;
@@ -76,7 +77,8 @@ void MonoEkf::reset() {
 
 Status MonoEkf::execute() {
   relocate();
-  for (const auto& motion : std::exchange(inputs_.motions, {})) state_.predict(motion);
+  for (const auto& motion : std::exchange(inputs_.motions, {}))
+    state_.predict(errors_.divide(motion));
   const auto view = std::exchange(inputs_.view, std::nullopt);
   return view ? look(*view) : Status::ok();
 }

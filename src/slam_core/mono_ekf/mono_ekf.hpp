@@ -13,6 +13,7 @@
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/mono_ekf/active_search.hpp"
 #include "slam_core/mono_ekf/mono_state.hpp"
+#include "slam_core/mono_ekf/odometry_errors.hpp"
 #include "slam_core/mono_ekf/tracking_watch.hpp"
 
 namespace slam::mono_ekf {
@@ -49,7 +50,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(state_, watch_, inputs_, next_id_, counters_);
+    archive(state_, errors_, watch_, inputs_, next_id_, counters_);
     persistMat(archive, last_gray_);
   }
 
@@ -97,6 +98,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   MonoEkfConfig config_;
   ActiveSearch active_search_;
   MonoState state_;
+  OdometryErrors errors_;
   TrackingWatch watch_;
   Inputs inputs_;
   std::uint64_t next_id_ = 0;

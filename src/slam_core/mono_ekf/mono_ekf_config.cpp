@@ -70,6 +70,16 @@ void describeSearch(MonoEkfConfig& config, Fields& fields) {
       .in(Range::closed(0, 1));
 }
 
+/// These say how odometry errs.
+void describeOdometry(MonoEkfConfig& config, Fields& fields) {
+  fields
+      .add("systematic_share", &config.systematic_share,
+           "of the variance that odometry claims for its heading so much is the same error on the "
+           "whole way, as of wheels of slightly wrong sizes; it is estimated")
+      .unit("1")
+      .in({0.0, 1.0, false, true});
+}
+
 /// These say when the robot is lost.
 void describeLoss(MonoEkfConfig& config, Fields& fields) {
   fields
@@ -94,6 +104,7 @@ void MonoEkfConfig::describe(Fields& fields) {
              "build the map; to keep a map of image features fixed is not possible");
   describeMap(*this, fields);
   describeSearch(*this, fields);
+  describeOdometry(*this, fields);
   describeLoss(*this, fields);
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
@@ -14,23 +15,31 @@
 namespace slam::mono_ekf {
 
 MonoState::MonoState(const PoseEstimate& robot)
-    : mean_(robot.pose.vector()), covariance_(robot.covariance) {}
+    : mean_(Eigen::VectorXd::Zero(kHead)), covariance_(Eigen::MatrixXd::Identity(kHead, kHead)) {
+  mean_.head<kPose>() = robot.pose.vector();
+  covariance_.topLeftCorner<kPose, kPose>() = robot.covariance;
+}
 
 PoseEstimate MonoState::robot() const {
   return {Pose2::fromVector(mean_.head<kPose>()), covariance_.topLeftCorner<kPose, kPose>()};
 }
 
-void MonoState::predict(const Motion& motion) {
+void MonoState::predict(const DividedMotion& motion) {
+  const auto& [random, J_errors] = motion;
+  const Eigen::Vector2d errors = mean_.segment<kSystematicErrors>(kPose);
+  const auto increment = Pose2::fromVector(random.increment.vector() + J_errors * errors);
   Eigen::Matrix3d J_pose, J_u;
-  const Pose2 moved = robot().pose.compose(motion.increment, &J_pose, &J_u);
-  mean_.head<kPose>() = moved.vector();
-  const auto map = mean_.size() - kPose;
-  const Eigen::Matrix3d P = covariance_.topLeftCorner<kPose, kPose>();
-  const Eigen::Matrix3d P_moved =
-      J_pose * P * J_pose.transpose() + J_u * motion.covariance * J_u.transpose();
+  mean_.head<kPose>() = robot().pose.compose(increment, &J_pose, &J_u).vector();
+  Eigen::Matrix<double, kPose, kHead> J;
+  J << J_pose, J_u * J_errors;
+  const Eigen::Matrix3d P_moved = J * covariance_.topLeftCorner<kHead, kHead>() * J.transpose() +
+                                  J_u * random.covariance * J_u.transpose();
+  const auto others = mean_.size() - kPose;
+  covariance_.topRightCorner(kPose, others) =
+      (J * covariance_.topRightCorner(kHead, others)).eval();
   covariance_.topLeftCorner<kPose, kPose>() = 0.5 * (P_moved + P_moved.transpose());
-  covariance_.topRightCorner(kPose, map) = (J_pose * covariance_.topRightCorner(kPose, map)).eval();
-  covariance_.bottomLeftCorner(map, kPose) = covariance_.topRightCorner(kPose, map).transpose();
+  covariance_.bottomLeftCorner(others, kPose) =
+      covariance_.topRightCorner(kPose, others).transpose();
 }
 
 void MonoState::place(const PoseEstimate& robot) {
@@ -66,7 +75,8 @@ Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement
 
 MonoState partOf(const MonoState& state, const std::vector<std::size_t>& features) {
   MonoState part(state.robot());
-  std::vector<int> rows = {0, 1, 2};
+  std::vector<int> rows(MonoState::kHead);
+  std::iota(rows.begin(), rows.end(), 0);
   for (const auto which : features) {
     auto& feature = part.features_.emplace_back(state.features_[which]);
     for (int i = 0; i < feature.size(); ++i) rows.push_back(feature.offset + i);
@@ -144,8 +154,9 @@ void MonoState::add(const std::vector<Seed>& seeds, double sigma, double sigma_r
 
 void convertSure(MonoState& state, const Eigen::Vector3d& centre_now,
                  double largest_linearity_index) {
-  std::vector<int> kept_rows = {0, 1, 2};
-  int offset = MonoState::kPose;
+  std::vector<int> kept_rows(MonoState::kHead);
+  std::iota(kept_rows.begin(), kept_rows.end(), 0);
+  int offset = MonoState::kHead;
   for (auto& feature : state.features_) {
     const int old_offset = std::exchange(feature.offset, offset);
     const double height = feature.first.centre.z();
@@ -170,10 +181,10 @@ void MonoState::toPoint(int offset, double height) {
 }
 
 void MonoState::keep(const std::vector<bool>& kept) {
-  std::vector<int> kept_rows;
-  for (int i = 0; i < kPose; ++i) kept_rows.push_back(i);
+  std::vector<int> kept_rows(kHead);
+  std::iota(kept_rows.begin(), kept_rows.end(), 0);
   std::vector<Feature> features;
-  int offset = kPose;
+  int offset = kHead;
   for (std::size_t i = 0; i < features_.size(); ++i) {
     if (!kept[i]) continue;
     auto& feature = features.emplace_back(std::move(features_[i]));

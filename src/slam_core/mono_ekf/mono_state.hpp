@@ -9,6 +9,7 @@
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/mono_ekf/feature.hpp"
+#include "slam_core/mono_ekf/odometry_errors.hpp"
 
 namespace slam::mono_ekf {
 
@@ -23,10 +24,12 @@ struct Measurement {
   Eigen::Vector2d nu;  ///< what is not explained yet [px]
 };
 
-/// The Gaussian over the robot's pose (x, y, theta) and the coordinates of all features, map frame.
+/// The Gaussian over the robot's pose (x, y, theta), the systematic errors of its odometry
+/// (OdometryErrors) and the coordinates of all features, map frame.
 class MonoState {
  public:
   static constexpr int kPose = 3;
+  static constexpr int kHead = kPose + kSystematicErrors;  ///< coordinates before the features'
 
   MonoState() : MonoState(PoseEstimate()) {}
   explicit MonoState(const PoseEstimate& robot);
@@ -38,7 +41,8 @@ class MonoState {
   std::vector<Feature>& features() { return features_; }
 
   /// The robot's motion; all that is known of the features stays.
-  void predict(const Motion& motion);
+  void predict(const DividedMotion& motion);
+  void predict(const Motion& motion) { predict(DividedMotion{motion}); }  ///< all of it is random
   /// The robot is elsewhere; its correlations with the features become zero.
   void place(const PoseEstimate& robot);
 

@@ -51,6 +51,7 @@ void MonoGraph::describe(Ports& ports) {
 }
 
 void MonoGraph::describe(Capabilities& capabilities) {
+  capabilities.offer<CorrectionReporter>(*this);
   capabilities.offer<EventReporter>(*this);
   capabilities.offer<GraphReporter>(*this);
   capabilities.offer<LostReporter>(*this);
@@ -85,6 +86,7 @@ void MonoGraph::reset() {
 
 Status MonoGraph::execute() {
   events_.clear();
+  is_tracked_ = false;
   relocate();
   for (const auto& motion : std::exchange(inputs_.motions, {})) move(motion);
   predict();
@@ -139,7 +141,6 @@ void MonoGraph::predict() {
 }
 
 Status MonoGraph::see(const CameraView& view) {
-  is_tracked_ = false;
   if (!view.isUsable() || view.image.gray.empty()) {
     counters_.add("unusable");
     return Status::ok();  // the camera's gate has said why

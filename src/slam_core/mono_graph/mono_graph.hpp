@@ -11,6 +11,7 @@
 
 #include "slam_core/camera/camera_view.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
@@ -41,6 +42,7 @@ namespace slam::mono_graph {
 /// "unusable" (without calibration, mount or pixels), "keyframes_full", "loops" (that were
 /// believed), "loops_rejected" (that the map contradicts, or that wait for another one).
 class MonoGraph final : public Backend,
+                        CorrectionReporter,
                         EventReporter,
                         GraphReporter,
                         LostReporter,
@@ -100,6 +102,7 @@ class MonoGraph final : public Backend,
   };
 
   // what it offers as capabilities
+  std::optional<Stamp> correctedBy() const override { return firstVisit(); }
   std::vector<Event> events() const override { return events_; }
   GraphView graph() const override;
   std::optional<Stamp> lostSince() const override { return lost_since_; }

@@ -10,6 +10,7 @@
 #include "slam_core/common/config_error.hpp"
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/calibrator.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/without_covariance.hpp"
 #include "slam_core/product/calibration_check.hpp"
@@ -178,6 +179,7 @@ Status Estimator::execute() {
   const bool was_lost = isLostByBackend();
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
+  judgeCorrection(step->stamp);
   const auto consistency_status = watchConsistency();
   judgeWay(was_lost);
   const auto place_status = relocate(step->stamp);
@@ -220,10 +222,17 @@ void Estimator::give(const Intake::Step& step) {
 void Estimator::give(const Intake::Trigger& trigger) {
   const auto* const value = trigger.value.get();
   const bool has_landmarks = trigger.port->kind == kindOf<LandmarkObservationArray>();
-  if (!has_landmarks) dead_reckoning_.correct();
+  if (!has_landmarks && capabilities_.find<CorrectionReporter>() == nullptr)
+    dead_reckoning_.correct();
   if (!has_landmarks || noise_.isNeutral()) return trigger.port->set(value);
   const auto scaled = noise_.scaled(*static_cast<const LandmarkObservationArray*>(value));
   trigger.port->set(&scaled);
+}
+
+void Estimator::judgeCorrection(Stamp stamp) {
+  const auto* reporter = capabilities_.find<CorrectionReporter>();
+  const auto first_seen = reporter == nullptr ? std::nullopt : reporter->correctedBy();
+  if (first_seen) dead_reckoning_.correct(*first_seen, stamp, backend_->pose().pose);
 }
 
 bool Estimator::isAdmitted(const Intake::Trigger& trigger) {

@@ -121,6 +121,8 @@ class Estimator final : public Component {
   Status judgePause();
   void give(const Intake::Step& step);
   void give(const Intake::Trigger& trigger);
+  /// Has the dead reckoning know what the back-end's last step corrected.
+  void judgeCorrection(Stamp stamp);
   void adaptNoise();
   /// The back-end's parameters, if it estimates some.
   std::optional<CalibrationEstimate> calibration() const;

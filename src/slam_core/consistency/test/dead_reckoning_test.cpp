@@ -109,6 +109,31 @@ TEST_F(DeadReckoningTest, ALandmarkThatIsGatedCorrectsNothing) {
   EXPECT_EQ(added(), of_the_way);
 }
 
+/// What was seen at the start, what was seen after a long way, and what was seen on the way.
+TEST_F(DeadReckoningTest, WhatHasNoIdsCorrectsWhatCameAfterItWasFirstSeen) {
+  const auto at = [](int second) { return Stamp(std::chrono::seconds(second)); };
+  reckoning.correct(at(1), at(1), pose.pose);
+  drive({kStep, 0, 0}, 100);
+  const auto of_the_way = added();
+  reckoning.correct(at(2), at(3), pose.pose);
+  EXPECT_EQ(added(), of_the_way);
+  drive({kStep, 0, 0}, 100);
+  EXPECT_GT(added()(0, 0), of_the_way(0, 0));
+  reckoning.correct(at(3), at(5), pose.pose);
+  EXPECT_EQ(added(), of_the_way);
+  reckoning.correct(at(1), at(6), pose.pose);
+  EXPECT_EQ(added(), Eigen::Matrix3d::Zero());
+  reckoning.correct(at(7), at(7), pose.pose);
+  EXPECT_EQ(added(), Eigen::Matrix3d::Zero());
+}
+
+TEST_F(DeadReckoningTest, WhatIsFirstSeenAfterALongWayLeavesIt) {
+  drive({kStep, 0, 0}, 100);
+  const auto of_the_way = added();
+  reckoning.correct(Stamp(std::chrono::seconds(9)), Stamp(std::chrono::seconds(9)), pose.pose);
+  EXPECT_EQ(added(), of_the_way);
+}
+
 TEST_F(DeadReckoningTest, LandmarksOfALoadedMapAreWhereItSays) {
   LandmarkMap map(1);
   map.front().id = 1;

@@ -43,15 +43,19 @@ class PointCloudDrive {
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
   const Pose2& truth() const { return truth_; }
 
-  Motion move() {
+  /// @param measured over true turn
+  Motion move(double measured = 1.0) {
     const double turn = 2 * M_PI / kLap;
     const Pose2 step = Pose2::exp({1.5 * turn, 0.0, turn});
     truth_ = truth_ * step;
     Motion motion;
     motion.covariance = Q_;
     const Eigen::Matrix3d L = Q_.llt().matrixL();
-    motion.increment =
-        Pose2::fromVector(step.vector() + L * Eigen::Vector3d(normal(), normal(), normal()));
+    Eigen::Vector3d odometry = step.vector() + L * Eigen::Vector3d(normal(), normal(), normal());
+    const double wrong = measured - 1.0;
+    odometry.z() += wrong * step.theta();
+    motion.covariance(2, 2) += wrong * wrong * step.theta();  // as a robot file would claim
+    motion.increment = Pose2::fromVector(odometry);
     return motion;
   }
 

@@ -18,11 +18,16 @@ namespace slam::test {
 /// The filter over a drive whose points are recognised without fail.
 class PointCloudFilter {
  public:
-  explicit PointCloudFilter(std::uint64_t seed)
-      : drive_(seed), state_({Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}) {}
+  /// @param measured over true turn; where it is 1, all errors of the odometry are random
+  explicit PointCloudFilter(std::uint64_t seed, double measured = 1.0)
+      : drive_(seed),
+        measured_(measured),
+        errors_(measured == 1.0 ? 0.0 : 0.5),
+        state_({Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}) {}
 
+  void stepInTheDark() { state_.predict(errors_.divide(drive_.move(measured_))); }
   void step() {
-    if (steps_++ > 0) state_.predict(drive_.move());
+    if (steps_++ > 0) stepInTheDark();
     const auto seen = drive_.look();
     measure(seen);
     convertSure(state_, drive_.camera().centre(state_.robot().pose), 0.1);
@@ -36,9 +41,12 @@ class PointCloudFilter {
     return drive_.points()[feature.id];
   }
 
+  double headingError() const {
+    return wrapAngle(state_.robot().pose.theta() - drive_.truth().theta());
+  }
   double nees() const {
     Eigen::Vector3d error = state_.robot().pose.vector() - drive_.truth().vector();
-    error.z() = wrapAngle(error.z());
+    error.z() = headingError();
     return error.dot(state_.robot().covariance.inverse() * error);
   }
 
@@ -68,6 +76,8 @@ class PointCloudFilter {
   }
 
   PointCloudDrive drive_;
+  double measured_;
+  mono_ekf::OdometryErrors errors_;
   mono_ekf::MonoState state_;
   std::set<std::size_t> known_;
   int steps_ = 0;

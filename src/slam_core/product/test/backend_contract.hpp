@@ -4,6 +4,7 @@
 #pragma once
 
 #include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/product/test/correction_contract.hpp"
 #include "slam_core/product/test/covariance_check.hpp"
 #include "slam_core/product/test/graph_contract.hpp"
 #include "slam_core/product/test/grid_contract.hpp"
@@ -25,6 +26,9 @@
                            testing::ValuesIn(removingLandmarks(variants)), variantName);          \
   INSTANTIATE_TEST_SUITE_P(name, MapKeeperContract,                                               \
                            testing::ValuesIn(offering<MapKeeper>(variants)), variantName);        \
+  INSTANTIATE_TEST_SUITE_P(name, CorrectionContract,                                              \
+                           testing::ValuesIn(offering<CorrectionReporter>(variants)),             \
+                           variantName);                                                          \
   INSTANTIATE_TEST_SUITE_P(name, GraphContract,                                                   \
                            testing::ValuesIn(offering<GraphReporter>(variants)), variantName);    \
   INSTANTIATE_TEST_SUITE_P(name, EventContract,                                                   \

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_ekf/odometry_errors.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+
+namespace slam::mono_ekf {
+namespace {
+
+/// Variances of a metre and of a radian; the smallest ones where the motions do not tell them
+/// apart.
+Eigen::Vector2d ratesOf(const Eigen::Matrix2d& products, const Eigen::Vector2d& variances) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d> decomposition;
+  decomposition.setThreshold(1e-6);
+  decomposition.compute(products);
+  return decomposition.solve(variances).cwiseMax(0.0);
+}
+
+}  // namespace
+
+DividedMotion OdometryErrors::divide(const Motion& motion) {
+  const double way = motion.increment.position().norm(), turn = motion.increment.theta();
+  const Eigen::Vector2d amount(way, std::abs(turn));
+  DividedMotion divided{motion};
+  if (amount.isZero(0.0)) return divided;
+  products_ += amount * amount.transpose();
+  variances_ += amount * motion.covariance(2, 2);
+  const auto rates = ratesOf(products_, variances_);
+  divided.J_errors(2, 0) = std::sqrt(share_ * rates(1)) * turn;
+  divided.J_errors(2, 1) = std::sqrt(share_ * rates(0)) * motion.increment.x();
+  const Eigen::Vector3d left(1.0, 1.0, std::sqrt(1.0 - share_));
+  divided.random.covariance = left.asDiagonal() * motion.covariance * left.asDiagonal();
+  return divided;
+}
+
+}  // namespace slam::mono_ekf
