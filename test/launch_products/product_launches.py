@@ -24,7 +24,7 @@ LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
             "backend=graph": {"/graph_markers", *LANDMARKS},
             "backend=mono_ekf": {"/features"},
-            "backend=mono_graph": {"/graph_markers"},
+            "backend=mono_graph": {"/features", "/graph_markers"},
             "backend=pf": {"/particlecloud", *LANDMARKS},
             "backend=rat": {"/graph_markers"},
             "pointmap=true": {"/points"},

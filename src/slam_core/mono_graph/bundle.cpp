@@ -67,7 +67,7 @@ class Equations {
 
   /// The bundle after one step. @return whether the step is a number
   bool step(double damping, Bundle& bundle) const {
-    Eigen::MatrixXd S = H_;
+    Eigen::MatrixXd S = H_;  // of which the lower triangle is used
     S.diagonal() *= 1.0 + damping;
     Eigen::VectorXd reduced = g_;
     std::vector<Eigen::Matrix3d> inverses(points_.size());
@@ -112,7 +112,7 @@ class Equations {
       const Eigen::Matrix3d left = W * inverse;
       reduced.segment<3>(row) -= left * point.g;
       for (const auto& [column, V] : point.with_poses)
-        S.block<3, 3>(row, column) -= left * V.transpose();
+        if (column <= row) S.block<3, 3>(row, column).noalias() -= left * V.transpose();
     }
   }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -21,7 +23,7 @@ struct Feature {
   Eigen::Vector2d seen;   ///< on the plane z = 1 before the camera
   Eigen::Vector2d pixel;  ///< in the raw image [px]
   double sigma = 0.0;     ///< standard deviation of `seen` along each axis
-  double angle = 0.0;     ///< orientation in the image [rad]
+  double angle = 0.0;     ///< orientation in the image [rad], 0 to 2 pi
   int level = 0;          ///< of the pyramid, 0 the finest
   Descriptor descriptor{};
 
@@ -30,6 +32,12 @@ struct Feature {
     archive(seen, pixel, sigma, angle, level, descriptor);
   }
 };
+
+/// How far two orientations in the image [0, 2 pi) are apart.
+inline double turnBetween(double a, double b) {
+  const double apart = std::abs(a - b);
+  return std::min(apart, 2.0 * M_PI - apart);
+}
 
 /// The features of an image, found by their place.
 class Features {

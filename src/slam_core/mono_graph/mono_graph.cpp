@@ -53,10 +53,12 @@ void MonoGraph::describe(Ports& ports) {
 void MonoGraph::describe(Capabilities& capabilities) {
   capabilities.offer<CorrectionReporter>(*this);
   capabilities.offer<EventReporter>(*this);
+  capabilities.offer<FeatureMapper>(*this);
   capabilities.offer<GraphReporter>(*this);
   capabilities.offer<LostReporter>(*this);
   capabilities.offer<PathReviser>(*this);
   capabilities.offer<PlaceReporter>(*this);
+  capabilities.offer<ViewDrawer>(*this);
 }
 
 void MonoGraph::configure(const MonoGraphConfig& config) {
@@ -76,8 +78,10 @@ void MonoGraph::reset() {
   closer_ = {};
   way_ = {};
   reference_.reset();
+  unrecognised_.reset();
   putAt({}, initialCovariance());
   is_tracked_ = false;
+  seen_ = {};
   path_.clear();
   events_.clear();
   inputs_ = {};
@@ -141,11 +145,14 @@ void MonoGraph::predict() {
 }
 
 Status MonoGraph::see(const CameraView& view) {
+  seen_ = {};
+  recognise();
   if (!view.isUsable() || view.image.gray.empty()) {
     counters_.add("unusable");
     return Status::ok();  // the camera's gate has said why
   }
   const auto features = orb_.extract(view);
+  seen_ = {view.image.gray, features, {}};
   if (features.size() >= kLeastFeatures) return follow(view, features);
   counters_.add("blank");
   return Status::warning(
@@ -157,6 +164,7 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
   if (lost_since_) lookForPlace(features);
   if (lost_since_) return Status::ok();
   const auto seen = tracked(features);
+  seen_.tracked = seen;
   is_tracked_ = seen.matches.size() >= static_cast<std::size_t>(config_.least_points);
   if (is_tracked_)
     believe(seen);
@@ -234,11 +242,11 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   for (const auto& match : tracked.matches)
     map_.addSighting(match.point, {number, static_cast<int>(match.feature)});
   mapper_.map(map_);
-  map_.keyframe(number).covariance = chainedCovariance(map_, number).value_or(covariance_);
+  map_.keyframe(number).covariance =
+      chainedCovariance(map_, number)
+          .value_or(ChainCovariance{covariance_, Eigen::Matrix3d::Zero(), 0.0});
   recogniser_.add(vocabulary_.wordsOf(features.all()));
-  closeLoop(number);
-
-  reference_ = number;
+  unrecognised_ = reference_ = number;
   pose_ = map_.keyframe(number).pose;
   covariance_ = initialCovariance();
   anchor_.place(pose_, covariance_);
@@ -257,6 +265,17 @@ std::set<int> MonoGraph::knownAround(int keyframe) const {
   }
   for (int i = std::max(0, keyframe - kRecent); i <= keyframe; ++i) known.insert(i);
   return known;
+}
+
+/// With the image after a keyframe, so that none takes the time of both. The robot stands on the
+/// keyframe yet, and moves with it.
+void MonoGraph::recognise() {
+  if (!unrecognised_) return;
+  const int keyframe = *std::exchange(unrecognised_, std::nullopt);
+  closeLoop(keyframe);
+  if (!is_way_known_ || reference_ != keyframe) return;  // it was put elsewhere
+  anchor_.moveAnchorTo(map_.keyframe(keyframe).pose);
+  predict();
 }
 
 void MonoGraph::closeLoop(int keyframe) {

@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "slam_core/camera/camera_view.hpp"
+#include "slam_core/camera/view_drawer.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/event_reporter.hpp"
+#include "slam_core/contract/feature_mapper.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/place_reporter.hpp"
@@ -44,10 +46,12 @@ namespace slam::mono_graph {
 class MonoGraph final : public Backend,
                         CorrectionReporter,
                         EventReporter,
+                        FeatureMapper,
                         GraphReporter,
                         LostReporter,
                         PathReviser,
-                        PlaceReporter {
+                        PlaceReporter,
+                        ViewDrawer {
  public:
   /// @throw ConfigError
   void configure(const MonoGraphConfig& config);
@@ -68,9 +72,9 @@ class MonoGraph final : public Backend,
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_, watch_,
-            agreement_, lost_since_, is_tracked_, pose_, covariance_, path_, events_, inputs_,
-            counters_);
+    archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_,
+            unrecognised_, watch_, agreement_, lost_since_, is_tracked_, pose_, covariance_, path_,
+            events_, inputs_, counters_);
   }
 
  private:
@@ -101,6 +105,13 @@ class MonoGraph final : public Backend,
     }
   };
 
+  /// The last image, for those who want to see it.
+  struct Seen {
+    cv::Mat gray;
+    Features features;
+    TrackedView tracked;
+  };
+
   // what it offers as capabilities
   std::optional<Stamp> correctedBy() const override { return firstVisit(); }
   std::vector<Event> events() const override { return events_; }
@@ -109,6 +120,8 @@ class MonoGraph final : public Backend,
   bool findsItself() const override { return true; }
   std::vector<StampedPose> path() const override;
   std::vector<PlaceVisit> visits() const override;
+  std::vector<MappedFeature> features() const override;
+  cv::Mat drawing() const override;
 
   // the lines of execute()
   void relocate();
@@ -125,6 +138,7 @@ class MonoGraph final : public Backend,
   bool wantsKeyframe(const TrackedView& tracked) const;
   bool isFarFromKeyframes(double share) const;
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
+  void recognise();
   void closeLoop(int keyframe);
   std::set<int> knownAround(int keyframe) const;
   void noteLoop(const RecognisedPlace& place, const Pose2& before, const Pose2& after);
@@ -143,10 +157,11 @@ class MonoGraph final : public Backend,
   LocalMapper mapper_;
   PlaceRecogniser recogniser_;
   LoopCloser closer_;
-  OdometryAnchor anchor_;         ///< where points showed the robot last
-  OdometryAnchor way_;            ///< odometry since the newest keyframe
-  bool is_way_known_ = false;     ///< there is one, and no jump came since
-  std::optional<int> reference_;  ///< the keyframe that the robot is tracked by
+  OdometryAnchor anchor_;            ///< where points showed the robot last
+  OdometryAnchor way_;               ///< odometry since the newest keyframe
+  bool is_way_known_ = false;        ///< there is one, and no jump came since
+  std::optional<int> reference_;     ///< the keyframe that the robot is tracked by
+  std::optional<int> unrecognised_;  ///< the newest one, whose place has not been looked up yet
   SightWatch watch_;
   PlaceAgreement agreement_;
   std::optional<Stamp> lost_since_;
@@ -154,6 +169,7 @@ class MonoGraph final : public Backend,
   Pose2 pose_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< relative to the reference
   std::vector<WayPoint> path_;
+  Seen seen_;
   std::vector<Event> events_;  ///< of the last step
   Inputs inputs_;
   Counters counters_;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/mono_graph/drawing.hpp"
 #include "slam_core/mono_graph/mono_graph.hpp"
 #include "slam_core/mono_graph/pose_chain.hpp"
+#include "slam_core/mono_graph/triangulation.hpp"
 
 namespace slam::mono_graph {
 
@@ -24,13 +26,24 @@ PoseEstimate MonoGraph::pose() const {
   }
   if (!reference_) return {pose_, covariance_};
   const auto& origin = map_.keyframe(*reference_);
-  return {pose_, chained(origin.pose, origin.covariance, pose_, covariance_)};
+  return {pose_, chained(origin.pose, origin.covariance.sum(), pose_, covariance_)};
 }
 
 Component::Figures MonoGraph::figures() const {
   return {{"keyframes", static_cast<double>(map_.keyframes().size())},
           {"map_points", static_cast<double>(map_.countOfPoints())}};
 }
+
+std::vector<MappedFeature> MonoGraph::features() const {
+  std::vector<MappedFeature> mapped;
+  const auto& points = map_.points();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!points[i].isGone())
+      mapped.push_back({i, points[i].position, covarianceOf(map_, points[i])});
+  return mapped;
+}
+
+cv::Mat MonoGraph::drawing() const { return draw(seen_.gray, seen_.features, seen_.tracked); }
 
 GraphView MonoGraph::graph() const {
   GraphView view;

@@ -14,6 +14,8 @@ class OdometryAnchor {
   /// @param covariance of (x, y, theta), without what odometry adds to it
   void place(const Pose2& pose, const Eigen::Matrix3d& covariance);
   void move(const Motion& motion);
+  /// The anchor itself lies elsewhere; odometry since then stays as it is.
+  void moveAnchorTo(const Pose2& pose) { pose_ = pose; }
   /// The anchor's pose with its covariance, and odometry since then with its own.
   PosePrior predicted() const;
   const Pose2& since() const { return since_; }

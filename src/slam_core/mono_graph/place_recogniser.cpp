@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "slam_core/common/random.hpp"
-#include "slam_core/geometry/angle.hpp"
 
 namespace slam::mono_graph {
 namespace {
@@ -27,8 +26,32 @@ constexpr double kMostSigma = 0.1;           // of a position that counts [m]
 constexpr double kDependentPoints = 4.0;     // their positions come of the same keyframes
 constexpr double kLeastLinkVariance = 1e-6;  // [m^2, rad^2]
 
+/// The features of an image, found by their orientation.
+class FeaturesByAngle {
+ public:
+  explicit FeaturesByAngle(const Features& features) {
+    for (std::size_t i = 0; i < features.size(); ++i) sorted_.emplace_back(features[i].angle, i);
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  /// Visits those that a camera which does not roll may see of a point.
+  template <class Visit>
+  void forEachNear(double angle, const Visit& visit) const {
+    for (const double round : {-2.0 * M_PI, 0.0, 2.0 * M_PI}) {
+      const std::pair<double, std::size_t> least(angle + round - kLargestRoll, 0);
+      auto each = std::lower_bound(sorted_.begin(), sorted_.end(), least);
+      for (; each != sorted_.end() && each->first <= angle + round + kLargestRoll; ++each)
+        visit(each->second);
+    }
+  }
+
+ private:
+  std::vector<std::pair<double, std::size_t>> sorted_;
+};
+
 /// The features that look like the points of a keyframe, wherever they are in the image.
-std::vector<PointMatch> alikeIn(const VisualMap& map, const Features& features, int keyframe) {
+std::vector<PointMatch> alikeIn(const VisualMap& map, const Features& features,
+                                const FeaturesByAngle& by_angle, int keyframe) {
   std::vector<PointMatch> matches;
   std::vector<int> taken(features.size(), 0);
   for (const int number : map.keyframe(keyframe).points) {
@@ -36,8 +59,7 @@ std::vector<PointMatch> alikeIn(const VisualMap& map, const Features& features, 
     const auto& point = map.point(number);
     int best = 257, second = 257;
     std::size_t found = 0;
-    for (std::size_t i = 0; i < features.size(); ++i) {
-      if (std::abs(wrapAngle(features[i].angle - point.angle)) > kLargestRoll) continue;
+    by_angle.forEachNear(point.angle, [&](std::size_t i) {
       const int distance = distanceOf(features[i].descriptor, point.descriptor);
       if (distance < best) {
         second = best;
@@ -46,7 +68,7 @@ std::vector<PointMatch> alikeIn(const VisualMap& map, const Features& features, 
       } else if (distance < second) {
         second = distance;
       }
-    }
+    });
     if (best > kAlike || best > kAlikeRatio * second) continue;
     ++taken[found];
     matches.push_back({number, found});
@@ -84,7 +106,7 @@ std::optional<Pose2> PlaceRecogniser::consensus(const VisualMap& map, const Feat
 std::optional<RecognisedPlace> PlaceRecogniser::verify(const VisualMap& map,
                                                        const Features& features,
                                                        int candidate) const {
-  const auto alike = alikeIn(map, features, candidate);
+  const auto alike = alikeIn(map, features, FeaturesByAngle(features), candidate);
   if (alike.size() < kLeastConsensus) return std::nullopt;
   const auto start = consensus(map, features, candidate, sightingsOf(map, features, alike));
   if (!start) return std::nullopt;

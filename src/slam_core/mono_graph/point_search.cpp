@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "slam_core/geometry/angle.hpp"
 #include "slam_core/mono_graph/orb_extractor.hpp"
 
 namespace slam::mono_graph {
@@ -33,7 +32,7 @@ struct Best {
 
 bool looksAlike(const Feature& feature, const MapPoint& point, double level) {
   return std::abs(feature.level - level) <= 1.6 &&
-         std::abs(wrapAngle(feature.angle - point.angle)) <= kLargestRoll;
+         turnBetween(feature.angle, point.angle) <= kLargestRoll;
 }
 
 }  // namespace

@@ -6,8 +6,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "slam_core/consistency/dead_reckoning.hpp"
 #include "slam_core/geometry/covariance.hpp"
 
 namespace slam::mono_graph {
@@ -53,6 +55,34 @@ Eigen::Matrix3d scaleCovariance(const Keyframe& keyframe, const Keyframe& other)
 /// Which of two chains leaves more; a radian counts as a metre.
 double sizeOf(const Eigen::Matrix3d& covariance) { return covariance.trace(); }
 
+/// Odometry's error behind a link by odometry alone.
+/// @param before that of the way so far, as an error of the pose now @param way of the link [m]
+Eigen::Matrix3d withLink(const Eigen::Matrix3d& before, double way_before,
+                         const Eigen::Matrix3d& of_link, double way) {
+  constexpr double kIndependent = DeadReckoning::kIndependent;
+  if (!(way_before > 0.0)) return std::max(1.0, way / kIndependent) * of_link;
+  const double whole = way_before + way;
+  if (whole <= kIndependent || before(2, 2) > std::pow(DeadReckoning::kUnknownHeading, 2))
+    return before + of_link;
+  return (1.0 + way / whole) * before + (way + whole) / kIndependent * of_link;
+}
+
+ChainCovariance throughLink(const VisualMap& map, int number, const Link& link) {
+  const auto &keyframe = map.keyframe(number), &earlier = map.keyframe(link.earlier);
+  const auto& known = earlier.covariance;
+  const Eigen::Matrix3d nothing = Eigen::Matrix3d::Zero();
+  const auto& of_points = link.is_by_odometry ? nothing : link.covariance;
+  ChainCovariance chain;
+  chain.by_points = chained(earlier.pose, known.by_points, keyframe.pose, of_points);
+  chain.by_odometry = chained(earlier.pose, known.by_odometry, keyframe.pose, nothing);
+  chain.odometry_way = known.odometry_way;
+  if (!link.is_by_odometry) return chain;
+  const double way = keyframe.way->position().norm() + std::abs(keyframe.way->theta());
+  chain.by_odometry = withLink(chain.by_odometry, chain.odometry_way, link.covariance, way);
+  chain.odometry_way += way;
+  return chain;
+}
+
 }  // namespace
 
 Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, const Pose2& pose,
@@ -75,23 +105,21 @@ std::vector<Link> linksOf(const VisualMap& map, int number, std::size_t most) {
         kDependence * H.inverse() +
         scaleCovariance(map.keyframe(number), map.keyframe(each.second));
     if (covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0)
-      links.push_back({each.second, covariance});
+      links.push_back({each.second, covariance, false});
   }
   const auto& keyframe = map.keyframe(number);
   if (!links.empty() || !keyframe.way) return links;
   Eigen::Matrix3d J;
   map.keyframe(number - 1).pose.compose(*keyframe.way, nullptr, &J);
-  return {{number - 1, J * keyframe.way_covariance * J.transpose()}};
+  return {{number - 1, J * keyframe.way_covariance * J.transpose(), true}};
 }
 
-std::optional<Eigen::Matrix3d> chainedCovariance(const VisualMap& map, int number) {
-  std::optional<Eigen::Matrix3d> best;
-  const auto& keyframe = map.keyframe(number);
+std::optional<ChainCovariance> chainedCovariance(const VisualMap& map, int number) {
+  std::optional<ChainCovariance> best;
   for (const auto& link : linksOf(map, number, map.keyframes().size())) {
-    const auto& earlier = map.keyframe(link.earlier);
-    const auto covariance =
-        chained(earlier.pose, earlier.covariance, keyframe.pose, link.covariance);
-    if (covariance.allFinite() && (!best || sizeOf(covariance) < sizeOf(*best))) best = covariance;
+    const auto chain = throughLink(map, number, link);
+    const Eigen::Matrix3d sum = chain.sum();
+    if (sum.allFinite() && (!best || sizeOf(sum) < sizeOf(best->sum()))) best = chain;
   }
   return best;
 }

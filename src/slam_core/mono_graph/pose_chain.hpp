@@ -21,6 +21,7 @@ struct Link {
   int earlier = 0;
   /// It is that of the keyframe's coordinates in the map frame where the earlier one is exact.
   Eigen::Matrix3d covariance;
+  bool is_by_odometry = false;  ///< and by nothing else
 };
 
 /// Up to so many links to the earlier keyframes that share most points with this one; where there
@@ -29,7 +30,10 @@ std::vector<Link> linksOf(const VisualMap& map, int keyframe, std::size_t most);
 
 /// The covariance of a keyframe's pose in the map: of the chains over keyframes that see the same
 /// points, and over odometry, the one that leaves least. Chains are not fused, since points that
-/// were seen from the same keyframes err together. Nothing where no chain leads to the keyframe.
-std::optional<Eigen::Matrix3d> chainedCovariance(const VisualMap& map, int keyframe);
+/// were seen from the same keyframes err together. Over links by odometry alone its errors count as
+/// independent up to a metre, and beyond as correlated as they can be: wheels of slightly wrong
+/// sizes err the same way in each piece (see slam::DeadReckoning, whose bound this is). Nothing
+/// where no chain leads to the keyframe.
+std::optional<ChainCovariance> chainedCovariance(const VisualMap& map, int keyframe);
 
 }  // namespace slam::mono_graph

@@ -3,10 +3,10 @@
 
 #include "slam_core/mono_graph/triangulation.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "slam_core/geometry/angle.hpp"
 #include "slam_core/mono_graph/chi_square.hpp"
 #include "slam_core/mono_graph/orb_extractor.hpp"
 
@@ -85,7 +85,7 @@ std::optional<int> matchOnLine(const Feature& feature, const Eigen::Vector3d& li
   for (const int i : candidates) {
     const auto& candidate = other.features[static_cast<std::size_t>(i)];
     if (std::abs(candidate.level - feature.level) > kLargestLevels || !isNear(line, candidate) ||
-        std::abs(wrapAngle(candidate.angle - feature.angle)) > kLargestRoll)
+        turnBetween(candidate.angle, feature.angle) > kLargestRoll)
       continue;
     const int distance = distanceOf(candidate.descriptor, feature.descriptor);
     if (distance < best) {
@@ -140,6 +140,19 @@ std::vector<MapPoint> triangulate(const VisualMap& map, int now, int before) {
     made.push_back(point);
   }
   return made;
+}
+
+Eigen::Matrix3d covarianceOf(const VisualMap& map, const MapPoint& point) {
+  constexpr double kLeastInformation = 1e-3;  // [1/m^2], of a point that nothing determines
+  Eigen::Matrix3d H = kLeastInformation * Eigen::Matrix3d::Identity();
+  for (const auto& sighting : point.sightings) {
+    const auto& keyframe = map.keyframe(sighting.keyframe);
+    const double sigma = keyframe.features[static_cast<std::size_t>(sighting.feature)].sigma;
+    Eigen::Matrix<double, 2, 3> J;
+    if (keyframe.features.camera().project(keyframe.pose, point.position, nullptr, &J))
+      H += J.transpose() * J / (sigma * sigma);
+  }
+  return H.inverse();
 }
 
 }  // namespace slam::mono_graph

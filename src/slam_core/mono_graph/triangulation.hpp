@@ -25,4 +25,7 @@ std::optional<Eigen::Vector3d> intersectionOf(const Eigen::Vector3d& centre_a,
 /// VI.C). Each has the sightings of both, that of `now` first.
 std::vector<MapPoint> triangulate(const VisualMap& map, int now, int before);
 
+/// The covariance of a point's position [m^2] by the keyframes that see it, those taken as exact.
+Eigen::Matrix3d covarianceOf(const VisualMap& map, const MapPoint& point);
+
 }  // namespace slam::mono_graph

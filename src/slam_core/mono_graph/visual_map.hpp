@@ -19,6 +19,21 @@ constexpr int kNoPoint = -1;
 /// Keyframes that share so many points are neighbours.
 constexpr int kNeighbourPoints = 15;
 
+/// How well a pose is known by a chain of keyframes from the first one, as covariances of its
+/// coordinates (x, y, theta) in the map.
+struct ChainCovariance {
+  Eigen::Matrix3d by_points = Eigen::Matrix3d::Zero();    ///< of the links that points make
+  Eigen::Matrix3d by_odometry = Eigen::Matrix3d::Zero();  ///< of those that odometry alone makes
+  double odometry_way = 0.0;  ///< length of the latter; a turn by a radian counts as a metre [m]
+
+  Eigen::Matrix3d sum() const { return by_points + by_odometry; }
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(by_points, by_odometry, odometry_way);
+  }
+};
+
 /// A pose from which the map was seen, with what was seen.
 struct Keyframe {
   Stamp stamp;
@@ -29,9 +44,7 @@ struct Keyframe {
   /// a jump.
   std::optional<Pose2> way;
   Eigen::Matrix3d way_covariance = Eigen::Matrix3d::Zero();
-  /// The pose in the map (x, y, theta) has this covariance by the best chain of keyframes from the
-  /// first one.
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  ChainCovariance covariance;  ///< by the best chain
 
   template <class Archive>
   void persist(Archive& archive) {

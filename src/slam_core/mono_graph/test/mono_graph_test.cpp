@@ -67,6 +67,22 @@ TEST(MonoGraph, TakesImagesThatComeSeldom) {
   EXPECT_LT(drive.error(), 0.12);
 }
 
+TEST(MonoGraph, ShowsWhatItTracksAndItsMapOfPoints) {
+  PictureDrive drive(12);
+  const auto capabilities = capabilitiesOf(drive.graph());
+  EXPECT_TRUE(capabilities.find<ViewDrawer>()->drawing().empty()) << "no image yet";
+  drive.steps(40);
+  const auto picture = capabilities.find<ViewDrawer>()->drawing();
+  ASSERT_EQ(picture.type(), CV_8UC3);
+  EXPECT_EQ(picture.size(), cv::Size(320, 240));
+  const auto points = capabilities.find<FeatureMapper>()->features();
+  EXPECT_EQ(static_cast<double>(points.size()), figureOf(drive.graph(), "map_points"));
+  for (const auto& [id, position, covariance] : points) {
+    ASSERT_TRUE(position.allFinite());
+    ASSERT_GT(covariance.determinant(), 0.0) << id;
+  }
+}
+
 TEST(MonoGraph, TakesTheSameImageTwice) {
   PictureDrive drive(9);
   drive.steps(40);
