@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/mono_graph/test/room_of_pictures.hpp"
 #include "slam_core/product/estimator.hpp"
 
 namespace slam {
@@ -14,9 +17,9 @@ using test::SimulatedWorld;
 
 class EstimatorDeadReckoning : public testing::Test {
  protected:
-  void SetUp() override {
+  void use(const std::string& backend) {
     Settings settings;
-    estimator.use(Registry<Backend>::instance().create("ekf"));
+    estimator.use(Registry<Backend>::instance().create(backend));
     estimator.configure(settings);
   }
   void drive(int steps, bool sees_landmarks) {
@@ -25,11 +28,14 @@ class EstimatorDeadReckoning : public testing::Test {
       if (!sees_landmarks) step.observations.observations.clear();
       estimator.set(step.motion);
       estimator.set(step.observations);
-      do {
-        estimator.execute();
-        if (estimator.report()) report = *estimator.report();
-      } while (estimator.report());
+      stepThrough();
     }
+  }
+  void stepThrough() {
+    do {
+      estimator.execute();
+      if (estimator.report()) report = *estimator.report();
+    } while (estimator.report());
   }
   /// What the report adds to the filter's covariance.
   double added() const {
@@ -42,6 +48,7 @@ class EstimatorDeadReckoning : public testing::Test {
 };
 
 TEST_F(EstimatorDeadReckoning, AddsToTheCovarianceWhileNoLandmarkCorrectsThePose) {
+  use("ekf");
   drive(100, true);
   EXPECT_EQ(added(), 0.0);
   drive(150, false);
@@ -49,6 +56,25 @@ TEST_F(EstimatorDeadReckoning, AddsToTheCovarianceWhileNoLandmarkCorrectsThePose
   EXPECT_EQ(report.trust, Trust::kConfident);
   drive(50, true);
   EXPECT_EQ(added(), 0.0);
+}
+
+TEST_F(EstimatorDeadReckoning, AnImageOfABlankWallIsNoCorrection) {
+  use("mono_graph");
+  test::RoundOfPictures round(1);
+  const auto look = [&](int steps, bool is_blank) {
+    for (int i = 0; i < steps; ++i) {
+      const auto motion = round.drive();
+      auto view = round.room().view(motion.end, round.place());
+      if (is_blank) view.image.gray.setTo(100);
+      estimator.set(motion);
+      estimator.set(view);
+      stepThrough();
+    }
+  };
+  look(60, false);
+  EXPECT_EQ(added(), 0.0);
+  look(60, true);
+  EXPECT_GT(added(), 0.1 * estimator.backend().pose().covariance.trace());
 }
 
 }  // namespace
