@@ -98,10 +98,27 @@ class FeatureModel:
         return self._valid
 
     @functools.cached_property
-    def _valid(self):  # takes over a second: there are thousands of combinations
+    def _valid(self):
         values = [group.symbols for group in self.groups.values()]
-        combinations = (dict(zip(self.groups, chosen)) for chosen in itertools.product(*values))
-        return [features for features in combinations if not self.faults(features)]
+        combinations = [dict(zip(self.groups, chosen)) for chosen in itertools.product(*values)]
+        before = combinations[0]
+        self.put_in_force(before)
+        valid = []
+        for features in combinations:  # tens of thousands: what has not changed is not set again
+            for key in features:
+                if features[key] != before[key]:
+                    self._set(key, features[key])
+            if self._is_whole(features):
+                valid.append(features)
+            before = features
+        return valid
+
+    def _is_whole(self, features):
+        """Whether the features, which are in force, all have the values that they were given."""
+        root = self.root()
+        return (root is None or root.tri_value != 0) and all(
+            (self._symbol(key, value).tri_value == 0) == (value == "false")
+            for key, value in features.items())
 
     def nearest(self, features):
         """Returns the valid products that share most features with these."""
@@ -168,7 +185,10 @@ class FeatureModel:
         """Sets complete features, whose symbols then have the values that follow."""
         self.kconfig.unset_values()
         for key, value in features.items():
-            self._symbol(key, value).set_value(0 if value == "false" else 2)
+            self._set(key, value)
+
+    def _set(self, key, value):
+        self._symbol(key, value).set_value(0 if value == "false" else 2)
 
     def _symbol(self, key, value):
         return self.kconfig.syms[self.groups[key].symbols[value]]
