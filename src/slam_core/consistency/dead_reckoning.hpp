@@ -49,7 +49,8 @@ class DeadReckoning {
   /// To be called with the observations that a step compared with the map.
   /// @param robot the pose after it
   void correct(const std::vector<ObservationInnovation>& innovations, const Pose2& robot);
-  /// The same of what has no ids: the pose was corrected by what was first seen at a stamp.
+  /// To be called instead where things have no ids: they corrected the pose, and were first seen
+  /// at a stamp.
   /// @param now stamp of the correction @param robot the pose after it
   void correct(Stamp first_seen, Stamp now, const Pose2& robot);
   /// @return what the correlation of the errors adds to the covariance of a pose (x, y, heading)
@@ -71,7 +72,8 @@ class DeadReckoning {
   /// What was added when the way began, and when each landmark was first seen; map frame.
   Eigen::Matrix3d before_ = Eigen::Matrix3d::Zero();
   std::map<LandmarkId, Eigen::Matrix3d> of_landmarks_;
-  /// What is left of what is first seen after each of these stamps.
+  /// A thing without an id that was first seen after one of these stamps leaves this error; the
+  /// latest such stamp counts.
   std::map<Stamp, Eigen::Matrix3d> of_stamps_;
   Stamp corrected_;  ///< last, by what has no ids
 };

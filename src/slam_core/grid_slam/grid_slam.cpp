@@ -205,7 +205,7 @@ Component::Figures GridSlam::figures() const {
           {"map_megabytes", static_cast<double>(map_->bytes()) / kMegabyte}};
 }
 
-/// What follows of errors that the map itself has, MapDrift says.
+/// The map counts as exact here, since MapDrift already adds its errors.
 std::optional<Stamp> GridSlam::correctedBy() const {
   return is_corrected_ ? std::optional(Stamp()) : std::nullopt;
 }

@@ -31,7 +31,7 @@ struct Search {
 /// mapped then, which is what closes a loop.
 class ActiveSearch {
  public:
-  /// So many features are searched, so far from where they are predicted.
+  /// This bounds a search: it looks for so many features, each within a reach of its prediction.
   struct Effort {
     std::size_t most;
     double largest_reach;  ///< semi-axis of the ellipse that holds 99 % [px]

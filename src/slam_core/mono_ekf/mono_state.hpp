@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "slam_core/models/landmark_map.hpp"
-#include "slam_core/models/motion.hpp"
 #include "slam_core/mono_ekf/feature.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
 
@@ -42,7 +41,6 @@ class MonoState {
 
   /// The robot's motion; all that is known of the features stays.
   void predict(const DividedMotion& motion);
-  void predict(const Motion& motion) { predict(DividedMotion{motion}); }  ///< all of it is random
   /// The robot is elsewhere; its correlations with the features become zero.
   void place(const PoseEstimate& robot);
 

@@ -33,7 +33,7 @@ struct Feature {
   }
 };
 
-/// How far two orientations in the image [0, 2 pi) are apart.
+/// @return the angle between two orientations in the image, which are in [0, 2 pi) [rad]
 inline double turnBetween(double a, double b) {
   const double apart = std::abs(a - b);
   return std::min(apart, 2.0 * M_PI - apart);

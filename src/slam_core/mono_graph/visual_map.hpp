@@ -19,8 +19,8 @@ constexpr int kNoPoint = -1;
 /// Keyframes that share so many points are neighbours.
 constexpr int kNeighbourPoints = 15;
 
-/// How well a pose is known by a chain of keyframes from the first one, as covariances of its
-/// coordinates (x, y, theta) in the map.
+/// The covariance that a chain of keyframes from the first one gives a pose (x, y, theta) in the
+/// map. It is a sum of two.
 struct ChainCovariance {
   Eigen::Matrix3d by_points = Eigen::Matrix3d::Zero();    ///< of the links that points make
   Eigen::Matrix3d by_odometry = Eigen::Matrix3d::Zero();  ///< of those that odometry alone makes

@@ -11,7 +11,7 @@
 
 namespace slam::test {
 
-/// What is painted on a wall: so many rectangles of grey, whose edges are that long.
+/// A wall is painted with so many grey rectangles, whose edges have lengths in a range.
 struct Painting {
   int rectangles;
   double least_edge, most_edge;  ///< [m]

@@ -109,7 +109,7 @@ TEST_F(DeadReckoningTest, ALandmarkThatIsGatedCorrectsNothing) {
   EXPECT_EQ(added(), of_the_way);
 }
 
-/// What was seen at the start, what was seen after a long way, and what was seen on the way.
+/// The pose is corrected by things first seen at the start, on the way and after a long way.
 TEST_F(DeadReckoningTest, WhatHasNoIdsCorrectsWhatCameAfterItWasFirstSeen) {
   const auto at = [](int second) { return Stamp(std::chrono::seconds(second)); };
   reckoning.correct(at(1), at(1), pose.pose);

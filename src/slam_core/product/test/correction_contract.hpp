@@ -6,7 +6,7 @@
 #include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/product/test/driven_backend.hpp"
 
-// What a back-end promises that knows whether what it was given corrected its pose.
+// A back-end that reports its corrections (CorrectionReporter) passes these tests.
 
 namespace slam::test {
 
@@ -16,7 +16,7 @@ class CorrectionContract : public ContractTest {
     return backend.as<CorrectionReporter>().correctedBy();
   }
 };
-// Of a back-end that does not know it there are none of these tests.
+// A back-end without the capability has none of these tests.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CorrectionContract);
 
 TEST_P(CorrectionContract, WhatFitsTheMapCorrectsThePose) {

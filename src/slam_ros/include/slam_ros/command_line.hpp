@@ -17,8 +17,9 @@ class Option;
 
 namespace slam_ros {
 
-/// What is asked of one argument of a command line. Each function returns the argument again, and a
-/// copy stands for the same one. A value that is refused ends the program with the exit code 2.
+/// An argument of a command line, which these functions restrict. Each returns the argument again,
+/// and a copy stands for the same one. A value that is refused ends the program with the exit
+/// code 2.
 class Argument {
  public:
   explicit Argument(CLI::Option& option) : option_(&option) {}
