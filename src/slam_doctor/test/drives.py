@@ -11,7 +11,8 @@ import tempfile
 from catkin.find_in_workspaces import find_in_workspaces
 from slam_doctor.case import Case
 from slam_doctor.cli import examine
-from slam_doctor.expectations import all_products, Expectations, NO_ROBOT, read_robot
+from slam_doctor.expectations import (all_products, Expectations, NO_ROBOT, read_product,
+                                      read_robot)
 from slam_doctor.record.bag import read_bag
 from slam_eval.bench.harness import bag_edit
 
@@ -61,10 +62,10 @@ def products():
 
 
 def diagnose(bag, robot="sim_segway", product=None):
-    """The findings about a bag by check."""
+    """The findings about a bag by check; a product is a name or a file."""
     file = read_robot(str(robot)) if robot else NO_ROBOT
-    known = tuple(each for each in products() if product in (None, each.name))
-    chosen = known[0] if product else None
+    chosen = read_product(str(product)) if product else None
+    known = (chosen,) if chosen else products()
     groups = examine(Case(read_bag(bag), Expectations(file, chosen, known)))
     return {each.check: each for findings in groups.values() for each in findings}
 

@@ -4,7 +4,7 @@
 import io
 import unittest
 
-from drives import diagnose, edited, Edit, faults, FOLDER, views
+from drives import diagnose, edited, Edit, faults, FOLDER, simulate, views
 import numpy as np
 from PIL import Image as Pillow
 from PIL import ImageFilter
@@ -29,6 +29,17 @@ def filtered(name, function):
         function(Pillow.open(io.BytesIO(message.data))).save(out, "JPEG", quality=80)
         message.data = out.getvalue()
     return edited(name, Edit((COMPRESSED,), change), views())
+
+
+def covered(frame, bag):
+    """A drive with black images of the camera whose frame begins so."""
+    black = io.BytesIO()
+    Pillow.new("L", (640, 480)).save(black, "JPEG")
+
+    def change(kind, message, time):
+        if message.header.frame_id.startswith(frame):
+            message.data = black.getvalue()
+    return edited(f"{frame}_covered", Edit((COMPRESSED,), change), bag)
 
 
 class Encodings(unittest.TestCase):
@@ -136,6 +147,21 @@ class Views(unittest.TestCase):
         found = diagnose(views(), robot)["camera.markers"]
         self.assertEqual(found.level.name, "WARN")
         self.assertIn("There are markers of 36h11", found.advice)
+
+    def test_each_camera_and_each_detector(self):
+        bag = simulate("two_cameras", "--world", "foyer", "--robot", "scout", "--duration", "8")
+        product = FOLDER / "two_cameras.yaml"
+        product.write_text("version: 1\nbackend: ekf\nodometry: wheel\ndetector: apriltag\n"
+                           "second_detector: aruco\nsecond_camera: true\n", encoding="utf-8")
+        for of in (None, product):
+            found = diagnose(bag, "sim_scout", of)
+            checks = ["camera.markers", "rear_camera.markers"]
+            checks += ["camera.second_markers", "rear_camera.second_markers"] if of else []
+            for name in checks:
+                self.assertGreater(found[name].value, 0, name)
+        found = diagnose(covered("rear", bag), "sim_scout", product)
+        levels = [found[f"{name}.markers"].level.name for name in ("camera", "rear_camera")]
+        self.assertEqual(levels, ["OK", "WARN"])
 
     def test_standstill_of_odometry_while_images_change(self):
         def change(kind, message, time):

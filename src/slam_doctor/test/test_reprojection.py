@@ -106,7 +106,7 @@ class Fits(unittest.TestCase):
              "another lens": {"distortion": np.array([-0.25, 0.08, 0, 0, 0, 0, 0, 0])}}
 
     def level(self, some, seen):
-        return reprojection.judge(info_of(some), seen).level.name
+        return reprojection.judge("camera.reprojection", info_of(some), seen).level.name
 
     def test_a_right_calibration_passes_whatever_the_noise(self):
         for sigma in (0.02, 0.1, 0.25, 0.6):
@@ -173,11 +173,12 @@ class Fits(unittest.TestCase):
         self.assertEqual(self.level(camera(), seen), "UNKNOWN")
 
     def test_too_few(self):
-        found = reprojection.judge(info_of(camera()), views(camera(), 1, 10))
+        found = reprojection.judge("camera.reprojection", info_of(camera()), views(camera(), 1, 10))
         self.assertEqual(found.level.name, "UNKNOWN")
         self.assertIn("different views are too few to check the calibration", found.text)
         alone = [dataclasses.replace(each, id=7) for each in views(camera(), 1)]
-        self.assertIn("1 markers in", reprojection.judge(info_of(camera()), alone).text)
+        found = reprojection.judge("camera.reprojection", info_of(camera()), alone)
+        self.assertIn("1 markers in", found.text)
 
     def test_corners_that_no_square_has(self):
         random = np.random.default_rng(1)

@@ -13,6 +13,8 @@ from slam_launch.feature_model import FeatureModel
 
 from slam_doctor.errors import InputError, UsageError
 
+REAR_CAMERA = "rear_camera"  # the input that a second camera brings
+
 
 @dataclasses.dataclass(frozen=True)
 class Robot:
@@ -88,7 +90,7 @@ class Product:
     """A product with what it needs."""
 
     name: str
-    detector: str
+    detectors: tuple  # the first one first
     needs: tuple
 
 
@@ -118,8 +120,9 @@ def with_needs(product, told):
                   if port.made_by is None)
     made = tuple(Need(output.name, output.topic, output.kind, output.name, False, frozenset())
                  for component in told.components for output in component.outputs if output.kind)
-    return Product(product.name or "this product", product.features.get("detector", "none"),
-                   needs + made)
+    named = (product.features.get(key, "none") for key in ("detector", "second_detector"))
+    return Product(product.name or "this product",
+                   tuple(name for name in named if name != "none"), needs + made)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -139,7 +142,10 @@ class Expectations:
         return str(self.robot.value("frames", "odom") or "odom")
 
     def inputs(self):
-        """{name of an input: its topic} of the products, by the robot file."""
+        """{name of an input: its topic} of the products, by the robot file. That of a second camera,
+        which no named product has, is looked for where the robot file names it."""
         topics = {need.input: need.topic for product in self.products for need in product.needs}
         own = self.robot.content.get("topics") or {}
+        if self.product is None and REAR_CAMERA in own:
+            topics.setdefault(REAR_CAMERA, own[REAR_CAMERA])
         return {name: str(own.get(name, topic)) for name, topic in topics.items()}

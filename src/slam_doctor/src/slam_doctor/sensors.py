@@ -5,6 +5,7 @@ import dataclasses
 import posixpath
 from typing import Optional
 
+from slam_doctor.expectations import REAR_CAMERA
 from slam_doctor.record.recording import (CALIBRATION, COMPRESSED, IMAGE, IMU, MOTION,
                                           OBSERVATIONS, ODOMETRY, SCAN, Topic)
 
@@ -37,8 +38,9 @@ def plain(topic):
 
 def kinds_of_inputs(expectations):
     """{name of an input: types of its messages}; those of other packages' kinds are empty."""
-    return {need.input: MESSAGES.get(need.kind, ()) for product in expectations.products
-            for need in product.needs}
+    return {REAR_CAMERA: MESSAGES["slam::CameraView"],
+            **{need.input: MESSAGES.get(need.kind, ()) for product in expectations.products
+               for need in product.needs}}
 
 
 def find_sensors(recording, expectations):

@@ -17,6 +17,7 @@ from slam_doctor.checks import reprojection
 from slam_doctor.finding import ok, unknown, warn
 from slam_doctor.squares.calibration import Sighting
 
+CAMERAS = ("camera", "rear_camera")  # that detectors look through
 PROGRAM = ("slam_core", "slam_core_fiducial_images")
 FAMILIES = {"apriltag": "apriltag.families", "aruco": "aruco.dictionaries"}
 OTHERS = (("apriltag", ["36h11", "25h9", "Standard41h12"]),
@@ -25,26 +26,58 @@ OTHERS = (("apriltag", ["36h11", "25h9", "Standard41h12"]),
 LINE = re.compile(r"^.*: id (\d+), corners((?: \(\S+ \S+\)){4}), (?:range|rejected: (\w+))", re.M)
 NUMBER = re.compile(r"[-\d.]+")
 WITH_CORNERS = {"", "reprojection_error", "no_pose"}  # rejections of markers with good corners
+SECOND_IDS = 10000  # from which on a second detector counts; no family has so many markers
 FEWER = 12  # images that are looked at for other families
 
 
 def check(case):
-    """Findings about markers before the camera that looks ahead."""
-    camera, product = case.sensors.get("camera"), case.expectations.product
+    """Findings about markers before each camera that detectors look through."""
+    return [finding for name in CAMERAS for finding in before(case.sensors.get(name), case)]
+
+
+def before(camera, case):
+    """Findings about markers before a camera, which may be None."""
     if camera is None or not hasattr(camera.topic.record, "pictures"):
         return []
-    if product and product.detector not in FAMILIES:
+    searches = searches_of(camera.name, case.expectations.product)
+    if not searches:
         return []
     pictures, calibration = camera.topic.record.pictures.items, camera.calibration
     if not pictures or not calibration or not calibration.record.first:
-        return [unknown("camera.markers", "markers cannot be looked for", "They need images with a "
-                        "camera_info.")]
-    detectors = [product.detector] if product else list(FAMILIES)
-    info = calibration.record.first
+        return [unknown(name, "markers cannot be looked for", "They need images with a "
+                        "camera_info.") for name in searches]
+    info, found, sightings = calibration.record.first, [], []
     with tempfile.TemporaryDirectory(prefix="slam_doctor_") as folder:
-        finding, markers = look(Detector(folder, pictures, info), detectors, case.robot)
-    sightings = [marker.sighting for marker in markers if marker.rejection in WITH_CORNERS]
-    return [finding, *([reprojection.judge(info, sightings)] if sightings else [])]
+        detector = Detector(folder, pictures, info)
+        for number, (name, detectors) in enumerate(searches.items()):
+            finding, markers = look(name, detector, detectors, case.robot)
+            found.append(of_topic(camera, finding))
+            sightings += [sighting_of(marker, number) for marker in markers
+                          if marker.rejection in WITH_CORNERS]
+    if sightings:
+        finding = reprojection.judge(f"{camera.name}.reprojection", info, sightings)
+        found.append(of_topic(camera, finding))
+    return found
+
+
+def of_topic(camera, finding):
+    """The Finding with the name of the camera's topic in its text."""
+    return dataclasses.replace(finding, text=f"{camera.topic.name}: {finding.text}")
+
+
+def sighting_of(marker, number):
+    """The Sighting of a marker; its id is none of a search of another number."""
+    return dataclasses.replace(marker.sighting, id=marker.sighting.id + number * SECOND_IDS)
+
+
+def searches_of(camera, product):
+    """{check: detectors of which one must find a marker} for a camera: each detector of a product,
+    or any where it is not known which."""
+    if product is None:
+        return {f"{camera}.markers": list(FAMILIES)}
+    return {f"{camera}.{place}": [detector]
+            for place, detector in zip(("markers", "second_markers"), product.detectors)
+            if detector in FAMILIES}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -106,8 +139,8 @@ def families_of(name, robot):
         re.findall(r"\w+", str(own or ""))
 
 
-def look(detector, names, robot):
-    """(Finding about markers in some pictures, [Marker])."""
+def look(check, detector, names, robot):
+    """(Finding of that name about markers in some pictures, [Marker])."""
     count, looked_for = len(detector.images), []
     try:
         for name in names:
@@ -116,24 +149,24 @@ def look(detector, names, robot):
             seen = {marker.sighting.id for marker in markers or []
                     if marker.rejection in WITH_CORNERS}
             if seen:
-                return ok("camera.markers", f"{len(seen)} markers of {', '.join(families)} in "
+                return ok(check, f"{len(seen)} markers of {', '.join(families)} in "
                           f"{count} images", len(seen), "markers"), markers
             looked_for += [] if markers is None else families
-        return none_of(looked_for, other_families(detector, looked_for), count), []
+        return none_of(check, looked_for, other_families(detector, looked_for), count), []
     except ProductError as fault:
-        return unknown("camera.markers", str(fault), "Build the workspace."), []
+        return unknown(check, str(fault), "Build the workspace."), []
 
 
-def none_of(looked_for, others, count):
-    """The Finding where no marker appears of the families that were looked for."""
+def none_of(check, looked_for, others, count):
+    """The Finding of that name where no marker appears of the families that were looked for."""
     if not looked_for:
-        return unknown("camera.markers", "the detectors refuse these images or families",
+        return unknown(check, "the detectors refuse these images or families",
                        "Look at the sections apriltag and aruco of the robot file.")
     text = f"no marker of {', '.join(looked_for)} in {count} images"
     if others:
-        return warn("camera.markers", text, f"There are markers of {others}: name that family in "
+        return warn(check, text, f"There are markers of {others}: name that family in "
                     "the robot file.", 0, "markers")
-    return warn("camera.markers", text, "Are markers in view, flat, lit, and larger than 12 px? "
+    return warn(check, text, "Are markers in view, flat, lit, and larger than 12 px? "
                 "Else take a product without a camera.", 0, "markers")
 
 
