@@ -75,8 +75,8 @@ def searches_of(camera, product):
     or any where it is not known which."""
     if product is None:
         return {f"{camera}.markers": list(FAMILIES)}
-    return {f"{camera}.{place}": [detector]
-            for place, detector in zip(("markers", "second_markers"), product.detectors)
+    checks = (f"{camera}.markers", f"{camera}.second_markers")
+    return {check: [detector] for check, detector in zip(checks, product.detectors)
             if detector in FAMILIES}
 
 
