@@ -35,9 +35,9 @@ struct ConsistencyConfig {
 /// Rao 1971), with a prior that keeps them near 1. Mehra 1970 finds the noise of a Kalman filter by
 /// the autocorrelation of its innovations instead. The noise of a sensor is independent between
 /// landmarks, whereas the error of a prediction is common to all observations of a stamp, so that
-/// the two can be separated where several landmarks are seen. OdometrySensitivity gives the
-/// odometry's share of an innovation. Where the back-end reports too little for that, the whole
-/// covariance of the prediction counts as the odometry's.
+/// the two can be separated if several landmarks are seen. OdometrySensitivity gives the odometry's
+/// share of an innovation. If the back-end reports too little for that, the whole covariance of the
+/// prediction counts as the odometry's.
 ///
 /// This holds for zero-mean noise only. So before a sigma is named, two other explanations are
 /// tried: the pose is lost (GatingRate), or the innovations are biased (InnovationBias). While one
@@ -62,7 +62,7 @@ class ConsistencyMonitor {
 
   explicit ConsistencyMonitor(const ConsistencyConfig& config = {});
 
-  /// Once for each step; steps without observations of known landmarks are passed over.
+  /// To be called once for each step. Steps without observations of known landmarks are ignored.
   void add(const UpdateStatistics& statistics);
 
   int updates() const { return static_cast<int>(window_.size()); }

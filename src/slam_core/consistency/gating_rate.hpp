@@ -11,14 +11,14 @@
 
 namespace slam {
 
-/// Counts how many of the last observations of known landmarks failed the chi-square gate. A filter
-/// that has lost its pose shows nothing else: gated observations do not correct it, and the
-/// innovations of the few that pass the gate are small.
+/// Counts how many of the last observations of known landmarks failed the chi-square gate. In a
+/// filter that has lost its pose only this rate shows it: gated observations do not correct the
+/// filter, and the innovations of the few that pass the gate are small.
 ///
 /// The gate rejects right observations with a known probability, and a healthy sensor may add a
 /// share of wrong ones (kOutliers). The errors of one landmark are correlated, as it may have been
-/// moved: each landmark counts for kMostOfOne trials at most. The rate is excessive where most
-/// observations, in most steps, were gated and the probability of so many is below kFalseAlarm
+/// moved: each landmark counts for kMostOfOne trials at most. The rate is excessive if most
+/// observations, in most steps, were gated, and if the probability of so many is below kFalseAlarm
 /// according to the binomial distribution.
 class GatingRate {
  public:
@@ -28,7 +28,7 @@ class GatingRate {
   /// @param window steps with observations of known landmarks
   explicit GatingRate(int window = 50) : window_(static_cast<std::size_t>(window)) {}
 
-  /// Once for each step; steps without observations of known landmarks are passed over.
+  /// To be called once for each step. Steps without observations of known landmarks are ignored.
   void add(const UpdateStatistics& statistics);
 
   int observations() const { return all_.seen; }

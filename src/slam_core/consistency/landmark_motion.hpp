@@ -12,16 +12,15 @@
 
 namespace slam {
 
-/// The motion of a landmark sensor by what it sees alone: the rigid motion between the landmarks at
-/// the beginning of a piece of the way and the same ones at its end, weighted least squares. No
-/// filter is involved. One that trusts its odometry turns the robot until the bearings fit it, so
-/// that its own way shows only a part of what a sensor that is mounted otherwise than configured
-/// does to the direction of motion (hand-eye calibration: Censi et al. 2013 find wheels and mount
-/// by it).
+/// Estimates the motion of a landmark sensor from its observations alone: the rigid motion between
+/// the landmarks at the beginning of a piece of the path and the same landmarks at its end, by
+/// weighted least squares. No filter is involved: a filter that trusts its odometry turns the robot
+/// until the bearings fit, so that its path shows only a part of the effect of a wrong mount on the
+/// direction of motion (hand-eye calibration: Censi et al. 2013 calibrate wheels and mount by it).
 ///
-/// Only points with ids are used. A piece is left out where its landmarks did not move as a rigid
-/// body, as where their ids are false or some of them have moved, and where odometry and landmarks
-/// have nothing in common (WayContradiction is for that).
+/// Only points with ids are used. A piece is left out if its landmarks did not move as a rigid
+/// body, because ids are false or some landmarks were moved, or if odometry and landmarks have
+/// nothing in common (WayContradiction detects that).
 class LandmarkMotion {
  public:
   /// To be called with each motion before the observations at its end.
@@ -29,7 +28,7 @@ class LandmarkMotion {
     odometry_ = odometry_ ? joined(*odometry_, motion) : motion;
   }
   /// @param array with covariances
-  /// @return the piece of the way that ends with these observations, where there is one
+  /// @return the piece of the path that ends with these observations, if there is one
   std::optional<PieceOfWay> see(const LandmarkObservationArray& array);
 
   template <class Archive>
@@ -38,7 +37,7 @@ class LandmarkMotion {
   }
 
  private:
-  std::optional<LandmarkObservationArray> begin_;  ///< what was seen where the piece begins
+  std::optional<LandmarkObservationArray> begin_;  ///< at the beginning of the piece
   std::optional<Motion> odometry_;                 ///< since then
 };
 

@@ -11,30 +11,32 @@
 
 namespace slam {
 
-/// Enlarges noise that the innovations show to be larger than reported, so that the back-end's
-/// covariance covers what the robot file does not know: a wheel whose radius is wrong, or a
-/// detector whose ranges scatter more than it says (adaptive filtering: Mehra 1970). It acts on
-/// what the ConsistencyMonitor finds:
+/// Enlarges noise that the innovations show to be larger than reported. So the back-end's
+/// covariance covers errors that the robot file does not contain: a wheel whose radius is wrong, or
+/// a detector whose ranges scatter more than it reports (adaptive filtering: Mehra 1970). It uses
+/// the findings of the ConsistencyMonitor:
 /// - A sigma that looks too small is multiplied by the factor found.
-/// - Innovations that are biased show an error that is no noise. Where it is one of the way, the
-///   motion's sigma grows; where it is one of all ranges or bearings, that of the sensor.
-/// - A sigma that was enlarged and looks too large by now is reduced, never below that reported.
+/// - Biased innovations show an error that is not noise. If it is one of the path, the motion's
+///   sigma grows; if it is one of all ranges or bearings, that of the sensor.
+/// - A sigma that was enlarged and now looks too large is reduced, but never below the reported
+///   one.
 ///
-/// Where the gate rejects most of what is seen, nothing is learnt: the robot may have been carried
-/// away, and is found by other means.
+/// If the gate rejects most observations, nothing is learnt: the robot may have been carried away,
+/// and is found by other means.
 class NoiseAdaptation {
  public:
   using Source = ConsistencyMonitor::Source;
 
   /// To be called for each step, after the monitor has got its innovations.
-  /// @param statistics of the step: where they do not say how the pose moves the innovations
-  /// (H), as a particle filter's, the sources cannot be separated, and the odometry gets all
-  /// @return whether a scale has changed: what the monitor has judged so far was of another one
+  /// @param statistics of the step. If they do not contain the Jacobian H of the innovations by the
+  /// pose, as those of a particle filter, the sources cannot be separated, and only the odometry's
+  /// noise is enlarged
+  /// @return whether a scale has changed; then earlier results of the monitor are for another scale
   bool learn(const ConsistencyMonitor& monitor, const UpdateStatistics& statistics);
   /// The factor on a source's reported sigma, at least 1.
   double scale(Source source) const { return scales_[source]; }
 
-  /// What would be a fault of the input when enlarged (faultOf()) stays as it is.
+  /// The input with enlarged noise; unchanged if the result would be a fault (faultOf()).
   Motion scaled(const Motion& motion) const;
   LandmarkObservationArray scaled(LandmarkObservationArray array) const;
   bool isNeutral() const;

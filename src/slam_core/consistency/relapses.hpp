@@ -10,20 +10,20 @@
 
 namespace slam {
 
-/// A robot that is lost again soon after it was found has been found at a wrong place: the map is
-/// no longer true, or several places look alike. The next place may be as wrong. It is on probation
-/// for one second, and for twice as long after each further relapse (exponential backoff). A robot
-/// that was always found within half a metre of where it was has gone nowhere: after kHopeless
-/// relapses it is the map that has changed. What was learnt meanwhile agrees with whatever place
-/// the robot was found at, so that time proves nothing, and only somebody who knows it ends the
-/// doubt.
+/// If a robot is lost again soon after it was found, it was found at a wrong place: the map is no
+/// longer true, or several places look alike. The next place may be wrong as well. So it is on
+/// probation for one second, and for twice as long after each further relapse (exponential
+/// backoff). If the robot was always found within half a metre of where it was, it has not moved:
+/// after kHopeless relapses the map must have changed. All that was learnt meanwhile agrees with
+/// the place at which the robot was found, so that time proves nothing, and only somebody who sets
+/// the pose ends the doubt.
 class Relapses {
  public:
   static constexpr int kHopeless = 4;
 
   /// To be called after each step.
   void judge(bool is_lost, const Eigen::Vector2d& robot, Stamp stamp);
-  /// Whether the robot was found, and the place is yet to prove right.
+  /// Whether the robot was found, and the place is not yet confirmed.
   bool isOnProbation() const { return on_probation_until_.has_value(); }
   int count() const { return count_; }
   /// @return the largest jump with which the robot was found, at least half a metre [m]

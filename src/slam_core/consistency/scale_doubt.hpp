@@ -10,31 +10,31 @@
 
 namespace slam {
 
-/// A piece of the way by odometry and by sensors, in the same frame [m].
+/// A piece of the path, by odometry and by sensors, in the same frame [m].
 struct PieceOfWay {
   Eigen::Vector2d odometry = Eigen::Vector2d::Zero();
   Eigen::Vector2d estimated = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of their difference [m^2]
 };
 
-/// Compares the way by odometry with the way that a back-end makes of it with all it sees, or that
-/// the landmarks in view show alone (LandmarkMotion), over the last metres: how much longer it is,
-/// and by how much it points elsewhere. Noise of the odometry makes them differ by little. Where
-/// they differ by more, the wheels or the ranges have a wrong scale, the bearings an offset, or a
-/// sensor repeats itself, and nothing tells which of the two ways is right. A map that is being
-/// built then has a scale and a direction that may be wrong by this: the robot's position is in
-/// doubt by as much as it is away from where the map began.
+/// Compares the path by odometry over the last metres with the path that a back-end estimates from
+/// all its data, or with the path by the landmarks in view alone (LandmarkMotion): how much longer
+/// the latter is, and by which angle its direction differs. Noise of the odometry makes them differ
+/// by little. If they differ by more, the wheels or the ranges have a wrong scale, the bearings
+/// have an offset, or a sensor repeats itself, and it is unknown which of the two paths is right.
+/// Then the scale and direction of a map that is being built may be wrong by this difference, so
+/// that the doubt in the robot's position grows with its distance from where the map began.
 class ScaleDoubt {
  public:
   void add(const PieceOfWay& piece);
-  /// To be called for each step instead; the steps are joined to pieces here.
+  /// To be called for each step instead. It joins the steps to pieces.
   /// @param odometry since the last step, with its covariance
   /// @param estimated the back-end's increment, in the robot's frame before it
   void add(const Motion& odometry, const Pose2& estimated);
 
-  /// The estimated way differs from the one by odometry by this.
+  /// How the estimated path differs from the one by odometry.
   struct Difference {
-    double scale = 0.0;  ///< by how much it is longer, as a share of the way by odometry
+    double scale = 0.0;  ///< by how much it is longer, as a share of the path by odometry
     double turn = 0.0;   ///< from the one to the other [rad]
 
     template <class Archive>
@@ -43,7 +43,7 @@ class ScaleDoubt {
     }
   };
   Difference difference() const { return difference_; }
-  /// The same; 0 where the noise of the two ways explains it.
+  /// The same; 0 if the noise of the two paths explains it.
   Difference beyondNoise() const;
 
   template <class Archive>
@@ -60,10 +60,10 @@ class ScaleDoubt {
   Difference difference_;
 };
 
-/// The covariance of the pose (x, y, heading) where the map's scale and direction are in doubt. It
-/// grows with the distance from where the map began, and is not zero there: the first metre was
-/// driven before anything was noticed. Errors of position and heading are independent in it, since
-/// it is not known which of the two a sensor has made wrong.
+/// The covariance of the pose (x, y, heading) if the map's scale and direction are in doubt. It
+/// grows with the distance from where the map began, and is not zero there, since the first metre
+/// was driven before anything was noticed. Errors of position and heading are independent in it,
+/// since it is not known which of the two is wrong.
 /// @param from_start the robot's position in the map frame, relative to where the map began [m]
 Eigen::Matrix3d covarianceOf(const ScaleDoubt::Difference& doubt,
                              const Eigen::Vector2d& from_start);

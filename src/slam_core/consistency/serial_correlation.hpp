@@ -12,9 +12,9 @@
 
 namespace slam {
 
-/// The correlation of a landmark's innovations from one update to the next. Where the noise of a
-/// sensor is larger than assumed they are not correlated, or they even alternate as the filter
-/// follows the noise. Where there is a systematic error, or the pose is lost, they are correlated.
+/// The correlation of a landmark's innovations from one update to the next. If the noise of a
+/// sensor is larger than assumed, they are not correlated, or they even alternate as the filter
+/// follows the noise. If there is a systematic error, or the pose is lost, they are correlated.
 class SerialCorrelation {
  public:
   enum Component : std::size_t { kRange, kBearing, kComponents };
@@ -24,7 +24,7 @@ class SerialCorrelation {
 
   void add(const std::vector<ObservationInnovation>& innovations);
 
-  /// The coefficient of correlation, in [-1, 1]; below 0 where the innovations alternate.
+  /// The coefficient of correlation, in [-1, 1]; below 0 if the innovations alternate.
   double coefficient(Component component) const;
 
   template <class Archive>

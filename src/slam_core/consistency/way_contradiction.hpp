@@ -9,14 +9,15 @@
 
 namespace slam {
 
-/// Notices that the odometry and the back-end, which follows its sensors, report motions that
-/// exclude each other: the one moves where the other stands still, or turns to the other side. Then
-/// wheels slip or stand, or a laser repeats its scans or reverses its beams, and nothing tells
-/// which of the two is right. The robot is where the one or the other leads, and the distance
-/// between the two is how far the pose may be wrong.
+/// Detects that the odometry and the back-end, which follows its sensors, report contradictory
+/// motions: one moves while the other stands still, or they turn in opposite directions. Then
+/// wheels slip or stand, or a laser repeats its scans or reverses its beams, and it is unknown
+/// which of the two is right. The robot is at one of the two predicted poses, and the distance
+/// between them is how far the pose may be wrong.
 ///
 /// The motions are compared in pieces of 0.3 m, and their turns in pieces of 0.3 rad or 1.5 m. A
-/// wrong scale is no contradiction (ScaleDoubt), nor is one correction, however large.
+/// wrong scale is not a contradiction (ScaleDoubt), and neither is a single correction, however
+/// large.
 class WayContradiction {
  public:
   /// To be called for each step.
@@ -26,9 +27,9 @@ class WayContradiction {
 
   /// Whether several pieces in a row were contradictory, and not many have agreed since.
   bool isEvident() const { return ways_.isEvident() || turns_.isEvident(); }
-  /// The robot by odometry may be so far from where the back-end has it (standard deviations): by
-  /// what both have added up to since the contradiction began, and by the odometry's noise. It is 0
-  /// where there is no contradiction.
+  /// How far the pose by odometry may be from the back-end's pose (standard deviations), from the
+  /// motions of both since the contradiction began and from the odometry's noise. It is 0 if there
+  /// is no contradiction.
   struct Distance {
     double position = 0.0;  ///< [m]
     double heading = 0.0;   ///< [rad]
@@ -41,7 +42,7 @@ class WayContradiction {
   }
 
  private:
-  /// The same piece of the way by both.
+  /// The same piece of the path by both.
   struct Piece {
     Motion odometry;
     Pose2 estimated;
@@ -52,7 +53,7 @@ class WayContradiction {
       archive(odometry, estimated);
     }
   };
-  /// Judges one piece after the other, by the way or by the turn.
+  /// Judges one piece after the other, by its translation or by its turn.
   class Comparison {
    public:
     using Verdict = bool (*)(const Piece&);
@@ -62,7 +63,7 @@ class WayContradiction {
 
     void add(const Motion& odometry, const Pose2& estimated);
     bool isEvident() const { return is_evident_; }
-    /// The last complete piece where it is contradictory, up to the next one.
+    /// The last complete piece, if it is contradictory; until the next one is complete.
     const std::optional<Piece>& contradictory() const { return contradictory_; }
 
     template <class Archive>

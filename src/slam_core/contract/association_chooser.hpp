@@ -11,7 +11,8 @@ namespace slam {
 class AssociationChooser {
  public:
   virtual ~AssociationChooser() = default;
-  /// From the next configure() on, which throws a ConfigError where the name is not known.
+  /// Uses this policy from the next configure() on, which throws a ConfigError if the name is not
+  /// known.
   /// @param policy one of association::policyNames()
   virtual void useAssociation(const std::string& policy) = 0;
 };

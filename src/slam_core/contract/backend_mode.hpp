@@ -7,8 +7,8 @@
 
 namespace slam {
 
-/// What a back-end does with its map: build it, or keep a loaded one and only localise in it. The
-/// key `mode` of every back-end's section.
+/// What a back-end does with its map: build it, or keep a loaded one and only localise in it. It is
+/// the key `mode` in every back-end's section.
 enum class BackendMode { kSlam, kLocalization };
 
 inline const Names<BackendMode>& backendModeNames() {

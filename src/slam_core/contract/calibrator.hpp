@@ -9,18 +9,19 @@
 
 namespace slam {
 
-/// The capability of a back-end that estimates parameters of wheels and landmark sensor beside pose
-/// and map (section `calibration`).
+/// The capability of a back-end that estimates parameters of wheels and landmark sensor as well as
+/// pose and map (section `calibration`).
 ///
 /// Who calls: the Estimator and the drivers, between two steps.
 class Calibrator {
  public:
   virtual ~Calibrator() = default;
-  /// @return the parameters as estimated from the drive so far; nothing where nothing is calibrated
+  /// @return the parameters as estimated from the drive so far; nothing if nothing is calibrated
   virtual std::optional<CalibrationEstimate> calibration() const = 0;
-  /// @return the names of what is estimated, and the priors
+  /// @return the names of the estimated parameters, and their priors
   virtual const CalibrationConfig& calibrationConfig() const = 0;
-  /// @return the observations as they are with these parameters; only where something is calibrated
+  /// @return the observations corrected by these parameters; to be called only if something is
+  /// calibrated
   virtual LandmarkObservationArray corrected(const LandmarkObservationArray& array) const = 0;
 };
 

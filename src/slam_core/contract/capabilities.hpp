@@ -9,8 +9,9 @@
 
 namespace slam {
 
-/// What a back-end can do beyond stepping and reporting a pose: narrow interfaces, each offered by
-/// who has it. Topics, services, files and contract suites come by capability.
+/// What a back-end can do beyond stepping and reporting a pose. Each capability is a narrow
+/// interface, which a back-end offers if it implements it. Topics, services, files and contract
+/// suites follow from the capabilities.
 class Capabilities {
  public:
   /// @param part the back-end or a part of it; it outlives this
@@ -18,7 +19,7 @@ class Capabilities {
   void offer(Capability& part) {
     offers_.emplace_back(typeid(Capability), &part);
   }
-  /// Null where it is not offered.
+  /// Null if it is not offered.
   template <class Capability>
   Capability* find() const {
     for (const auto& [type, part] : offers_)

@@ -16,11 +16,11 @@
 
 namespace slam {
 
-/// What every component of a product is (thesis 4.2.1): its data come in and go out by ports.
+/// The base of every component of a product (thesis 4.2.1): data come in and go out by ports.
 ///
 /// Who calls: the Wiring, from one thread (a back-end is called by the Estimator): an input's
 /// set(...), then execute() until isBusy() is false; after each execute() the outputs are taken. A
-/// component knows nothing of the others.
+/// component does not know the others.
 class Component {
  public:
   /// Names and values that show in the diagnostics how well the component works.
@@ -28,31 +28,37 @@ class Component {
 
   virtual ~Component() = default;
 
-  /// Its inputs and outputs. They depend on what the component is, not on its configuration, so
-  /// that a product's inputs are known before anything is configured.
+  /// Describes its inputs and outputs. They depend on the component's class, not on its
+  /// configuration, so that a product's inputs are known before anything is configured.
   virtual void describe(Ports& ports) = 0;
-  /// A fresh start. @throw ConfigError listing all faults of its sections
+  /// Reads its configuration and starts afresh. @throw ConfigError listing all faults of its
+  /// sections
   virtual void configure(Settings& settings) = 0;
-  /// One deterministic step with what was set.
+  /// Takes one deterministic step with the inputs that were set.
   virtual Status execute() = 0;
-  /// Whether another execute() follows although nothing more is set: the last one consumed one of
-  /// several waiting inputs.
+  /// Whether execute() is to be called again although nothing more was set: the last call consumed
+  /// one of several waiting inputs.
   virtual bool isBusy() const { return false; }
 
   virtual Counters counters() const = 0;
-  /// Messages that had no effect because they came late, were lost or could not be used.
+  /// The number of messages that had no effect because they came late, were lost or could not be
+  /// used.
   virtual std::uint64_t dropped() const { return 0; }
   virtual Figures figures() const { return {}; }
-  /// The component is as after configure(), but latched inputs (TimeRole::kLatched) stay in force.
+  /// Puts the component in the state after configure(), except that latched inputs
+  /// (TimeRole::kLatched) stay in force.
   virtual void reset() = 0;
 
-  /// Whether saveState() and restoreState() are there; known after configure(). A product of which
-  /// one component cannot be resumed writes no checkpoints.
+  /// Whether saveState() and restoreState() are implemented; known after configure(). If one
+  /// component of a product cannot be resumed, the product writes no checkpoints.
   virtual bool canResume() const { return false; }
-  /// Between two executions, outputs taken: all that is known beyond the configuration.
+  /// Saves all that the component knows beyond its configuration. To be called between two
+  /// executions, after the outputs were taken.
   virtual void saveState(ArchiveWriter& /*archive*/) const {}
-  /// The component, which is configured as the one that was saved, goes on as that one would.
-  /// @throw std::runtime_error where the archive holds no such state; then only configure() helps
+  /// Restores a saved state. The component must be configured like the one that was saved, and goes
+  /// on as that one would.
+  /// @throw std::runtime_error if the archive holds no such state; then the component must be
+  /// configured again
   virtual void restoreState(ArchiveReader& /*archive*/) {}
 };
 
@@ -64,7 +70,7 @@ inline Ports portsOf(Component& component) {
 }
 
 /// Sets the first input that takes this kind of data.
-/// @throw std::logic_error where no input does
+/// @throw std::logic_error if no input does
 template <class T>
 void give(const T& value, Component& component) {
   const auto ports = portsOf(component);

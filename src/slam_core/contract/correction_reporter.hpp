@@ -9,15 +9,15 @@
 
 namespace slam {
 
-/// The capability of a back-end that knows whether what it was given corrected its pose: an image
-/// of a dark room and a scan that fits nothing do not. Of a back-end without it each image and each
-/// scan counts as a correction; of landmarks their statistics tell (LandmarkMapper).
+/// The capability of a back-end that knows whether its input corrected its pose: an image of a dark
+/// room and a scan that fits nothing do not. For a back-end without it each image and each scan
+/// counts as a correction; for landmarks the statistics decide (LandmarkMapper).
 class CorrectionReporter {
  public:
   virtual ~CorrectionReporter() = default;
-  /// When that was first seen by which the last step corrected the pose: nothing that is newer
-  /// corrects errors from before. The zero stamp where that is as right as the map. Nothing where
-  /// the last step corrected nothing.
+  /// The stamp at which the things that corrected the pose in the last step were first seen: they
+  /// cannot correct errors from before that stamp. The zero stamp if they are as accurate as the
+  /// map. Nothing if the last step did not correct the pose.
   virtual std::optional<Stamp> correctedBy() const = 0;
 };
 

@@ -15,7 +15,7 @@
 
 namespace slam {
 
-/// A kind of data is a C++ type: whoever has the type has the kind, nothing is registered.
+/// A kind of data is a C++ type. Kinds need not be registered: including the type is enough.
 using Kind = std::type_index;
 
 template <class T>
@@ -23,10 +23,11 @@ Kind kindOf() {
   return typeid(T);
 }
 
-/// The type's name as C++ writes it ("slam::Motion"), for sentences.
+/// The type's name as C++ writes it ("slam::Motion"), for messages.
 std::string nameOf(Kind kind);
 
-/// A value of some kind on its way from one port to another; it lives with its maker.
+/// A reference to a value of some kind that is passed from one port to another. The component that
+/// made the value owns it.
 class Datum {
  public:
   template <class T>
@@ -35,7 +36,7 @@ class Datum {
   }
   Kind kind() const { return kind_; }
   const void* value() const { return value_; }
-  /// Null where it is of another kind.
+  /// Null if it is of another kind.
   template <class T>
   const T* as() const {
     return kind_ == kindOf<T>() ? static_cast<const T*>(value_) : nullptr;
@@ -48,7 +49,7 @@ class Datum {
   const void* value_;
 };
 
-/// A value that waits for its turn, with what orders it.
+/// A value that waits for its turn, with its stamp and its number, by which it is ordered.
 struct HeldDatum {
   Stamp stamp;
   std::uint64_t sequence = 0;
@@ -74,9 +75,9 @@ struct HasFault<T, std::void_t<decltype(faultOf(std::declval<const T&>()))>> : s
 
 }  // namespace detail
 
-/// What is to be known of a kind to let its values wait in order of time. A kind whose values
-/// trigger steps has a member `stamp`, and `sequence` where its source counts them. A free function
-/// `std::string faultOf(const T&)` beside the type says what makes a value unusable.
+/// The functions by which values of a kind are ordered in time, checked, saved and restored. A kind
+/// whose values trigger steps has a member `stamp`, and `sequence` if its source numbers them. A
+/// free function `std::string faultOf(const T&)` beside the type says what makes a value unusable.
 struct KindTraits {
   HeldDatum (*hold)(const void* value);        ///< null: the kind has no stamp
   std::string (*fault_of)(const void* value);  ///< empty: the value can be used

@@ -11,18 +11,18 @@
 
 namespace slam {
 
-/// Something that happened in a step and that others may have to react to: who keeps a plan or a
-/// map of his own in the map frame, say.
+/// Something that happened in a step and to which others may have to react, for example a planner
+/// that keeps a path in the map frame.
 struct Event {
   enum class Kind {
     kJump,           ///< the pose moved by more than its uncertainty explains, or was set
     kLoopClosed,     ///< a place was recognised, which moved the pose
     kLoopTakenBack,  ///< a place is no longer believed to be the one it was taken for
     kMerged,         ///< the map of another session has become part of the map
-    kDoubtful,       ///< something speaks against the pose (Trust)
-    kConfident,      ///< nothing does any more
+    kDoubtful,       ///< there is evidence against the pose (Trust)
+    kConfident,      ///< there is no such evidence any more
     kLost,           ///< the back-end does not believe its pose any more
-    kFound           ///< it does again
+    kFound           ///< the back-end believes its pose again
   };
 
   Kind kind = Kind::kJump;
@@ -51,12 +51,12 @@ inline const Names<Event::Kind>& namesOfEvents() {
   return names;
 }
 
-/// The capability of a back-end that knows more of what happened than its pose shows. Jumps are
-/// found without it, and what concerns the trust in the pose comes from the Estimator.
+/// The capability of a back-end that reports events which its pose does not show. The Estimator
+/// itself detects jumps and reports events about the trust in the pose.
 class EventReporter {
  public:
   virtual ~EventReporter() = default;
-  /// @return what happened in the last execute(), in order. Small corrections may be among it: the
+  /// @return the events of the last execute(), in order. They may include small corrections: the
   /// Estimator leaves out loops that hardly moved the pose.
   virtual std::vector<Event> events() const = 0;
 };

@@ -16,11 +16,11 @@ struct MappedFeature {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< marginal [m^2]
 };
 
-/// The capability of a back-end that maps what a camera sees as points in space.
+/// The capability of a back-end that maps features of images as points in space.
 class FeatureMapper {
  public:
   virtual ~FeatureMapper() = default;
-  /// Those whose depth is known, sorted by id.
+  /// The features whose depth is known, sorted by id.
   virtual std::vector<MappedFeature> features() const = 0;
 };
 

@@ -10,16 +10,18 @@
 
 namespace slam {
 
-/// A component that makes data of one kind fit for use, of what a driver sends and what must be
-/// known of it, such as a mount. The wiring places one before an input that nobody makes and whose
-/// kind it makes; all who take in that input share it.
+/// An input gate. It converts what a driver sends, together with what must be known of the sensor,
+/// such as its mount, into data that other components can use. The wiring places a gate before an
+/// input that no component makes and whose kind the gate makes; all components with that input
+/// share the gate.
 class Gate : public Component {
  public:
   static constexpr const char* kRole = "gate";
 
-  /// The name of its configuration section, and of its counters; it is registered under it.
+  /// The name under which it is registered, and which its configuration section and its counters
+  /// have.
   virtual std::string name() const = 0;
-  /// Data that wait, by what for.
+  /// How many data wait, by what they wait for.
   virtual Counters held() const { return {}; }
 };
 

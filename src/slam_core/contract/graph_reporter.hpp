@@ -11,18 +11,18 @@
 
 namespace slam {
 
-/// An edge shows what a measurement joins, as a line in the map frame.
+/// An edge of the graph: a line in the map frame between the two things that a measurement joins.
 struct GraphEdge {
   enum class Kind {
     kMotion,      ///< from one pose to the next one
     kSighting,    ///< from a pose to a landmark that was seen from there
     kLoop,        ///< from a pose to a place that was recognised
-    kWaitingLoop  ///< the same, where it is not believed (yet)
+    kWaitingLoop  ///< the same, if it is not believed (yet)
   };
 
   Kind kind = Kind::kMotion;
   Eigen::Vector2d from, to;  ///< [m]
-  double weight = 1.0;       ///< how much of it counts, in [0, 1]
+  double weight = 1.0;       ///< robust weight, in [0, 1]
 };
 
 /// The kinds of edges have these names in files.
@@ -34,10 +34,10 @@ inline const Names<GraphEdge::Kind>& namesOfEdges() {
   return names;
 }
 
-/// A graph of poses as it is to be seen, in the map frame.
+/// A pose graph to be shown, in the map frame.
 struct GraphView {
   std::vector<Pose2> nodes;    ///< poses of the robot, the oldest first
-  std::vector<Pose2> submaps;  ///< where pieces of the map hang
+  std::vector<Pose2> submaps;  ///< poses to which local maps are attached
   std::vector<GraphEdge> edges;
 };
 
@@ -45,7 +45,7 @@ struct GraphView {
 class GraphReporter {
  public:
   virtual ~GraphReporter() = default;
-  /// The graph as it is estimated now. It costs as much as the graph is large.
+  /// The graph as it is estimated now. The time that it takes grows with the size of the graph.
   virtual GraphView graph() const = 0;
 };
 

@@ -14,9 +14,9 @@ namespace slam {
 class GridMapper {
  public:
   virtual ~GridMapper() = default;
-  /// All that is known of it, cut to what has been seen; nothing before the first scan.
+  /// The grid, cropped to the part that has been seen; nothing before the first scan.
   virtual std::optional<OccupancyGrid> grid() const = 0;
-  /// Grows whenever grid() has changed, also where everything starts over.
+  /// Increases whenever grid() has changed, also when the map starts over.
   virtual std::uint64_t gridRevision() const = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace slam {
 
-/// A family of markers in use: its ids are 0 .. count - 1, in the product offset .. offset + count
-/// - 1.
+/// A family of markers in use. Its own ids are 0 .. count - 1; in the product they become offset ..
+/// offset + count - 1.
 struct IdRange {
   std::string family;
   std::int64_t offset = 0;
@@ -19,7 +19,7 @@ struct IdRange {
   bool overlaps(const IdRange& other) const {
     return offset <= other.last() && other.offset <= last();
   }
-  /// "36h11 (0 .. 586)", for sentences
+  /// "36h11 (0 .. 586)", for messages
   std::string text() const {
     return family + " (" + std::to_string(offset) + " .. " + std::to_string(last()) + ")";
   }

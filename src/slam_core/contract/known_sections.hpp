@@ -13,9 +13,9 @@
 
 namespace slam {
 
-/// The configuration sections of all components there are. One robot file serves every product, and
-/// one product file several detectors: a section whose component is not used is no leftover, but it
-/// is checked like the others.
+/// The configuration sections of all components that are loaded. One robot file serves every
+/// product, and one product file several detectors. So a section whose component is not used is
+/// allowed, and is checked like the others.
 class KnownSections {
  public:
   static KnownSections& instance() {
@@ -23,11 +23,12 @@ class KnownSections {
     return sections;
   }
 
-  /// Gets a section's name and the fields of its configuration, with their defaults.
+  /// A function that gets a section's name and the fields of its configuration, with their
+  /// defaults.
   using Visitor = std::function<void(const std::string&, const Fields&)>;
 
-  /// Two configurations of one section are refused where the sections are read or checked: static
-  /// objects register before anybody could catch an exception.
+  /// Two configurations of one section are refused only when the sections are read or checked,
+  /// since static objects register before anybody can catch an exception.
   template <class Config>
   void add(const char* file) {
     const std::string name = Config::kSection;
@@ -46,7 +47,7 @@ class KnownSections {
                       [](const Visitor& visit) { visitSection<Config>(visit); }});
   }
 
-  /// Every section in the order of their names.
+  /// Visits all sections in the order of their names.
   void visit(const Visitor& visit) const {
     for (const auto& entry : sections_) entry.second.show(visit);
   }
@@ -59,16 +60,16 @@ class KnownSections {
     visit(Config::kSection, fields);
   }
 
-  /// Reads the sections of all components, used or not, overrides as well: where files are checked
-  /// and nothing is to run. @throw ConfigError listing the faults of all of them
+  /// Reads the sections of all components, used or not, with their overrides, to check files
+  /// without running anything. @throw ConfigError listing the faults of all of them
   void readAll(Settings& settings) const {
     auto faults = this->faults();
     for (const auto& entry : sections_) faults.attempt([&] { entry.second.read(settings); });
     faults.raise();
   }
 
-  /// To be called when all components of a product have read theirs.
-  /// @throw ConfigError listing the faults of the sections that nobody has read
+  /// To be called when all components of a product have read their sections.
+  /// @throw ConfigError listing the faults of the sections that no component has read
   void checkUnused(Settings& settings) const {
     auto faults = this->faults();
     for (const auto& entry : sections_) faults.attempt([&] { entry.second.check(settings); });

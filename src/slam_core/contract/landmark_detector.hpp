@@ -12,29 +12,29 @@
 
 namespace slam {
 
-/// What a detector tells of each landmark that it finds.
+/// What a detector reports of every landmark that it finds.
 struct LandmarkTraits {
   bool has_descriptor = false;
 };
 
 /// The role of an allothetic source: raw data in, landmark observations out (thesis 3.4.1, 5.2), at
-/// the output `observations`. What it takes in is its own affair: describe() says so.
+/// the output `observations`. describe() declares its inputs.
 ///
-/// Every input that is not late yields one array, an empty one where nothing is seen or the input
-/// cannot be used: that, too, moves time on.
+/// Every input that is not late yields one array. It is empty if nothing is seen or the input
+/// cannot be used, since an empty array moves time on as well.
 class LandmarkDetector : public Component {
  public:
   static constexpr const char* kRole = "detector";
 
-  /// A loaded map is compared with this; known before configure().
+  /// Known before configure(). A loaded map is compared with this.
   virtual LandmarkTraits traits() const { return {}; }
-  /// To be called before configure() of a detector that stands beside another one in a product, so
-  /// that an id is of one landmark only: families without an offset of their own begin here.
+  /// The ids of families without an offset of their own begin here. To be called before
+  /// configure(), for a second detector in a product, so that each id belongs to one landmark only.
   virtual void startIdsAt(LandmarkId /*first*/) {}
-  /// The ids of its landmarks by family, known after configure(); none where they have no ids.
+  /// The ids of its landmarks by family, known after configure(); none if they have no ids.
   virtual std::vector<IdRange> ids() const { return {}; }
   bool isBusy() const override { return observations().has_value(); }
-  /// What the last execute() made: nothing when no input was due.
+  /// The output of the last execute(); nothing if no input was due.
   virtual const std::optional<LandmarkObservationArray>& observations() const = 0;
 };
 

@@ -18,7 +18,7 @@ namespace slam {
 struct ObservationInnovation {
   LandmarkId id = kUnknownId;
   Eigen::Vector2d nu = Eigen::Vector2d::Zero();  ///< in range [m] and bearing [rad]
-  Eigen::Matrix2d S = Eigen::Matrix2d::Zero();   ///< its covariance, as the back-end believes
+  Eigen::Matrix2d S = Eigen::Matrix2d::Zero();   ///< its covariance, as the back-end predicts it
   Eigen::Matrix2d R = Eigen::Matrix2d::Zero();   ///< the observation's part of it
   bool used = false;                             ///< it passed the gate
 
@@ -37,13 +37,13 @@ enum class TakenFor {
   kOnTrial,
   kNotInMap,
   kNothing,
-  kTakenBack  ///< the landmark that it was taken for before is not the one
+  kTakenBack  ///< it was taken for the wrong landmark before
 };
 
-/// What an observation was taken for where its id does not decide on it.
+/// What an observation was taken for, in a back-end in which ids do not decide.
 struct AssociatedObservation {
-  LandmarkId own_id = kUnknownId;    ///< the one that it brings, which was not looked at
-  LandmarkId landmark = kUnknownId;  ///< the landmark's, where it was taken for one
+  LandmarkId own_id = kUnknownId;    ///< the observation's id, which was not used
+  LandmarkId landmark = kUnknownId;  ///< the landmark's id, if it was taken for one
   TakenFor taken_for = TakenFor::kNothing;
 
   template <class Archive>
@@ -63,11 +63,12 @@ struct RevisedAssociation {
   }
 };
 
-/// The same of several observations of a stamp together, (range, bearing) one after the other.
+/// The innovation of several observations with one stamp together, (range, bearing) one after the
+/// other.
 struct JointInnovation {
   Eigen::VectorXd nu;
   Eigen::MatrixXd S, R;
-  /// Jacobian of the prediction by the pose (x, y, theta), map frame; empty where it is not known.
+  /// Jacobian of the prediction by the pose (x, y, theta), map frame; empty if it is not known.
   Eigen::MatrixX3d H;
 
   template <class Archive>
@@ -85,18 +86,20 @@ struct UpdateStatistics {
   int added = 0;      ///< landmarks seen for the first time
   int unknown = 0;    ///< left out: its landmark is unknown, or is not in the map
   int landmarks = 0;  ///< in the map after the step
-  /// That a right observation passes the gate; of what is gated more often something is wrong.
+  /// The probability that a correct observation passes the gate. If more are gated, something is
+  /// wrong.
   double gate_probability = 0.9999;
-  /// Of the observations of known landmarks: log N(nu; 0, S). Outside the gate the density falls
+  /// log N(nu; 0, S) of the observations of known landmarks. Outside the gate the density falls
   /// like a power of the distance instead, so that an outlier costs more the smaller S is.
   double log_likelihood = 0.0;
-  /// One by one, those that were gated included; in the order of the observations.
+  /// One for each observation of a known landmark, gated ones included, in the order of the
+  /// observations.
   std::vector<ObservationInnovation> innovations;
-  /// One for each observation, in their order, of a back-end that associates by place; else empty.
+  /// One for each observation, in their order, if the back-end associates by place; else empty.
   std::vector<AssociatedObservation> associations;
   std::vector<RevisedAssociation> revised_associations;  ///< in the order of their decision
-  JointInnovation joint;      ///< of the first of those that were used, kJoint at most
-  PosePrediction prediction;  ///< before the observations; counts only where joint.H is known
+  JointInnovation joint;      ///< of the used observations, the first kJoint of them
+  PosePrediction prediction;  ///< before the observations; valid only if joint.H is known
 
   static constexpr std::size_t kJoint = 8;
 
@@ -113,7 +116,7 @@ class LandmarkMapper {
   virtual ~LandmarkMapper() = default;
   virtual LandmarkMap landmarks() const = 0;  ///< sorted by id
   virtual UpdateStatistics statistics() const = 0;
-  /// Whether it maps lines beside points; else it is given none.
+  /// Whether it maps lines as well as points. If not, it is given none.
   virtual bool takesLines() const { return false; }
 };
 

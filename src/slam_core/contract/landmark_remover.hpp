@@ -10,17 +10,17 @@
 
 namespace slam {
 
-/// The capability of a back-end that removes a landmark of its map on request, such as one that is
-/// not there.
+/// The capability of a back-end that removes a landmark from its map on request, such as one that
+/// does not exist.
 ///
 /// Who calls: the Estimator, between two steps.
 class LandmarkRemover {
  public:
   virtual ~LandmarkRemover() = default;
-  /// From now on the landmark is in no map and no observation is taken for it. What is on trial
-  /// starts over, so that the landmark does not come back with the next observation. Where ids
-  /// decide, an observation of this id is one of a new landmark.
-  /// @return an error where the landmark is not in the map or the map is fixed; all stays as it is
+  /// From now on the landmark is in no map, and no observation is associated with it. Landmarks on
+  /// trial start over, so that the landmark does not come back with the next observation. If the
+  /// back-end associates by ids, the next observation of this id adds a new landmark.
+  /// @return an error if the landmark is not in the map or the map is fixed; then nothing changes
   virtual Status remove(LandmarkId id) = 0;
 };
 

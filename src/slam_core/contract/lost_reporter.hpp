@@ -9,13 +9,14 @@
 
 namespace slam {
 
-/// The capability of a back-end that tests whether the robot is where it takes itself to be.
+/// The capability of a back-end that tests whether the robot is at its estimated pose.
 class LostReporter {
  public:
   virtual ~LostReporter() = default;
-  /// Nothing while the pose is believed.
+  /// Since when the robot is lost; nothing while the pose is believed.
   virtual std::optional<Stamp> lostSince() const = 0;
-  /// Whether the back-end looks for the robot by itself. Else who has its map does (Relocaliser).
+  /// Whether the back-end looks for the robot by itself. Otherwise the Relocaliser does, in the
+  /// back-end's map.
   virtual bool findsItself() const { return false; }
 };
 

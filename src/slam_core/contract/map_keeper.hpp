@@ -10,24 +10,23 @@
 
 namespace slam {
 
-/// The capability of a back-end whose map and pose can be saved, and taken up again.
+/// The capability of a back-end whose map and pose can be saved and loaded.
 class MapKeeper {
  public:
   virtual ~MapKeeper() = default;
   virtual MapState state() const = 0;  ///< all that save_map writes
-  /// The map and the pose are replaced with the next execute(). Without a joint covariance the
-  /// marginals are inflated. A map that cannot be used is an error of that step, which leaves map
+  /// The next execute() replaces the map and the pose. If there is no joint covariance, the
+  /// marginals are inflated. If the map cannot be used, that step returns an error and leaves map
   /// and pose as they are.
   virtual void set(const MapState& map) = 0;
 };
 
-/// The capability of a back-end that has several representations of a map to choose from.
+/// The capability of a back-end that offers several representations of the map.
 class MapChooser {
  public:
   virtual ~MapChooser() = default;
   virtual std::vector<MapKind> maps() const = 0;
-  /// Makes this one of maps() from the next configure() on; its ports are those of this map at
-  /// once.
+  /// Chooses one of maps() from the next configure() on. The ports are those of this map at once.
   virtual void useMap(MapKind map) = 0;
 };
 

@@ -9,8 +9,9 @@
 
 namespace slam {
 
-/// The role of an additional module (thesis 5.6): it makes something to look at of what the sensors
-/// and the back-end say, and has no effect on them. The product's key of its name turns it on.
+/// The role of an additional module (thesis 5.6): it makes something to look at from the data of
+/// the sensors and the back-end, and has no effect on them. The key of the product that has its
+/// name turns it on.
 class MapModule : public Component {
  public:
   static constexpr const char* kRole = "additional module";

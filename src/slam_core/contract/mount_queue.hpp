@@ -14,19 +14,19 @@
 
 namespace slam {
 
-/// A sensor's readings in their order, held until its mount is known: an identity mount is never
-/// assumed. A mount of another frame belongs to another sensor, but for the configured one, which
-/// counts for every frame.
+/// Holds a sensor's readings in their order until its mount is known: an identity mount is never
+/// assumed. A mount applies only to readings of its frame, except for the configured mount, which
+/// applies to every frame.
 ///
 /// @tparam Reading has a `frame` and a `stamp`
 /// @tparam Mount has a `frame`; faultOf(mount) is empty or says what makes it unusable
 template <class Reading, class Mount>
 class MountQueue {
  public:
-  /// @param capacity readings at most that wait for a mount
+  /// @param capacity at most so many readings wait for a mount
   explicit MountQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// A fresh start; a configured mount stays in force whatever else is set.
+  /// Starts afresh. A configured mount stays in force whatever else is set.
   void restart(const std::optional<Mount>& configured) {
     clear();
     is_mount_configured_ = false;
@@ -36,7 +36,7 @@ class MountQueue {
     is_mount_configured_ = configured.has_value();
   }
 
-  /// The mount counts for all readings of its frame that have not come out.
+  /// The mount applies to all readings of its frame that are still held.
   void set(const Mount& mount) {
     if (is_mount_configured_) return;
     mount_ = mount;
@@ -45,8 +45,8 @@ class MountQueue {
 
   void push(Reading reading) { held_.push_back(std::move(reading)); }
 
-  /// Takes out the oldest reading, unless it waits for its mount. It waits as long as it holds up
-  /// none that could be used, and as long as there is room.
+  /// Takes out the oldest reading, unless it waits for its mount. It waits while there is room and
+  /// no reading behind it could be used.
   std::optional<Reading> pop() {
     if (held_.empty() || frontMayWait()) return std::nullopt;
     std::optional<Reading> reading = std::move(held_.front());
@@ -62,8 +62,8 @@ class MountQueue {
   const Mount& mount() const { return *mount_; }
   const std::string& mountFault() const { return mount_fault_; }
 
-  /// The frame whose mount the readings have been waiting for so long that it is worth a word: the
-  /// first ones always come before the transform.
+  /// The frame whose mount the readings have been waiting for so long that a warning is due. The
+  /// first readings always come before the transform.
   std::optional<std::string> missingFrame() const {
     if (held_.empty() || held_.back().stamp - held_.front().stamp <= kPatience) return std::nullopt;
     return held_.front().frame;

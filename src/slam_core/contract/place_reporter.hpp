@@ -10,17 +10,17 @@
 
 namespace slam {
 
-/// A step of the way, and when the place where the robot took itself to be was visited first.
+/// A step, and when the place that was recognised in it was first visited.
 struct PlaceVisit {
   Stamp stamp;
-  std::optional<Stamp> first;  ///< nothing where no place was recognised or made
+  std::optional<Stamp> first;  ///< nothing if no place was recognised or made
 };
 
 /// The capability of a back-end that divides the world into places and recognises them.
 class PlaceReporter {
  public:
   virtual ~PlaceReporter() = default;
-  /// In their order, as they were taken at the time.
+  /// All steps in their order, each as it was judged at the time.
   virtual std::vector<PlaceVisit> visits() const = 0;
 };
 

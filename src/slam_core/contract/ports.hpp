@@ -16,16 +16,16 @@ namespace slam {
 
 /// What the data of an input do to time.
 enum class TimeRole {
-  kTrigger,  ///< each is worth a step at its stamp
-  kCarrier,  ///< moves time on between the triggers: motion
+  kTrigger,  ///< each causes a step at its stamp
+  kCarrier,  ///< carries time forward between the triggers: motion
   kLatched,  ///< in force for all that follows, whatever its stamp: a calibration, a mount
 };
 
-/// An input of a component. Name and kind together say what it is joined with.
+/// An input of a component. Name and kind together determine what it is connected with.
 struct InputPort {
   std::string name;      ///< "scan", as topics and messages call it
   Kind kind;             ///< of its data
-  std::string sentence;  ///< what comes in there, for people: "laser scans"
+  std::string sentence;  ///< what comes in there, for messages: "laser scans"
   TimeRole time = TimeRole::kTrigger;
   bool is_mandatory = true;
   KindTraits traits;
@@ -40,10 +40,10 @@ struct InputPort {
 struct OutputPort {
   std::string name;
   Kind kind;
-  std::function<const void*()> get;  ///< of the last execute(); null where it made nothing
+  std::function<const void*()> get;  ///< of the last execute(); null if it made nothing
 };
 
-/// The first of some inputs or outputs that has this name and kind; null where none has.
+/// The first of some inputs or outputs that has this name and kind; null if none has.
 template <class Range>
 const typename Range::value_type* findPort(const Range& ports, const std::string& name, Kind kind) {
   const auto found = std::find_if(ports.begin(), ports.end(), [&](const auto& port) {
@@ -52,8 +52,7 @@ const typename Range::value_type* findPort(const Range& ports, const std::string
   return found == ports.end() ? nullptr : &*found;
 }
 
-/// The first of some parts of a product that makes data of this name and kind; null where none
-/// does.
+/// The first of some parts of a product that makes data of this name and kind; null if none does.
 template <class Parts>
 const typename Parts::value_type* makerOf(const Parts& parts, const std::string& port, Kind kind) {
   const auto found = std::find_if(parts.begin(), parts.end(),
@@ -61,29 +60,29 @@ const typename Parts::value_type* makerOf(const Parts& parts, const std::string&
   return found == parts.end() ? nullptr : &*found;
 }
 
-/// A component's inputs and outputs, each described once: the wiring joins them, and what a product
-/// needs, what it subscribes to, and what a diagram shows follow from them. Filled by describe().
+/// A component's inputs and outputs, each described once, by describe(). The wiring connects them;
+/// they also determine what a product needs, what it subscribes to, and what a diagram shows.
 class Ports {
  public:
-  /// An input that a setter takes in.
+  /// Adds an input whose values are passed to a function.
   template <class T, class Set>
   InputPort& takes(const std::string& name, const std::string& sentence, Set set) {
     auto give = [set = std::move(set)](const void* value) { set(*static_cast<const T*>(value)); };
     return inputs_.emplace_back(InputPort{name, kindOf<T>(), sentence, TimeRole::kTrigger, true,
                                           KindTraits::of<T>(), std::move(give)});
   }
-  /// The same of a component with an overload set(const T&).
+  /// The same for a component with an overload set(const T&).
   template <class T, class Component>
   InputPort& takes(const std::string& name, const std::string& sentence, Component* component) {
     return takes<T>(name, sentence, [component](const T& value) { component->set(value); });
   }
 
-  /// An output that stands in an optional member: what the last execute() made, or nothing.
+  /// Adds an output that is an optional member: what the last execute() made, or nothing.
   template <class T>
   OutputPort& makes(const std::string& name, const std::optional<T>& value) {
     return makes<T>(name, [&value]() -> const T* { return value ? &*value : nullptr; });
   }
-  /// An output: `get` returns a pointer to what the last execute() made, or null.
+  /// Adds an output: `get` returns a pointer to what the last execute() made, or null.
   template <class T, class Get>
   OutputPort& makes(const std::string& name, Get get) {
     auto find = [get = std::move(get)]() -> const void* {
@@ -93,16 +92,16 @@ class Ports {
     return outputs_.emplace_back(OutputPort{name, kindOf<T>(), std::move(find)});
   }
 
-  /// Adds what another component has described.
+  /// Adds a port that another component has described.
   InputPort& add(InputPort port) { return inputs_.emplace_back(std::move(port)); }
   OutputPort& add(OutputPort port) { return outputs_.emplace_back(std::move(port)); }
 
   const std::deque<InputPort>& inputs() const& { return inputs_; }
   const std::deque<OutputPort>& outputs() const& { return outputs_; }
-  /// Of a temporary: a loop over a reference would outlive it.
+  /// Of a temporary, by value: a reference would outlive it.
   std::deque<InputPort> inputs() && { return std::move(inputs_); }
   std::deque<OutputPort> outputs() && { return std::move(outputs_); }
-  /// Null where there is none.
+  /// Null if there is none.
   const InputPort* input(const std::string& name, Kind kind) const {
     return findPort(inputs_, name, kind);
   }

@@ -10,8 +10,8 @@
 
 namespace slam {
 
-/// Which class was registered under a name, and in which source file. Names are copied, so that a
-/// library that is unloaded leaves nothing behind that is referred to.
+/// Which class was registered under a name, and in which source file. Names are copied, so that no
+/// pointer into an unloaded library remains.
 class Registration {
  public:
   template <class T>
@@ -20,13 +20,13 @@ class Registration {
   }
 
   /// Whether the same class is registered once more: its library was loaded from two places, or is
-  /// linked into two programs. Classes of unnamed namespaces may have one name in two libraries;
-  /// they are the same only where their source file is the same as well.
+  /// linked into two programs. Classes of unnamed namespaces may have the same name in two
+  /// libraries; they are the same class only if their source file is the same as well.
   bool isSameAs(const Registration& other) const {
     const bool has_unique_name = symbol_.find("_GLOBAL__N_") == std::string::npos;
     return symbol_ == other.symbol_ && (has_unique_name || file_ == other.file_);
   }
-  /// "slam::ekf::EkfSlam (ekf_slam.cpp)", for sentences.
+  /// "slam::ekf::EkfSlam (ekf_slam.cpp)", for messages.
   std::string text() const { return class_name_ + " (" + file_.substr(file_.rfind('/') + 1) + ")"; }
 
  private:

@@ -26,8 +26,8 @@ class Registry {
     return registry;
   }
 
-  /// A second component of the name is refused once the name is asked for: static objects register
-  /// before anybody could catch an exception.
+  /// A second component of the same name is refused only when the name is asked for, since static
+  /// objects register before anybody can catch an exception.
   void add(const std::string& name, const Registration& registration, Factory factory) {
     const auto found = entries_.find(name);
     if (found == entries_.end() || found->second.registration.isSameAs(registration))

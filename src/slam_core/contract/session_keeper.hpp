@@ -17,17 +17,17 @@ struct SavedSession {
   }
 };
 
-/// The capability of a back-end that can save all it knows, the way and what was seen on it
-/// included, and go on from there.
+/// The capability of a back-end that can save all it knows, including the path and what was seen
+/// along it, and go on from there.
 class SessionKeeper {
  public:
   virtual ~SessionKeeper() = default;
-  /// @throw std::runtime_error with a sentence where it has none to save
+  /// @throw std::runtime_error with a sentence if it has none to save
   virtual SavedSession session() const = 0;
-  /// Map, path and pose are replaced with the next execute(). A back-end that keeps its map fixed
-  /// localises in that of the session.
-  /// @throw std::runtime_error with what is wrong with the session and what to do, to stand behind
-  /// its name ("it is cut: ..."); all stays as it is
+  /// The next execute() replaces map, path and pose. A back-end that keeps its map fixed localises
+  /// in that of the session.
+  /// @throw std::runtime_error with what is wrong with the session and what to do, as a clause to
+  /// follow the session's name ("it is cut: ..."); then nothing changes
   virtual void set(const SavedSession& session) = 0;
 };
 

@@ -7,14 +7,14 @@
 
 namespace slam {
 
-/// The capability of a back-end that puts the map of another drive onto its own while it drives.
+/// The capability of a back-end that merges the map of another session into its own during a drive.
 class SessionMerger {
  public:
   virtual ~SessionMerger() = default;
-  /// The session waits until enough of it is recognised; then its map becomes part
-  /// of this one, whose frame and pose stay. It takes the place of one that waits already.
-  /// @throw std::runtime_error with what is wrong with the session, to stand behind its name; all
-  /// stays as it is
+  /// The session waits until enough of it is recognised; then its map becomes part of this one,
+  /// whose frame and pose stay. It replaces a session that is waiting already.
+  /// @throw std::runtime_error with what is wrong with the session, as a clause to follow its name;
+  /// then nothing changes
   virtual void merge(const SavedSession& session) = 0;
 };
 

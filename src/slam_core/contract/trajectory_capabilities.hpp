@@ -20,8 +20,8 @@ class PoseSampler {
 class PathReviser {
  public:
   virtual ~PathReviser() = default;
-  /// The most likely path as it is seen now, a pose for each step since the map was begun or
-  /// loaded.
+  /// The most likely path as it is estimated now, with a pose for each step since the map was begun
+  /// or loaded.
   virtual std::vector<StampedPose> path() const = 0;
 };
 

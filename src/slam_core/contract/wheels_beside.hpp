@@ -14,11 +14,11 @@
 
 namespace slam {
 
-/// The registered odometry source "wheel" beside a sensor of an odometry source. The sensor's data
-/// wait until the wheels have come as far, so that the order of arrival does not matter; a second
-/// of data later they wait no longer.
+/// Runs the registered odometry source "wheel" within an odometry source that has another sensor.
+/// The sensor's data wait until the motion of the wheels covers their stamp, so that the order of
+/// arrival does not matter, but at most for one second of the data's stamps.
 ///
-/// Counted: as the wheels; "wheels_missing" for data that waited in vain.
+/// Counted: what the wheels count, and "wheels_missing" for data that waited in vain.
 /// @tparam Datum of the sensor, with its stamp
 template <class Datum>
 class WheelsBeside {
@@ -42,14 +42,14 @@ class WheelsBeside {
     has_sample_ = true;
   }
   void set(const Datum& datum) { waiting_.push_back(datum); }
-  /// Takes in what the wheels reported.
+  /// Takes in the last sample of the wheels.
   Status execute() {
     if (!std::exchange(has_sample_, false)) return Status::ok();
     const auto status = wheels_->execute();
     if (wheels_->motion()) track_.add(*wheels_->motion());
     return status;
   }
-  /// The oldest of the sensor's data, once it need not wait any more.
+  /// The oldest of the sensor's data, if it need not wait any more.
   std::optional<Datum> next() {
     if (waiting_.empty()) return std::nullopt;
     const bool is_covered = track_.end() && *track_.end() >= waiting_.front().stamp;
@@ -60,7 +60,7 @@ class WheelsBeside {
     return datum;
   }
 
-  /// Nothing where the wheels do not cover all of it.
+  /// Nothing if the wheels do not cover all of it.
   std::optional<Motion> between(Stamp start, Stamp end) const { return track_.between(start, end); }
   Counters counters() const {
     auto all = wheels_->counters();

@@ -5,10 +5,10 @@
 
 namespace slam {
 
-/// What a back-end offers that does not estimate how wrong its pose is. The covariance that it
-/// reports is that of the odometry, for those who compute with it inside: jumps are told from
-/// motion by it. It goes out as zeros, which says "unknown" in ROS (sensor_msgs), and no figure
-/// comes of it.
+/// Offered by a back-end that does not estimate the covariance of its pose. The covariance that it
+/// reports is that of the odometry, for internal use: with it jumps are distinguished from motion.
+/// It is published as zeros, which means "unknown" in ROS (sensor_msgs), and no figure is computed
+/// from it.
 class WithoutCovariance {
  public:
   virtual ~WithoutCovariance() = default;

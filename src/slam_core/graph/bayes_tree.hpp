@@ -12,17 +12,17 @@
 namespace slam::graph {
 
 /// The Cholesky factor of sparse normal equations H x = g as a tree of cliques (Bayes tree: Kaess,
-/// Johannsson, Roberts, Ila, Leonard, Dellaert 2012). A factor that is new or has changed costs the
-/// elimination of the cliques between its variables and the root.
+/// Johannsson, Roberts, Ila, Leonard, Dellaert 2012). For a new or changed factor the cliques
+/// between its variables and the root are eliminated again.
 ///
 /// Call order: any number of changes, then update(), then solve().
 class BayesTree {
  public:
-  /// @return the key of a new variable of as many rows; that of one that was removed before the
-  /// last update(), where there is one
+  /// @return the key of a new variable with this number of rows. The key of a variable that was
+  /// removed before the last update() is used again
   Key addVariable(int rows);
-  /// Removes a variable that no factor holds any more. Its key is of no use until addVariable()
-  /// gives it again.
+  /// Removes a variable that no factor holds any more. Its key is invalid until addVariable()
+  /// returns it again.
   friend void removeVariable(BayesTree& tree, Key key);
 
   FactorId addFactor(QuadraticFactor factor);
@@ -32,26 +32,26 @@ class BayesTree {
 
   /// Brings the tree up to date with all changes.
   /// @param last variables to eliminate last, since the next factors will touch them
-  /// @throw std::domain_error where factors hold values that are not finite; the tree is then of no
-  /// more use
+  /// @throw std::domain_error if factors hold values that are not finite; then the tree cannot be
+  /// used any more
   void update(const std::vector<Key>& last);
 
-  /// Computes the minimum, where it has moved.
-  /// @param threshold a variable that has moved less does not move those that depend on it
-  /// @return the variables that it has moved by more than the threshold
+  /// Computes the minimum again where it has changed.
+  /// @param threshold a variable that has moved by less does not move those that depend on it
+  /// @return the variables that moved by more than the threshold
   const std::vector<Key>& solve(double threshold = 0.0);
   Eigen::VectorBlock<const Eigen::VectorXd> solution(Key key) const {
     return static_cast<const Eigen::VectorXd&>(solution_).segment(offsets_[index(key)],
                                                                   rows_[index(key)]);
   }
-  /// The variable is now counted from its solution, which becomes 0. The gradients of all its
-  /// factors have to be replaced before the next update().
+  /// Makes the solution of a variable its new origin, so that the solution becomes 0. The gradients
+  /// of all its factors have to be replaced before the next update().
   void moveOrigin(Key key);
 
   /// The covariance of some variables, the inverse of H: rows in the order of the keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const;
 
-  /// What it takes.
+  /// What the tree costs.
   struct Cost {
     std::size_t bytes;    ///< of the numbers it holds
     int eliminated_rows;  ///< by the last update()
@@ -70,7 +70,7 @@ class BayesTree {
  private:
   friend class Elimination;
 
-  /// Variables that are eliminated together (the frontal ones), and those that these depend on (the
+  /// Variables that are eliminated together (the frontal ones), and those on which they depend (the
   /// separator).
   struct Clique {
     std::vector<Key> keys;  ///< frontal ones first
@@ -83,7 +83,7 @@ class BayesTree {
     std::vector<FactorId> factors;  ///< of which a frontal variable is the first one eliminated
     std::vector<int> children;
     int parent = -1;
-    bool is_open = false;  ///< it was taken off
+    bool is_open = false;  ///< it was taken out of the tree
     bool is_due = false;   ///< its part of the solution has to be computed
 
     template <class Archive>
@@ -101,7 +101,7 @@ class BayesTree {
       archive(factor, clique);
     }
   };
-  /// The part of the rows of L^-1 E, E the columns of a variable, that one clique holds.
+  /// The rows of L^-1 E that one clique holds, where E are the columns of a variable.
   struct ForwardRows {
     int clique;
     Eigen::MatrixXd rows;
@@ -132,7 +132,7 @@ class BayesTree {
   // since the last update()
   std::vector<Key> open_;               ///< variables to eliminate
   std::vector<FactorId> open_factors_;  ///< to eliminate
-  std::vector<int> orphans_;            ///< cliques whose parents were taken off
+  std::vector<int> orphans_;            ///< cliques whose parents were taken out
   std::vector<int> changed_;            ///< cliques to open
   std::vector<Key> touched_;            ///< variables whose cliques are to open
   std::vector<Key> removed_;            ///< variables that are gone

@@ -10,14 +10,14 @@
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/models/calibration.hpp"
 
-// Factors that depend on parameters of wheels and sensor as well (Kuemmerle, Grisetti, Burgard
-// 2011). The parameters are variables of the graph, two of them in the place of a point, since
-// their corrections are added as those of a point are.
+// Factors that also depend on parameters of wheels and sensor (Kuemmerle, Grisetti, Burgard 2011).
+// The parameters are variables of the graph. Two of them are stored as one point, since their
+// corrections are added like those of a point.
 
 namespace slam::graph {
 
-/// A motion as a function of the wheels' parameters (kWheelScale, kWheelBase, kWheelDrift), linear
-/// around those at which it was evaluated.
+/// A motion as a function of the wheels' parameters (kWheelScale, kWheelBase, kWheelDrift),
+/// linearised at those with which it was evaluated.
 struct WheelMotion {
   Pose2 increment;                               ///< at those parameters
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();   ///< of its (x, y, theta) by the parameters
@@ -25,8 +25,8 @@ struct WheelMotion {
 
   /// The motion with other parameters.
   Pose2 with(const Eigen::Vector3d& parameters) const;
-  /// Other parameters multiply an error (x, y, theta) of what the wheels measured. @return the
-  /// factors
+  /// @return the factors by which other parameters multiply an error (x, y, theta) of what the
+  /// wheels measured
   Eigen::Vector3d growth(const Eigen::Vector3d& parameters) const;
 
   template <class Archive>
@@ -35,7 +35,8 @@ struct WheelMotion {
   }
 };
 
-/// What is known of the parameters before the drive, or elsewhere: r = W (c - c_known).
+/// What is known of the parameters from before the drive, or from another source: r = W (c -
+/// c_known).
 class ParameterPrior final : public Factor {
  public:
   ParameterPrior(std::vector<Key> keys, const Eigen::VectorXd& known, const Eigen::MatrixXd& W);
@@ -48,9 +49,9 @@ class ParameterPrior final : public Factor {
   Eigen::MatrixXd W_;
 };
 
-/// The motion by wheels from a to b: r = W S(c) (u(c)^-1 a^-1 b), u the motion with the parameters
-/// c, and S(c) the inverse of how it makes errors of the wheels grow: without it a smaller scale
-/// would fit noise better.
+/// The motion from a to b as measured by wheels: r = W S(c) (u(c)^-1 a^-1 b). Here u is the motion
+/// with the parameters c, and S(c) is the inverse of the factors by which c multiplies errors of
+/// the wheels: without it a smaller scale would fit noise better.
 class CalibratedBetween final : public Factor {
  public:
   /// @param parameters the keys of (kWheelScale, kWheelBase) and (kWheelDrift, kSensorYaw)
@@ -71,7 +72,7 @@ class CalibratedBetween final : public Factor {
 /// An observation of range and bearing whose sensor's pose and scale are not known exactly.
 class CalibratedSighting final : public Factor {
  public:
-  /// What the sensor's parameters were when the observation was corrected by them.
+  /// The sensor's parameters with which the observation was corrected.
   struct At {
     double yaw = 0.0;                                  ///< kSensorYaw [rad]
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();  ///< kSensorX, kSensorY [m]
@@ -83,7 +84,7 @@ class CalibratedSighting final : public Factor {
     }
   };
   /// @param parameters the keys of (kWheelDrift, kSensorYaw) and (kSensorX, kSensorY), and that of
-  /// (kRangeScale, kTimeOffset) where the scale of ranges is not known
+  /// (kRangeScale, kTimeOffset) if the scale of ranges is not known
   /// @param seen the observation, corrected by the parameters `then`
   CalibratedSighting(Key pose, Key point, const std::vector<Key>& parameters,
                      const RangeBearing& seen, const At& then);
@@ -98,7 +99,7 @@ class CalibratedSighting final : public Factor {
   At then_;
 };
 
-/// The keys of the parameters among those of such a factor of two other variables.
+/// The keys of the parameters, among the keys of such a factor that joins two other variables.
 inline std::vector<Key> parametersOf(const std::vector<Key>& keys) {
   return {keys.begin() + 2, keys.end()};
 }

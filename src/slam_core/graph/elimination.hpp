@@ -9,22 +9,22 @@
 
 namespace slam::graph {
 
-/// One elimination of the open variables of a tree: symbolic, then clique by clique in numbers
-/// (multifrontal: Liu 1992).
+/// Eliminates the open variables of a tree once: first symbolically, then numerically clique by
+/// clique (multifrontal: Liu 1992).
 class Elimination {
  public:
   Elimination(BayesTree& tree, const std::vector<Key>& last);
-  /// @throw std::domain_error where factors hold values that are not finite
+  /// @throw std::domain_error if factors hold values that are not finite
   void run();
 
  private:
-  /// A variable at its place in the order, with the factors and cliques of which it is the first.
+  /// A variable at its place in the order, with the factors and cliques whose first variable it is.
   struct Column {
     Key key;
     std::vector<FactorId> factors;
     std::vector<int> orphans;
-    std::vector<int> depends;   ///< the places that it depends on once eliminated, rising
-    std::vector<int> children;  ///< the places that depend on it first
+    std::vector<int> depends;   ///< places on which it depends once eliminated, increasing
+    std::vector<int> children;  ///< places whose first dependency it is
     int clique = -1;            ///< that it is a frontal variable of
   };
 

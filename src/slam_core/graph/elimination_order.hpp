@@ -7,8 +7,7 @@
 
 namespace slam::graph {
 
-/// The order in which to eliminate variables so that little fill arises (CCOLAMD: Davis, Gilbert,
-/// Larimore, Ng 2004).
+/// An order of elimination with little fill (CCOLAMD: Davis, Gilbert, Larimore, Ng 2004).
 /// @param sets the variables that each factor joins, numbered from 0
 /// @param is_last variables that have to come last
 /// @return the variables, first eliminated first

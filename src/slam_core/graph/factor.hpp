@@ -11,14 +11,14 @@
 
 namespace slam::graph {
 
-/// The whitened residual r of a factor, r^T r its share of chi2, and its Jacobian J in corrections
-/// of the variables (Variables), columns in the order of the keys.
+/// The whitened residual r of a factor, where r^T r is its share of chi2, and its Jacobian J by
+/// corrections of the variables (Variables), with columns in the order of the keys.
 struct LinearFactor {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
 };
 
-/// What a measurement says of some variables.
+/// What a measurement says about some variables.
 class Factor {
  public:
   explicit Factor(std::vector<Key> keys) : keys_(std::move(keys)) {}

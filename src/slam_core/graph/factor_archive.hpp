@@ -25,7 +25,8 @@ enum class FactorKind : std::uint8_t {
   kCalibratedSighting
 };
 
-/// @return whether it was a factor that depends on parameters, or says what is known of them
+/// @return whether the factor depends on parameters or is a prior on them; otherwise nothing is
+/// written
 template <class Archive>
 bool writeCalibrated(const Factor& factor, Archive& archive) {
   if (const auto* prior = dynamic_cast<const ParameterPrior*>(&factor)) {
@@ -42,7 +43,7 @@ bool writeCalibrated(const Factor& factor, Archive& archive) {
   return true;
 }
 
-/// Writes a factor with its kind. @throw std::logic_error of a kind that is not listed here
+/// Writes a factor with its kind. @throw std::logic_error if its kind is not listed here
 template <class Archive>
 void write(const Factor& factor, Archive& archive) {
   archive(factor.keys());
@@ -60,7 +61,7 @@ void write(const Factor& factor, Archive& archive) {
     throw std::logic_error("this kind of factor cannot be written");
 }
 
-/// @return null where it is of another kind
+/// @return null if it is of another kind
 template <class Archive>
 std::shared_ptr<const Factor> readCalibrated(Archive& archive, FactorKind kind,
                                              const std::vector<Key>& keys) {
@@ -89,7 +90,7 @@ std::shared_ptr<const Factor> readCalibrated(Archive& archive, FactorKind kind,
   return nullptr;
 }
 
-/// @throw std::runtime_error where the archive holds no factor
+/// @throw std::runtime_error if the archive holds no factor
 template <class Archive>
 std::shared_ptr<const Factor> readFactor(Archive& archive) {
   std::vector<Key> keys;
@@ -117,7 +118,7 @@ std::shared_ptr<const Factor> readFactor(Archive& archive) {
   throw std::runtime_error("it holds a factor of unknown kind: save it again");
 }
 
-/// A factor that several hold is written once.
+/// Writes or reads a factor. A factor that several objects share is written once.
 template <class Archive>
 void persistFactor(Archive& archive, std::shared_ptr<const Factor>& factor) {
   if constexpr (Archive::kReads)

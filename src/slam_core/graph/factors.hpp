@@ -12,10 +12,10 @@ namespace slam::graph {
 
 // A weight W is a square root of an information matrix, W^T W = R^-1.
 Eigen::MatrixXd weightOfInformation(const Eigen::MatrixXd& information);
-/// A micrometre and a microradian are added to the standard deviations' squares: information that
-/// is larger by more than the digits of a number would erase, by rounding, what the other factors
-/// say of its variables.
-/// @param covariance positive definite, but for rounding
+/// The squares of a micrometre and of a microradian are added to the variances. Otherwise
+/// information that is larger than that of other factors by more than the digits of a double would
+/// erase theirs by rounding.
+/// @param covariance positive definite, except for rounding errors
 Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance);
 
 /// A pose is known: r = W (T_known^-1 T_map_base), the error as (x, y, theta).

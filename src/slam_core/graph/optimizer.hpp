@@ -16,15 +16,15 @@
 namespace slam::graph {
 
 struct OptimizerLimits {
-  /// A variable that is further [m, rad] from where its factors were linearised makes them be
+  /// If a variable is further than this [m, rad] from where its factors were linearised, they are
   /// linearised again.
   double correction = 2e-2;
-  /// A change of a variable that is smaller [m, rad] does not reach other variables.
+  /// A smaller change of a variable [m, rad] is not passed on to other variables.
   double change = 1e-3;
 };
 
-/// The residuals of some factors, one after the other, with their joint covariance: their own,
-/// which is 1, and that of what the graph does not know.
+/// The residuals of some factors, one after the other, with their joint covariance: the sum of
+/// their own, which is the identity, and of that of the graph's estimate.
 struct Innovation {
   Eigen::VectorXd r;
   Eigen::MatrixXd S;
@@ -38,13 +38,13 @@ struct GraphContents {
   std::vector<bool> is_pose;                           ///< of each variable there has ever been
 };
 
-/// Nonlinear least squares over a graph that grows: one Gauss-Newton step for each update(), of
+/// Nonlinear least squares over a graph that grows: each update() is one Gauss-Newton step, in
 /// which only what has changed is computed.
 class Optimizer {
  public:
   explicit Optimizer(const OptimizerLimits& limits = {}) : limits_(limits) {}
 
-  /// @return the key of a new variable, which may be that of one that was removed
+  /// @return the key of a new variable, which may be that of a removed one
   Key add(const Pose2& pose);
   Key add(const Eigen::Vector2d& point);
   /// Removes a variable whose factors have all been removed.
@@ -60,15 +60,14 @@ class Optimizer {
   /// One step. @param last variables that the next factors will touch
   /// @return whether a variable is so far from where its factors were linearised that another step
   /// would linearise them again
-  /// @throw std::domain_error where factors hold values that are not finite
+  /// @throw std::domain_error if factors hold values that are not finite
   bool update(const std::vector<Key>& last);
   /// Steps in which nothing is left out, until they are over.
   /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1
   /// mrad
   bool optimize(const std::vector<Key>& last, int most_steps);
 
-  /// The variable at the estimate; a point comes as a pose of which only the position means
-  /// something.
+  /// The estimate of a variable. A point is returned as a pose of which only the position is valid.
   Pose2 pose(Key key) const { return variables_.corrected(key, tree_.solution(key)); }
   /// The covariance describes corrections of these variables (Variables), rows in the order of the
   /// keys.
@@ -76,14 +75,14 @@ class Optimizer {
   /// Returns the squared residual of a factor, without its weight. It need not be in the graph.
   double chi2(const Factor& factor) const;
   double chi2() const;  ///< of all factors, with their weights
-  /// Compares factors that are not in the graph with what the graph predicts of them.
+  /// Compares factors that are not in the graph with the graph's prediction of them.
   Innovation innovation(const std::vector<const Factor*>& factors) const;
   BayesTree::Cost cost() const { return tree_.cost(); }
 
   friend const Factor& factorOf(const Optimizer& graph, FactorId id) {
     return *graph.terms_[index(id)].factor;
   }
-  /// Shows each factor of the graph with its weight, in the order of their ids.
+  /// Calls a function for each factor of the graph, with its weight, in the order of their ids.
   friend void visitFactors(const Optimizer& graph, const FactorVisitor& look);
 
   template <class Archive>
@@ -126,7 +125,8 @@ class Optimizer {
 };
 
 GraphContents contentsOf(const Optimizer& graph);
-/// Brings covariances up to date where no variable is to move, as in a graph that was saved.
+/// Brings the covariances up to date without moving any variable, for example in a graph that was
+/// loaded.
 /// @throw std::domain_error as Optimizer::update()
 void eliminate(Optimizer& graph, const std::vector<Key>& last);
 

@@ -13,21 +13,22 @@
 
 namespace slam::graph {
 
-/// Loop closures of which any may be false. One that contradicts what the graph knows waits. So
-/// does one that would move the graph by much more than its own noise, until another one says the
-/// same or many have come that do not contradict it. Those in the graph count as much as it bears
-/// them out (dynamic covariance scaling: Agarwal, Tipaldi, Spinello, Stachniss, Burgard 2013). What
-/// is believed can be taken back, and one that waits is let in when the graph comes to agree.
+/// Loop closures, any of which may be false. A loop that contradicts the graph waits. A loop that
+/// would move the graph by much more than its own noise waits as well, until another one confirms
+/// it or many have come that do not contradict it. Loops in the graph are weighted by how well they
+/// agree with it (dynamic covariance scaling: Agarwal, Tipaldi, Spinello, Stachniss, Burgard 2013).
+/// A believed loop can be taken back, and a waiting one is added when the graph has come to agree
+/// with it.
 ///
-/// How noisy loops are can be learnt from those that are believed, since information matrices are
-/// often a guess. The first loops pass gates that are too wide then, and false ones among them
-/// would keep true ones out for good: once the noise is learnt, all loops so far are judged anew.
+/// The noise of loops can be learnt from the believed ones, since information matrices are often a
+/// guess. The gates for the first loops are too wide then, and false loops among them would keep
+/// true ones out for ever. So once the noise is learnt, all loops so far are judged again.
 class RobustLoops {
  public:
-  /// Takes steps of the graph until it has come to rest.
+  /// Takes steps of the graph until it does not move any more.
   using Settle = std::function<void()>;
 
-  /// Whether the loops' covariances are believed, or their scale is learnt.
+  /// Whether the covariances of the loops are used as given, or their scale is learnt.
   enum class Noise { kAsTold, kLearnt };
 
   /// Counts how often loops were believed and taken back so far.
@@ -46,28 +47,28 @@ class RobustLoops {
   /// @param loop between two poses
   /// @return whether it is believed for now; it then is a factor of the graph
   bool add(std::shared_ptr<const Factor> loop);
-  /// Settles the graph with the loops that were added, and judges all loops where it then is.
+  /// Settles the graph with the loops that were added, and judges all loops in the result.
   void judge(const Settle& settle);
 
-  /// A loop as it stands, to be saved and taken up again.
+  /// The state of a loop, to be saved and restored.
   struct State {
     std::shared_ptr<const Factor> factor;
     bool is_believed = false;
-    double weight = 1.0;    ///< where it is believed
+    double weight = 1.0;    ///< if it is believed
     bool is_alone = false;  ///< it waits for another one that says the same
   };
   std::vector<State> states() const;
-  /// Takes up loops before any was added: those that are believed become factors of the graph.
+  /// Restores loops before any was added. Believed loops become factors of the graph.
   void restore(const std::vector<State>& states);
 
   std::size_t size() const { return loops_.size(); }
-  /// Whether the loop that was added after so many others is a factor of the graph.
+  /// Whether a loop, counted from 0 in the order of add(), is a factor of the graph.
   bool isBelieved(std::size_t loop) const { return loops_[loop].id.has_value(); }
   /// Whether a loop that is a factor of the graph joins this pose with another one.
   bool believesOneOf(Key pose) const;
   /// Removes all loops of a pose; later ones are renumbered.
   void forget(Key pose);
-  /// Loops that wait.
+  /// The number of loops that wait.
   std::size_t rejected() const;
   Changes changes() const { return changes_; }
 
@@ -100,7 +101,7 @@ class RobustLoops {
   Optimizer& graph_;
   std::vector<Loop> loops_;
   bool learns_;
-  double noise_ = 1.0;  ///< variance of the loops, relative to what they say of themselves
+  double noise_ = 1.0;  ///< variance of the loops, relative to their covariances
   int taught_ = 0;      ///< loops that the noise was learnt from
   bool has_new_ = false;
   Changes changes_;

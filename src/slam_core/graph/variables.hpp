@@ -17,7 +17,7 @@ namespace slam::graph {
 /// A correction of a pose is a twist in the robot's frame, x <- x exp(delta). So a rigid motion of
 /// a part of the path leaves the Jacobians within it as they are, and the solution of the normal
 /// equations describes it without any error of linearisation. A correction of a point is added in
-/// the map frame: Jacobians by points turn with the map.
+/// the map frame, so that Jacobians by points rotate with the map.
 class Variables {
  public:
   /// Puts a pose at a key, which is a new one or that of a pose that was removed.
@@ -27,7 +27,7 @@ class Variables {
   std::size_t size() const { return variables_.size(); }
   /// 3 for a pose, 2 for a point.
   int rows(Key key) const { return variables_[static_cast<std::size_t>(key)].rows; }
-  /// A point comes as a pose of which only the position means something.
+  /// A point is returned as a pose of which only the position is valid.
   const Pose2& pose(Key key) const { return variables_[static_cast<std::size_t>(key)].pose; }
 
   /// The variable after a correction.

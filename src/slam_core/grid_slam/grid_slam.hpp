@@ -23,12 +23,12 @@
 namespace slam::grid_slam {
 
 /// SLAM by matching each scan with one occupancy grid in several resolutions (Kohlbrecher et al.
-/// 2011; thesis, Table 3.1). It needs no odometry; where motion comes it says where to look. No
-/// loop is closed: the map is as good as the scans follow one another.
+/// 2011; thesis, Table 3.1). It needs no odometry; if motion comes, it predicts the pose at which
+/// to match. No loops are closed: errors of matching add up in the map.
 ///
-/// The reported covariance is that of the robot among the parts of the map around it, and that of
-/// these parts (MapDrift). Counted: as ScanWatch; "contradicting" scans, which do not go into the
-/// map; "scans_without_memory"; "beams_beyond_map".
+/// The reported covariance is the sum of that of the robot relative to the parts of the map around
+/// it, and that of these parts (MapDrift). Counted: what ScanWatch counts; "contradicting" scans,
+/// which are not added to the map; "scans_without_memory"; "beams_beyond_map".
 class GridSlam final : public Backend, CorrectionReporter, GridMapper, LostReporter, MapKeeper {
  public:
   /// @throw ConfigError
@@ -56,7 +56,7 @@ class GridSlam final : public Backend, CorrectionReporter, GridMapper, LostRepor
   }
 
  private:
-  /// These inputs were set since the last step.
+  /// The inputs that were set since the last step.
   struct Inputs {
     std::optional<MapState> map;
     std::optional<PoseEstimate> initial_pose;
@@ -72,7 +72,7 @@ class GridSlam final : public Backend, CorrectionReporter, GridMapper, LostRepor
     }
   };
 
-  // what it offers as capabilities
+  // the capabilities that it offers
   std::optional<Stamp> correctedBy() const override;
   std::optional<OccupancyGrid> grid() const override;
   std::uint64_t gridRevision() const override { return revision_; }
@@ -83,7 +83,7 @@ class GridSlam final : public Backend, CorrectionReporter, GridMapper, LostRepor
   bool mapIsFixed() const { return config_.mode == BackendMode::kLocalization; }
   Status replaceMap();
   void relocate();
-  /// Motion that no scan has confirmed yet is carried.
+  /// Adds the motion of this step to the motion since the last scan.
   void move();
   scan_matching::Match match(const scan_matching::ScanLevels& scan, Stamp stamp);
   Status learn(const scan_matching::ScanLevels& scan, const scan_matching::Match& found);

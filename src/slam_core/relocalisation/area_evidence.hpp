@@ -8,19 +8,20 @@
 
 namespace slam::relocalisation {
 
-/// Sums up what surfaces that are seen for the first time tell of a place in a map. Surfaces that
-/// are near one another are not independent: a room that looks like the robot's one up to some
-/// point often looks like it in the next corner as well, and then all that stands there agrees. So
-/// each area tells a limited amount for a place, however much is seen in it, and a place is only
-/// believed after several areas have been seen. Against a place an area tells without a limit.
+/// Sums up the evidence that newly seen surfaces give for or against a place in a map. Surfaces
+/// near one another are not independent: a room that looks like the robot's one up to some point
+/// often looks like it in the next corner as well, and then everything there agrees. So the
+/// evidence of each area for a place is limited, however much is seen in the area, and a place is
+/// believed only after several areas have been seen. The evidence of an area against a place is not
+/// limited.
 class AreaEvidence {
  public:
   using Patch = std::pair<int, int>;  ///< of the map's plane
 
-  /// @param log_ratio logarithm of how many times likelier what was seen in the patch is in the
-  /// right place than in one that looks alike up to there and is independent in this area
-  /// @return by how much the logarithm of how many times likelier all of it is in the right place
-  /// than in one that looks alike has changed
+  /// @param log_ratio log-likelihood ratio of what was seen in the patch: at the right place, over
+  /// a place that has looked alike so far and is independent in this area
+  /// @return the change of the log-likelihood ratio of all that was seen: at the right place, over
+  /// a place that looks alike
   double add(const Patch& patch, double log_ratio);
 
   template <class Archive>

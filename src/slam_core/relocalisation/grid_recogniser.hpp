@@ -17,9 +17,9 @@ namespace slam::relocalisation {
 
 /// Recognises the place of a robot in a grid by what its laser has seen on the last metres. Parts
 /// of a building look alike, and another building has parts that look like some of this one. So a
-/// place is confirmed only when what the robot has seen since the first search that led there
-/// speaks for it and for no other place (PlaceTrials), and the last search leads there too, and to
-/// no other place as well. It is tested on even then.
+/// place is confirmed only if all that the robot has seen since a search first found it is evidence
+/// for this place and for no other one (PlaceTrials), and if the last search finds it as well, and
+/// no other place. Even then it is tested further.
 class GridRecogniser {
  public:
   GridRecogniser(const RelocalisationConfig& config, const grid_map::GridMapConfig& grid,
@@ -39,20 +39,20 @@ class GridRecogniser {
   /// Makes the next find() search even if the robot has not moved.
   void searchAnyway() { is_due_ = true; }
   /// To be called between begin() and end(). A search takes some hundredths of a second.
-  /// @return nothing where the robot has not moved far enough since the last search
+  /// @return nothing if the robot has not moved far enough since the last search
   std::optional<Recognition> find();
 
   enum class Test { kGoesOn, kPassed, kRefuted };
-  /// The place that find() has just confirmed is tested by the scans of the next metres, instead of
-  /// searching for others.
+  /// Starts to test the place that find() has just confirmed by the scans of the next metres,
+  /// instead of searching for other places.
   void beginTest() { confirmed_at_ = local_.way(); }
   friend bool isTesting(const GridRecogniser& recogniser) {
     return recogniser.confirmed_at_.has_value();
   }
-  /// To be called after each scan while isTesting(). @param believed the place that is tested, at
-  /// the last scan (T_map_base)
+  /// To be called after each scan while isTesting(). @param believed the tested place, at the last
+  /// scan (T_map_base)
   Test test(const Pose2& believed);
-  /// Radius of a circle that holds the grid [m]; 0 where there is none to search.
+  /// Radius of a circle that holds the grid [m]; 0 if there is none to search.
   friend double radiusOf(const GridRecogniser& recogniser) {
     return recogniser.map_ ? 0.5 * recogniser.box_.diagonal().norm() : 0.0;
   }
@@ -67,7 +67,7 @@ class GridRecogniser {
  private:
   bool isDue() const;
   bool isSaved(const Pose2& place) const;
-  /// Has the places on trial to which a search leads. @return what the search has found
+  /// Puts the places that a search has found on trial. @return the verdict of the search
   Recognition::Verdict weigh(const scan_matching::Match& best,
                              const scan_matching::ScanLevels& scans);
 
@@ -78,7 +78,7 @@ class GridRecogniser {
   std::unique_ptr<scan_matching::ScanMap> map_;  ///< the grid, while it is searched
   Eigen::AlignedBox2d box_;                      ///< of the map [m]
   std::optional<Pose2> saved_;                   ///< T_map_local, if the robot was not carried
-  PlaceTrials trials_;                           ///< of the places that searches led to
+  PlaceTrials trials_;                           ///< of the places that searches have found
   std::optional<double> confirmed_at_;           ///< distance driven when a test began [m]
   double searched_ = 0.0;                        ///< distance driven at the last search [m]
   bool is_due_ = false, has_news_ = false;

@@ -16,15 +16,15 @@
 
 namespace slam::relocalisation {
 
-/// Judges by the landmarks that it sees whether the robot is at its estimated pose, where
-/// observations are associated by place. The gate does not show that such a robot is lost, since
-/// observations that do not fit the map become new landmarks. But the landmarks that have been seen
-/// from that pose before are missing (negative evidence, Montemerlo 2003, ch. 3).
+/// Judges by the observed landmarks whether the robot is at its estimated pose, if observations are
+/// associated by place. The gate does not show that such a robot is lost, since observations that
+/// do not fit the map become new landmarks. But the landmarks that have been seen from that pose
+/// before are missing (negative evidence, Montemerlo 2003, ch. 3).
 ///
 /// The log-likelihood ratio of "lost" to "right" is summed and never falls below zero (CUSUM, Page
 /// 1954), as in scan_matching::ScanDoubt. The probability that a landmark is seen again is learnt.
-/// Where the robot has never been no landmark is expected, and the sum does not grow; but a view
-/// that changes at once is noticed there as well (ViewChange).
+/// Where the robot has never been, no landmark is expected, and the sum does not grow; but a sudden
+/// change of the view is noticed there as well (ViewChange).
 class LandmarkDoubt {
  public:
   /// To be called with each motion, and with what was seen at its end.

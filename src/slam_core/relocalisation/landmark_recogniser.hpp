@@ -16,8 +16,8 @@ namespace slam::relocalisation {
 
 /// Recognises the place of a robot by the landmarks around it. Two markers may have the same id,
 /// and a marker may have been moved. So a place must be much more likely than all others, and
-/// remain so for a while. Where landmarks have no ids, no other place may be left either that has
-/// explained what is seen since the search began (RivalPlaces).
+/// remain so for a while. If landmarks have no ids, there must also be no other place left that has
+/// explained everything seen since the search began (RivalPlaces).
 class LandmarkRecogniser {
  public:
   explicit LandmarkRecogniser(const RelocalisationConfig& config = {},
@@ -32,9 +32,9 @@ class LandmarkRecogniser {
   void begin(LandmarkMap map);
   void end() { search_.reset(); }
   /// To be called between begin() and end().
-  /// @return nothing where no landmark was seen since the last call
+  /// @return nothing if no landmark was seen since the last call
   std::optional<Recognition> find(Stamp stamp);
-  /// Radius of a circle that holds the map [m]; 0 where there is none to search.
+  /// Radius of a circle that holds the map [m]; 0 if there is none to search.
   double radius() const { return search_ ? search_->evidence().radius() : 0.0; }
 
   template <class Archive>
@@ -68,7 +68,7 @@ class LandmarkRecogniser {
   association::SensorReach reach_;  ///< around the base
   LandmarkMap map_;
   std::unique_ptr<association::ConstellationSearch> search_;  ///< in the map
-  RivalPlaces rivals_;                                        ///< where landmarks have no ids
+  RivalPlaces rivals_;                                        ///< if landmarks have no ids
   std::optional<Candidate> candidate_;
   bool has_news_ = false;
 };

@@ -14,7 +14,7 @@ namespace slam::relocalisation {
 
 using association::LocalLandmark;
 
-/// Where an observation of a point places its landmark, in the robot's frame; without the id.
+/// The landmark that an observation of a point describes, in the robot's frame, without its id.
 LocalLandmark localised(const LandmarkObservation& z, const Pose2& sensor_pose);
 /// Moves landmarks into the robot's new frame, in which they are less certain.
 void move(const Motion& motion, std::vector<LocalLandmark>& landmarks);

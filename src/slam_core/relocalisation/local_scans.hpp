@@ -65,7 +65,7 @@ class LocalScans {
   scan_matching::LevelModels models_;
   scan_matching::ScanTracker tracker_;
   scan_matching::InsertionTrigger trigger_;
-  std::unique_ptr<scan_matching::ScanMap> map_;  ///< of the scans kept and of some older ones
+  std::unique_ptr<scan_matching::ScanMap> map_;  ///< of the kept scans and of some older ones
   std::size_t drawn_ = 0;                        ///< scans in the map
   std::deque<LocalScan> kept_;
   std::optional<Motion> carried_;

@@ -9,30 +9,32 @@
 
 namespace slam::relocalisation {
 
-/// The places that searches have led to, each on trial by all scans that follow (PlaceTrial). A
-/// search that finds nothing, or another place, ends no trial: two places that look alike are two
-/// hypotheses, until what the robot sees next tells them apart.
+/// The places that searches have found, each on trial by all later scans (PlaceTrial). A search
+/// that finds nothing, or another place, ends no trial: two places that look alike are two
+/// hypotheses, until what the robot sees next distinguishes them.
 ///
-/// Among many places that are tried, one looks like the robot's by chance. So the odds that a place
-/// must reach grow with the number of places that have been tried (Bonferroni; Dunn 1961), which
-/// keeps the probability that any wrong one is believed below one in `odds`.
+/// Among many tried places, one may look like the robot's by chance. So the odds that a place must
+/// reach grow with the number of tried places (Bonferroni; Dunn 1961). This keeps the probability
+/// that a wrong place is believed below one in `odds`.
 class PlaceTrials {
  public:
   /// @param odds that the only place on trial must reach
   explicit PlaceTrials(double odds) : odds_(odds) {}
 
   void forget();
-  /// To be called for each scan that is kept, with the same map. Places that turn out to be one
-  /// become one.
+  /// To be called for each scan that is kept, with the same map. Places that turn out to be the
+  /// same are merged.
   void see(const LocalScan& scan, const scan_matching::MapView& map,
            const scan_matching::ScanToMapMatcher& matcher);
-  /// A search has led to a place, which goes on trial unless it is. @param found T_map_base at the
-  /// last scan, and how much of the scans fits there @param local T_local_base of the last scan
+  /// To be called when a search has found a place: puts it on trial, unless it is already. @param
+  /// found T_map_base at the last scan, and how much of the scans fits there @param local
+  /// T_local_base of the last scan
   /// @param seen the scans that the search has used @param is_expected the place is where the robot
   /// is unless it was carried
   void lead(const scan_matching::Match& found, const Pose2& local,
             const std::deque<LocalScan>& seen, bool is_expected);
-  /// Whether the evidence for this place is enough, and for no other one on trial nearly as much.
+  /// Whether the evidence for this place is enough, and that for all other places on trial is much
+  /// smaller.
   /// @param local T_local_base, where the robot would be at `place`
   bool isEnoughFor(const Pose2& place, const Pose2& local) const;
   /// Whether isEnoughFor() holds for one of the places.
@@ -57,7 +59,7 @@ class PlaceTrials {
   void dropWorst();
   /// Logarithm of the odds that a place must reach.
   double enough() const;
-  /// More evidence is not summed up, so that a place that was refuted may still turn out right.
+  /// The limit of the evidence, so that a refuted place may still turn out to be right.
   double most() const;
 
   double odds_;

@@ -31,8 +31,8 @@ enum class Belief {
 ///
 /// The Estimator calls configure() once; then, for each step, predict() with the motions, see()
 /// with what was seen and, after the back-end's own step, judge(). Counted: "withheld"
-/// (observations that the back-end did not get), "relocalised", "withdrawn" (places that what came
-/// next has refuted).
+/// (observations that the back-end did not get), "relocalised", "withdrawn" (places that later data
+/// have refuted).
 class Relocaliser {
  public:
   /// @param capabilities of the back-end, which outlives this object @param ids whether
@@ -41,29 +41,29 @@ class Relocaliser {
   void reset();
 
   /// To be called when the robot was put somewhere, when a map was loaded, or when the pose is in
-  /// doubt. The belief becomes kSure, whatever was asked for, where the map can be searched for no
-  /// place: it has fewer than two point landmarks, and no grid or one that is too large.
-  /// @param loaded the map that the back-end was just given; saves asking the back-end for a copy
-  /// @return a warning where a loaded map cannot be searched, so that its pose is believed as it is
+  /// doubt. If the map cannot be searched, the belief becomes kSure, whatever was asked for. This
+  /// is so if it has fewer than two point landmarks, and no grid or one that is too large.
+  /// @param loaded the map that the back-end was just given; avoids asking the back-end for a copy
+  /// @return a warning if a loaded map cannot be searched, so that its pose is believed as it is
   Status assume(Belief belief, const MapState* loaded = nullptr);
   /// Searches the grid with the next scan, even if the robot stands still.
   void searchAnyway();
 
   void predict(const Motion& motion);
-  /// @return whether the back-end may use it as well: from a wrong pose it would map new landmarks,
+  /// @return whether the back-end may use it as well; from a wrong pose it would map new landmarks,
   /// or walls, at wrong places
   bool see(const LandmarkObservationArray& array);
   bool see(const LaserScan& scan);
 
   /// @return the pose of the robot, if it was found at another one than the back-end's
   std::optional<PoseEstimate> judge(const PoseEstimate& believed, Stamp stamp);
-  /// Also kLost where the robot is lost in a map that is not searched: it is too large or has too
-  /// few landmarks, or relocalisation.enabled is false.
+  /// Also kLost if the robot is lost in a map that is not searched, because it is too large or has
+  /// too few landmarks, or because relocalisation.enabled is false.
   Belief belief() const { return unsearched_radius_ ? Belief::kLost : belief_; }
   /// The pose to be reported: while it is not trusted, its covariance covers the whole map.
   PoseEstimate told(PoseEstimate believed) const;
-  /// While the pose is not trusted, a warning that says what the search is waiting for; one that it
-  /// is trusted although nothing that the robot sees can confirm it.
+  /// While the pose is not trusted, a warning that says what the search is waiting for. Also a
+  /// warning if the pose is trusted although nothing that the robot sees can confirm it.
   Status status() const;
   const Counters& counters() const { return counters_; }
 
@@ -98,7 +98,7 @@ class Relocaliser {
   Capabilities capabilities_;
   Belief belief_ = Belief::kSure;
   LandmarkRecogniser landmarks_;
-  std::optional<GridRecogniser> grid_;  ///< where the back-end has a grid
+  std::optional<GridRecogniser> grid_;  ///< if the back-end has a grid
   bool searches_landmarks_ = false, searches_grid_ = false;
   bool has_new_scan_ = false;
   bool is_lost_by_scans_ = false;  ///< lost according to the scans, not to the landmarks

@@ -12,19 +12,18 @@
 
 namespace slam::relocalisation {
 
-/// The places at which a lost robot may have been since it is searched for: each of them has
-/// explained nearly all landmarks around the robot. Where places look alike, as under a ceiling of
-/// tiles, the evidence of one over another changes by little that is chance, and a place loses
-/// evidence as soon as the robot would have left the map there. So each is followed with the
-/// robot's motion, and remains until the map contradicts it (multiple hypotheses: Jensfelt and
-/// Kristensen 2001). A robot that drives where the map does not reach contradicts none.
+/// The places at which a lost robot may be, since the search for it began: each of them has
+/// explained nearly all landmarks around the robot. If places look alike, as under a ceiling of
+/// tiles, small random differences decide which of them has more evidence, and a place loses
+/// evidence as soon as the robot would have left the map there. So each place is moved with the
+/// robot, and remains until the map contradicts it (multiple hypotheses: Jensfelt and Kristensen
+/// 2001). Driving beyond the border of the map contradicts no place.
 class RivalPlaces {
  public:
   void move(const Motion& motion);
   void forget() { poses_.clear(); }
-  /// Takes in the places that the last search has found, and leaves out those that are
-  /// contradicted.
-  /// @param at_least logarithm of the odds that a place must have to be taken in
+  /// Adds the places that the last search has found, and removes those that are contradicted.
+  /// @param at_least log-odds that a place must have to be added
   void update(const std::vector<association::Place>& places, double at_least,
               const association::ConstellationEvidence& evidence,
               const std::vector<association::LocalLandmark>& around,

@@ -13,23 +13,23 @@
 
 namespace slam::relocalisation {
 
-/// Judges whether the view of one landmark sensor has changed at once: the landmarks of a view are
-/// gone, and others are seen, which were not seen before. Then the robot has been carried away, or
-/// its sensor turned. Objects that come between hide landmarks as well, but do not put others
-/// there; where a robot explores, landmarks come and go one by one.
+/// Judges whether the view of one landmark sensor has changed suddenly: the landmarks of a view are
+/// gone, and others are seen that were not seen before. Then the robot was carried away, or its
+/// sensor was turned. An object in front of the sensor hides landmarks as well, but shows no
+/// others; and while a robot explores, landmarks come and go one by one.
 ///
-/// Views are compared by their landmarks' places, which odometry moves into the robot's frame of
-/// now: neither a map nor a pose is needed, so that a back-end that takes landmarks for others of
-/// its map has no influence. Three views are compared with the three before, since a single image
-/// may be blurred, and a detector misses a landmark now and then.
+/// Views are compared by their landmarks' places, which odometry moves into the robot's current
+/// frame. Neither a map nor a pose is needed, so that wrong associations of the back-end have no
+/// influence. Three views are compared with the three before, since a single image may be blurred,
+/// and a detector misses a landmark now and then.
 ///
 /// How often a landmark is still seen, and how often it was seen before, is learnt.
 class ViewChange {
  public:
   /// To be called with each motion before the observations at its end.
   void move(const Motion& motion);
-  /// The log-likelihood ratio of "lost" to "right" of these observations, 0 or above: what is gone
-  /// and what is new have to say the same.
+  /// The log-likelihood ratio of "lost" to "right" of these observations, 0 or above: both lost and
+  /// new landmarks have to be evidence for it.
   /// @param array with covariances @param is_right whether the robot counts as being at its
   /// estimated pose, so that its view is learnt from
   double judge(const LandmarkObservationArray& array, bool is_right);
@@ -44,8 +44,8 @@ class ViewChange {
  private:
   /// A view holds what the sensor saw at one stamp.
   struct View {
-    std::vector<LocalLandmark> seen;  ///< in the robot's frame of now
-    Pose2 sensor;                     ///< of then, in that frame
+    std::vector<LocalLandmark> seen;  ///< in the robot's current frame
+    Pose2 sensor;                     ///< its pose at that stamp, in the same frame
 
     template <class Archive>
     void persist(Archive& archive) {
@@ -71,8 +71,8 @@ class ViewChange {
   static Rate seenAlso(const Views& block, std::size_t reference, const Views& other);
 
   Views before_, after_;  ///< two blocks of successive views, the newest last
-  /// Landmarks that the views after show as well, and landmarks that the views before show as well.
-  /// The counts begin with a guess.
+  /// Counts of landmarks that later views show as well, and of landmarks that earlier views show as
+  /// well. The counts begin with a guess.
   Rate kept_{7.0, 3.0}, known_{7.0, 3.0};
 };
 

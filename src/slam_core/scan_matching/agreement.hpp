@@ -10,22 +10,22 @@
 
 namespace slam::scan_matching {
 
-/// How the ends of a scan's beams fit a map. An end near a surface agrees with the map. One where
-/// beams have passed contradicts it, and so does one in an unknown cell whose beam has passed
-/// through a surface. All others are silent: in unknown cells, and in known ones that are neither
-/// near a surface nor surely free.
+/// How the ends of a scan's beams fit a map. An end near a surface agrees with the map. An end
+/// where beams have passed contradicts it, and so does an end in an unknown cell whose beam passed
+/// through a surface. All other ends are silent: those in unknown cells, and those in known cells
+/// that are neither near a surface nor certainly free.
 struct Agreement {
   int agreeing = 0, contradicting = 0;
   int silent = 0;  ///< ends that neither agree nor contradict
 
   int known() const { return agreeing + contradicting; }
   int surplus() const { return agreeing - contradicting; }
-  /// contradicting / (agreeing + contradicting); 0 where these are fewer than 10.
+  /// contradicting / (agreeing + contradicting); 0 if these are fewer than 10.
   double contradictingShare() const {
     constexpr int kEnough = 10;
     return known() < kEnough ? 0.0 : static_cast<double>(contradicting) / known();
   }
-  /// Such a scan does not show where the robot is.
+  /// Whether the scan contradicts the map so much that it does not show where the robot is.
   bool mostlyContradicts() const { return contradictingShare() > 0.5; }
 
   template <class Archive>
@@ -34,7 +34,7 @@ struct Agreement {
   }
 };
 
-/// @param model of the beams that the map is made of
+/// @param model of the beams of which the map was made
 /// @param pose T_map_base
 Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap& map,
                       const grid_map::ScanPoints& scan, const Pose2& pose);

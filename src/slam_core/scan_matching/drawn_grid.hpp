@@ -14,7 +14,7 @@ namespace slam::scan_matching {
 /// A grid as a map to match scans with.
 struct DrawnGrid {
   std::unique_ptr<ScanMap> map;
-  Status status;  ///< a warning where not all of the grid is used, an error where none of it is
+  Status status;  ///< a warning if not all of the grid is used, an error if none of it is
 };
 DrawnGrid drawn(const OccupancyGrid& grid, const grid_map::GridMapConfig& config);
 

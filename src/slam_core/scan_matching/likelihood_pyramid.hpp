@@ -11,19 +11,19 @@
 
 namespace slam::scan_matching {
 
-/// The likelihoods of a part of a map in rasters of falling detail. Level k stores at each cell the
-/// maximum over the 2^k x 2^k cells from this one on to the right and up: an upper bound of the
+/// The likelihoods of a part of a map, in rasters of decreasing detail. Level k stores at each cell
+/// the maximum over the 2^k x 2^k cells from this one on to the right and up: an upper bound of the
 /// likelihood after any shift by less than 2^k cells (Hess, Kohler, Rapp, Andor 2016).
 class LikelihoodPyramid {
  public:
-  /// @param least, most the cells that it holds
+  /// @param least, most the corners of the cells that it holds
   /// @param levels at least 1
   LikelihoodPyramid(const grid_map::GridMap& map, grid_map::CellIndex least,
                     grid_map::CellIndex most, int levels);
 
   int levels() const { return static_cast<int>(levels_.size()); }
-  /// Of a cell between least and most, in any level; a shift adds width() for a row up, 1 for a
-  /// column to the right.
+  /// The index of a cell between least and most, in any level. Add width() for the next row up, and
+  /// 1 for the next column to the right.
   std::int32_t at(grid_map::CellIndex cell) const {
     return (cell.y - least_.y) * width_ + (cell.x - least_.x);
   }

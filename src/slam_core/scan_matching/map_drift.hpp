@@ -11,26 +11,26 @@
 
 namespace slam::scan_matching {
 
-/// The uncertainty of the parts of a map that is drawn scan by scan and closes no loops. A part is
-/// off by the error of the robot that drew it. Back at a part, the robot's covariance is that of
-/// the part again; beyond, it grows with each metre. The errors of successive metres are taken for
-/// independent, so that their variances add (a random walk).
+/// The uncertainty of the parts of a map that is built scan by scan without closing loops. A part
+/// has the error that the robot's pose had when it was drawn. When the robot returns to a part, its
+/// covariance is that of the part again; beyond, it grows with each metre. The errors of successive
+/// metres are taken to be independent, so that their variances add (a random walk).
 class MapDrift {
  public:
   /// @param position, heading standard deviation after a metre [m, rad]
   MapDrift(double position, double heading)
       : variance_per_metre_(position * position, position * position, heading * heading) {}
 
-  /// The map starts there, or starts over: what is drawn from now on has at least this covariance,
-  /// also where older parts are around.
+  /// The map starts at this pose, or starts over: all that is drawn from now on has at least this
+  /// covariance, even near older parts.
   void restart(const PoseEstimate& first);
-  /// A scan from there, which fits the parts around it, has gone into the map.
+  /// A scan that was taken at this pose, and that fits the parts around it, was added to the map.
   void add(const Pose2& pose);
   /// The covariance, in (x, y, theta), of a robot that knows exactly where it is relative to the
   /// parts around it.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
-  /// Whether the robot knows less of its place among the parts of the map around it than is known
-  /// of theirs, and so little that what it draws may be out of place.
+  /// Whether the robot's pose relative to the parts of the map around it is less certain than these
+  /// parts, and so uncertain that what it draws may be misplaced.
   bool isSurerThan(const PoseEstimate& robot) const;
 
   template <class Archive>
@@ -39,8 +39,8 @@ class MapDrift {
   }
 
  private:
-  /// The oldest place in the 3x3 squares around the pose, else the last one. Older parts have the
-  /// smaller covariance.
+  /// The oldest place in the 3x3 squares around the pose, or the last place if there is none. Older
+  /// parts have smaller covariances.
   const PoseEstimate& oldestNearby(const Pose2& pose) const;
 
   Eigen::Vector3d variance_per_metre_;

@@ -10,18 +10,18 @@
 
 namespace slam::scan_matching {
 
-/// How far wheels are off. They do worse things than their covariance says: they slip, and a lurch
-/// of a second belongs to no Gaussian. How bad they are is learnt from what scans say of them, from
-/// a careful beginning on: a fifth of the way and of the turn, a tenth of each to the other (by
-/// metre and radian), and 2 cm and 0.02 rad. These shares have the roles of alpha_1 to alpha_4 of
-/// the odometry motion model (Thrun, Burgard, Fox 2005, sec. 5.4), but here the standard deviations
-/// are added instead of the variances.
+/// The errors of the wheels' motion. They are larger than its covariance says: wheels slip, and a
+/// lurch of a second is not Gaussian. Their size is learnt from scans. It begins with large
+/// standard deviations: a fifth of the translation and of the turn, a tenth of each for the other
+/// (per metre and per radian), and 2 cm and 0.02 rad. These shares have the roles of alpha_1 to
+/// alpha_4 of the odometry motion model (Thrun, Burgard, Fox 2005, sec. 5.4), but here the standard
+/// deviations are added instead of the variances.
 class SlipEstimate {
  public:
   /// In the coordinates of the reported increment.
   Eigen::Matrix3d covarianceOf(const Pose2& increment) const;
-  /// @param error what a scan has found beside the increment, in its coordinates
-  /// @param shares of the error in each coordinate that the scan determines, 0 to 1
+  /// @param error of the increment, as a scan has found it, in the increment's coordinates
+  /// @param shares of the error that the scan determines, in each coordinate, 0 to 1
   void learn(const Pose2& increment, const Pose2& error, const Eigen::Vector3d& shares);
 
   template <class Archive>
@@ -30,10 +30,10 @@ class SlipEstimate {
   }
 
  private:
-  double position_ = 1.0, heading_ = 1.0;  ///< variances, relative to those of the beginning
+  double position_ = 1.0, heading_ = 1.0;  ///< variances, relative to the initial ones
 };
 
-/// What is known of a scan's pose from that of the scan before and the motion in between.
+/// The prior of a scan's pose, from the pose of the scan before and the motion in between.
 /// @param covariance of `before`, in (x, y, theta)
 /// @param noise of the increment, in its coordinates
 PosePrior priorAfter(const Pose2& before, const Eigen::Matrix3d& covariance, const Pose2& increment,

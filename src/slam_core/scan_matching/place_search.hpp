@@ -15,24 +15,24 @@
 
 namespace slam::scan_matching {
 
-/// Half the edges of the box of poses that a scan is searched in.
+/// Half the edge lengths of the box of poses in which a scan is searched.
 struct SearchWindow {
   double position;  ///< [m]
   double heading;   ///< [rad]
 };
 
-/// Where a scan fits a map best in a window: the global maximum over all its cells and headings, by
-/// branch and bound (Olson 2009; Hess, Kohler, Rapp, Andor 2016). The measure is the likelihood of
-/// the scan's ends (Thrun, Burgard, Fox 2005, sec. 6.4, table 6.3) times a Gaussian about the
-/// middle, whose sigmas are half the edges of the window.
+/// Finds where a scan fits a map best in a window: the global maximum over all cells and headings
+/// of the window, by branch and bound (Olson 2009; Hess, Kohler, Rapp, Andor 2016). The measure is
+/// the likelihood of the scan's ends (Thrun, Burgard, Fox 2005, sec. 6.4, table 6.3) times a
+/// Gaussian about the middle, whose sigmas are half the edges of the window.
 class PlaceSearch {
  public:
-  /// @param middle T_map_base; where the scan has no ends or this is no place on a map, nothing is
-  /// found
+  /// @param middle T_map_base. Nothing is found if the scan has no ends, or if this is no place on
+  /// a map
   PlaceSearch(const grid_map::GridMap& map, const grid_map::ScanPoints& scan, const Pose2& middle,
               const SearchWindow& window);
 
-  /// Whether the rasters stay below 70 MB; where they would not, nothing is found.
+  /// Whether the rasters need less than 70 MB. If they need more, nothing is found.
   static bool isWithinMemory(const grid_map::ScanPoints& scan, const SearchWindow& window);
 
   /// Whether there is something to search, and memory for it.
@@ -43,19 +43,19 @@ class PlaceSearch {
   std::optional<Pose2> bestApartFrom(const Pose2& place, const SearchWindow& apart) const;
 
  private:
-  /// The scan from the middle at one heading.
+  /// The scan taken from the middle, at one heading.
   struct Turned {
     double heading;  ///< beyond that of the middle [rad]
     int log_prior;
     std::vector<std::int32_t> ends;  ///< the cells that they fall in, as the pyramid counts
   };
-  /// Shifts at one heading, a square of them.
+  /// A square of shifts at one heading.
   struct Node {
     int bound = 0;  ///< nothing in it is better
     std::size_t turned = 0;
     std::int32_t x = 0, y = 0;  ///< the shift of its lower left corner [cells]
   };
-  /// What is not searched.
+  /// A region that is not searched.
   struct Exclusion {
     double x, y, heading;  ///< beyond the middle [cells, cells, rad]
     double radius, angle;  ///< [cells], [rad]
@@ -63,11 +63,11 @@ class PlaceSearch {
 
   std::vector<std::vector<grid_map::CellIndex>> turn(const grid_map::ScanPoints& scan);
   std::optional<Pose2> search(const std::optional<Exclusion>& exclusion) const;
-  /// Goes down to the cells below a node as long as they may be better than the best so far.
+  /// Searches the cells below a node as long as they may be better than the best so far.
   void descend(const Node& node, int level, const std::optional<Exclusion>& exclusion,
                Node& best) const;
   bool isWithin(const Node& node, int level, const Exclusion& exclusion) const;
-  /// @param enough where the sum falls to this, it is not taken to its end
+  /// @param enough the sum is not completed once it falls to this value
   int boundOf(const Node& node, int level, int enough) const;
 
   Pose2 middle_;

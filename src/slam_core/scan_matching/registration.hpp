@@ -11,19 +11,19 @@
 
 namespace slam::scan_matching {
 
-/// What is known of a scan's pose before it is matched.
+/// The prior of a scan's pose.
 struct PosePrior {
   Pose2 pose;                                             ///< T_map_base
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of (x, y, theta); 0: nothing
-  /// false: the pose is extrapolated from the last velocity. Then a scan also corrects it in
-  /// directions in which its information may be noise of the surfaces' normals.
+  /// If false, the pose is extrapolated from the last velocity. Then a scan corrects it also in
+  /// directions in which the scan's information may only be noise of the surfaces' normals.
   bool is_measured = true;
 };
 
 /// Where a scan fits a map.
 struct Registration {
   Pose2 pose;                                             ///< T_map_base
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan alone has of it
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the pose, from the scan alone
   int ends = 0;                                           ///< of beams that fit a surface
   double prior_weight = 1.0;                              ///< robust weight of the prior, 0 to 1
   bool isDetermined() const { return ends >= 5; }
@@ -34,8 +34,8 @@ struct Registration {
 /// 2009). Its residuals are the distance across the surface and, where the surface is like a point,
 /// the one along it, both over their variance. The kernel of Geman, McClure 1985 weighs them: an
 /// end with a weight below 0.05, or without a surface within two cells, is ignored.
-/// @param sigma standard deviation of an end's distance from what it met [m], beside the laser's
-/// own noise
+/// @param sigma standard deviation of an end's distance from what the beam met [m], in addition to
+/// the laser's own noise
 Registration registerScan(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
                           const Pose2& start, const PosePrior& prior, double sigma);
 

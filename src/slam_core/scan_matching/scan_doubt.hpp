@@ -12,44 +12,46 @@
 
 namespace slam::scan_matching {
 
-/// Whether the robot is where it takes itself to be, by a sequential test on how much of each scan
-/// contradicts the map: the logarithm of the likelihood of "lost" over that of "right" is summed
-/// over the scans and never falls below zero (CUSUM, Page 1954). Between two false alarms of a
-/// threshold h there are at least e^h independent scans in the mean (Lorden 1971), so that the
-/// threshold follows from how seldom a false alarm may come. The bound holds for a known model of
-/// "right": here that is learnt (UsualFit), and what a jump adds is outside of it, too.
+/// Tests whether the robot is at its estimated pose, by a sequential test on how much of each scan
+/// contradicts the map. The log-likelihood ratio of "lost" to "right" is summed over the scans and
+/// never falls below zero (CUSUM, Page 1954). With a threshold h there are on average at least e^h
+/// independent scans between two false alarms (Lorden 1971), so that the threshold follows from the
+/// permitted rate of false alarms. This bound holds for a known model of "right". Here the model is
+/// learnt (UsualFit), and the evidence of a jump is not covered by it either.
 ///
-/// Scans that follow one another closely see the same and err alike: the weight of a scan grows
-/// with the way, the turn and the time since the last one, up to 1. The sum never exceeds 2 h. An
-/// alarm ends when it is back at zero, or with a new place.
+/// Scans in quick succession see the same and have the same errors. So the weight of a scan grows
+/// with the distance, the turn and the time since the last one, up to 1. The sum never exceeds 2 h.
+/// An alarm ends when the sum is back at zero, or when the robot is put at a new place.
 class ScanDoubt {
  public:
-  /// @param lost_share of the ends in known cells; a scan of which more contradicts the map does
-  /// not go into it @param false_alarm_hours mean time between two false alarms, of a robot under
-  /// way [h] @param map_is_fixed the map stays as it is; then scans that fit nothing speak for
+  /// @param lost_share share of the ends in known cells; a scan of which more contradicts the map
+  /// is not added to it
+  /// @param false_alarm_hours mean time between two false alarms of a moving robot [h]
+  /// @param map_is_fixed the map does not change; then scans that fit nothing are evidence for
   /// "lost"
   explicit ScanDoubt(double lost_share = 0.5, double false_alarm_hours = 1000.0,
                      bool map_is_fixed = false);
 
-  /// To be called for each scan, before it goes into the map.
+  /// To be called for each scan, before it is added to the map.
   void judge(const Match& match, Stamp stamp);
-  /// Whether the last scan may go into the map. While the robot is lost or nearly so, one that
-  /// rather speaks for that may not: the map would be drawn anew around the wrong place.
+  /// Whether the last scan may be added to the map. While the robot is lost or nearly so, a scan
+  /// that is evidence for "lost" may not: the map would be drawn again around the wrong place.
   bool admits() const;
   bool isLost() const { return lost_since_.has_value(); }
-  /// The scan with which the doubt began that led to the alarm.
+  /// The stamp of the scan with which the doubt that led to the alarm began.
   const std::optional<Stamp>& lostSince() const { return lost_since_; }
-  /// An alarm while the robot is lost, and a warning where the last scan was found far from where
-  /// motion led.
+  /// An alarm while the robot is lost, and a warning if the last scan was found far from the
+  /// predicted pose.
   Status status() const;
 
-  /// The sum relative to the threshold: 1 and more raises an alarm.
+  /// The sum relative to the threshold: 1 or more raises an alarm.
   double statistic() const { return sum_ / threshold_; }
-  /// Between the scan with which the doubt began and the last one, while the robot is lost.
+  /// The time between the scan with which the doubt began and the last one; 0 while the robot is
+  /// not lost.
   Duration lostFor() const { return lost_since_ ? stamp_ - *lost_since_ : Duration::zero(); }
   /// Of the last scan.
   const Agreement& agreement() const { return agreement_; }
-  /// A new place or map: what was seen before says nothing of it.
+  /// To be called for a new place or map: earlier scans say nothing about it.
   void forget();
 
   template <class Archive>
@@ -58,7 +60,7 @@ class ScanDoubt {
   }
 
  private:
-  /// Of the last scan, in independent ones; 1 at most.
+  /// The weight of the last scan, in independent scans; 1 at most.
   double weightOf(const Pose2& pose, Stamp stamp) const;
   double evidenceOf(const Match& match) const;
   void add(double evidence, Stamp stamp);
@@ -71,7 +73,7 @@ class ScanDoubt {
   Stamp began_;            ///< the sum was last at zero before this scan
   std::optional<Stamp> lost_since_;
   std::optional<Pose2> pose_;    ///< of the last scan
-  std::optional<Pose2> jumped_;  ///< of the last scan, seen from where motion led
+  std::optional<Pose2> jumped_;  ///< of the last scan, relative to the predicted pose
   Stamp stamp_;
   Agreement agreement_;
 };

@@ -12,18 +12,19 @@
 
 namespace slam::scan_matching {
 
-/// How likely a scan is from a pose in a map, of which a part may be unknown: for each end the
-/// likelihood that its cell has, mixed with that of an end that has nothing to do with the map (the
-/// likelihood field of Thrun, Burgard, Fox 2005, ch. 6.4). Where the map knows nothing, an end is
-/// less likely than at a surface and more likely than where beams have passed.
+/// The likelihood of a scan at a pose in a map, parts of which may be unknown. It has a factor for
+/// each end: the likelihood of the end's cell, mixed with that of an end that has nothing to do
+/// with the map (the likelihood field of Thrun, Burgard, Fox 2005, ch. 6.4). In an unknown cell an
+/// end is less likely than at a surface and more likely than where beams have passed.
 class ScanEvidence {
  public:
   /// @param outlier likelihood of an end that has nothing to do with the map, relative to the best
-  /// @param unknown likelihood of an end where nothing is known, relative to the best
-  /// @param information share of an end's information that counts: neighbours err alike
+  /// @param unknown likelihood of an end in an unknown cell, relative to the best
+  /// @param information share of each end's information that is used, since neighbours have the
+  /// same errors
   ScanEvidence(double outlier, double unknown, double information);
 
-  /// Not above 0, which is where all ends fit best.
+  /// The log-likelihood; at most 0, when all ends fit best.
   /// @param pose T_map_base
   double log(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
              const Pose2& pose) const;

@@ -26,10 +26,10 @@ using LevelModels = std::array<grid_map::BeamModel, kLevels>;
 LevelModels levelModels(const grid_map::GridMapConfig& config);
 /// @param spacing of the ends to match in the finest [m]
 ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spacing);
-/// That a scan may need where a map has nothing yet, all levels together.
+/// The memory that a scan may need where the map has nothing yet, over all levels [byte].
 double mostBytesFor(const ScanLevels& scan);
 
-/// A map in several resolutions, whoever owns it; the finest first.
+/// A view of a map in several resolutions, which somebody else owns; the finest first.
 struct MapView {
   struct Level {
     const grid_map::BeamModel& model;
@@ -41,7 +41,7 @@ struct MapView {
   bool isEmpty() const { return finest().map.isEmpty(); }
 };
 
-/// The same map in several resolutions.
+/// A map in several resolutions.
 class ScanMap {
  public:
   struct Level {
@@ -55,7 +55,7 @@ class ScanMap {
   ScanMap& operator=(const ScanMap&) = delete;
 
   /// @param pose T_map_base
-  /// @return beams that end beyond the largest map
+  /// @return the number of beams that end beyond the largest map
   std::size_t insert(const ScanLevels& scan, const Pose2& pose);
 
   bool isEmpty() const { return finest().map.isEmpty(); }

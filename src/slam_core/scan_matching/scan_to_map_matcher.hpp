@@ -15,78 +15,80 @@
 
 namespace slam::scan_matching {
 
-/// What matching a scan with a map has found.
+/// The result of matching a scan with a map.
 struct Match {
-  Pose2 pose;                                             ///< T_map_base, with the prior's help
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< that the scan has of it
+  Pose2 pose;                                             ///< T_map_base, from scan and prior
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the pose, from the scan
   Agreement agreement;
-  double prior_weight = 1.0;      ///< robust weight of the prior, 0 to 1; 0 where it was searched
-  bool is_determined = false;     ///< enough ends fit to say something
-  bool was_searched = false;      ///< where the prior led nothing fitted
+  double prior_weight = 1.0;      ///< robust weight of the prior, 0 to 1; 0 after a search
+  bool is_determined = false;     ///< enough ends fit the map
+  bool was_searched = false;      ///< nothing fitted at the prior
   bool wide_search_done = false;  ///< it may have found nothing
-  /// By a wide search: seen from where the prior led.
+  /// The pose that a wide search found, relative to the prior's.
   std::optional<Pose2> jumped;
 };
 
-/// Finds where a scan fits a map: from the prior on in the fine resolution (registerScan()), and
-/// where that does not explain most of the scan, from where the coarse one leads. Where too much of
-/// the scan contradicts the map even so, it searches a window around the prior for a better place
-/// (Olson 2009), which without odometry grows until it covers the guess's sigma, and a wide one if
-/// need be, so that the robot is found again after wheels that slipped or stood still.
+/// Finds where a scan fits a map. It starts at the prior in the fine resolution (registerScan()).
+/// If that does not explain most of the scan, it starts from the result in the coarse resolution.
+/// If too much of the scan still contradicts the map, it searches a window around the prior for a
+/// better place (Olson 2009); without odometry this window grows until it covers the sigma of the
+/// guess. If necessary it searches a wide window, so that the robot is found again after its wheels
+/// slipped or stood still.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
 
   /// @param map not empty
-  /// @param may_use_wide_window whether it may be searched, which takes about ten milliseconds
+  /// @param may_use_wide_window whether the wide window may be searched, which takes about ten
+  /// milliseconds
   Match match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
               bool may_use_wide_window = true) const;
 
-  /// Whether the scan has been taken within the map, and where: the only place in a window around
-  /// the prior that explains most of what the scan sees. In a window that is no larger than a local
-  /// one there is no need to search.
-  /// @return nothing where it fits nowhere, or as well elsewhere
+  /// Finds whether and where the scan was taken in the map: the only place in a window around the
+  /// prior that explains most of the scan. A window no larger than a local one is not searched.
+  /// @return nothing if it fits nowhere, or if it fits another place as well
   std::optional<Match> recognise(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                                  const SearchWindow& window) const;
 
-  /// The same where nothing is known but that the robot is at one of these places [m], or not far
-  /// from them. What has moved since the map was drawn contradicts it at the right place too: a
-  /// place that more contradicts than is usual counts where all others are far worse.
+  /// The same if it is only known that the robot is in this box [m] or not far from it. Things that
+  /// have moved since the map was drawn contradict it at the right place, too. So a place that
+  /// contradicts more than usual is accepted if all others are far worse.
   std::optional<Match> recogniseAnywhere(const MapView& map, const ScanLevels& scan,
                                          const Eigen::AlignedBox2d& places) const;
 
-  // The steps of recogniseAnywhere(), for who weighs what was found by other evidence as well.
-  /// The place where most of the scan fits the map, whether or not that is enough.
-  /// @return nothing where the map or the places are none, or too large to be searched
+  // The steps of recogniseAnywhere(), for callers that also use other evidence.
+  /// The place where the largest part of the scan fits the map, whether or not that is enough.
+  /// @return nothing if the map or the box is empty or too large to be searched
   std::optional<Match> bestAnywhere(const MapView& map, const ScanLevels& scan,
                                     const Eigen::AlignedBox2d& places) const;
-  /// The best one that lies apart from a place. @return nothing where there is none
+  /// The best place apart from a given one. @return nothing if there is none
   std::optional<Match> rivalAnywhere(const Match& found, const MapView& map, const ScanLevels& scan,
                                      const Eigen::AlignedBox2d& places) const;
 
-  // The steps of match(), for who searches once for many maps.
-  /// The match, or the prior's pose without any information where the scan contradicts most of the
-  /// map at the matched pose.
+  // The steps of match(), for callers that search once for many maps.
+  /// The match; or, if most of the scan contradicts the map at the matched pose, the prior's pose
+  /// without any information.
   Match believed(Match match, const PosePrior& prior) const;
   /// Without any search.
   Match matchNearby(const MapView& map, const ScanLevels& scan, const PosePrior& prior) const;
-  /// Whether so much contradicts the map that a better place is worth a search.
+  /// Whether so much of the scan contradicts the map that a search for a better place is
+  /// worthwhile.
   bool isDoubtful(const Match& match) const;
-  /// The better one of what was found nearby and what is there around a place that a search in
-  /// another map has led to.
+  /// The better one of two matches: `nearby`, and the match around a place that a search in another
+  /// map has found.
   Match orAround(const Pose2& place, const MapView& map, const ScanLevels& scan,
                  const Match& nearby) const;
 
  private:
-  /// @return the windows to search, one after the other, until a place fits: the local one and,
-  /// where the prior is a guess, larger ones. Both edges are doubled until the window covers the
-  /// prior's sigmas, or 2 m and 1.6 rad where these are smaller; the last may be larger than that.
+  /// @return the windows to search, one after the other, until a place fits: the local one and, if
+  /// the prior is a guess, larger ones. Both edges are doubled until the window covers the prior's
+  /// sigmas, or 2 m and 1.6 rad if these are smaller; the last window may be larger than that.
   std::vector<SearchWindow> windowsAround(const PosePrior& prior) const;
   /// Whether the scan fits about as well elsewhere within 10 m, or within the window that was
   /// searched where that is wider. @param margin by which the surplus is greater, of all ends
   bool hasRival(const Match& found, const MapView& map, const ScanLevels& scan, const Pose2& middle,
                 const SearchWindow& window, double margin) const;
-  /// Searches the wide window. @return a place there that is worth a jump, else `nearby`
+  /// Searches the wide window. @return a place there that justifies a jump, otherwise `nearby`
   Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,

@@ -12,14 +12,14 @@
 
 namespace slam::scan_matching {
 
-/// The time between scans, for who has only their stamps to go by. A laser sweeps at a steady rate,
-/// while some drivers stamp in lumps: stamps that are all over the place show the mean rate only.
+/// Estimates the time between scans from their stamps. A laser sweeps at a steady rate, but some
+/// drivers stamp several scans at once: irregular stamps show only the mean rate.
 class SweepInterval {
  public:
   void note(Duration interval);
-  /// An interval that is stamped so, or what it is more likely to be.
+  /// The given interval, or the mean one if the stamps are irregular; at most three times the mean.
   Duration plausible(Duration interval) const;
-  /// A gap of any length counts in full here, since scans may have been lost.
+  /// The same without that limit, since a gap may be long when scans were lost.
   Duration likely(Duration interval) const;
 
   template <class Archive>
@@ -28,15 +28,15 @@ class SweepInterval {
   }
 
  private:
-  double usual_ = 0.0, spread_ = 0.0;  ///< mean, and mean distance from it [s]; 0: none yet
+  double usual_ = 0.0, spread_ = 0.0;  ///< mean, and mean deviation [s]; 0: none yet
 };
 
 /// The robot's motion from one scan to the next.
 struct ScanStep {
   Pose2 increment;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta) of the increment
-  /// Jacobian of the increment's error by the error of the reported motion: the part that the scan
-  /// has not removed.
+  /// Jacobian of the increment's error by the error of the reported motion: the part of that error
+  /// that the scan has not removed.
   Eigen::Matrix3d of_motion = Eigen::Matrix3d::Identity();
 
   template <class Archive>
@@ -48,32 +48,35 @@ struct ScanStep {
 /// The robot moves no faster than this.
 struct MotionLimits {
   double speed = 10.0, turn_rate = 10.0;  ///< [m/s], [rad/s]
-  bool may_jump = true;                   ///< a scan may find it far from where it was
+  bool may_jump = true;                   ///< a scan may find the robot far from where it was
 };
 
-/// Follows a robot through a map from scan to scan: each is looked for where the last pose and the
-/// motion since then lead, or the last velocity where no motion is known.
+/// Tracks a robot through a map from scan to scan. Each scan is searched at the pose predicted from
+/// the last pose and the motion since then, or from the last velocity if no motion is known.
 class ScanTracker {
  public:
   explicit ScanTracker(const MatcherConfig& config = {}, const MotionLimits& limits = {})
       : matcher_(config), limits_(limits) {}
 
-  /// The robot is there; what was known of its velocity, slips and the scans' stamps is dropped.
+  /// Starts at this pose; the velocity, the slip and the stamps known so far are dropped.
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
   Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
               const std::optional<Motion>& motion);
 
-  /// The same robot in another map, or where something else has put it since the last scan.
+  /// Moves the robot, for example into another map, or because something else has changed its pose
+  /// since the last scan.
   void moveTo(const Pose2& pose) { robot_.pose = pose; }
   /// The part of the map around the robot has just been drawn from its pose: relative to this part,
   /// the covariance of the pose becomes zero.
   void anchor() { robot_.covariance.setZero(); }
 
-  /// To the last scan. What both poses owe to the map they were found in cancels; where a scan says
-  /// nothing, as along a corridor, its covariance is that of the reported motion.
+  /// The motion to the last scan. Errors that both poses share, since they were found in the same
+  /// map, cancel. In directions that the scan does not determine, such as along a corridor, its
+  /// covariance is that of the reported motion.
   const ScanStep& step() const { return step_; }
-  /// At the last scan; the covariance is that among the map's parts around it, in (x, y, theta).
+  /// The pose at the last scan. The covariance is relative to the parts of the map around it, in
+  /// (x, y, theta).
   const PoseEstimate& robot() const { return robot_; }
 
   template <class Archive>
@@ -89,10 +92,10 @@ class ScanTracker {
               bool is_told);
   /// A wide search for each scan of a lost robot would take too long.
   bool mayUseWideWindow(Stamp stamp) const;
-  /// The pose that follows from what is known before a scan, `noise` that of the motion to it.
+  /// Updates the pose by a match. @param noise of the motion to the scan
   void update(const Match& found, const PosePrior& prior, const Motion& motion,
               const Eigen::Matrix3d& noise);
-  /// The step to the last scan shows a velocity where both of its poses were known. Else it
+  /// The step to the last scan gives a velocity if both of its poses were known. Otherwise it
   /// corrects the first of them.
   void learnVelocity(const Pose2& step, Duration interval, bool is_correction);
 
@@ -113,7 +116,7 @@ class ScanTracker {
   Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();
 };
 
-/// Says when the robot has gone or turned far enough for a scan to show something new.
+/// Tells when the robot has moved or turned far enough for a scan to show something new.
 class InsertionTrigger {
  public:
   /// @param distance [m] @param angle [rad]

@@ -9,10 +9,10 @@
 
 namespace slam::scan_matching {
 
-/// Counts what scans fit, and notices where they show nothing for a while.
+/// Counts how scans fit the map, and notices when they show nothing for a while.
 ///
-/// Counted: "unmatched" scans, that fit nothing; "searched" ones, that fit only where a search has
-/// led; "jumped" ones, found by a wide search.
+/// Counted: "unmatched" scans, which fit nothing; "searched" scans, which fit only after a search;
+/// "jumped" scans, which a wide search found.
 class ScanWatch {
  public:
   void restart() { blind_ = unmatched_ = 0; }
@@ -20,7 +20,7 @@ class ScanWatch {
   /// @param has_motion whether something else has reported the motion
   void note(const ScanLevels& scan, bool map_is_empty, const Match& match, bool has_motion,
             Counters& counters);
-  /// A warning where the last scans hold nothing to match, or fit nothing.
+  /// A warning if the last scans hold nothing to match, or fit nothing.
   Status status() const;
 
   template <class Archive>

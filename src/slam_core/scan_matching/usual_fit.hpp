@@ -11,19 +11,21 @@ namespace slam::scan_matching {
 struct ShareDistribution {
   double contradicting, agreeing;
 
-  /// Logarithm of the likelihood of a scan's counts, up to what is the same for all distributions.
-  /// The share differs from scan to scan, so that the counts are beta-binomial (Skellam 1948).
-  /// Neighbouring ends err alike: no more ends are counted than err alone.
+  /// Log-likelihood of a scan's counts, up to a term that is the same for all distributions. The
+  /// share differs from scan to scan, so that the counts are beta-binomial (Skellam 1948).
+  /// Neighbouring ends have the same errors: only as many ends are counted as have independent
+  /// errors.
   double logLikelihood(const Agreement& counts) const;
 };
 
-/// How much of a scan usually contradicts the map where the robot is where it takes itself to be:
-/// people, glass and thin legs do in every building, and in one part more than in another. Mean and
-/// spread of the share are learnt from the latest scans, beginning with what several buildings had.
+/// How much of a scan usually contradicts the map when the robot is at its estimated pose. People,
+/// glass and thin legs contradict it in every building, and in some parts more than in others. Mean
+/// and spread of the share are learnt from the latest scans, beginning with values that were
+/// typical of several buildings.
 class UsualFit {
  public:
   ShareDistribution distribution() const;
-  /// @param weight of this scan, in independent ones
+  /// @param weight of this scan, in independent scans
   void learn(const Agreement& counts, double weight);
   double share() const { return mean_; }
 

@@ -16,9 +16,9 @@
 
 namespace slam_ros {
 
-/// What has come to a back-end's node besides what the back-end's intake notes itself: data that
-/// reach it through a gate and data of modules, which nobody else acknowledges, and the topic that
-/// motion comes of.
+/// Notes what has come to a back-end's node in addition to what the back-end's intake notes itself:
+/// data that reach it through a gate and data of modules, which nobody else acknowledges, and the
+/// topic on which motion comes.
 class ArrivalNotes {
  public:
   ArrivalNotes() = default;
@@ -26,14 +26,14 @@ class ArrivalNotes {
 
   /// To be called with every value that comes in.
   void take(const std::string& port, slam::Kind kind, const void* value);
-  /// To be called when a message has been taken. @param motion the newest motion that there is
+  /// To be called when a message has been taken. @param motion the newest motion
   void taken(const std::string& topic, const std::optional<slam::Stamp>& motion);
-  /// The topic whose messages moved motion on last; empty before there is any motion.
+  /// The topic whose message last brought newer motion; empty before there is any motion.
   const std::string& motionTopic() const { return motion_topic_; }
   /// Acknowledges all that has come, whether or not it could be used.
   void acknowledge(const slam::Intake::Arrivals& arrivals, slam_msgs::Progress& message) const;
-  /// To be called after a restart: what came before is of another time, and acknowledged
-  /// already, since each message is when it has been taken.
+  /// To be called after a restart. Data from before are of another time; they are acknowledged
+  /// already, since each message is acknowledged when it is taken.
   void forget();
 
  private:

@@ -14,8 +14,8 @@
 
 namespace slam_ros {
 
-/// The nodelet of a back-end in the composition pubsub. A back-end's package derives from it, names
-/// the component and exports the plugin; nothing else.
+/// The nodelet of a back-end in the composition pubsub. A back-end's package only derives from it,
+/// names the component and exports the plugin.
 class BackendNodelet : public nodelet::Nodelet {
  protected:
   /// @param backend its name in the registry of back-ends

@@ -17,8 +17,8 @@
 
 namespace slam_ros {
 
-/// All that is published of a step, by what the back-end can do. What a rate held back follows when
-/// nothing else comes.
+/// Publishes the results of a step, depending on the back-end's capabilities. Results that a rate
+/// limit held back are published when no further step comes.
 class BackendOutputs {
  public:
   BackendOutputs(ros::NodeHandle handle, const slam::Estimator& estimator,
@@ -28,9 +28,9 @@ class BackendOutputs {
   /// Takes over rates, periods and the transform's tolerance.
   void configure(const OutputsConfig& config);
   void publish(const slam::StepReport& report);
-  /// The map was replaced.
+  /// To be called when the map was replaced.
   void refresh();
-  /// Path and transform start over.
+  /// Starts path and transform over.
   void restart();
 
  private:
@@ -41,7 +41,7 @@ class BackendOutputs {
   std::optional<GridPublisher> grid_;
   std::optional<GraphPublisher> graph_;
   std::optional<FeaturePublisher> features_;
-  const slam::ViewDrawer* drawer_ = nullptr;  ///< null: the back-end looks through no camera
+  const slam::ViewDrawer* drawer_ = nullptr;  ///< null: the back-end uses no camera
   std::optional<DetectionsPublisher> drawing_;
   EventPublisher events_;
   ros::WallTimer flush_timer_;

@@ -21,14 +21,14 @@
 
 namespace slam_ros {
 
-/// What the services do with the estimator, said by who owns it.
+/// The functions that the services call; the owner of the estimator provides them.
 struct BackendActions {
   std::function<void()> reset;
   std::function<void(bool)> pause;
   std::function<slam::LandmarkFile()> map;
   std::function<slam::Status(const slam::LandmarkFile&)> load;
   std::function<slam::Status(slam::LandmarkId)> remove;
-  // these are empty where the back-end keeps no sessions
+  // these are empty if the back-end keeps no sessions
   std::function<slam::SavedSession()> session;
   std::function<slam::Status(const slam::SavedSession&)> take_up, merge;
 };

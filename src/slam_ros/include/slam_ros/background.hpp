@@ -8,10 +8,10 @@
 
 namespace slam_ros {
 
-/// One piece of work at a time beside the thread that hands it over.
+/// Does one piece of work at a time in another thread than the caller's.
 class Background {
  public:
-  /// @return false when the last piece is not done yet: this one is not taken
+  /// @return false if the last piece is not done yet; then this one is not accepted
   bool tryRun(std::function<void()> work);
   bool isBusy() const;
   /// Waits for the last piece.

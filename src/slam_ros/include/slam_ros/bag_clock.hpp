@@ -10,7 +10,7 @@
 
 namespace slam_ros {
 
-/// Lets time pass as a bag has it: waits for each message's time at a rate and publishes /clock.
+/// Plays the time of a bag: waits for each message's time at a rate and publishes /clock.
 class BagClock {
  public:
   /// @param rate times the recorded speed; 0: no waiting

@@ -15,24 +15,24 @@
 
 namespace slam_ros {
 
-/// The path that a bag shall go to cannot be one. One sentence.
+/// A bag cannot be written to this path. The message is one sentence.
 class BagPathError : public WrongUse {
  public:
   using WrongUse::WrongUse;
 };
 
-/// Writing failed, and nothing is left of the bag. One sentence.
+/// Writing failed, and nothing is left of the bag. The message is one sentence.
 class BagWriteError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A bag that is written message by message and is there as a whole or not at all: a part of
-/// its own beside it becomes PATH in complete(); without it, and after an error, the part is
-/// removed.
+/// A bag that is written message by message, and exists either completely or not at all: it is
+/// written to a file beside PATH, which complete() renames to PATH. Without complete(), and after
+/// an error, this file is removed.
 class BagFile {
  public:
-  /// @throw BagPathError its folder is not there, or it is no ordinary file; BagWriteError
+  /// @throw BagPathError if its folder does not exist, or it is not an ordinary file; BagWriteError
   explicit BagFile(const std::string& path);
   ~BagFile();
   BagFile(const BagFile&) = delete;

@@ -18,8 +18,9 @@
 namespace slam_ros {
 
 /// Holds back the messages of a bag until those before them have been acknowledged, so that nothing
-/// is dropped however fast it goes. The back-end acknowledges what it takes itself; of what others
-/// take, what they make of it. One thread sends, another brings acknowledgements.
+/// is dropped at any speed. The back-end acknowledges the messages that it takes itself; for
+/// messages that other components take, it acknowledges their output. One thread sends, another one
+/// delivers the acknowledgements.
 class BagFlow {
  public:
   struct Options {
@@ -32,7 +33,8 @@ class BagFlow {
   /// @param inputs outlive this
   BagFlow(const BagInputs& inputs, Options options);
 
-  /// What a message of the input must pass; it waits there, and refuses once stop() was called.
+  /// The gate that a message of the input must pass. The message waits there, and is refused after
+  /// stop() was called.
   BagInput::Gate gateOf(const BagInputs::Found& found);
 
   void acknowledge(const slam_msgs::Progress& message);
@@ -54,13 +56,13 @@ class BagFlow {
   const BagInputs& inputs_;
   Options options_;
   FlowWindow window_{kInFlight};
-  std::map<std::string, std::size_t> limits_;  ///< of answers, where they are not the usual one
-  /// The limits of answers to data that may wait for their sensor, until that wait was in vain
-  /// once.
+  std::map<std::string, std::size_t> limits_;  ///< of answers, if they are not the usual one
+  /// The limits of answers to data that may wait for their sensor, until the first such wait was in
+  /// vain.
   std::map<std::string, std::size_t> held_;
-  std::optional<slam::Duration> max_ahead_;  ///< of stamps, where several triggers wait together
+  std::optional<slam::Duration> max_ahead_;  ///< of stamps, if several triggers wait together
   std::atomic<bool> stopped_{false};
-  slam_msgs::Progress told_, point_map_told_;  ///< by the back-end and the point map, last
+  slam_msgs::Progress told_, point_map_told_;  ///< last, by back-end and point map
 };
 
 }  // namespace slam_ros

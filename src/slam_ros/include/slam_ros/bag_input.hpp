@@ -29,7 +29,7 @@ struct BagContext {
   GivenMounts mounts;
 };
 
-/// When data hold; what is latched has no stamp.
+/// The stamp for which data hold; latched data have none.
 template <class Data>
 slam::Stamp stampOf([[maybe_unused]] const Data& data) {
   if constexpr (slam::detail::HasStamp<Data>::value) return data.stamp;
@@ -37,31 +37,32 @@ slam::Stamp stampOf([[maybe_unused]] const Data& data) {
 }
 inline slam::Stamp stampOf(const slam::Motion& motion) { return motion.end; }
 
-/// Who gets what the messages of an input hold.
+/// The functions that take the data of an input's messages.
 struct BagSinks {
   template <class Data>
   void give(const Data& data) const {
     put(slam::Datum::of(data), stampOf(data));
   }
 
-  /// A value, and its stamp where data of its kind have one.
+  /// A value, with its stamp if its kind has one.
   std::function<void(const slam::Datum& value, slam::Stamp stamp)> put;
   std::function<void(const std::string& sentence)> warn = [](const auto&) {};
   std::function<void(const std::string& reason)> count = [](const auto&) {};
   tf2_msgs::TFMessage static_transforms;  ///< of the bag
 };
 
-/// How an input is played to other nodes.
+/// How an input is replayed to other nodes.
 struct BagPlay {
-  std::size_t in_flight = kInFlight;  ///< messages that are sent before one is acknowledged
-  /// Messages that a component may hold until it knows its sensor; 0: it waits for nothing.
+  std::size_t in_flight = kInFlight;  ///< messages sent before one is acknowledged
+  /// The number of messages that a component may hold until it knows its sensor; 0: it does not
+  /// wait.
   std::size_t held = 0;
-  bool needs_transforms = false;  ///< its sensor's mount is a transform
+  bool needs_transforms = false;  ///< the sensor's mount comes as a transform
 };
 
-/// One input of a product as it stands in a bag: one object for each port. BagInputs finds it; then
-/// its owner asks once for readers() or for senders(). It needs no library of bags, so that a
-/// package can bring one for a kind of its own.
+/// One input of a product in a bag; there is one object for each port. BagInputs finds it; then its
+/// owner asks once for readers() or for senders(). The class does not depend on the bag library, so
+/// that a package can bring one for its own kind of data.
 class BagInput {
  public:
   /// Whether data of this stamp may be sent now; it may wait.
@@ -69,37 +70,38 @@ class BagInput {
 
   virtual ~BagInput() = default;
 
-  /// What remappings and sentences call it, with the robot's topics and their types.
+  /// The names that remappings and messages use for it, with the robot's topics and their types.
   virtual std::vector<Input> names() const = 0;
-  /// The remapping as it is meant, where it names one of several topics of this input.
+  /// The remapping for this input, if it names one of several topics of the input.
   virtual Remap meaningOf(Remap remap, const std::vector<BagTopic>& /*topics*/) const {
     return remap;
   }
-  /// Whether a remapping asks for it although the bag carries what is made of it.
+  /// Whether a remapping asks for it although the bag holds the data that are made of it.
   virtual bool isAskedFor(const BagSearch& bag) const {
     const auto inputs = names();
     return std::any_of(inputs.begin(), inputs.end(),
                        [&](const Input& input) { return bag.isRemapped(input); });
   }
-  /// One clause that says how to ask for it in that way; empty where nobody can.
+  /// One clause that says how to ask for it in that way; empty if that is impossible.
   virtual std::string howToAsk() const { return ""; }
 
-  /// @return whether the bag has it @throw TopicError where that cannot be told
+  /// @return whether the bag has it @throw TopicError if that cannot be decided
   virtual bool find(BagSearch& bag) = 0;
-  /// What a bag must have for it: "'scan' (sensor_msgs/LaserScan)".
+  /// What a bag must have for it, such as "'scan' (sensor_msgs/LaserScan)".
   virtual std::string need() const = 0;
-  /// The topics of the bag that it was found on, that of its data first.
+  /// The topics of the bag on which it was found, that of its data first.
   virtual std::vector<std::string> topics() const = 0;
 
-  /// Handlers that give the sinks what the messages hold. They refer to this object.
+  /// Handlers that give the data of the messages to the sinks. They refer to this object.
   virtual BagHandlers readers(const BagSinks& sinks) = 0;
-  /// Why nothing could be made of all that was read: one clause; empty where it could.
+  /// Why none of the messages that were read could be used, as a clause; empty if some could.
   virtual std::string lacking() const { return ""; }
 
   virtual BagPlay play() const { return {}; }
-  /// Handlers that publish on the robot's topics what the gate lets through. They refer to this.
+  /// Handlers that publish on the robot's topics what the gate lets through. They refer to this
+  /// object.
   virtual BagHandlers senders(ros::NodeHandle handle, const Gate& gate) = 0;
-  /// What senders() publishes on.
+  /// The topics on which senders() publishes.
   const std::vector<ros::Publisher>& publishers() const { return publishers_; }
 
  protected:
@@ -113,7 +115,7 @@ class BagInput {
   std::vector<ros::Publisher> publishers_;
 };
 
-/// The input on topics of messages of one type.
+/// An input whose topics have messages of one type.
 template <class Message>
 Input inputOf(const std::string& name, const std::string& topic) {
   return {name, topic, ros::message_traits::DataType<Message>::value(),
@@ -138,7 +140,7 @@ struct HeaderStamp {
   }
 };
 
-/// An input that stands on one topic.
+/// An input on one topic.
 class TopicInBag : public BagInput {
  public:
   explicit TopicInBag(Input input) : input_(std::move(input)) {}

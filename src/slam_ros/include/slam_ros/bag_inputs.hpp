@@ -15,14 +15,16 @@ namespace slam_ros {
 
 /// The inputs of a product that a bag has, by the ports of the product's components.
 ///
-/// Data that a component would make and that the bag carries take the component's place, unless the
-/// bag has an input of the component that others take as well, or a remapping asks for an input of
-/// the component. Where the bag has what the component makes the data of, only a topic of their own
-/// name or a remapped one carries them: that of another robot may be of the same type.
+/// If the bag holds the output of a component, this output replaces the component, unless the bag
+/// has an input of the component that others take as well, or a remapping asks for an input of the
+/// component. If the bag also has the inputs of the component, its output is used only from a topic
+/// of the output's own name or from a remapped one: a topic of the same type may be that of another
+/// robot.
 class BagInputs {
  public:
-  /// @throw TopicError when an input that the product needs is missing (with what the bag has) or
-  /// cannot be told, and for a remapping that is wrong or would have no effect; slam::ConfigError
+  /// @throw TopicError if an input that the product needs is missing (the message says what the bag
+  /// has) or is ambiguous, and for a remapping that is wrong or would have no effect;
+  /// slam::ConfigError
   BagInputs(const BagReader& bag, const slam::ProductComponents& product, const BagContext& context,
             const std::vector<Remap>& remaps);
 
@@ -32,17 +34,18 @@ class BagInputs {
     std::unique_ptr<BagInput> input;
   };
   const std::vector<Found>& found() const { return found_; }
-  /// The topics of the bag that an input was found on, that of its data first; none: it was not.
+  /// The topics of the bag on which an input was found, that of its data first; none if it was not
+  /// found.
   std::vector<std::string> topicsOf(const std::string& port) const;
 
   const slam::DataFlow& flow() const { return flow_; }
   /// The components that are not left out.
   std::vector<slam::DataFlow::Part> parts() const;
   bool isLeftOut(const std::string& key) const;
-  /// Whether the bag has the data, or all of what a component makes them of.
+  /// Whether the bag has the data, or all inputs of the component that makes them.
   bool isSupplied(const slam::InputPort& input) const;
 
-  /// Handlers for BagReader::read() that give the sinks of each input what its messages hold.
+  /// Handlers for BagReader::read() that give the data of each input's messages to its sinks.
   /// @param sinksOf called with the Found of each input
   template <class SinksOf>
   BagHandlers readers(SinksOf sinksOf) const {

@@ -15,7 +15,7 @@
 
 namespace slam_ros {
 
-/// One message of a bag, as it stands there.
+/// One message of a bag, serialised.
 struct BagMessage {
   const std::string& topic;
   ros::Time time;  ///< of receipt
@@ -26,8 +26,8 @@ struct BagMessage {
 using BagHandler = std::function<void(const BagMessage&)>;
 using BagHandlers = std::map<std::string, BagHandler>;
 
-/// Refuses a list that cannot stand in the bytes that are left, before room is made for it: ROS's
-/// own stream would take whatever a damaged length asks for.
+/// Refuses a list that is longer than the remaining bytes, before memory is allocated for it: ROS's
+/// own stream would allocate whatever a damaged length says.
 class CheckedStream : public ros::serialization::Stream {
  public:
   static const ros::serialization::StreamType stream_type = ros::serialization::stream_types::Input;
@@ -58,8 +58,8 @@ class CheckedStream : public ros::serialization::Stream {
   }
 };
 
-/// Deserialises into one message that is used again and again; the callback copies what it keeps.
-/// The handler throws ros::serialization::StreamOverrunException.
+/// Deserialises into one message that is reused; the callback copies what it keeps. The handler
+/// throws ros::serialization::StreamOverrunException.
 template <class Message, class Callback>
 BagHandler onMessage(Callback callback) {
   return [callback, message = Message()](const BagMessage& given) mutable {

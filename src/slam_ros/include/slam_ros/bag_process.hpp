@@ -14,18 +14,19 @@
 
 namespace slam_ros {
 
-/// What stands in a bag.
+/// The content of a bag.
 struct BagContents {
   std::vector<BagTopic> topics;  ///< sorted by name
   ros::Time begin, end;
 };
 
-/// ROS's library for bags trusts the lengths and places that a bag tells: with a damaged one it
-/// crashes, or takes all memory. It is only called in a process of its own, which hands over what
-/// it reads. Both throw std::runtime_error with what is wrong, to stand behind the bag's name.
+/// ROS's library for bags trusts the lengths and offsets in a bag: with a damaged bag it crashes,
+/// or takes all memory. So it is called only in a process of its own, which passes on what it
+/// reads. Both functions throw std::runtime_error with what is wrong, as a clause to follow the
+/// bag's name.
 BagContents contentsOfBag(const std::string& path);
 
-/// The messages of the topics, in the order of their receipt, until `take` returns false.
+/// Reads the messages of the topics in the order of their receipt, until `take` returns false.
 void readBag(const std::string& path, const std::vector<std::string>& topics,
              const std::function<bool(const BagMessage&)>& take);
 

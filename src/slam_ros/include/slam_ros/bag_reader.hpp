@@ -13,12 +13,12 @@
 
 namespace slam_ros {
 
-/// A bag that is read, in the order of its receive times; only the topics asked for are touched. A
-/// damaged bag costs a sentence, whatever the library makes of it (bag_process.hpp).
-/// Everything throws std::runtime_error, one sentence that names the bag and what is wrong with it.
+/// Reads a bag in the order of its receive times; only the requested topics are read. A damaged bag
+/// leads to an exception, whatever the bag library does (bag_process.hpp). All functions throw
+/// std::runtime_error, with one sentence that names the bag and what is wrong with it.
 class BagReader {
  public:
-  /// @throw when it is missing, a folder, no bag, or was not closed properly
+  /// @throw if it is missing, is a folder or not a bag, or was not closed properly
   explicit BagReader(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -30,12 +30,12 @@ class BagReader {
   slam::Stamp begin() const { return begin_; }
   slam::Stamp end() const { return end_; }
 
-  /// Calls the handlers, a topic each, message by message. `progress` is told how many messages are
-  /// done; the reading ends when it returns false.
+  /// Calls the handlers, one for each topic, message by message. `progress` gets the number of
+  /// messages that are done; the reading ends when it returns false.
   void read(const BagHandlers& handlers,
             const std::function<bool(std::size_t done)>& progress = {}) const;
 
-  /// The name of the robot file in the topic `robot`; empty where the bag does not tell.
+  /// The name of the robot file, from the topic `robot`; empty if the bag does not have it.
   std::string robot() const;
 
  private:

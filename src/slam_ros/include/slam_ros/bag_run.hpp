@@ -22,13 +22,13 @@ namespace slam_ros {
 /// The options of each such program.
 struct BagRunOptions {
   std::string product;  ///< file or name
-  std::string robot;    ///< file or name; empty: the bag tells
+  std::string robot;    ///< file or name; empty: the bag names it
   std::string bag, folder;
   std::vector<std::string> overrides, remaps;
   RunOrigin origin = {};  ///< goes into metrics.json and config.yaml
 };
 
-/// @return the robot's name or file @throw UnknownName where neither options nor bag tell it
+/// @return the robot's name or file @throw UnknownName if neither options nor bag name it
 std::string robotOf(const BagRunOptions& options, const BagReader& bag);
 /// Reads the files of product and robot. @throw UnknownName, slam::ConfigError
 slam::Settings settingsFor(const BagRunOptions& options, const BagReader& bag);
@@ -36,9 +36,9 @@ slam::Settings settingsFor(const BagRunOptions& options, const BagReader& bag);
 /// slam::ConfigError
 TopicsConfig configured(slam::Settings& settings, slam::MetaCoordinator& product);
 
-/// Refuses a run in which no step was taken, or none of the sensors that see could be used: its
-/// path would be that of the odometry alone.
-/// @param poses of the run @throw std::runtime_error with what was lacking
+/// Refuses a run in which no step was taken, or in which no sensor other than the odometry could be
+/// used: its path would be that of the odometry alone.
+/// @param poses of the run @throw std::runtime_error with what was missing
 void requireSteps(const RunMetrics& metrics, std::size_t poses, const BagInputs& inputs,
                   const BagReader& bag);
 
@@ -58,7 +58,7 @@ constexpr const char* kStampsWentBack =
     "the stamps went back: map and pose begin anew; what was written until then is kept in files "
     "named ...before_restart_...";
 
-/// Prints how often each thing was counted, on one line; nothing where nothing was.
+/// Prints all counters on one line; nothing if nothing was counted.
 void printCounts(const slam::Counters& counters);
 
 }  // namespace slam_ros

@@ -10,7 +10,7 @@
 
 namespace slam_ros {
 
-/// The command line of BagRunOptions; each program adds where its files go.
+/// The command-line arguments for BagRunOptions; each program adds those for its output.
 class BagRunArguments {
  public:
   /// @param options take what is given; they outlive the parsing

@@ -11,7 +11,7 @@
 
 namespace slam_ros {
 
-/// The transforms that do not lead from the map; those are the back-end's to publish.
+/// The transforms except those from the map frame, which the back-end publishes.
 tf2_msgs::TFMessage withoutMap(const tf2_msgs::TFMessage& message, const std::string& map_frame);
 
 tf2_msgs::TFMessage withoutEdge(const tf2_msgs::TFMessage& message, const std::string& parent,

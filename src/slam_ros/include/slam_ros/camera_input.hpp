@@ -39,7 +39,8 @@ class CameraInput {
   bool hasImage() const { return mount_.hasFrame(); }
   bool hasCalibration() const { return calibration_.has_value(); }
   bool hasMount() const { return mount_.isKnown(); }
-  /// "base_link -> camera_optical_frame" while images came and that transform did not, else empty.
+  /// "base_link -> camera_optical_frame" if images have come and that transform has not; otherwise
+  /// empty.
   std::string missingTransform() const { return mount_.missing(); }
 
  private:

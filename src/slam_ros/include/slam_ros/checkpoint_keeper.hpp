@@ -41,34 +41,35 @@ struct CheckpointConfig {
   }
 };
 
-/// Saves a product, or the part of one that has the back-end, while it drives, and goes on from
-/// what was saved. The state is copied between two steps, in the thread that takes them; another
-/// thread writes it to the disk. Components of other processes start over.
+/// Saves a product, or its part that has the back-end, during a run, and restores it. The state is
+/// copied between two steps, in the thread that takes them; another thread writes it to the disk.
+/// Components in other processes start over.
 class CheckpointKeeper {
  public:
-  /// Locks the folder, where there is one. @param handle with the parameters, `restarted` of which
-  /// is set: a nodelet that is started again by this launch goes on @param product outlives this
+  /// Locks the folder, if there is one. @param handle has the parameters; `restarted` is set, so
+  /// that a nodelet that this launch starts again goes on @param product outlives this
   /// @throw std::runtime_error naming the folder and the cause
   CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run, slam::MetaCoordinator& product);
   ~CheckpointKeeper();
 
-  /// Goes on from the folder's last checkpoint that can be used, if that is wanted.
-  /// @param configure_anew what has been restored in part
-  /// @return whether the product goes on; it starts over where it does not
+  /// If requested, restores the folder's last checkpoint that can be used.
+  /// @param configure_anew configures again what was only partly restored
+  /// @return whether the product goes on; otherwise it starts over
   bool resume(const std::function<void()>& configure_anew);
-  /// resume() leaves these sentences for the log.
+  /// The messages of resume(), for the log.
   struct News {
     std::vector<std::string> warnings;
     std::string text;
   };
   const News& news() const { return news_; }
 
-  /// Keeps the last checkpoint aside: from here on the product has another map.
+  /// Moves the last checkpoint aside, since from here on the product has another map.
   void beginAnew();
   /// To be called when all steps that were due have been taken.
-  /// @return a sentence where checkpoints cannot be written any more, or can again; or empty
+  /// @return a sentence if checkpoints cannot be written any more, or can be written again;
+  /// otherwise empty
   std::string note(slam::Stamp last_step);
-  /// @return the longest time that steps have waited while the state was copied [ms]
+  /// @return the longest time for which steps have waited while the state was copied [ms]
   double longestPause() const { return longest_pause_; }
   /// Saves once more, at the end. @return as note()
   std::string finish();
@@ -85,11 +86,11 @@ class CheckpointKeeper {
   slam::RunIdentity run_;
   slam::MetaCoordinator& product_;
   slam::Autosave autosave_;
-  std::unique_ptr<slam::CheckpointFolder> folder_;  ///< none where nothing is to be saved
+  std::unique_ptr<slam::CheckpointFolder> folder_;  ///< none if nothing is to be saved
   News news_;
   std::optional<slam::Stamp> last_step_, saved_;
   double longest_pause_ = 0.0;
-  bool has_failed_ = false;  ///< to write the last one; of the thread that writes
+  bool has_failed_ = false;  ///< to write the last one; used by the writing thread
   std::mutex mutex_;
   std::string news_of_writing_;  ///< guarded by the mutex
   Background writing_;

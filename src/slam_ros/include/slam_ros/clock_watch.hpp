@@ -7,8 +7,8 @@
 
 namespace slam_ros {
 
-/// Notices that /clock has jumped back: a bag restarted. A wall clock that is set back is none of
-/// this.
+/// Notices that /clock has jumped back, since a bag was restarted. A wall clock that is set back
+/// does not count.
 class ClockWatch {
  public:
   struct Jump {

@@ -17,15 +17,14 @@ class Option;
 
 namespace slam_ros {
 
-/// An argument of a command line, which these functions restrict. Each returns the argument again,
-/// and a copy stands for the same one. A value that is refused ends the program with the exit
-/// code 2.
+/// An argument of a command line. Its functions restrict the argument, and return it again; a copy
+/// refers to the same argument. A refused value ends the program with the exit code 2.
 class Argument {
  public:
   explicit Argument(CLI::Option& option) : option_(&option) {}
 
   Argument required() const;
-  /// --help shows the value that the variable has at this call.
+  /// Lets --help show the value that the variable has at this call.
   Argument withDefault() const;
 
   Argument positive() const;     ///< a finite number above 0
@@ -33,14 +32,15 @@ class Argument {
   Argument between(double least, double most) const;
   Argument existingFile() const;
 
-  /// Not together with another argument.
+  /// Cannot be used together with another argument.
   Argument excludes(const Argument& other) const;
-  /// Only together with another argument.
+  /// Can be used only together with another argument.
   Argument needs(const Argument& other) const;
 
-  /// A list: one value each time that the option is given, so that a positional may follow.
+  /// A list with one value each time that the option is given, so that a positional argument may
+  /// follow.
   Argument oneAtATime() const;
-  /// A list: several values stand in one word, with this letter between them.
+  /// A list of several values in one word, separated by this letter.
   Argument separatedBy(char delimiter) const;
 
  private:
@@ -49,22 +49,22 @@ class Argument {
 
 /// The command line of a program: add its arguments, then call run().
 ///
-/// CLI11 stands behind it. It is compiled here once, since its headers cost each program more than
-/// the program itself does.
+/// It uses CLI11, which is compiled here once, since compiling its headers takes longer than
+/// compiling the program itself.
 class CommandLine {
  public:
   CommandLine(const std::string& name, const std::string& description);
 
-  /// Adds an argument that is written into a variable, which keeps its value where the argument is
-  /// not given, and outlives run().
-  /// @param name "--option", or of a positional argument what --help calls it
+  /// Adds an argument that is written into a variable. The variable keeps its value if the argument
+  /// is not given, and outlives run().
+  /// @param name "--option"; for a positional argument its name in --help
   /// @param value bool (an option without a value), int, unsigned, std::uint64_t, double,
   ///   std::string, std::vector<std::string>, and std::optional of
   ///   int, std::uint64_t and double
   template <class T>
   Argument add(const std::string& name, T& value, const std::string& help = "");
 
-  /// Adds a command with arguments of its own. Of the commands of a program exactly one is to be
+  /// Adds a command with its own arguments. Exactly one of the commands of a program has to be
   /// given.
   /// @param kind what its commands are for a user, in the singular
   void addCommand(const CommandLine& command, const std::string& kind = "command");
@@ -74,7 +74,7 @@ class CommandLine {
   /// Reads the command line and calls a function; what they throw is reported on standard error in
   /// one sentence that begins with the program's name.
   /// @param function returns nothing or the exit code
-  /// @return the program's exit code: 0, 1 where it failed, 2 for wrong use (WrongUse)
+  /// @return the program's exit code: 0, 1 if it failed, 2 for wrong use (WrongUse)
   template <class Function>
   int run(int argc, char** argv, Function function) const {
     if constexpr (std::is_void_v<std::invoke_result_t<Function>>)

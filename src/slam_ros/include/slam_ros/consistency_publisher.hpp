@@ -17,21 +17,21 @@
 
 namespace slam_ros {
 
-/// What the consistency monitor sees: on `consistency` after every update, and as a diagnostic that
-/// warns while the pose may be lost, innovations are biased or a sigma looks too small. Where the
-/// truth comes on `ground_truth/pose`, the NEES as well; then a message waits until the truth has
-/// come as far.
+/// Publishes the results of the consistency monitor: on `consistency` after every update, and as a
+/// diagnostic that warns while the pose may be lost, innovations are biased or a sigma looks too
+/// small. If the truth comes on `ground_truth/pose`, it publishes the NEES as well; then a message
+/// waits until the truth of its stamp has come.
 class ConsistencyPublisher {
  public:
-  /// Both must live longer than the diagnostics are updated.
+  /// Both must outlive the updates of the diagnostics.
   ConsistencyPublisher(ros::NodeHandle handle, Diagnostics& diagnostics,
                        const slam::ConsistencyMonitor& monitor);
 
-  /// To the truth, once the nodelet is loaded (AfterLoad).
+  /// Subscribes to the truth, once the nodelet is loaded (AfterLoad).
   void subscribe(ros::NodeHandle handle);
 
   void publish(const slam::StepReport& report);
-  /// Map and pose started over.
+  /// To be called when map and pose start over.
   void restart();
 
  private:

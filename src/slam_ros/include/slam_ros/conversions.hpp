@@ -26,26 +26,26 @@
 namespace slam_ros {
 
 slam::Stamp fromRos(const ros::Time& time);
-/// Times before 1970 or after 2106 do not fit: they become the nearest that does.
+/// Times before 1970 or after 2106 cannot be represented: they become the nearest time that can.
 ros::Time toRos(slam::Stamp stamp);
 
 /// The frame's name without the leading slash of tf's first generation.
 std::string frameId(const std::string& name);
 
 geometry_msgs::Pose2D toMsg(const slam::Pose2& pose);
-/// The pose in space: z = 0, turned about +z.
+/// The pose in space: z = 0, rotated about +z.
 geometry_msgs::Pose toSpatialMsg(const slam::Pose2& pose);
 geometry_msgs::Transform toTransformMsg(const slam::Pose2& pose);
 slam::Pose2 fromMsg(const geometry_msgs::Pose2D& pose);
-/// The horizontal part; the heading is NaN where the quaternion is none.
+/// The horizontal part; the heading is NaN if the quaternion is not valid.
 slam::Pose2 fromMsg(const geometry_msgs::Pose& pose);
 
-/// Why the message's pose cannot be used, so that its twist is (one clause); empty where it can. A
-/// quaternion must be of unit length within 0.1.
+/// Why the message's pose cannot be used, so that its twist is used instead, as a clause; empty if
+/// it can. A quaternion must be of unit length within 0.1.
 std::string poseFault(const nav_msgs::Odometry& message);
-/// Whether the driver says itself that it gives no pose (pose.covariance[0] is -1).
+/// Whether the driver declares that it gives no pose (pose.covariance[0] is -1).
 bool saysNoPose(const nav_msgs::Odometry& message);
-/// Its pose is left out where poseFault() or saysNoPose().
+/// Its pose is left out if poseFault() or saysNoPose().
 slam::OdometrySample fromMsg(const nav_msgs::Odometry& message);
 
 slam_msgs::Motion toMsg(const slam::Motion& motion);

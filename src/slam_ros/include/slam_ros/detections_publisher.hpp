@@ -13,14 +13,14 @@
 
 namespace slam_ros {
 
-/// Publishes the marked-up image of a detector, or of a back-end that looks itself, on a topic of
-/// its own, and has it drawn only while somebody looks.
+/// Publishes the annotated image of a detector, or of a back-end that takes in images itself, on a
+/// topic of its own. The image is drawn only while somebody has subscribed.
 class DetectionsPublisher {
  public:
-  /// @param place of the detector, whose prefix `detections/image` has
+  /// @param place of the detector, whose prefix the topic `detections/image` gets
   DetectionsPublisher(ros::NodeHandle handle, const std::string& place);
 
-  /// @param array what `detector` has made of its last image
+  /// @param array the output of `detector` for its last image
   void publish(const slam::ViewDrawer& detector, const slam::LandmarkObservationArray& array) const;
   /// @param stamp of its last image
   void publish(const slam::ViewDrawer& drawer, slam::Stamp stamp, const std::string& frame) const;

@@ -19,17 +19,18 @@
 
 namespace slam_ros {
 
-/// Tells how a nodelet is doing: once a second on /diagnostics, with level, message and all
-/// counters; and each kind of warning on the console, at most once in five seconds of the wall. An
-/// input that has not come for the first five seconds is named there as well, once.
+/// Reports the state of a nodelet: once a second on /diagnostics, with level, message and all
+/// counters. Each kind of warning is also reported on the console, at most once in five seconds of
+/// the wall clock. An input that has not come in the first five seconds is named there as well,
+/// once.
 class Diagnostics {
  public:
   using Values = std::vector<std::pair<std::string, std::string>>;
   struct Sources {
     std::function<slam::Counters()> counters;
-    /// "waiting for ...", or empty when all inputs have come
+    /// "waiting for ...", or empty if all inputs have come
     std::function<std::string()> waiting;
-    /// as that, of inputs of which nothing has ever come
+    /// the same, for inputs that have never come
     std::function<std::string()> missing;
     /// further lines of name and value; may be empty
     std::function<Values()> values = {};
@@ -38,31 +39,32 @@ class Diagnostics {
   /// @param name of the nodelet
   Diagnostics(ros::NodeHandle handle, ros::NodeHandle private_handle, const std::string& name,
               Sources sources);
-  /// Tells what has been counted since the last second.
+  /// Reports what has been counted since the last report.
   ~Diagnostics();
 
-  /// From here on the sources are not asked by the timer; to be called before what they ask goes
-  /// away. Waits for a call that is under way.
+  /// From here on the timer does not call the sources any more. To be called before the objects
+  /// that they use are destroyed. Waits for a call that is under way.
   void stop() { timer_.stop(); }
 
-  /// A further status beside the nodelet's own; `fill` is called once a second.
+  /// Adds another status beside the nodelet's own; `fill` is called once a second.
   void add(const std::string& name, const diagnostic_updater::TaskFunction& fill) {
     updater_.add(name, fill);
   }
-  /// The answer of a component to the message that came last on `topic`.
+  /// Reports the status that a component returned for the last message on `topic`.
   void report(const std::string& topic, const slam::Status& status);
   void warn(const std::string& sentence);
-  /// On the console only: what `waiting` tells as long as it holds.
+  /// Reports on the console only, as long as it holds, what `waiting` says.
   void tell(ros::console::Level level, const std::string& sentence);
-  /// What does not pass by itself, such as a full disk; stays until the node ends.
+  /// Reports a permanent fault, such as a full disk; it stays until the node ends.
   void fail(const std::string& sentence);
   /// Runs a callback of a nodelet (door.hpp) and reports an exception as an error.
   void attempt(const std::string& topic, const Action& action);
-  /// The same where it may leave something half done: nothing more is taken in until recover().
+  /// The same for a callback that may leave something half done: if it throws, no more input is
+  /// taken until recover().
   void guard(const std::string& topic, const Action& action);
-  /// Whether it lets callbacks in.
+  /// Whether callbacks are accepted.
   bool isGuardOpen() const { return door_.fault().empty(); }
-  /// Everything starts over.
+  /// To be called when everything starts over.
   void recover() { door_.open(); }
 
  private:
@@ -74,11 +76,11 @@ class Diagnostics {
   std::string name_;
   Sources sources_;
   diagnostic_updater::Updater updater_;
-  std::map<std::string, ros::WallTime> told_;  ///< kind of warning, when it was reported last
+  std::map<std::string, ros::WallTime> told_;  ///< when each kind of warning was last reported
   slam::Counters counted_;                     ///< what has been reported
   std::string last_warning_, failure_;
   Door door_;
-  std::string missing_;  ///< what has never come, as of the last second
+  std::string missing_;  ///< inputs that had never come at the last report
   ros::WallTime missing_since_;
   bool is_missing_told_ = false;
   ros::WallTime last_warning_time_;

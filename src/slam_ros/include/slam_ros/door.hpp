@@ -15,14 +15,15 @@ namespace slam_ros {
 
 using Action = std::function<void()>;
 
-/// Does it. @return one sentence about what it threw; empty where it threw nothing
+/// Calls a function. @return one sentence about the exception that it threw; empty if there was
+/// none
 std::string faultIn(const Action& action);
 
-/// Where the callbacks of a nodelet come in whose state must not be half changed: what a callback
-/// throws shuts the door, and further input is refused and counted until open(). For one thread.
+/// Protects a nodelet whose state must not be half changed: an exception of a callback shuts the
+/// door, and further input is refused and counted until open(). For one thread.
 class Door {
  public:
-  /// @return what was thrown now and shut the door, as one sentence; else empty
+  /// @return one sentence about the exception that shut the door in this call; otherwise empty
   std::string pass(const std::string& topic, const Action& action);
   void open() { fault_.clear(); }
 
@@ -35,8 +36,8 @@ class Door {
   std::uint64_t refused_ = 0;
 };
 
-/// What callbacks go through, so that no exception leaves them: it would end the manager, and all
-/// nodelets with it. (topic, what the callback does)
+/// The wrapper through which callbacks are called, so that no exception leaves them: it would end
+/// the manager with all nodelets. (topic, what the callback does)
 using Pass = std::function<void(const std::string& topic, const Action& action)>;
 
 /// A subscription whose callbacks go through `pass`.

@@ -9,17 +9,16 @@
 
 namespace slam_ros {
 
-/// Bags that hold messages of slam_msgs as they were before a landmark could be a line, or before
-/// it could have a descriptor, are read as those of today: all their landmarks are points, or have
-/// no descriptor.
+/// Converts messages of slam_msgs in bags from before landmarks could be lines, or from before they
+/// could have descriptors: all their landmarks become points, or have no descriptor.
 
-/// @return the md5sum that a type has today, if `md5sum` is that of its earlier definition; else
-///   `md5sum`
+/// @return the current md5sum of a type, if `md5sum` is that of its earlier definition; otherwise
+/// `md5sum`
 std::string md5sumOfToday(const std::string& type, const std::string& md5sum);
 
-/// The bytes of a message in the layout of today. Bytes that do not fit the earlier definition stay
-/// as they are.
-/// @param md5sum of the definition that the message was written with
+/// The bytes of a message in the current layout. Bytes that do not fit the earlier definition are
+/// not changed.
+/// @param md5sum of the definition with which the message was written
 void bringUpToDate(const std::string& md5sum, std::vector<std::uint8_t>& bytes);
 
 }  // namespace slam_ros

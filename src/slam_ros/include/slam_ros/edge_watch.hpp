@@ -20,23 +20,23 @@
 
 namespace slam_ros {
 
-/// Notices when somebody else publishes one edge of the tree of transforms: a child must not have
-/// two parents that disagree. It listens in a thread of its own: the transforms of a whole robot
-/// are many, and the images need not wait for them.
+/// Detects whether another node publishes one edge of the tree of transforms, since two publishers
+/// of an edge would contradict each other. It listens in a thread of its own: the transforms of a
+/// whole robot are many, and images should not wait for them.
 class EdgeWatch {
  public:
   EdgeWatch(ros::NodeHandle handle, std::string parent, std::string child);
 
-  /// The owner of this watch calls it before it publishes an edge: a driver in the same process has
-  /// the same name, and only what it publishes tells them apart.
+  /// To be called by the owner of this watch before it publishes the edge. A driver in the same
+  /// process has the same node name, so that only the published values tell them apart.
   void noteOwn(const slam::StampedPose& edge);
-  /// Whether it has listened for so long that a driver would have been heard.
+  /// Whether it has listened for long enough to have heard a driver.
   bool hasListened() const;
   bool isTaken() const { return is_taken_; }
-  /// The node that publishes the edge, when isTaken().
+  /// The node that publishes the edge, if isTaken().
   const std::string& publisher() const { return publisher_; }
-  /// The edge as the other node publishes it, at a time or, where that is still to come, the latest
-  /// one before; nothing where that is older than what is kept.
+  /// The edge as the other node publishes it at a time, or the latest one before if that has not
+  /// come yet; nothing if the time is older than all that is kept.
   std::optional<slam::Pose2> at(slam::Stamp stamp) const;
 
  private:

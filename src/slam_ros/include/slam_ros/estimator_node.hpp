@@ -32,10 +32,10 @@
 
 namespace slam_ros {
 
-/// The ROS side of an estimator, the same for every back-end and both compositions: subscribes
-/// initialpose and all that its part of the product takes in, and turns each step into pose, path,
-/// landmarks, transform, progress, diagnostics and the files of the run. All callbacks
-/// come from one thread, one at a time. Destroying it completes the files.
+/// The ROS side of an estimator, the same for every back-end and both compositions. It subscribes
+/// to initialpose and to all inputs of its part of the product, and publishes pose, path,
+/// landmarks, transform, progress and diagnostics of each step, and writes the files of the run.
+/// All callbacks come from one thread, one at a time. Destroying it completes the files.
 class EstimatorNode {
  public:
   struct Handles {
@@ -55,10 +55,11 @@ class EstimatorNode {
   const TopicsConfig& topics() const { return topics_; }
   Diagnostics& diagnostics() { return *diagnostics_; }
 
-  /// What the callbacks of a front-end in this process go through, as this one's own do.
+  /// The wrapper for the callbacks of a front-end in this process, which this object's own
+  /// callbacks use as well.
   Pass pass();
 
-  /// What it subscribes.
+  /// The topics to which it subscribes.
   const PartInputs& inputs() const { return *inputs_; }
   /// Called with every step.
   std::function<void(const slam::StepReport&)> on_step;
@@ -115,13 +116,13 @@ class EstimatorNode {
   std::optional<LocalisationServices> localisation_;
   std::string motion_frames_;
   ros::Publisher progress_;
-  std::atomic<bool> tells_progress_{false};  ///< from when on progress_ is there
+  std::atomic<bool> tells_progress_{false};  ///< whether progress_ exists already
   std::vector<ros::Subscriber> subscribers_;
   std::optional<PartInputs> inputs_;
   std::optional<slam::DataFlow> flow_;
   ArrivalNotes notes_;
   std::optional<slam::Stamp> last_step_;
-  std::uint32_t resets_ = 0;  ///< that were asked for, maps that were loaded included
+  std::uint32_t resets_ = 0;  ///< that were requested; loaded maps count as well
   ros::WallTimer silence_timer_;
   bool is_starving_ = false;  ///< and that has been reported
   std::optional<AfterLoad> start_;

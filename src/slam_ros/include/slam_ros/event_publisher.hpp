@@ -12,7 +12,8 @@
 
 namespace slam_ros {
 
-/// `events`: what happened in a step that others should know, a message each.
+/// Publishes on `events` what happened in a step that others should know, one message for each
+/// event.
 class EventPublisher {
  public:
   EventPublisher(ros::NodeHandle handle, std::string map_frame);

@@ -15,17 +15,17 @@
 
 namespace slam_ros {
 
-/// Of fields x, y, z [m].
+/// A point cloud with the fields x, y, z [m].
 sensor_msgs::PointCloud2 toMsg(const std::vector<slam::MappedFeature>& features, slam::Stamp stamp,
                                const std::string& frame);
 
-/// `features` of back-ends that map what a camera sees, at a bounded rate.
+/// Publishes `features`, for back-ends that map features of images, at a bounded rate.
 class FeaturePublisher {
  public:
   FeaturePublisher(ros::NodeHandle handle, const slam::FeatureMapper& mapper, std::string map_frame,
                    double rate);
 
-  /// A step was taken: publishes when it is time and somebody listens.
+  /// To be called after each step: publishes if it is time and somebody has subscribed.
   void update(slam::Stamp stamp);
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 

@@ -14,22 +14,22 @@
 
 namespace slam_ros {
 
-/// Messages of several inputs that were sent and not yet acknowledged; a sender waits here so that
-/// no queue behind it overflows. One thread sends, another acknowledges. Acknowledging a stamp
-/// acknowledges all earlier ones.
+/// Counts messages of several inputs that were sent and not yet acknowledged. A sender waits here,
+/// so that no queue after it overflows. One thread sends, another one acknowledges. Acknowledging a
+/// stamp acknowledges all earlier ones.
 class FlowWindow {
  public:
   using Timeout = std::chrono::milliseconds;
 
   explicit FlowWindow(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Another capacity for one input, whose messages are large.
+  /// Sets another capacity for one input, whose messages are large.
   void limit(const std::string& input, std::size_t capacity);
 
   void sent(const std::string& input, slam::Stamp stamp);
   void acknowledged(const std::string& input, slam::Stamp up_to);
 
-  /// Waits until the input may send. @return false when nothing at all was acknowledged for
+  /// Waits until the input may send. @return false if nothing at all was acknowledged for
   /// `patience`, or after stop()
   bool waitForRoom(const std::string& input, Timeout patience);
   /// Waits until no message of an earlier stamp is in flight. @return as above

@@ -10,11 +10,11 @@
 
 namespace slam_ros {
 
-/// The sensors whose mounts the robot file gives; those of others come as transforms.
+/// The sensors whose mounts the robot file gives; the mounts of others come as transforms.
 class GivenMounts {
  public:
   GivenMounts() = default;
-  /// @param settings a copy: that they are looked at here puts no section into force
+  /// @param settings a copy, since reading sections here must not count as their use
   /// @throw slam::ConfigError
   explicit GivenMounts(slam::Settings settings);
 

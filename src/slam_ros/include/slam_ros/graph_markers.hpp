@@ -10,13 +10,14 @@
 
 namespace slam_ros {
 
-/// Of a larger graph every n-th node or edge of a kind is drawn, so that no more are left.
+/// Of a larger graph only every n-th node or edge of a kind is drawn, so that there are at most so
+/// many.
 constexpr std::size_t kMostDrawn = 20000;
 
-/// A graph as one marker for each kind of node and edge, however large it is: motion grey,
-/// sightings of landmarks thin and blue, loops green, those that count less the more orange, those
-/// that wait red; nodes as points and the origins of submaps as larger ones. A kind that the graph
-/// has not is deleted.
+/// Draws a graph of any size with one marker for each kind of node and edge. Motion is grey,
+/// sightings of landmarks are thin and blue, loops are green, the more orange the smaller their
+/// weight, and waiting loops are red. Nodes are points, and the origins of submaps are larger
+/// points. The marker of a kind that the graph does not have is deleted.
 visualization_msgs::MarkerArray toMarkers(const slam::GraphView& graph,
                                           const std_msgs::Header& header);
 

@@ -13,19 +13,20 @@
 
 namespace slam_ros {
 
-/// `graph_markers`, at a bounded rate. While nobody listens the graph is not asked for.
+/// Publishes `graph_markers` at a bounded rate. While nobody has subscribed, the back-end is not
+/// asked for the graph.
 class GraphPublisher {
  public:
   /// @param period at least [s of stamps]
   GraphPublisher(ros::NodeHandle handle, const slam::GraphReporter& reporter, std::string map_frame,
                  double period);
 
-  /// A step was taken: publishes when it is time.
+  /// To be called after each step: publishes if it is time.
   void update(slam::Stamp stamp);
-  /// The graph has changed without a step.
+  /// To be called when the graph has changed without a step.
   void refresh() { is_new_ = true; }
-  /// Called at times of the wall: what the rate held back when no more steps come, and for those
-  /// who have subscribed since.
+  /// To be called at intervals of the wall clock: publishes what the rate held back if no more
+  /// steps come, and for new subscribers.
   void flush();
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 
@@ -36,7 +37,7 @@ class GraphPublisher {
   std::string map_frame_;
   ros::Publisher markers_;
   RateLimit rate_;
-  slam::Stamp stamp_, last_flush_;  ///< of the last step now, and at the last flush()
+  slam::Stamp stamp_, last_flush_;  ///< of the last step, now and at the last flush()
   bool is_new_ = false;
   std::uint32_t subscribers_ = 0;
 };

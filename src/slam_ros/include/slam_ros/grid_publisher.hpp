@@ -17,26 +17,27 @@
 
 namespace slam_ros {
 
-/// The row-major cells as they are; the axes are those of the map frame.
+/// The message of a grid. Its cells are row-major as in the grid; its axes are those of the map
+/// frame.
 nav_msgs::OccupancyGrid toMsg(const slam::OccupancyGrid& grid, slam::Stamp stamp,
                               const std::string& frame);
-/// @pre the grid is not turned
+/// @pre the grid is not rotated
 slam::OccupancyGrid fromMsg(const nav_msgs::OccupancyGrid& message);
-/// Whether the grid's axes are not those of its frame, or its origin is no number.
+/// Whether the grid's axes are not those of its frame, or its origin is not a number.
 bool isTurned(const nav_msgs::OccupancyGrid& message);
 
-/// `map` and `map_metadata` (latched) and the services `dynamic_map` and `static_map`, as gmapping
-/// and map_server have them. The filter's thread copies the grid, while somebody looks and when it
-/// has changed, at a bounded rate; the message is sent beside it.
+/// Publishes `map` and `map_metadata` (latched) and offers the services `dynamic_map` and
+/// `static_map`, like gmapping and map_server. The filter's thread copies the grid at a bounded
+/// rate, if it has changed and somebody has subscribed; another thread sends the message.
 class GridPublisher {
  public:
   /// @param period of the map at least [s of stamps]
   GridPublisher(ros::NodeHandle handle, const slam::GridMapper& mapper, std::string map_frame,
                 double period);
 
-  /// A step was taken: publishes when it is time.
+  /// To be called after each step: publishes if it is time.
   void update(slam::Stamp stamp);
-  /// What the period held back, and for those who have subscribed since.
+  /// Publishes what the period held back, and for new subscribers.
   void flush();
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 

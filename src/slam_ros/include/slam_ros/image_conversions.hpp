@@ -17,16 +17,18 @@
 
 namespace slam_ros {
 
-/// 8 bit grey, copied, of the encodings mono, rgb, bgr, rgba, bgra, bayer (8 and 16 bit) and
-/// yuv422; 16 bits keep their upper 8. What cannot be used comes without pixels and with a fault:
-/// 16UC1 and 32FC1, which do not say what their values mean, and data that do not fit the size.
+/// A copy in 8 bit grey, from the encodings mono, rgb, bgr, rgba, bgra, bayer (8 and 16 bit) and
+/// yuv422; of 16 bits the upper 8 are kept. An image that cannot be used is returned without pixels
+/// and with a fault: 16UC1 and 32FC1, which do not say what their values mean, and data that do not
+/// fit the size.
 slam::Image fromMsg(const sensor_msgs::Image& message);
 
-/// Of a JPEG or PNG; one that is cut off or no picture comes without pixels and with a fault.
+/// The same from a JPEG or PNG. One that is cut off or no picture is returned without pixels and
+/// with a fault.
 slam::Image fromMsg(const sensor_msgs::CompressedImage& message);
 
-/// For the image as the camera delivers it: cut to the region of interest and binned where it says
-/// so.
+/// For the image as the camera delivers it: with the region of interest and the binning of the
+/// message applied.
 slam::CameraCalibration fromMsg(const sensor_msgs::CameraInfo& message);
 
 /// The rotation of a quaternion that is zero or not a number is NaN.

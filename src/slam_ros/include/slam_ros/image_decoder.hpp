@@ -9,12 +9,13 @@
 
 namespace slam_ros {
 
-/// The 8 bit grey pixels of a JPEG, PNG or another picture that OpenCV reads, as the camera has
-/// them, whatever way up a viewer should show them; empty where the bytes are no picture.
+/// The 8 bit grey pixels of a JPEG, PNG or another picture that OpenCV reads, in the order in which
+/// the camera has them: a rotation for viewers is ignored. Empty if the bytes are no picture.
 ///
-/// OpenCV's codecs bring GDAL and a hundred further libraries, with which a program takes four
-/// times as long to start. So they are a library of their own, loaded for the first picture.
-/// @throws std::runtime_error where that library cannot be loaded
+/// OpenCV's codecs load GDAL and a hundred more libraries, with which a program takes four times as
+/// long to start. So this function is in a library of its own, which is loaded for the first
+/// picture.
+/// @throws std::runtime_error if that library cannot be loaded
 cv::Mat decodedGray(const std::vector<std::uint8_t>& data);
 
 }  // namespace slam_ros

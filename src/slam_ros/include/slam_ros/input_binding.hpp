@@ -19,17 +19,17 @@
 
 namespace slam_ros {
 
-/// What a nodelet gets to know of its inputs.
+/// The settings of a nodelet that concern its inputs.
 struct InputOptions {
   ImageTransport image_transport = ImageTransport::kAuto;
-  /// Where nobody publishes the topic of the odometry: the transform odom -> base.
+  /// Used if nobody publishes the topic of the odometry: the transform odom -> base.
   bool odometry_from_tf = true;
-  bool publishes_odometry_edge = false;  ///< this node does: its own transforms tell nothing new
+  bool publishes_odometry_edge = false;  ///< this node does, so that it ignores that transform
 };
 
-/// Where the inputs of a part of a product come from, and who gets their data.
+/// The sources of the inputs of a part of a product, and the function that gets their data.
 struct InputContext {
-  /// A value of some kind for the port; the topic that it came on, for sentences.
+  /// Takes a value of some kind for the port, and the topic on which it came, for messages.
   using Put = std::function<void(const std::string& port, slam::Kind kind, const void* value,
                                  const std::string& topic)>;
 
@@ -38,12 +38,12 @@ struct InputContext {
   slam::FramesConfig frames;
   GivenMounts mounts;
   InputOptions options;
-  Pass pass;  ///< what callbacks go through
+  Pass pass;  ///< the wrapper through which callbacks are called
   Put put;
   std::function<void(const std::string&)> warn;
 };
 
-/// The context of a nodelet by its settings; what it does with data is left open.
+/// The context of a nodelet by its settings; the function that gets the data is not set.
 InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& settings,
                           const InputOptions& options);
 
@@ -53,11 +53,11 @@ InputContext inputContext(const ros::NodeHandle& handle, slam::Settings& setting
 class InputBinding {
  public:
   virtual ~InputBinding() = default;
-  /// Where the last data came from, or the topic that is waited for.
+  /// The topic of the last data, or the topic for which it waits.
   virtual const std::string& topic() const = 0;
-  /// "waiting for ...", or empty when all have come that a component may need.
+  /// "waiting for ...", or empty if everything that a component may need has come.
   virtual std::string waiting() const = 0;
-  /// When data came last, by the wall.
+  /// When data came last, by the wall clock.
   LatencyWindow::Clock::time_point arrival() const { return arrival_; }
 
  protected:

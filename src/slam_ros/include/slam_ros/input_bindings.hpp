@@ -14,12 +14,12 @@
 
 namespace slam_ros {
 
-/// The bindings there are, by the kind of their data. A binding registers itself, so that a package
-/// brings one for a kind of its own.
+/// The registry of bindings, by the kind of their data. A binding registers itself, so that a
+/// package can bring one for its own kind of data.
 class InputBindings {
  public:
-  /// Creates the two ways by which data of a kind reach an input: `live` subscribes to topics of
-  /// other nodes, `in_bag` reads a bag.
+  /// Functions that create the two ways by which data of a kind reach an input: `live` subscribes
+  /// to topics of other nodes, `in_bag` reads a bag.
   struct Binding {
     std::function<std::unique_ptr<InputBinding>(const InputContext& context,
                                                 const slam::InputPort& port)>
@@ -31,12 +31,12 @@ class InputBindings {
   static InputBindings& instance();
   void add(slam::Kind kind, Binding binding) { bindings_.emplace(kind, std::move(binding)); }
   bool has(slam::Kind kind) const { return bindings_.count(kind) > 0; }
-  /// The names of the kinds that there are bindings for, sorted.
+  /// The names of the kinds that have bindings, sorted.
   std::vector<std::string> kinds() const;
-  /// @throw slam::ConfigError where no binding brings the kind, or several do
+  /// @throw slam::ConfigError if no binding brings the kind, or if several do
   std::unique_ptr<InputBinding> create(const InputContext& context,
                                        const slam::InputPort& port) const;
-  /// The same of a bag. @throw slam::ConfigError as above
+  /// The same for a bag. @throw slam::ConfigError as above
   std::unique_ptr<BagInput> createInBag(const BagContext& context, const std::string& port,
                                         slam::Kind kind) const;
 

@@ -14,8 +14,8 @@ namespace slam_ros {
 /// @throw slam::ConfigError naming the component, the input, its kind and what is near
 void requireKnownInputs(const slam::Wiring& wiring);
 
-/// Refuses one topic for two sensors of a kind, a camera and the rear one: each image would count
-/// twice. @throw slam::ConfigError naming both and the key of the robot file
+/// Refuses one topic for two sensors of the same kind, such as a camera and the rear one: each
+/// image would be used twice. @throw slam::ConfigError naming both and the key of the robot file
 void requireDistinctTopics(const slam::Wiring& wiring, const TopicsConfig& topics);
 
 }  // namespace slam_ros

@@ -14,17 +14,17 @@
 
 namespace slam_ros {
 
-/// `landmarks` and `landmark_markers`, at a bounded rate.
+/// Publishes `landmarks` and `landmark_markers` at a bounded rate.
 class LandmarkPublisher {
  public:
   LandmarkPublisher(ros::NodeHandle handle, const slam::LandmarkMapper& mapper,
                     std::string map_frame, double rate);
 
-  /// A step was taken: publishes when it is time.
+  /// To be called after each step: publishes if it is time.
   void update(slam::Stamp stamp);
-  /// The map has changed without a step.
+  /// To be called when the map has changed without a step.
   void refresh() { is_new_ = true; }
-  /// What the rate held back, and for those who have subscribed since.
+  /// Publishes what the rate held back, and for new subscribers.
   void flush();
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 

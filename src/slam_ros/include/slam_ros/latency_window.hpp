@@ -9,18 +9,18 @@
 
 namespace slam_ros {
 
-/// Rate and latency of the last hundred messages, by the wall.
+/// Rate and latency of the last hundred messages, by the wall clock.
 class LatencyWindow {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t kSize = 100;
 
-  /// A message that came at `begin` was done with at `end`.
+  /// Notes a message that came at `begin` and whose processing ended at `end`.
   void add(Clock::time_point begin, Clock::time_point end);
 
   bool empty() const { return latencies_.empty(); }
   double rate() const;                      ///< [1/s]; 0 before the second message
-  double milliseconds(double share) const;  ///< the latency that `share` of the messages kept
+  double milliseconds(double share) const;  ///< not exceeded by `share` of the latencies
 
  private:
   std::deque<Clock::time_point> ends_;

@@ -15,9 +15,9 @@
 
 namespace slam_ros {
 
-/// Lets those fields of a configuration that are live be changed while a nodelet runs, by the
-/// protocol of dynamic_reconfigure: rqt_reconfigure shows them, `dynparam set` changes them. Names,
-/// sentences and ranges are those of the description.
+/// Makes the live fields of a configuration changeable while a nodelet runs, by the protocol of
+/// dynamic_reconfigure: rqt_reconfigure shows them, `dynparam set` changes them. Names, sentences
+/// and ranges are those of the configuration's description.
 class LiveParameters {
  public:
   /// @param handle the nodelet's private one

@@ -16,18 +16,18 @@
 
 namespace slam_ros {
 
-/// What the services do with the estimator, said by who owns it.
+/// The functions that the services call; the owner of the estimator provides them.
 struct LocalisationActions {
-  /// The robot may be anywhere in the map; an error where there is none.
+  /// Starts a search of the whole map for the robot; returns an error if there is no map.
   std::function<slam::Status()> search;
-  std::function<void()> search_anyway;  ///< with the next scan, also where the robot stands still
-  /// A grid takes the map's place; empty where the back-end makes none.
+  std::function<void()> search_anyway;  ///< with the next scan, even if the robot stands still
+  /// Replaces the map by a grid; empty if the back-end makes no grid.
   std::function<slam::Status(const slam::MapState&)> set_map;
   std::function<void(const std::string& topic, const slam::Status&)> report;
 };
 
-/// Offers the services `global_localization`, `request_nomotion_update` and, of back-ends that make
-/// a grid, `set_map`, as amcl has them.
+/// Offers the services `global_localization`, `request_nomotion_update` and, for back-ends that
+/// make a grid, `set_map`, like amcl.
 class LocalisationServices {
  public:
   LocalisationServices(ros::NodeHandle handle, std::string map_frame, LocalisationActions actions);

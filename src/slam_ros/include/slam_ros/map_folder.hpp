@@ -29,20 +29,20 @@ struct FilesConfig {
   }
 };
 
-/// The folder in which services save and load files: whoever reaches the ROS master can call them,
-/// so that a path must not lead out of it.
+/// The folder in which services save and load files. Whoever reaches the ROS master can call these
+/// services, so that a path must not lead out of the folder.
 class MapFolder {
  public:
   explicit MapFolder(const FilesConfig& config = {});
 
-  /// The absolute path that a request names; a relative one begins in the folder. Links are
+  /// The absolute path for a request's path. A relative path begins in the folder; links are
   /// followed.
-  /// @throw std::runtime_error where it leads out of the folder, or is neither file nor folder
+  /// @throw std::runtime_error if it leads out of the folder, or is neither file nor folder
   std::string resolve(const std::string& requested) const;
-  /// The same of a map: a name without an ending, as `office`, stands for `office.yaml`, unless a
-  /// file or folder has that very name.
+  /// The same for a map. A name without an extension, such as `office`, means `office.yaml`, unless
+  /// a file or folder has exactly that name.
   std::string resolveMap(const std::string& requested) const;
-  /// The same of what is to be written: the folder is made where it does not exist yet.
+  /// The same for a file to be written. The folder is made if it does not exist yet.
   std::string resolveForWriting(const std::string& requested) const;
   std::string resolveMapForWriting(const std::string& requested) const;
 

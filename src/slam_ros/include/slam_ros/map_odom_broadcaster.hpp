@@ -17,26 +17,26 @@
 
 namespace slam_ros {
 
-/// `map -> odom` from the estimate and the odometry pose of the same stamp: at every step, and in
-/// between at a constant rate of the ROS clock, stamped ahead by the tolerance. In a product
-/// without motion the odometry pose is what another node publishes as `odom -> base`; where none
-/// has done so for a second, this one publishes that as the identity.
+/// Publishes `map -> odom`, computed from the estimate and the odometry pose of the same stamp: at
+/// every step, and in between at a constant rate of the ROS clock, stamped ahead by the tolerance.
+/// In a product without motion the odometry pose is what another node publishes as `odom -> base`;
+/// if no node has done so for a second, this one publishes `odom -> base` as the identity.
 ///
-/// A limit spreads what corrections of the estimate move over the stamps of the steps to come.
-/// Where the robot was put, or started over, the transform jumps.
+/// A limit spreads the movement by corrections of the estimate over the next steps. If the pose of
+/// the robot was set, or if it started over, the transform jumps.
 class MapOdomBroadcaster {
  public:
   MapOdomBroadcaster(ros::NodeHandle handle, std::string map_frame, const OutputsConfig& config,
                      const slam::JumpLimit::Limits& limits);
 
-  /// Rate and tolerance.
+  /// Sets rate and tolerance.
   void configure(const OutputsConfig& config);
   void update(const slam::StepReport& report);
-  /// Nothing is sent until the next step.
+  /// Sends nothing until the next step.
   void reset();
 
  private:
-  /// `map -> odom` of a step without motion.
+  /// Computes `map -> odom` of a step without motion.
   void updateWithoutMotion(const slam::StepReport& report);
   void sendIfDue(slam::Stamp now);
   void send(slam::Stamp now);

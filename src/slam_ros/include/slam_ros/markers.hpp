@@ -14,14 +14,14 @@
 
 namespace slam_ros {
 
-/// For each point its 95 % ellipse, its position and its id, for each line the part that was seen
-/// and its id.
+/// Draws the 95 % ellipse, the position and the id of each point, and the seen part and the id of
+/// each line.
 visualization_msgs::MarkerArray toMarkers(const slam::LandmarkMap& landmarks,
                                           const std_msgs::Header& header);
 
-/// The markers of a map, message after message. A message clears all before it where one of them is
-/// of a landmark that the map no longer holds. So does the first one: they are of a product that
-/// ran before.
+/// Makes the markers of a map, message after message. A message deletes all earlier markers if one
+/// of them is of a landmark that the map no longer holds. So does the first message, since earlier
+/// markers are of a product that ran before.
 class LandmarkMarkers {
  public:
   /// @param landmarks sorted by id
@@ -31,7 +31,7 @@ class LandmarkMarkers {
  private:
   using Shown = std::vector<std::pair<slam::LandmarkId, slam::LandmarkKind>>;
 
-  std::optional<Shown> shown_;  ///< by the message before, sorted
+  std::optional<Shown> shown_;  ///< in the message before, sorted
 };
 
 }  // namespace slam_ros

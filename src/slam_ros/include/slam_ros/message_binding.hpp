@@ -12,7 +12,7 @@
 
 namespace slam_ros {
 
-/// The binding of a kind whose values are messages of one topic.
+/// The binding for a kind whose values come as messages of one topic.
 /// @tparam convert from message to data
 template <class Message, class Data, Data (*convert)(const Message&)>
 class MessageBinding final : public InputBinding {
@@ -42,7 +42,7 @@ class MessageBinding final : public InputBinding {
   std::optional<AfterLoad> start_;
 };
 
-/// The same data in a bag.
+/// The binding for the same data in a bag.
 template <class Message, class Data, Data (*convert)(const Message&)>
 class MessageInBag final : public TopicInBag {
  public:
@@ -60,8 +60,8 @@ class MessageInBag final : public TopicInBag {
   }
 };
 
-/// A static object of this type registers a message as what brings a kind of data, live and from a
-/// bag.
+/// A static object of this type registers a message type as the source of a kind of data, live and
+/// from a bag.
 template <class Message, class Data, Data (*convert)(const Message&)>
 struct MessageBindingRegistrar : InputBindingRegistrar<Data, MessageBinding<Message, Data, convert>,
                                                        MessageInBag<Message, Data, convert>> {};

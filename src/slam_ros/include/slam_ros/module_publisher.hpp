@@ -14,7 +14,7 @@
 
 namespace slam_ros {
 
-/// Publishes what an additional module has made. All calls come from the thread of the module,
+/// Publishes the output of an additional module. All calls come from the thread of the module,
 /// which outlives this.
 class ModulePublisher {
  public:
@@ -25,21 +25,21 @@ class ModulePublisher {
   };
 
   virtual ~ModulePublisher() = default;
-  /// The module may have changed: publishes when it is time.
+  /// To be called when the module may have changed: publishes if it is time.
   virtual void update() = 0;
 };
 
-/// The publishers there are. One registers itself beside its class, so that a package brings one
-/// for a module of its own.
+/// The registry of publishers. A publisher registers itself beside its class, so that a package can
+/// bring one for its own module.
 class ModulePublishers {
  public:
-  /// Null where the module is none that it knows.
+  /// Returns null for a module that it does not know.
   using Factory = std::function<std::unique_ptr<ModulePublisher>(
       const slam::MapModule& module, const ModulePublisher::Context& context)>;
 
   static ModulePublishers& instance();
   void add(Factory factory) { factories_.push_back(std::move(factory)); }
-  /// Null where nothing is to be published of the module.
+  /// Null if nothing of the module is to be published.
   std::unique_ptr<ModulePublisher> create(const slam::MapModule& module,
                                           const ModulePublisher::Context& context) const;
 

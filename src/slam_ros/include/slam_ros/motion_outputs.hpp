@@ -20,7 +20,7 @@
 namespace slam_ros {
 
 /// Publishes the motions of a source that has an odometry frame of its own: for the back-end, as
-/// the transform odom -> base_link unless another node does that, and to look at.
+/// the transform odom -> base_link unless another node publishes it, and for display.
 class MotionOutputs {
  public:
   using Warn = std::function<void(const std::string&)>;
@@ -31,7 +31,7 @@ class MotionOutputs {
                 const std::string& motion_topic, Warn warn);
 
   void publish(slam::Motion motion);
-  /// Time starts over.
+  /// To be called when time starts over.
   void reset() { transform_.reset(); }
 
  private:

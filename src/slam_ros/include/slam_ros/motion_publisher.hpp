@@ -11,9 +11,10 @@
 
 namespace slam_ros {
 
-/// Publishes what an odometry source with a frame of its own has found: `NAME_odometry/odom`
+/// Publishes the results of an odometry source with a frame of its own: `NAME_odometry/odom`
 /// (nav_msgs/Odometry; the pose's covariance grows from the start, the twist's is that of the last
-/// interval) and of one that looks, drawn only while somebody looks too, `NAME_odometry/image`.
+/// interval) and, for a source with a camera, `NAME_odometry/image`, which is drawn only while
+/// somebody has subscribed.
 class MotionPublisher {
  public:
   /// @param source outlives this
@@ -25,7 +26,7 @@ class MotionPublisher {
   void publishOdometry(const slam::Motion& motion) const;
   void show(slam::Stamp stamp) const;
 
-  const slam::ViewDrawer* drawer_;  ///< null: nothing to see
+  const slam::ViewDrawer* drawer_;  ///< null: the source draws nothing
   ros::Publisher odometry_, image_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the pose in the odometry frame
 };

@@ -19,8 +19,8 @@ namespace slam_ros {
 
 /// Turns the messages of a sensor into the inputs of a component; nodelets and slam_offline share
 /// it. The mount is passed on when it comes and when it changes. The component holds the data until
-/// it has it, so that the order of arrival does not matter.
-/// @tparam Data of a message, with its frame @tparam Mount of that frame and a pose
+/// it has the mount, so that the order of arrival does not matter.
+/// @tparam Data content of a message, with its frame @tparam Mount has a frame and a pose
 template <class Message, class Data, class Mount>
 class MountedInput {
  public:
@@ -45,7 +45,7 @@ class MountedInput {
 
   bool hasData() const { return mount_.hasFrame(); }
   bool hasMount() const { return mount_.isKnown(); }
-  /// "base_link -> laser" while data came and that transform did not, else empty.
+  /// "base_link -> laser" if data have come and that transform has not; otherwise empty.
   std::string missingTransform() const { return mount_.missing(); }
 
  private:

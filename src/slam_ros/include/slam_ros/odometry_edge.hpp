@@ -13,11 +13,12 @@
 
 namespace slam_ros {
 
-/// Whether a topic of a bag is a /tf. The old tf/tfMessage has the same layout, hence the same sum.
+/// Whether a topic of a bag is a /tf. The old tf/tfMessage has the same layout, hence the same
+/// checksum.
 bool holdsTransforms(const BagTopic& topic);
 
-/// The transform odom -> base of a /tf as odometry, where a robot tells its odometry only so. One
-/// that is sent again with the same stamp tells nothing new.
+/// Takes the transform odom -> base of a /tf as odometry, for robots that publish their odometry
+/// only in this way. A transform that is sent again with the same stamp is ignored.
 class OdometryEdge {
  public:
   /// The frames are without a leading slash.

@@ -16,12 +16,12 @@
 
 namespace slam_ros {
 
-/// The nodelet of an odometry source with a frame of its own, in the composition pubsub: its
-/// sensors' data in, and the wheels' `odom` where the product wants them; `motion` out. A source's
-/// package derives from it, names the source and exports the plugin; nothing else.
+/// The nodelet of an odometry source with a frame of its own, in the composition pubsub. It takes
+/// in the data of its sensors, and the wheels' `odom` if the product uses them, and publishes
+/// `motion`. A source's package only derives from it, names the source and exports the plugin.
 class OdometryNodelet : public nodelet::Nodelet {
  protected:
-  /// @param source its name in the registry, where it runs beside what the product names
+  /// @param source its name in the registry, for use beside the components that the product names
   explicit OdometryNodelet(std::string source) : source_(std::move(source)) {}
 
  private:
@@ -29,7 +29,7 @@ class OdometryNodelet : public nodelet::Nodelet {
 
   std::string source_;
   std::optional<MotionOutputs> outputs_;
-  std::optional<PartNode> node_;  // no callback may find what stands above gone
+  std::optional<PartNode> node_;  // last: callbacks end before the members above
 };
 
 }  // namespace slam_ros

@@ -12,7 +12,7 @@ namespace slam_ros {
 struct OdometryNodeletConfig {
   static constexpr const char* kSection = "";
 
-  TransportConfig camera;  ///< of a source that looks through one
+  TransportConfig camera;  ///< for a source with a camera
   bool publish_tf = true;
   bool publish_motion = true;
 

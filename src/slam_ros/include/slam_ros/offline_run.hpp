@@ -19,20 +19,20 @@
 
 namespace slam_ros {
 
-/// What `slam_offline` is asked to do.
+/// The options of `slam_offline`.
 struct OfflineOptions : BagRunOptions {
   std::string load_map;  ///< landmarks.yaml to start with; empty: none
   std::string load_session, save_session, merge_session;  ///< files; empty: none
-  /// Interval of the checkpoints [s of stamps], 0 for none; by default none, or as the run that is
-  /// resumed has it.
+  /// Interval of the checkpoints [s of stamps]; 0 for none. The default is none, or the interval of
+  /// the resumed run.
   std::optional<double> autosave = std::nullopt;
   bool resumes = false;  ///< go on from the folder's checkpoint
-  /// Asked after each message: whether the run is to be saved and to end.
+  /// Called after each message; returns whether the run is to be saved and to end.
   std::function<bool()> is_stopped = [] { return false; };
 };
 
-/// Drives a product's components from a bag, in one thread, as fast as it goes, and writes the
-/// run's folder.
+/// Runs a product's components on a bag, in one thread, as fast as possible, and writes the run's
+/// folder.
 class OfflineRun {
  public:
   /// Reads the configuration and finds the inputs; nothing is written yet.
@@ -70,13 +70,13 @@ class OfflineRun {
   slam::Settings settings_;
   slam::MetaCoordinator coordinator_;
   std::optional<BagInputs> inputs_;
-  slam::Counters input_counters_;            ///< of the messages before they are data
-  RunMetrics::Clock::time_point arrival_{};  ///< of the message that is handled
+  slam::Counters input_counters_;            ///< of messages before their conversion to data
+  RunMetrics::Clock::time_point arrival_{};  ///< of the current message
   WarningLog warnings_;
   slam::Autosave autosave_;
   slam::Stamp last_step_;
   std::size_t messages_ = 0;  ///< that have been handled
-  std::size_t resumed_ = 0;   ///< that had been taken in when the run was saved
+  std::size_t resumed_ = 0;   ///< that had been handled when the run was saved
 };
 
 }  // namespace slam_ros

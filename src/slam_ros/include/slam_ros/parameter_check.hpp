@@ -16,8 +16,8 @@
 
 namespace slam_ros {
 
-/// Calls visit(Config()) for each section of product and robot files that belongs to no single
-/// component; slam::KnownSections has the others.
+/// Calls visit(Config()) for each section of product and robot files that does not belong to a
+/// single component; slam::KnownSections has the others.
 template <class Visit>
 void visitSharedSections(const Visit& visit) {
   visit(slam::ProductConfig());
@@ -29,15 +29,15 @@ void visitSharedSections(const Visit& visit) {
   visit(TopicsConfig());
 }
 
-/// Checks a product file's parameters, names, types and values, against the descriptions of all
-/// components, those of its libraries as well; overrides, "section.key=value", may also be a robot
-/// file's. @throw ConfigError listing all faults
+/// Checks names, types and values of a product file's parameters against the descriptions of all
+/// components, including those of its libraries. Overrides, "section.key=value", may also be of a
+/// robot file's sections. @throw ConfigError listing all faults
 void checkProductFile(const std::string& file, const std::vector<std::string>& overrides);
 
-/// The same of a robot file, with the components in force.
+/// The same for a robot file, with the components in force.
 void checkRobotFile(const std::string& file);
 
-/// The same of "section.key=value" that a product file is to hold, with the components in force.
+/// The same for "section.key=value" that a product file is to hold, with the components in force.
 void checkProductParameters(const std::vector<std::string>& parameters);
 
 }  // namespace slam_ros

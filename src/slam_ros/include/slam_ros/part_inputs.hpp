@@ -14,26 +14,27 @@
 
 namespace slam_ros {
 
-/// Subscribes all that a part of a product takes in, by its ports.
+/// Subscribes to all inputs of a part of a product, by its ports.
 class PartInputs {
  public:
   PartInputs() = default;
-  /// @param wiring connected; its open inputs are subscribed, and those of `also` that a message
-  /// can bring although a component makes them: other nodes may do so
-  /// @throw slam::ConfigError where no binding brings an input, ros::InvalidNameException
+  /// @param wiring connected; its open inputs are subscribed to. So are the inputs of `also` that a
+  /// message can bring, although a component makes them, since other nodes may publish them
+  /// @throw slam::ConfigError if no binding brings an input, ros::InvalidNameException
   PartInputs(const InputContext& context, const slam::Wiring& wiring, const slam::Ports& also = {});
 
-  /// Takes one more input in, besides those there are; it replaces a binding of this name and kind.
+  /// Adds one more input. It replaces a binding of this name and kind.
   void add(const slam::InputPort& port, std::unique_ptr<InputBinding> binding);
 
   /// Whether data of this kind come to the input on a topic of their own.
   bool takes(const std::string& input, slam::Kind kind) const {
     return bindings_.count({input, kind}) > 0;
   }
-  /// What brings data of this kind to the input: a mount comes with what the sensor sees.
+  /// The binding that brings data of this kind to the input; a mount comes with the sensor's data.
   const InputBinding& of(const std::string& input, slam::Kind kind) const;
-  /// What the first of them waits for that the part cannot do without; empty: all have come.
-  /// @param needless inputs of which nothing is expected: what is made of them comes from elsewhere
+  /// What the first mandatory input waits for; empty if all have come.
+  /// @param needless inputs from which nothing is expected, since the data that are made of them
+  /// come from elsewhere
   std::string waiting(const std::vector<slam::InputPort>& needless = {}) const;
   /// From here on no callback runs.
   void stop() {

@@ -18,9 +18,9 @@
 
 namespace slam_ros {
 
-/// The ROS side of a part of a product that has no back-end, the same for every front-end component
-/// and module: subscribes what the part's ports take in, and reports diagnostics. What comes out
-/// its nodelet hears from part().listen(). All callbacks come from one thread, one at a time.
+/// The ROS side of a part of a product without a back-end, the same for every front-end component
+/// and module. It subscribes to the inputs of the part, and reports diagnostics. Its nodelet gets
+/// the output by part().listen(). All callbacks come from one thread, one at a time.
 class PartNode {
  public:
   struct Handles {
@@ -39,12 +39,12 @@ class PartNode {
   Diagnostics& diagnostics() { return *diagnostics_; }
   const PartInputs& inputs() const { return *inputs_; }
   Pass pass();
-  /// From here on no callback of an input runs; the part stays.
+  /// From here on no callback of an input runs; the part itself stays.
   void stop() { inputs_->stop(); }
 
-  /// Something has come out: how long that took since the last input came counts.
+  /// To be called when there is output: notes the latency since the last input.
   void noteOutput() { latency_.add(arrival_, LatencyWindow::Clock::now()); }
-  /// Forgets all that came, as when the clock has jumped back.
+  /// Drops all that came, for example when the clock has jumped back.
   void reset();
 
   /// Called after each reset().
@@ -62,7 +62,7 @@ class PartNode {
   TopicsConfig topics_;
   ClockWatch clock_;
   LatencyWindow latency_;
-  LatencyWindow::Clock::time_point arrival_;  ///< of the last input, by the wall
+  LatencyWindow::Clock::time_point arrival_;  ///< of the last input, by the wall clock
   SilenceWatch silence_;
   std::optional<Diagnostics> diagnostics_;
   std::optional<PartInputs> inputs_;

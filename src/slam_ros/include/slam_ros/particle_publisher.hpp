@@ -13,14 +13,14 @@
 
 namespace slam_ros {
 
-/// `particlecloud` of back-ends with particles, at a bounded rate; nothing is advertised for
-/// others.
+/// Publishes `particlecloud` at a bounded rate. Nothing is advertised for back-ends without
+/// particles.
 class ParticlePublisher {
  public:
   ParticlePublisher(ros::NodeHandle handle, const slam::PoseSampler& sampler, std::string map_frame,
                     double rate);
 
-  /// A step was taken: publishes when it is time and somebody listens.
+  /// To be called after each step: publishes if it is time and somebody has subscribed.
   void update(slam::Stamp stamp);
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 

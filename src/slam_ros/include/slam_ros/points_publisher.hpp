@@ -17,12 +17,13 @@
 
 namespace slam_ros {
 
-/// Of fields x, y, z [m] and intensity, how many end points each point is the mean of.
+/// A point cloud with the fields x, y, z [m] and intensity: the number of end points of which each
+/// point is the mean.
 sensor_msgs::PointCloud2 toMsg(const std::vector<slam::point_map::MapPoint>& points,
                                slam::Stamp stamp, const std::string& frame);
 
-/// `points` (latched), while somebody looks and when they have changed, at a bounded rate. The
-/// message is made beside the thread that updates the map.
+/// Publishes `points` (latched) at a bounded rate, if they have changed and somebody has
+/// subscribed. Another thread than the one that updates the map makes the message.
 class PointsPublisher final : public ModulePublisher {
  public:
   PointsPublisher(const slam::point_map::PointMap& map, const Context& context);

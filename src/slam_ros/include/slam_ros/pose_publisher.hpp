@@ -14,15 +14,15 @@
 
 namespace slam_ros {
 
-/// `pose` at every step; `path`, thinned where it is long, at a bounded rate.
+/// Publishes `pose` at every step and `path`, thinned if it is long, at a bounded rate.
 class PosePublisher {
  public:
   PosePublisher(ros::NodeHandle handle, std::string map_frame, double path_rate);
 
   void publish(const slam::StepReport& report);
-  /// What the rate held back, and for those who have subscribed since.
+  /// Publishes what the rate held back, and for new subscribers.
   void flush();
-  /// The path starts over.
+  /// Starts the path over.
   void reset();
   void setRate(double rate) { rate_.set(rate); }  ///< [1/s of stamps]
 

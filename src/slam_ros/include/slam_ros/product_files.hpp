@@ -10,7 +10,7 @@
 
 namespace slam_ros {
 
-/// A name that stands for no file; the message lists those that there are.
+/// A name for which there is no file; the message lists the names that exist.
 class UnknownName : public WrongUse {
  public:
   using WrongUse::WrongUse;
@@ -24,11 +24,11 @@ std::string productFile(const std::string& name_or_path);
 /// The same for a robot, in slam_launch's robots/.
 std::string robotFile(const std::string& name_or_path);
 
-/// The file `name`.yaml of a folder; what ends in .yaml or holds a slash is a path already.
-/// `kind` ("product") is for the message. @throw UnknownName
+/// The file `name`.yaml of a folder; a name that ends in .yaml or contains a slash is taken as a
+/// path. `kind` ("product") is for the message. @throw UnknownName
 std::string findConfigFile(const std::string& folder, const std::string& kind,
                            const std::string& name_or_path);
-/// The same in several folders; the first that has the name counts.
+/// The same in several folders; the first one that has the name is used.
 std::string findConfigFile(const std::vector<std::string>& folders, const std::string& kind,
                            const std::string& name_or_path);
 

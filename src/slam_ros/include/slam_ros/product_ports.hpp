@@ -9,9 +9,9 @@
 
 namespace slam_ros {
 
-/// What a product takes in and makes, as its components' ports and capabilities tell:
+/// The inputs and outputs of a product, from the ports and capabilities of its components:
 /// "components" in the order of the data's flow, "gates" that the wiring places before them, and
-/// "owns_odometry_edge". Topics have the names that they have where the robot file gives no others.
+/// "owns_odometry_edge". Topics have their default names, which a robot file may change.
 /// @throw slam::ConfigError
 nlohmann::ordered_json describePorts(const slam::ProductConfig& product);
 
@@ -20,7 +20,7 @@ nlohmann::ordered_json describePorts(const slam::ProductConfig& product);
 nlohmann::ordered_json describeComponents();
 
 /// Refuses a product whose components cannot be wired: two make the same output, some take data
-/// from one another in a circle, or one needs data that nobody makes and no topic brings.
+/// from one another in a circle, or one needs data that no component makes and no topic brings.
 /// @throw slam::ConfigError listing all faults
 void checkPorts(const slam::ProductConfig& product);
 

@@ -12,13 +12,13 @@
 
 namespace slam_ros {
 
-/// What slam_msgs/Progress calls an input: "scans" for `scan`, which has a field of that name.
+/// The name of an input in slam_msgs/Progress: "scans" for `scan`, after the field of that name.
 std::string progressName(const std::string& input);
 
-/// Tells how far an input has arrived.
+/// Sets how far an input has arrived.
 void setProgress(slam_msgs::Progress& message, const std::string& input, slam::Stamp newest);
 
-/// The newest stamp of each input that the message tells of, by progressName().
+/// The newest stamp of each input in the message, by progressName().
 std::map<std::string, slam::Stamp> progressOf(const slam_msgs::Progress& message);
 
 }  // namespace slam_ros

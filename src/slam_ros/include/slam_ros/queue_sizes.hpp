@@ -9,18 +9,17 @@
 namespace slam_ros {
 
 constexpr std::uint32_t kQueue = 1000;
-/// Images are large: what waits here is tens of megabytes already.
+/// Images are large: a full queue is tens of megabytes already.
 constexpr std::uint32_t kImageQueue = 50;
 
-/// What the bag source sends before the back-end must acknowledge, per input; every queue behind
-/// must hold as many.
+/// How many messages of an input the bag source sends before the back-end must acknowledge; every
+/// queue after it must hold as many.
 constexpr std::size_t kInFlight = 100;
-/// The queue of images. Each takes long, and a nodelet manager's thread works off all that one
-/// nodelet was sent before the others have their turn, the back-end and who waits for its answer
-/// among them.
+/// The same for images. Each takes long to process, and a thread of a nodelet manager processes all
+/// messages in one nodelet's queue before other nodelets have their turn, among them the back-end
+/// and those that wait for its answer.
 constexpr std::size_t kImagesInFlight = 8;
-/// The queue of scans is short for the same reason, and so that little of the rest goes by
-/// meanwhile.
+/// The same for scans. They are few for the same reason, and so that little else passes meanwhile.
 constexpr std::size_t kScansInFlight = 20;
 /// More than a component holds while it waits for calibration and mount.
 constexpr std::size_t kImagesHeld = 40;

@@ -9,7 +9,7 @@
 
 namespace slam_ros {
 
-/// Lets through at most `rate` events a second of the stamps' time.
+/// Lets through at most `rate` events per second of the stamps' time.
 class RateLimit {
  public:
   explicit RateLimit(double rate) { set(rate); }

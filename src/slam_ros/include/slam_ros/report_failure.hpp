@@ -10,7 +10,7 @@
 
 namespace slam_ros {
 
-/// Runs a nodelet's initialisation; what it throws is reported before it goes on to the loader,
+/// Runs a nodelet's initialisation. An exception is reported before it is passed on to the loader,
 /// which would only say that the nodelet was not loaded.
 template <class Action>
 void reportFailure(const std::string& name, Action&& action) {

@@ -18,23 +18,23 @@
 namespace slam_ros {
 
 /// The value below which `share` (in [0, 1]) of the values lie, interpolated between neighbours.
-/// @throw std::invalid_argument when there is no value
+/// @throw std::invalid_argument if there is no value
 double percentile(std::vector<double> values, double share);
 
-/// Mean entropy of a grid's known cells [bit]: 0 where all is certain, 1 where nothing is. Nothing
-/// for a grid that knows no cell.
+/// Mean entropy of a grid's known cells [bit]: 0 if all are certain, 1 if none is. Nothing for a
+/// grid without known cells.
 std::optional<double> meanEntropy(const slam::OccupancyGrid& grid);
 
-/// When something held: that the robot was lost, or its pose in doubt.
+/// When a condition held: that the robot was lost, or that its pose was in doubt.
 class AlarmTime {
  public:
   explicit AlarmTime(slam::Stamp start) : start_(start), last_(start) {}
   void add(slam::Stamp stamp, bool holds);
 
   std::size_t alarms() const { return alarms_; }
-  /// Of the first alarm, since the first step [s]; nothing without one.
+  /// The time of the first alarm, since the first step [s]; nothing without one.
   std::optional<double> first() const { return first_; }
-  /// Of the time of all steps.
+  /// The share of the time of all steps.
   double share() const;
 
   template <class Archive>
@@ -50,7 +50,7 @@ class AlarmTime {
   std::optional<double> first_;
 };
 
-/// What a run cost, and what it itself knows of its grid map, for metrics.json.
+/// What a run cost, and what the run itself knows about its grid map, for metrics.json.
 class RunMetrics {
  public:
   using Clock = std::chrono::steady_clock;
@@ -62,25 +62,25 @@ class RunMetrics {
     update_ms_.push_back(std::chrono::duration<double, std::milli>(time).count());
   }
   std::size_t updates() const { return update_ms_.size(); }
-  /// Takes in how far the pose can be relied on after the step of this stamp.
+  /// Notes how far the pose can be relied on after the step of this stamp.
   void addTrust(slam::Stamp stamp, slam::Trust trust);
   /// Counts the events of a step and notes how far it moved the pose.
   void addEvents(const slam::StepReport& report);
-  /// Work on what makes a step of this stamp, before it is due: an image's, a scan's.
+  /// Adds the time for preparing the trigger of a step of this stamp, such as an image or a scan.
   void addFrontEnd(slam::Stamp stamp, Clock::duration time) { front_end_[stamp] += time; }
-  /// The back-end's time for the step of this stamp, which ends what addFrontEnd() began.
+  /// Adds the back-end's time for the step of this stamp, to which addFrontEnd() has added before.
   void addLatency(slam::Stamp stamp, Clock::duration time);
-  /// The map at the end.
+  /// Notes the map at the end.
   void setGrid(const slam::OccupancyGrid& grid) { map_entropy_ = meanEntropy(grid); }
-  /// The same of a back-end that makes one.
+  /// The same for a back-end that makes one.
   void setGrid(const slam::Capabilities& backend);
   double wallSeconds() const;
 
   /// The metrics up to now, of this process. Keys without a value are absent.
-  /// @param data_time what the data cover
+  /// @param data_time the time that the data cover
   std::string toJson(slam::Duration data_time, std::uint64_t dropped_messages) const;
 
-  /// The metrics of a resumed run cover all its parts, but for wall_s and cpu_s.
+  /// The metrics of a resumed run cover all its parts, except for wall_s and cpu_s.
   template <class Archive>
   void persist(Archive& archive) {
     archive(update_ms_, latency_ms_, front_end_, events_, largest_jump_);

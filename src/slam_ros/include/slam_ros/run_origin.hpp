@@ -7,22 +7,22 @@
 
 namespace slam_ros {
 
-/// Where a run comes from: version and commit of the programs, date, command line and bag, as
-/// `slam_run` names them, for metrics.json and config.yaml, which have it under the name `run`.
+/// The origin of a run: version and commit of the programs, date, command line and bag, as
+/// `slam_run` passes them on. metrics.json and config.yaml have it under the key `run`.
 class RunOrigin {
  public:
-  /// An origin of which nothing is known: it leaves both files as they are.
+  /// An unknown origin: it does not change the files.
   RunOrigin() = default;
   /// @param text an object of JSON; empty: nothing is known
-  /// @throw std::invalid_argument where it is none
+  /// @throw std::invalid_argument if it is none
   explicit RunOrigin(const std::string& text);
 
   /// @param metrics the content of metrics.json
   std::string addedToMetrics(const std::string& metrics) const;
-  /// Without date and command line: the same run writes the same bytes.
+  /// Without date and command line, so that the same run writes the same bytes.
   /// @param config the content of config.yaml
   std::string addedToConfig(const std::string& config) const;
-  /// Adds it to both files of a run that is complete, which have none yet.
+  /// Adds it to both files of a complete run, which have no origin yet.
   void addToFolder(const std::string& folder) const;
 
  private:

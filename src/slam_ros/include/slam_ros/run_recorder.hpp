@@ -15,19 +15,20 @@
 
 namespace slam_ros {
 
-/// Writes what a run leaves behind: its folder (`output_dir`) and the map at exit
-/// (`save_on_exit`). A disk that is full ends the recording, not the robot's run.
+/// Writes the files of a run: its folder (`output_dir`) and the map at exit (`save_on_exit`). A
+/// full disk ends the recording, but not the robot's run.
 class RunRecorder {
  public:
   /// @param settings of the run, all sections read
-  /// @param robot_file its text
-  /// @throw std::runtime_error when the folder cannot be made
+  /// @param robot_file text of the robot file
+  /// @throw std::runtime_error if the folder cannot be made
   RunRecorder(OutputsConfig config, std::string map_frame, slam::Settings settings,
               std::string robot_file, Diagnostics& diagnostics);
 
-  /// @param time the step took
+  /// @param time that the step took
   void write(const slam::StepReport& report, RunMetrics::Clock::duration time);
-  /// The run starts over; so do its files, as RunWriter::restart().
+  /// To be called when the run starts over. Its files start over as well, as in
+  /// RunWriter::restart().
   void restart();
   /// Completes all files.
   void finish(const slam::Capabilities& backend, std::uint64_t dropped_messages);

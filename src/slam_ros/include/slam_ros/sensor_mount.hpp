@@ -14,7 +14,8 @@
 
 namespace slam_ros {
 
-/// Where a sensor is mounted, read from /tf_static: reported when it is known and when it changes.
+/// Reads the mount of a sensor from /tf_static, and reports it when it becomes known and when it
+/// changes.
 class SensorMount {
  public:
   using Sink =
@@ -24,18 +25,19 @@ class SensorMount {
   SensorMount(std::string base_frame, Sink sink);
 
   void take(const tf2_msgs::TFMessage& static_transforms);
-  /// Data of the sensor have come, of this frame.
+  /// To be called when data of the sensor have come, in this frame.
   void takeFrame(const std::string& sensor_frame);
 
   bool hasFrame() const { return frame_.has_value(); }
-  /// Whether it was reported, if only for data of another frame.
+  /// Whether a mount was reported, even if only for data of another frame.
   bool isKnown() const { return told_.has_value(); }
-  /// "base_link -> laser" while data came and that transform did not, else empty.
+  /// "base_link -> laser" if data have come and that transform has not; otherwise empty.
   std::string missing() const;
 
  private:
-  /// Nothing while no transform connects base and sensor. A sensor whose own transform is none
-  /// (NaN, no unit quaternion) gets it as it came: slam::faultOfMount() says what is wrong with it.
+  /// Nothing while no transform connects base and sensor. An invalid transform of the sensor itself
+  /// (NaN, no unit quaternion) is passed on unchanged: slam::faultOfMount() says what is wrong with
+  /// it.
   std::optional<Eigen::Isometry3d> pose() const;
   void tell();
 

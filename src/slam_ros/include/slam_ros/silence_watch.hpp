@@ -11,10 +11,10 @@
 
 namespace slam_ros {
 
-/// Notices that inputs which had come come no more, as when a link to another machine is cut or a
-/// sensor has died: by the wall, since the stamps' time stands still with them. An input that
-/// pauses alone is given more time where it may well do so, as observations where there is nothing
-/// to see.
+/// Notices that inputs have stopped, for example since a link to another machine is cut or a sensor
+/// has failed. It uses the wall clock, since the time of the stamps stands still with the inputs.
+/// An input that pauses alone is given more time if pauses are normal for it, such as observations
+/// while nothing is seen.
 class SilenceWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -24,26 +24,27 @@ class SilenceWatch {
   /// The input may pause while others go on: then kPatienceWithPauses holds.
   void mayPause(const std::string& input) { with_pauses_.insert(input); }
 
-  /// @return empty, or that the input comes again after a silence that news() has reported
+  /// @return a sentence if the input comes again after a silence that news() has reported;
+  /// otherwise empty
   std::string heard(const std::string& input, Clock::time_point now);
 
-  /// What is silent and for how long, or empty.
+  /// Which inputs are silent, and for how long; or empty.
   std::string sentence(Clock::time_point now) const;
 
-  /// The same as sentence(), but once for each silence only.
+  /// The same as sentence(), but only once for each silence.
   std::string news(Clock::time_point now);
 
  private:
   struct Input {
     Clock::time_point last;
-    bool is_told = false;  ///< of its silence, by news()
+    bool is_told = false;  ///< news() has reported its silence
 
     bool isSilent(Clock::time_point now, std::chrono::seconds patience = kPatience) const {
       return now - last > patience;
     }
   };
 
-  /// The inputs that are missed: all, or those that others go on without.
+  /// The silent inputs: all, or those that have stopped while others go on.
   std::vector<std::string> missing(Clock::time_point now) const;
 
   std::map<std::string, Input> inputs_;

@@ -10,9 +10,9 @@
 
 namespace slam_ros {
 
-/// A path to look at that stays a message of bounded size however long the run: when it is full,
-/// every other pose is left out, and from then on of twice as many poses one is kept. The first and
-/// the last pose are always in it. All poses are in trajectory.tum.
+/// A path for display, whose message has a bounded size however long the run is. When it is full,
+/// every other pose is left out, and from then on one of twice as many poses is kept. It always has
+/// the first and the last pose. All poses are in trajectory.tum.
 class ThinnedPath {
  public:
   static constexpr std::size_t kMostPoses = 4000;

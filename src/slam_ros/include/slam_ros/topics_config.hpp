@@ -12,7 +12,7 @@
 
 namespace slam_ros {
 
-/// Empty, or why ROS could not use the text as the name of a topic.
+/// Why ROS cannot use the text as the name of a topic; empty if it can.
 std::string faultOfTopicName(const std::string& name);
 
 /// The robot file's names of the product's input topics, relative to the product's namespace.
@@ -28,11 +28,11 @@ struct TopicsConfig {
   std::string scan = "scan";
   std::string imu = "imu";
 
-  /// The inputs that have names here, with the kinds of their data, in the order that sentences
-  /// list them in.
+  /// The inputs that have names here, with the kinds of their data, in the order in which messages
+  /// list them.
   static std::vector<std::pair<std::string, slam::Kind>> inputs();
 
-  /// The topic of an input; one that has no name here is on the topic of its own name.
+  /// The topic of an input. An input without a name here is on the topic of its own name.
   std::string of(const std::string& input) const {
     if (input == "odom") return odom;
     if (input == "observations") return observations;

@@ -12,8 +12,8 @@
 
 namespace slam_ros {
 
-/// One edge of the tree of transforms, with stamps that only grow: listeners complain of repeated
-/// ones.
+/// Publishes one edge of the tree of transforms, with strictly increasing stamps: listeners warn of
+/// repeated ones.
 class TransformPublisher {
  public:
   void publish(const ros::Time& stamp, const std::string& parent, const std::string& child,

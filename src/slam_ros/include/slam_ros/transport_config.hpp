@@ -7,10 +7,10 @@
 
 namespace slam_ros {
 
-/// Which kind of a camera's images is taken.
+/// Which kind of a camera's images is subscribed to.
 enum class ImageTransport { kAuto, kRaw, kCompressed };
 
-/// Private parameter of a nodelet that subscribes a camera.
+/// Private parameter of a nodelet that subscribes to a camera.
 struct TransportConfig {
   static constexpr const char* kSection = "";
 

@@ -11,17 +11,17 @@
 
 namespace slam_ros {
 
-/// NEES of poses against a true trajectory that comes beside them. The truth's frame is brought
-/// onto the map's where both are known for the first time: no fit.
+/// Computes the NEES of poses against a true trajectory that is received meanwhile. The truth's
+/// frame is aligned with the map's at the first pose for which both are known, without a fit.
 class TruthComparison {
  public:
-  /// The newest thousand are kept; a stamp that goes back starts over.
+  /// The newest thousand poses are kept; if a stamp goes back, it starts over.
   void add(slam::Stamp stamp, const slam::Pose2& truth);
-  /// Whether there is hope that the truth of that stamp is still on its way.
+  /// Whether the truth of that stamp may still come.
   bool isExpected(slam::Stamp stamp) const;
-  /// 3 expected; nothing where the truth has not come as far or has a gap there.
+  /// The NEES; 3 is expected. Nothing if the truth of that stamp has not come or has a gap there.
   std::optional<double> nees(slam::Stamp stamp, const slam::PoseEstimate& estimate);
-  /// The map started over.
+  /// To be called when the map starts over.
   void reset() { T_map_truth_.reset(); }
 
  private:

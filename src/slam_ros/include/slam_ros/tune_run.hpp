@@ -10,7 +10,7 @@
 
 namespace slam_ros {
 
-/// What `slam_tune` is asked to do.
+/// The options of `slam_tune`.
 struct TuneOptions {
   std::string robot;  ///< file or name
   std::string product = "ekf_wheel";
@@ -19,8 +19,8 @@ struct TuneOptions {
   std::vector<std::string> parameters, overrides, remaps;
 };
 
-/// What a bag gives a product: odometry or motion, and observations; those that the product's
-/// detector makes of its images where there are no others.
+/// The data that a bag has for a product: odometry or motion, and observations. If the bag has no
+/// observations, the product's detector makes them from its images.
 /// @throw std::exception with a sentence
 slam::tuning::RecordedLog recordedLog(const TuneOptions& options, const std::string& bag);
 

@@ -10,21 +10,21 @@
 
 namespace slam_ros {
 
-/// The warnings of a run, so that they can be read: of each kind the first one is said, and at the
-/// end how many there were. Warnings that differ in their numbers only (ids, stamps) are of one
-/// kind. So many kinds are said (kMostSaid); those that are urgent always are.
+/// Keeps the warnings of a run readable: the first warning of each kind is printed, and at the end
+/// their number. Warnings that differ only in their numbers (ids, stamps) are of one kind. At most
+/// kMostSaid kinds are printed; urgent ones always are.
 class WarningLog {
  public:
   static constexpr std::size_t kMostSaid = 10;
 
-  /// @return what is to be said of it now; empty: nothing
+  /// @return what is to be printed of it now; may be empty
   std::string add(const std::string& sentence, bool is_urgent = false);
 
-  /// A line for each kind that was not said each time it came, the urgent ones first and then in
-  /// the order in which they came.
+  /// A line for each kind whose warnings were not all printed: the urgent ones first, then in the
+  /// order in which they came.
   std::vector<std::string> summary() const;
 
-  /// The sentence with '#' for its numbers, and one '#' for a list of them.
+  /// The sentence with '#' in the place of each number, and of each list of numbers.
   static std::string kindOf(const std::string& sentence);
 
  private:
@@ -37,7 +37,7 @@ class WarningLog {
 
   std::map<std::string, Kind> kinds_;
   std::size_t said_ = 0;      ///< kinds that are not urgent
-  std::uint64_t beyond_ = 0;  ///< warnings of more kinds than can be told apart
+  std::uint64_t beyond_ = 0;  ///< warnings of more kinds than can be distinguished
   bool has_told_of_more_ = false;
 };
 

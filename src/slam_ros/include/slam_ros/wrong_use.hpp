@@ -7,8 +7,8 @@
 
 namespace slam_ros {
 
-/// A command asks for what is not there or cannot be: one sentence, with which a program ends with
-/// the exit code 2 where any other failure gives 1.
+/// A command asks for something that does not exist or is impossible. The message is one sentence.
+/// The program ends with the exit code 2; after any other failure it ends with 1.
 class WrongUse : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
