@@ -74,6 +74,7 @@ void GraphSlam::describe(Ports& ports) {
 void GraphSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
   capabilities.offer<LandmarkRemover>(*this);
+  if (uses_grid_) capabilities.offer<CorrectionReporter>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<EventReporter>(*this);
@@ -133,6 +134,7 @@ void GraphSlam::reset() {
   fixed_map_.clear();
   statistics_ = {};
   events_.clear();
+  is_corrected_ = false;
   counters_.clear();
   waiting_.reset();
   resumed_.reset();
@@ -160,6 +162,11 @@ std::uint64_t GraphSlam::gridRevision() const {
   return revision_ + (graph_->scans ? graph_->scans->gridRevision() : 0);
 }
 
+/// By a scan; the graph's covariance has the errors of the map.
+std::optional<Stamp> GraphSlam::correctedBy() const {
+  return is_corrected_ ? std::optional(Stamp()) : std::nullopt;
+}
+
 std::optional<Stamp> GraphSlam::lostSince() const {
   return graph_->scans ? graph_->scans->doubt().lostSince() : std::nullopt;
 }
@@ -180,6 +187,7 @@ MapState GraphSlam::state() const {
 Status GraphSlam::execute() {
   statistics_ = {};
   events_.clear();
+  is_corrected_ = false;
   statistics_.gate_probability = config_.gate_probability;
   resume();
   const auto replaced = replaceMap();
@@ -217,6 +225,7 @@ Status GraphSlam::takeScan() {
   if (!scan_) return graph_->scans ? graph_->scans->status() : Status::ok();
   const auto scan = *std::exchange(scan_, std::nullopt);
   const auto taken = graph_->scans->take(scan, counters_);
+  is_corrected_ = graph_->scans->isCorrected();
   graph_->record.add(scan.stamp, graph_->path);
   events_ = eventsOf(*graph_->scans);
   graph_->reduction.reduce();

@@ -12,6 +12,7 @@
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/calibrator.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/graph_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
@@ -41,6 +42,7 @@ namespace slam::graph_slam {
 /// With a grid the path is told by a laser's scans as well (ScanGraph), and the grid is drawn of
 /// them.
 class GraphSlam final : public Backend,
+                        CorrectionReporter,
                         LandmarkMapper,
                         LandmarkRemover,
                         GridMapper,
@@ -83,12 +85,13 @@ class GraphSlam final : public Backend,
   void persist(Archive& archive) {
     if constexpr (Archive::kReads) graph_ = emptyGraph({});
     archive(*graph_, associator_, revision_, sightings_, statistics_, events_, counters_,
-            fixed_map_, last_motion_, has_moved_, map_, initial_pose_, motion_, J_wheels_,
-            observations_, scan_);
+            is_corrected_, fixed_map_, last_motion_, has_moved_, map_, initial_pose_, motion_,
+            J_wheels_, observations_, scan_);
   }
 
  private:
   // what it offers as capabilities
+  std::optional<Stamp> correctedBy() const override;
   LandmarkMap landmarks() const override;
   UpdateStatistics statistics() const override { return statistics_; }
   Status remove(LandmarkId id) override;
@@ -172,6 +175,7 @@ class GraphSlam final : public Backend,
   association::Sightings sightings_;
   UpdateStatistics statistics_;
   std::vector<Event> events_;  ///< of the last step
+  bool is_corrected_ = false;  ///< by the scan of the last step
   Counters counters_;
   LandmarkMap fixed_map_;  ///< as it was loaded, to localise in
 

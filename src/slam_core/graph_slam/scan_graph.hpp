@@ -44,6 +44,9 @@ class ScanGraph {
 
   std::optional<OccupancyGrid> grid() const;
   std::uint64_t gridRevision() const { return renderer_.revision(); }
+  /// Whether the last scan taken showed where the robot is: it fits the submap, and no doubt says
+  /// that the place is wrong.
+  bool isCorrected() const { return is_determined_ && doubt_.admits(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const graph::RobustLoops& loops() const { return loops_; }
   /// The most memory that it takes; the same whether somebody has asked for the grid or not.
@@ -61,7 +64,7 @@ class ScanGraph {
   template <class Archive>
   void persist(Archive& archive) {
     archive(told_, submaps_, loops_, loop_watch_, renderer_, reduction_, tracker_, trigger_, doubt_,
-            watch_, inserted_);
+            watch_, is_determined_, inserted_);
   }
 
  private:
@@ -92,6 +95,7 @@ class ScanGraph {
   scan_matching::InsertionTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
   scan_matching::ScanWatch watch_;
+  bool is_determined_ = false;  ///< the pose, by the last scan taken
   SharedScan inserted_;
 };
 

@@ -47,6 +47,7 @@ FastSlam::Step FastSlam::takeInputs() {
   step.latest = std::exchange(inputs_.motion, std::nullopt);
   const auto observations = std::exchange(inputs_.observations, std::nullopt);
   const auto scan = std::exchange(inputs_.scan, std::nullopt);
+  is_corrected_ = false;
   if (step.latest) {
     step.stamp = step.latest->end;
     belief_.carried = belief_.carried ? joined(*belief_.carried, *step.latest) : step.latest;
@@ -63,6 +64,7 @@ FastSlam::Step FastSlam::takeInputs() {
     step.update = &*scans_;
     step.has_seen = true;
   }
+  is_corrected_ = scans_->isCorrected();
   correct(scans_->correction(), step);
   return step;
 }

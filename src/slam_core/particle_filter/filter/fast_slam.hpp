@@ -9,6 +9,7 @@
 
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/landmark_remover.hpp"
@@ -31,6 +32,7 @@ namespace slam::particle_filter {
 /// propagated until an observation comes or a scan is due for an update. Scans in between only
 /// correct the motion that has been accumulated, and reduce each particle's deviation from it.
 class FastSlam final : public Backend,
+                       CorrectionReporter,
                        LandmarkMapper,
                        LandmarkRemover,
                        GridMapper,
@@ -64,7 +66,7 @@ class FastSlam final : public Backend,
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(*particles_, landmarks_, belief_, inputs_, account_, execution_.streams);
+    archive(*particles_, landmarks_, belief_, inputs_, account_, execution_.streams, is_corrected_);
     if (scans_) archive(*scans_);
     bool is_shown = shown_grid_.identity == best().grid.identity();
     archive(is_shown, shown_grid_.revision);
@@ -103,6 +105,7 @@ class FastSlam final : public Backend,
   };
 
   // what it offers as capabilities
+  std::optional<Stamp> correctedBy() const override;
   LandmarkMap landmarks() const override;
   UpdateStatistics statistics() const override { return account_.statistics; }
   Status remove(LandmarkId id) override { return landmarks_.remove(id, account_); }
@@ -151,6 +154,7 @@ class FastSlam final : public Backend,
   std::unique_ptr<ParticleSet> particles_;
   LandmarkUpdate landmarks_;
   std::optional<ScanUpdate> scans_;  ///< where a grid is made
+  bool is_corrected_ = false;        ///< by the scan of the last step
   Resampler resampler_;
   PoseBelief belief_;
   Inputs inputs_;

@@ -20,6 +20,7 @@ void FastSlam::describe(Ports& ports) {
 void FastSlam::describe(Capabilities& capabilities) {
   capabilities.offer<LandmarkMapper>(*this);
   capabilities.offer<LandmarkRemover>(*this);
+  if (uses_grid_) capabilities.offer<CorrectionReporter>(*this);
   if (uses_grid_) capabilities.offer<GridMapper>(*this);
   if (uses_grid_) capabilities.offer<LostReporter>(*this);
   capabilities.offer<PoseSampler>(*this);
@@ -41,6 +42,11 @@ Component::Figures FastSlam::figures() const {
 
 std::optional<Stamp> FastSlam::lostSince() const {
   return scans_ ? scans_->doubt().lostSince() : std::nullopt;
+}
+
+/// By a scan; the particles' spread and MapDrift have the errors of the map.
+std::optional<Stamp> FastSlam::correctedBy() const {
+  return is_corrected_ ? std::optional(Stamp()) : std::nullopt;
 }
 
 PoseEstimate FastSlam::pose() const {

@@ -63,6 +63,7 @@ void FastSlam::reset() {
   landmarks_ = LandmarkUpdate(landmarksOf(config_));
   inputs_ = {};
   account_ = {};
+  is_corrected_ = false;
   shown_grid_ = {nullptr, shown_grid_.revision + 1};
   const double position = config_.initial_sigma_position, heading = config_.initial_sigma_heading;
   const Eigen::Vector3d sigma(position, position, heading);
