@@ -24,7 +24,8 @@ struct Measurement {
 };
 
 /// The Gaussian over the robot's pose (x, y, theta), the systematic errors of its odometry
-/// (OdometryErrors) and the coordinates of all features, map frame.
+/// (OdometryErrors) and the coordinates of all features, map frame, with invariant errors
+/// (invariant_step.hpp).
 class MonoState {
  public:
   static constexpr int kPose = 3;
@@ -78,6 +79,7 @@ class MonoState {
                           double largest_linearity_index);
 
  private:
+  void moveTo(Eigen::VectorXd mean);
   void toPoint(int offset, double height);
   void compact(const std::vector<int>& kept_rows);
 
@@ -98,6 +100,8 @@ inline auto coordinatesOf(const MonoState& state, const Feature& feature) {
 /// Innovation covariance of a predicted pixel without the noise of the image [px^2].
 Eigen::Matrix2d predictedCovariance(const MonoState& state, int offset,
                                     const Prediction& prediction);
+/// The state's mean after a step of all coordinates, an invariant one of the positions.
+Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step);
 /// The state's mean after an update with one measurement alone.
 Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement, double sigma);
 
