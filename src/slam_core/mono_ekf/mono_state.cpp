@@ -15,6 +15,20 @@
 
 namespace slam::mono_ekf {
 
+namespace {
+
+PixelScore scoreOf(const Eigen::LLT<Eigen::MatrixXd>& cholesky, const Eigen::VectorXd& whitened,
+                   double variance) {
+  const auto rows = whitened.size();
+  const Eigen::MatrixXd S_inverse = cholesky.solve(Eigen::MatrixXd::Identity(rows, rows));
+  const Eigen::VectorXd residuals = variance * cholesky.matrixU().solve(whitened);
+  const double fit = residuals.squaredNorm() / variance;
+  return {0.5 * (fit - variance * S_inverse.trace()),
+          0.5 * variance * variance * S_inverse.squaredNorm()};
+}
+
+}  // namespace
+
 MonoState::MonoState(const PoseEstimate& robot)
     : mean_(Eigen::VectorXd::Zero(kHead)), covariance_(Eigen::MatrixXd::Identity(kHead, kHead)) {
   mean_.head<kPose>() = robot.pose.vector();
@@ -110,9 +124,9 @@ void widen(MonoState& state, const Eigen::Vector3d& variances) {
   state.covariance_.topLeftCorner<MonoState::kPose, MonoState::kPose>().diagonal() += variances;
 }
 
-double MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
+UpdateStatistics MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
   const auto rows = static_cast<Eigen::Index>(2 * measurements.size());
-  if (rows == 0) return 0.0;
+  if (rows == 0) return {};
   Eigen::MatrixXd PHt(mean_.size(), rows), S(rows, rows);
   Eigen::VectorXd nu(rows);
   Eigen::Index row = 0;
@@ -137,7 +151,7 @@ double MonoState::update(const std::vector<Measurement>& measurements, double si
   covariance_.selfadjointView<Eigen::Lower>().rankUpdate(W.transpose(), -1.0);
   moveTo(stepped(*this, W.transpose() * whitened));
   covariance_.triangularView<Eigen::StrictlyUpper>() = covariance_.transpose();
-  return whitened.squaredNorm();
+  return {whitened.squaredNorm(), scoreOf(cholesky, whitened, sigma * sigma)};
 }
 
 /// With the errors as they are about the new mean: in the lower triangle of the covariance.

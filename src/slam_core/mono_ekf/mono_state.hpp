@@ -9,6 +9,7 @@
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/mono_ekf/feature.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
+#include "slam_core/mono_ekf/pixel_noise.hpp"
 
 namespace slam::mono_ekf {
 
@@ -21,6 +22,12 @@ struct Measurement {
   int offset = 0;  ///< of the feature's first coordinate in the state
   Prediction prediction;
   Eigen::Vector2d nu;  ///< what is not explained yet [px]
+};
+
+/// How well an update's measurements were predicted.
+struct UpdateStatistics {
+  double nis = 0.0;  ///< nu^T S^-1 nu
+  PixelScore score;
 };
 
 /// The Gaussian over the robot's pose (x, y, theta), the systematic errors of its odometry
@@ -46,8 +53,8 @@ class MonoState {
   void place(const PoseEstimate& robot);
 
   /// The update of the EKF with all measurements together.
-  /// @param sigma of a pixel's coordinate [px] @return nu^T S^-1 nu
-  double update(const std::vector<Measurement>& measurements, double sigma);
+  /// @param sigma of a pixel's coordinate [px]
+  UpdateStatistics update(const std::vector<Measurement>& measurements, double sigma);
 
   /// A feature that begins where a pixel looks, its coordinates as an InverseDepth, and their
   /// Jacobians in the robot's pose and in the pixel.

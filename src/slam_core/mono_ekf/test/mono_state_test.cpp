@@ -111,7 +111,7 @@ TEST(MonoState, UpdatesAsTheTextbookDoesWithInvariantErrors) {
   moved(0);
   for (const auto& feature : state.features()) moved(feature.offset);
   const Eigen::MatrixXd covariance = J_moved * (P - K * S * K.transpose()) * J_moved.transpose();
-  EXPECT_NEAR(state.update(measurements, 0.7), nu.dot(S.inverse() * nu), 1e-6);
+  EXPECT_NEAR(state.update(measurements, 0.7).nis, nu.dot(S.inverse() * nu), 1e-6);
   EXPECT_LT((state.mean() - mean).norm(), 1e-8);
   EXPECT_LT((state.covariance() - covariance).norm(), 1e-8);
 }
@@ -192,7 +192,7 @@ TEST(Consensus, OfNoMatchesIsNone) {
   PointCloudFilter filter(7);
   const auto consensus = consensusOf(filter.state(), {}, filter.drive().camera(), 1.0);
   EXPECT_TRUE(consensus.agrees.empty());
-  EXPECT_EQ(filter.state().update(consensus.measurements, 1.0), 0.0);
+  EXPECT_EQ(filter.state().update(consensus.measurements, 1.0).nis, 0.0);
 }
 
 }  // namespace
