@@ -29,8 +29,8 @@ double reachOf(const Search& search) {
 }  // namespace
 
 std::vector<Search> ActiveSearch::searchFar(const MonoState& state, const PlanarCamera& camera,
-                                            const cv::Mat& gray) const {
-  auto candidates = expected(state, camera, gray);
+                                            const cv::Mat& gray, double pixel_sigma) const {
+  auto candidates = expected(state, camera, gray, pixel_sigma);
   const auto near = std::count_if(candidates.begin(), candidates.end(), [&](const auto& search) {
     return reachOf(search) <= kNearShare * config_.largest_search;
   });
@@ -41,17 +41,17 @@ std::vector<Search> ActiveSearch::searchFar(const MonoState& state, const Planar
 }
 
 std::vector<Search> ActiveSearch::searchNear(const MonoState& state, const PlanarCamera& camera,
-                                             const cv::Mat& gray,
+                                             const cv::Mat& gray, double pixel_sigma,
                                              const std::vector<Search>& before) const {
   const auto most = static_cast<std::size_t>(config_.features_in_view);
-  return find(expected(state, camera, gray),
+  return find(expected(state, camera, gray, pixel_sigma),
               {most - std::min(most, before.size()), kNearShare * config_.largest_search}, state,
               camera, gray, before);
 }
 
 /// Those that are in sight, oldest first.
 std::vector<Search> ActiveSearch::expected(const MonoState& state, const PlanarCamera& camera,
-                                           const cv::Mat& gray) const {
+                                           const cv::Mat& gray, double pixel_sigma) const {
   std::vector<Search> expected;
   for (std::size_t i = 0; i < state.features().size(); ++i) {
     const auto& feature = state.features()[i];
@@ -62,7 +62,7 @@ std::vector<Search> ActiveSearch::expected(const MonoState& state, const PlanarC
     search.feature = i;
     search.predicted = prediction->pixel;
     search.S = predictedCovariance(state, feature.offset, *prediction);
-    search.S.diagonal().array() += config_.pixel_sigma * config_.pixel_sigma;
+    search.S.diagonal().array() += pixel_sigma * pixel_sigma;
     expected.push_back(search);
   }
   return expected;

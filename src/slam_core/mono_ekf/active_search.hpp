@@ -43,17 +43,19 @@ class ActiveSearch {
   /// Few and far, where the pose is so uncertain that most features may be anywhere in a wide
   /// region, as after a turn of bad odometry: once these are measured, the others are near.
   /// The result is empty where the pose is known better.
+  /// @param pixel_sigma of where a feature is found [px]
   std::vector<Search> searchFar(const MonoState& state, const PlanarCamera& camera,
-                                const cv::Mat& gray) const;
+                                const cv::Mat& gray, double pixel_sigma) const;
   /// The others, up to features_in_view together. Who was found counts as kRejected: nobody has
   /// agreed with it yet.
   /// @param before what was searched in this image already
   std::vector<Search> searchNear(const MonoState& state, const PlanarCamera& camera,
-                                 const cv::Mat& gray, const std::vector<Search>& before) const;
+                                 const cv::Mat& gray, double pixel_sigma,
+                                 const std::vector<Search>& before) const;
 
  private:
   std::vector<Search> expected(const MonoState& state, const PlanarCamera& camera,
-                               const cv::Mat& gray) const;
+                               const cv::Mat& gray, double pixel_sigma) const;
   std::vector<Search> find(std::vector<Search> candidates, const Effort& effort,
                            const MonoState& state, const PlanarCamera& camera, const cv::Mat& gray,
                            const std::vector<Search>& before) const;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
+#include "slam_core/mono_ekf/invariant_step.hpp"
 
 namespace slam::mono_ekf {
 namespace {
@@ -60,11 +61,18 @@ class MatchedPart {
     const auto& feature = belief_.features()[match];
     const auto& original = before.features()[matches_[match].feature];
     auto measurement = *measured(match, belief_.mean());
-    const auto& [pixel, J_pose, J_feature] = measurement.prediction;
-    const Eigen::Vector3d moved = belief_.mean().head<3>() - before.mean().head<3>();
-    measurement.nu +=
-        J_pose * Eigen::Vector3d(moved.x(), moved.y(), wrapAngle(moved.z())) +
-        J_feature * (coordinatesOf(belief_, feature) - coordinatesOf(before, original));
+    auto& [pixel, J_pose, J_feature] = measurement.prediction;
+    const Eigen::Vector3d now = belief_.mean().head<3>(), then = before.mean().head<3>();
+    const Eigen::VectorXd y_now = coordinatesOf(belief_, feature),
+                          y_then = coordinatesOf(before, original);
+    const double alpha = wrapAngle(now.z() - then.z());
+    Eigen::Vector3d pose_step(0.0, 0.0, alpha);
+    pose_step.head<2>() = stepBetween(then.head<2>(), now.head<2>(), alpha);
+    Eigen::VectorXd step = y_now - y_then;
+    step.head<2>() = stepBetween(y_then.head<2>(), y_now.head<2>(), alpha);
+    J_pose.col(2) += J_pose.leftCols<2>() * turnedLeft(now.head<2>() - then.head<2>()) +
+                     J_feature.leftCols<2>() * turnedLeft(y_now.head<2>() - y_then.head<2>());
+    measurement.nu += J_pose * pose_step + J_feature * step;
     measurement.offset = original.offset;
     return measurement;
   }

@@ -66,6 +66,7 @@ void MonoEkf::configure(Settings& settings) { configure(settings.read<MonoEkfCon
 void MonoEkf::reset() {
   state_ = MonoState(start());
   errors_ = OdometryErrors(config_.systematic_share);
+  noise_ = PixelNoise(config_.pixel_sigma);
   watch_ = TrackingWatch(config_.lost_after);
   inputs_ = {};
   next_id_ = 0;
@@ -97,8 +98,8 @@ Status MonoEkf::look(const CameraView& view) {
   last_gray_ = gray;
   const PlanarCamera camera(view.camera, view.mount.T_base_camera);
   seen_.gray = gray;
-  take(active_search_.searchFar(state_, camera, gray), camera);
-  take(active_search_.searchNear(state_, camera, gray, seen_.searches), camera);
+  take(active_search_.searchFar(state_, camera, gray, noise_.sigma()), camera);
+  take(active_search_.searchNear(state_, camera, gray, noise_.sigma(), seen_.searches), camera);
   judgeExistence();
   const auto corners = beginFeatures(camera, gray, view.stamp);
   const auto status = judge(view.stamp, corners);
@@ -135,16 +136,18 @@ void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera)
     matches.push_back({search.feature, search.found});
     found.push_back(&search);
   }
-  const auto consensus = consensusOf(state_, matches, camera, config_.pixel_sigma);
+  const auto consensus = consensusOf(state_, matches, camera, noise_.sigma());
   for (std::size_t i = 0; i < matches.size(); ++i)
     if (consensus.agrees[i]) found[i]->outcome = Search::Outcome::kMatched;
   const auto agreed = consensus.measurements.size();
   if (agreed < kLeastMatches || 2 * agreed < matches.size()) {  // patterns that repeat
     for (auto* search : found) search->outcome = Search::Outcome::kRejected;
+    if (agreed < matches.size()) noise_.doubt();
     return;
   }
-  const double nis = state_.update(consensus.measurements, config_.pixel_sigma);
-  nis_ = nis / static_cast<double>(2 * agreed);
+  const auto statistics = state_.update(consensus.measurements, noise_.sigma());
+  noise_.learn(statistics.score);
+  nis_ = statistics.nis / static_cast<double>(2 * agreed);
 }
 
 void MonoEkf::judgeExistence() {
@@ -189,7 +192,7 @@ std::size_t MonoEkf::beginFeatures(const PlanarCamera& camera, const cv::Mat& gr
     seeds.push_back(std::move(*seed));
     seen_.added.push_back(corner);
   }
-  state_.add(seeds, config_.pixel_sigma, (1.0 / config_.nearest - rho) / 2.0);
+  state_.add(seeds, noise_.sigma(), (1.0 / config_.nearest - rho) / 2.0);
   counters_.add("added", seeds.size());
   return corners.size();
 }
@@ -284,7 +287,8 @@ Component::Figures MonoEkf::figures() const {
       {"features", static_cast<double>(features.size())},
       {"features_with_depth", static_cast<double>(points)},
       {"features_in_view", static_cast<double>(countOf(seen_.searches, Search::Outcome::kMatched))},
-      {"image_nis", nis_}};
+      {"image_nis", nis_},
+      {"pixel_sigma", noise_.sigma()}};
 }
 
 }  // namespace slam::mono_ekf

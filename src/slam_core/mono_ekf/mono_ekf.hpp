@@ -14,6 +14,7 @@
 #include "slam_core/mono_ekf/active_search.hpp"
 #include "slam_core/mono_ekf/mono_state.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
+#include "slam_core/mono_ekf/pixel_noise.hpp"
 #include "slam_core/mono_ekf/tracking_watch.hpp"
 
 namespace slam::mono_ekf {
@@ -50,7 +51,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(state_, errors_, watch_, inputs_, next_id_, counters_);
+    archive(state_, errors_, noise_, watch_, inputs_, next_id_, counters_);
     persistMat(archive, last_gray_);
   }
 
@@ -99,6 +100,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   ActiveSearch active_search_;
   MonoState state_;
   OdometryErrors errors_;
+  PixelNoise noise_;
   TrackingWatch watch_;
   Inputs inputs_;
   std::uint64_t next_id_ = 0;

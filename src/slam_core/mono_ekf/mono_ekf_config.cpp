@@ -23,7 +23,8 @@ void describeMap(MonoEkfConfig& config, Fields& fields) {
       .in(Range::closed(4, 2000));
   fields
       .add("pixel_sigma", &config.pixel_sigma,
-           "standard deviation of where a feature is found in an image")
+           "least standard deviation of where a feature is found in an image, however well the "
+           "matches agree; where they agree less, up to ten times as much is estimated")
       .unit("px")
       .in(Range::closed(0.05, 20));
   fields

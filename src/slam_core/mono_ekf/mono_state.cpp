@@ -10,9 +10,24 @@
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
+#include "slam_core/mono_ekf/invariant_step.hpp"
 #include "slam_core/mono_ekf/inverse_depth.hpp"
 
 namespace slam::mono_ekf {
+
+namespace {
+
+PixelScore scoreOf(const Eigen::LLT<Eigen::MatrixXd>& cholesky, const Eigen::VectorXd& whitened,
+                   double variance) {
+  const auto rows = whitened.size();
+  const Eigen::MatrixXd S_inverse = cholesky.solve(Eigen::MatrixXd::Identity(rows, rows));
+  const Eigen::VectorXd residuals = variance * cholesky.matrixU().solve(whitened);
+  const double fit = residuals.squaredNorm() / variance;
+  return {0.5 * (fit - variance * S_inverse.trace()),
+          0.5 * variance * variance * S_inverse.squaredNorm()};
+}
+
+}  // namespace
 
 MonoState::MonoState(const PoseEstimate& robot)
     : mean_(Eigen::VectorXd::Zero(kHead)), covariance_(Eigen::MatrixXd::Identity(kHead, kHead)) {
@@ -60,17 +75,29 @@ Eigen::Matrix2d predictedCovariance(const MonoState& state, int offset,
          H_f * P.block(offset, offset, H_f.cols(), H_f.cols()) * H_f.transpose();
 }
 
+Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step) {
+  Eigen::VectorXd mean = state.mean() + step;
+  mean(2) = wrapAngle(mean(2));
+  const auto turn = [&](Eigen::Index at) {
+    mean.segment<2>(at) = stepped(Eigen::Vector2d(state.mean().segment<2>(at)),
+                                  Eigen::Vector2d(step.segment<2>(at)), step(2));
+  };
+  turn(0);
+  for (const auto& feature : state.features()) turn(feature.offset);  // its point, or its anchor
+  return mean;
+}
+
 Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement, double sigma) {
   const auto& [offset, prediction, nu] = measurement;
   const auto& P = state.covariance();
   const Eigen::Matrix2d S =
       predictedCovariance(state, offset, prediction) + sigma * sigma * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d weighted = S.inverse() * nu;
-  Eigen::VectorXd mean = state.mean();
-  mean += P.leftCols<MonoState::kPose>() * (prediction.J_pose.transpose() * weighted);
-  mean += P.middleCols(offset, prediction.J_feature.cols()) *
+  Eigen::VectorXd step =
+      P.leftCols<MonoState::kPose>() * (prediction.J_pose.transpose() * weighted);
+  step += P.middleCols(offset, prediction.J_feature.cols()) *
           (prediction.J_feature.transpose() * weighted);
-  return mean;
+  return stepped(state, step);
 }
 
 MonoState partOf(const MonoState& state, const std::vector<std::size_t>& features) {
@@ -97,9 +124,9 @@ void widen(MonoState& state, const Eigen::Vector3d& variances) {
   state.covariance_.topLeftCorner<MonoState::kPose, MonoState::kPose>().diagonal() += variances;
 }
 
-double MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
+UpdateStatistics MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
   const auto rows = static_cast<Eigen::Index>(2 * measurements.size());
-  if (rows == 0) return 0.0;
+  if (rows == 0) return {};
   Eigen::MatrixXd PHt(mean_.size(), rows), S(rows, rows);
   Eigen::VectorXd nu(rows);
   Eigen::Index row = 0;
@@ -121,11 +148,25 @@ double MonoState::update(const std::vector<Measurement>& measurements, double si
   const Eigen::LLT<Eigen::MatrixXd> cholesky(S);
   const Eigen::MatrixXd W = cholesky.matrixL().solve(PHt.transpose());
   const Eigen::VectorXd whitened = cholesky.matrixL().solve(nu);
-  mean_ += W.transpose() * whitened;
-  mean_(2) = wrapAngle(mean_(2));
   covariance_.selfadjointView<Eigen::Lower>().rankUpdate(W.transpose(), -1.0);
+  moveTo(stepped(*this, W.transpose() * whitened));
   covariance_.triangularView<Eigen::StrictlyUpper>() = covariance_.transpose();
-  return whitened.squaredNorm();
+  return {whitened.squaredNorm(), scoreOf(cholesky, whitened, sigma * sigma)};
+}
+
+/// With the errors as they are about the new mean: in the lower triangle of the covariance.
+void MonoState::moveTo(Eigen::VectorXd mean) {
+  Eigen::VectorXd J_theta = Eigen::VectorXd::Zero(mean.size());
+  const auto moved = [&](Eigen::Index at) {
+    J_theta.segment<2>(at) = turnedLeft(mean.segment<2>(at) - mean_.segment<2>(at));
+  };
+  moved(0);
+  for (const auto& feature : features_) moved(feature.offset);
+  Eigen::VectorXd with_theta(mean.size());
+  with_theta << covariance_.row(2).head<3>().transpose(), covariance_.col(2).tail(mean.size() - 3);
+  with_theta += 0.5 * with_theta(2) * J_theta;
+  covariance_.selfadjointView<Eigen::Lower>().rankUpdate(J_theta, with_theta, 1.0);
+  mean_ = std::move(mean);
 }
 
 void MonoState::add(const std::vector<Seed>& seeds, double sigma, double sigma_rho) {

@@ -9,6 +9,7 @@
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/mono_ekf/feature.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
+#include "slam_core/mono_ekf/pixel_noise.hpp"
 
 namespace slam::mono_ekf {
 
@@ -23,8 +24,15 @@ struct Measurement {
   Eigen::Vector2d nu;  ///< what is not explained yet [px]
 };
 
+/// How well an update's measurements were predicted.
+struct UpdateStatistics {
+  double nis = 0.0;  ///< nu^T S^-1 nu
+  PixelScore score;
+};
+
 /// The Gaussian over the robot's pose (x, y, theta), the systematic errors of its odometry
-/// (OdometryErrors) and the coordinates of all features, map frame.
+/// (OdometryErrors) and the coordinates of all features, map frame, with invariant errors
+/// (invariant_step.hpp).
 class MonoState {
  public:
   static constexpr int kPose = 3;
@@ -45,8 +53,8 @@ class MonoState {
   void place(const PoseEstimate& robot);
 
   /// The update of the EKF with all measurements together.
-  /// @param sigma of a pixel's coordinate [px] @return nu^T S^-1 nu
-  double update(const std::vector<Measurement>& measurements, double sigma);
+  /// @param sigma of a pixel's coordinate [px]
+  UpdateStatistics update(const std::vector<Measurement>& measurements, double sigma);
 
   /// A feature that begins where a pixel looks, its coordinates as an InverseDepth, and their
   /// Jacobians in the robot's pose and in the pixel.
@@ -78,6 +86,7 @@ class MonoState {
                           double largest_linearity_index);
 
  private:
+  void moveTo(Eigen::VectorXd mean);
   void toPoint(int offset, double height);
   void compact(const std::vector<int>& kept_rows);
 
@@ -98,6 +107,8 @@ inline auto coordinatesOf(const MonoState& state, const Feature& feature) {
 /// Innovation covariance of a predicted pixel without the noise of the image [px^2].
 Eigen::Matrix2d predictedCovariance(const MonoState& state, int offset,
                                     const Prediction& prediction);
+/// The state's mean after a step of all coordinates, an invariant one of the positions.
+Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step);
 /// The state's mean after an update with one measurement alone.
 Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement, double sigma);
 

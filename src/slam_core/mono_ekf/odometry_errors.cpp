@@ -4,10 +4,13 @@
 #include "slam_core/mono_ekf/odometry_errors.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 
 namespace slam::mono_ekf {
 namespace {
+
+constexpr double kShareOfNew = 0.1;  // in the mean turn
 
 /// Variances of a metre and of a radian; the smallest ones where the motions do not tell them
 /// apart.
@@ -30,8 +33,11 @@ DividedMotion OdometryErrors::divide(const Motion& motion) {
   const auto rates = ratesOf(products_, variances_);
   divided.J_errors(2, 0) = std::sqrt(share_ * rates(1)) * turn;
   divided.J_errors(2, 1) = std::sqrt(share_ * rates(0)) * motion.increment.x();
+  const double missed_turn = std::max(usual_turn_ - std::abs(turn), 0.0);
+  usual_turn_ += kShareOfNew * (std::abs(turn) - usual_turn_);
   const Eigen::Vector3d left(1.0, 1.0, std::sqrt(1.0 - share_));
   divided.random.covariance = left.asDiagonal() * motion.covariance * left.asDiagonal();
+  divided.random.covariance(2, 2) += (1.0 - share_) * rates(1) * missed_turn;
   return divided;
 }
 

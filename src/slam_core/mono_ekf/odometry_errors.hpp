@@ -31,6 +31,10 @@ struct DividedMotion {
 /// The claim is a variance for each motion, which is made of one for each metre and one for each
 /// radian (Thrun, Burgard and Fox 2005, 5.4). Both are found by least squares over all motions so
 /// far, which finds them exactly where the odometry made them so.
+///
+/// A claim goes by the turn as measured: where a wheel errs against a turn, the motion seems to
+/// turn little and claims little. So a motion's turn counts as at least the mean of those before
+/// it.
 class OdometryErrors {
  public:
   OdometryErrors() = default;
@@ -42,7 +46,7 @@ class OdometryErrors {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(products_, variances_);
+    archive(products_, variances_, usual_turn_);
   }
 
  private:
@@ -50,6 +54,7 @@ class OdometryErrors {
   /// Sums over the motions of the products of (way, turn) with one another and with the variance.
   Eigen::Matrix2d products_ = Eigen::Matrix2d::Zero();
   Eigen::Vector2d variances_ = Eigen::Vector2d::Zero();
+  double usual_turn_ = 0.0;  ///< of a motion, whatever the direction, over the last ten [rad]
 };
 
 }  // namespace slam::mono_ekf

@@ -12,6 +12,7 @@
 #include "slam_core/geometry/test/numeric_jacobian.hpp"
 #include "slam_core/mono_ekf/consensus.hpp"
 #include "slam_core/mono_ekf/feature_seeds.hpp"
+#include "slam_core/mono_ekf/invariant_step.hpp"
 #include "slam_core/mono_ekf/test/point_cloud_filter.hpp"
 
 namespace slam::mono_ekf {
@@ -80,7 +81,7 @@ TEST(RaySeed, HasTheJacobiansOfNumericDerivatives) {
   EXPECT_LT((seed->J_pixel - of_pixel).norm(), 1e-5);
 }
 
-TEST(MonoState, UpdatesAsTheTextbookDoes) {
+TEST(MonoState, UpdatesAsTheTextbookDoesWithInvariantErrors) {
   auto state = someState();
   const auto camera = test::forwardCamera();
   std::vector<Measurement> measurements;
@@ -102,9 +103,15 @@ TEST(MonoState, UpdatesAsTheTextbookDoes) {
   const Eigen::MatrixXd S =
       H * P * H.transpose() + 0.49 * Eigen::MatrixXd::Identity(H.rows(), H.rows());
   const Eigen::MatrixXd K = P * H.transpose() * S.inverse();
-  const Eigen::VectorXd mean = state.mean() + K * nu;
-  const Eigen::MatrixXd covariance = P - K * S * K.transpose();
-  EXPECT_NEAR(state.update(measurements, 0.7), nu.dot(S.inverse() * nu), 1e-6);
+  const Eigen::VectorXd mean = stepped(state, K * nu);
+  Eigen::MatrixXd J_moved = Eigen::MatrixXd::Identity(mean.size(), mean.size());
+  const auto moved = [&](Eigen::Index at) {
+    J_moved.block<2, 1>(at, 2) = turnedLeft(mean.segment<2>(at) - state.mean().segment<2>(at));
+  };
+  moved(0);
+  for (const auto& feature : state.features()) moved(feature.offset);
+  const Eigen::MatrixXd covariance = J_moved * (P - K * S * K.transpose()) * J_moved.transpose();
+  EXPECT_NEAR(state.update(measurements, 0.7).nis, nu.dot(S.inverse() * nu), 1e-6);
   EXPECT_LT((state.mean() - mean).norm(), 1e-8);
   EXPECT_LT((state.covariance() - covariance).norm(), 1e-8);
 }
@@ -185,7 +192,7 @@ TEST(Consensus, OfNoMatchesIsNone) {
   PointCloudFilter filter(7);
   const auto consensus = consensusOf(filter.state(), {}, filter.drive().camera(), 1.0);
   EXPECT_TRUE(consensus.agrees.empty());
-  EXPECT_EQ(filter.state().update(consensus.measurements, 1.0), 0.0);
+  EXPECT_EQ(filter.state().update(consensus.measurements, 1.0).nis, 0.0);
 }
 
 }  // namespace

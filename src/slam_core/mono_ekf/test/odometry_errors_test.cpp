@@ -41,6 +41,19 @@ TEST(OdometryErrors, LeavesTheRestOfTheVarianceToChance) {
   EXPECT_EQ(divided.random.covariance(0, 0), motion.covariance(0, 0));
 }
 
+TEST(OdometryErrors, AMotionThatSeemsNotToTurnAmongTurnsClaimsWhatTheyDo) {
+  OdometryErrors errors(kShare);
+  DividedMotion turning;
+  errors.divide(motionBy(0.02, 0.0));  // tells metres from radians
+  for (int i = 0; i < 100; ++i) turning = errors.divide(motionBy(0.02, 0.05));
+  const auto divided = errors.divide(motionBy(0.02, 0.0));
+  EXPECT_NEAR(divided.random.covariance(2, 2), turning.random.covariance(2, 2), 1e-7);
+  for (int i = 0; i < 100; ++i) errors.divide(motionBy(0.02, 0.0));
+  EXPECT_NEAR(errors.divide(motionBy(0.02, 0.0)).random.covariance(2, 2),
+              (1.0 - kShare) * kOfMetre * 0.02, 1e-7)
+      << "it goes straight by now";
+}
+
 TEST(OdometryErrors, ARobotThatStandsErrsAtRandom) {
   OdometryErrors errors(kShare);
   const auto motion = motionBy(0.0, 0.0);

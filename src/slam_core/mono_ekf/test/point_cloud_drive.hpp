@@ -24,7 +24,7 @@ inline PlanarCamera forwardCamera() {
 }
 
 /// A robot on a circle within points on the walls of a round room, whose images are known without
-/// any image: pixels and motion have exactly the noise that is claimed.
+/// any image: pixels and motion have exactly the noise that is claimed, unless the pixels' is set.
 class PointCloudDrive {
  public:
   static constexpr int kLap = 100;  ///< steps of once around
@@ -42,6 +42,7 @@ class PointCloudDrive {
   const PlanarCamera& camera() const { return camera_; }
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
   const Pose2& truth() const { return truth_; }
+  void setPixelSigma(double sigma) { pixel_sigma_ = sigma; }
 
   /// @param measured over true turn
   Motion move(double measured = 1.0) {
@@ -70,7 +71,7 @@ class PointCloudDrive {
       if (!projection) continue;
       const auto& pixel = projection->pixel;
       if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() > 639 || pixel.y() > 479) continue;
-      seen.push_back({i, pixel + kPixelSigma * Eigen::Vector2d(normal(), normal())});
+      seen.push_back({i, pixel + pixel_sigma_ * Eigen::Vector2d(normal(), normal())});
     }
     return seen;
   }
@@ -80,6 +81,7 @@ class PointCloudDrive {
 
   PlanarCamera camera_;
   RandomStream random_;
+  double pixel_sigma_ = kPixelSigma;
   std::vector<Eigen::Vector3d> points_;
   Eigen::Matrix3d Q_;
   Pose2 truth_;

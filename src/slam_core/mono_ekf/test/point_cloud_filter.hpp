@@ -18,10 +18,13 @@ namespace slam::test {
 /// The filter over a drive whose points are recognised without fail.
 class PointCloudFilter {
  public:
+  static constexpr double kLeastSigma = 0.35;  ///< of the pixels [px]
+
   /// @param measured over true turn; where it is 1, all errors of the odometry are random
   explicit PointCloudFilter(std::uint64_t seed, double measured = 1.0)
       : drive_(seed),
         measured_(measured),
+        noise_(kLeastSigma),
         errors_(measured == 1.0 ? 0.0 : 0.5),
         state_({Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}) {}
 
@@ -36,6 +39,8 @@ class PointCloudFilter {
 
   mono_ekf::MonoState& state() { return state_; }
   const PointCloudDrive& drive() const { return drive_; }
+  PointCloudDrive& drive() { return drive_; }
+  double pixelSigma() const { return noise_.sigma(); }
   /// The point that a feature is of.
   Eigen::Vector3d truthOf(const mono_ekf::Feature& feature) const {
     return drive_.points()[feature.id];
@@ -59,9 +64,10 @@ class PointCloudFilter {
     for (const auto& [point, pixel] : seen)
       if (features.count(point) > 0 && matches.size() < 40)
         matches.push_back({features[point], pixel});
-    const auto consensus =
-        mono_ekf::consensusOf(state_, matches, drive_.camera(), PointCloudDrive::kPixelSigma);
-    state_.update(consensus.measurements, PointCloudDrive::kPixelSigma);
+    const double sigma = noise_.sigma();
+    const auto consensus = mono_ekf::consensusOf(state_, matches, drive_.camera(), sigma);
+    noise_.learn(state_.update(consensus.measurements, sigma).score);
+    if (2 * consensus.measurements.size() < matches.size()) noise_.doubt();
   }
 
   void begin(const std::vector<PointCloudDrive::Pixel>& seen) {
@@ -72,11 +78,12 @@ class PointCloudFilter {
       seed->feature.id = point;
       seeds.push_back(*seed);
     }
-    state_.add(seeds, PointCloudDrive::kPixelSigma, 0.8);
+    state_.add(seeds, noise_.sigma(), 0.8);
   }
 
   PointCloudDrive drive_;
   double measured_;
+  mono_ekf::PixelNoise noise_;
   mono_ekf::OdometryErrors errors_;
   mono_ekf::MonoState state_;
   std::set<std::size_t> known_;
