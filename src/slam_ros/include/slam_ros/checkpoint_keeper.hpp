@@ -12,44 +12,27 @@
 #include <string>
 #include <vector>
 
-#include "slam_core/common/config_fields.hpp"
 #include "slam_core/product/autosave.hpp"
 #include "slam_core/product/checkpoint.hpp"
 #include "slam_core/product/checkpoint_folder.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/background.hpp"
+#include "slam_ros/checkpoint_config.hpp"
+#include "slam_ros/stage_states.hpp"
 
 namespace slam_ros {
 
-/// Parameters in the namespace `checkpoints` of the product.
-struct CheckpointConfig {
-  static constexpr const char* kSection = "";
-
-  std::string folder;
-  double autosave = 10.0;
-  bool resume = false;
-  bool restarted = false;
-
-  void describe(slam::Fields& fields) {
-    fields.add("folder", &folder, "takes the checkpoints; none is written without");
-    fields.add("autosave", &autosave, "interval of the checkpoints")
-        .unit("s of stamps")
-        .in(slam::Range::above(0));
-    fields.add("resume", &resume, "go on from the folder's checkpoint, where there is one");
-    fields.add("restarted", &restarted,
-               "an earlier process of the same launch has died; the nodelet sets it");
-  }
-};
-
 /// Saves a product, or the part of one that has the back-end, while it drives, and goes on from
-/// what was saved. The state is copied between two steps, in the thread that takes them; another
-/// thread writes it to the disk. Components of other processes start over.
+/// what was saved, with the stages beside it. The state is copied between two steps, in the thread
+/// that takes them; another thread writes it to the disk. Components of other processes start over.
 class CheckpointKeeper {
  public:
   /// Locks the folder, where there is one. @param handle with the parameters, `restarted` of which
   /// is set: a nodelet that is started again by this launch goes on @param product outlives this
+  /// @param stages outlive this; resume() says what they go on from
   /// @throw std::runtime_error naming the folder and the cause
-  CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run, slam::MetaCoordinator& product);
+  CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run, slam::MetaCoordinator& product,
+                   const StageStates& stages);
   ~CheckpointKeeper();
 
   /// Goes on from the folder's last checkpoint that can be used, if that is wanted.
@@ -74,16 +57,20 @@ class CheckpointKeeper {
   std::string finish();
 
  private:
+  bool resumeProduct(const std::function<void()>& configure_anew);
   void restore(const std::string& bytes);
   void describe(const slam::CheckpointFolder::Resumption& resumption);
   void save();
   void write(const std::string& state);
+  void fail(const std::string& cause);
   void tell(const std::string& sentence);
   std::string takeNews();
 
   CheckpointConfig config_;
   slam::RunIdentity run_;
   slam::MetaCoordinator& product_;
+  const StageStates& stages_;
+  StageStates::Saved saved_stages_;  ///< that the product goes on from
   slam::Autosave autosave_;
   std::unique_ptr<slam::CheckpointFolder> folder_;  ///< none where nothing is to be saved
   News news_;

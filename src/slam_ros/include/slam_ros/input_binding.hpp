@@ -57,6 +57,8 @@ class InputBinding {
   virtual const std::string& topic() const = 0;
   /// "waiting for ...", or empty when all have come that a component may need.
   virtual std::string waiting() const = 0;
+  /// Whether somebody publishes what other components make for it; always true of sensors' data.
+  virtual bool isConnected() const { return true; }
   /// When data came last, by the wall.
   LatencyWindow::Clock::time_point arrival() const { return arrival_; }
 

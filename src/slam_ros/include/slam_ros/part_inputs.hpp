@@ -35,6 +35,8 @@ class PartInputs {
   /// What the first of them waits for that the part cannot do without; empty: all have come.
   /// @param needless inputs of which nothing is expected: what is made of them comes from elsewhere
   std::string waiting(const std::vector<slam::InputPort>& needless = {}) const;
+  /// Whether all that other components make for the inputs is published.
+  bool areConnected() const;
   /// From here on no callback runs.
   void stop() {
     bindings_.clear();
