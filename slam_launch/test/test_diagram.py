@@ -44,6 +44,19 @@ class Components(Diagrams):
                           "fiducial_detector": "slam_frontend/FiducialDetector",
                           "slam_backend": "slam_backend_ekf/Ekf"})
 
+    def test_have_stages_in_nodelets_of_their_own_beside_the_back_end(self):
+        parts = {part.name: part for part in self.parts("rat_wheel")}
+        self.assertEqual({name: part.plugin for name, part in parts.items()},
+                         {"wheel_odometry": "slam_frontend/WheelOdometry",
+                          "local_view": "slam_backend_rat/LocalView",
+                          "pose_cells": "slam_backend_rat/PoseCells",
+                          "slam_backend": "slam_backend_rat/Rat"})
+        self.assertEqual(parts["local_view"].inputs, ("camera/image_raw",))
+        self.assertEqual(set(parts["pose_cells"].inputs), {"motion", "local_view"})
+        self.assertEqual(set(parts["slam_backend"].inputs), {"motion", "pose_cells"})
+        self.assertEqual({part.group for name, part in parts.items() if name != "wheel_odometry"},
+                         {"Back-end"})
+
     def test_have_a_source_for_each_input_in_every_kind_of_product(self):
         for features in covering(list(self.model.valid()), TOGETHER):
             with self.subTest(text(features)):

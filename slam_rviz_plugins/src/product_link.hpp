@@ -45,7 +45,7 @@ class ProductLink final : public QObject {
   void load(const QString& path);
 
  Q_SIGNALS:
-  /// @param trust "confident", "doubtful" or "lost" @param doubt why; empty where there is none
+  /// @param trust "confident", "doubtful", "lost" or "unknown" @param doubt why; else empty
   void trustTold(const QString& trust, const QString& doubt);
   void poseTold(const geometry_msgs::PoseWithCovarianceStamped& pose);
   void eventTold(const QString& sentence);

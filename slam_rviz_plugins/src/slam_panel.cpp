@@ -47,13 +47,23 @@ QString colourOf(const QString& trust) {
   if (trust == "confident") return "#2e7d32";
   if (trust == "doubtful") return "#b26a00";
   if (trust == "lost") return "#b71c1c";
-  return "#757575";
+  return "#757575";  // unknown, and where nothing runs
 }
 
 void paint(QLabel& label, const QString& trust, const QString& text) {
   label.setText(text);
   label.setStyleSheet(QString("background: %1; color: white; font-weight: bold; padding: 6px;")
                           .arg(colourOf(trust)));
+}
+
+/// The standard deviations of a pose. Zeros are no covariance, as in sensor_msgs.
+QString uncertaintyOf(const geometry_msgs::PoseWithCovariance& pose) {
+  const auto& P = pose.covariance;
+  if (std::all_of(P.begin(), P.end(), [](double value) { return value == 0.0; }))
+    return QString::fromUtf8("σ unknown");
+  return QString::fromUtf8("σ %1 m, %2 rad")
+      .arg(std::sqrt(std::max(P[0], P[7])), 0, 'f', 3)
+      .arg(std::sqrt(P[35]), 0, 'f', 3);
 }
 
 double headingOf(const geometry_msgs::Quaternion& q) {
@@ -168,14 +178,11 @@ void SlamPanel::showTrust(const QString& trust, const QString& doubt) {
 
 void SlamPanel::showPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const auto& pose = message.pose.pose;
-  const auto& P = message.pose.covariance;
-  const double sigma = std::sqrt(std::max(P[0], P[7]));
-  write(*pose_, QString::fromUtf8("x %1 m, y %2 m, heading %3 rad\nσ %4 m, %5 rad")
+  write(*pose_, QString("x %1 m, y %2 m, heading %3 rad\n%4")
                     .arg(pose.position.x, 0, 'f', 2)
                     .arg(pose.position.y, 0, 'f', 2)
                     .arg(headingOf(pose.orientation), 0, 'f', 2)
-                    .arg(sigma, 0, 'f', 3)
-                    .arg(std::sqrt(P[35]), 0, 'f', 3));
+                    .arg(uncertaintyOf(message.pose)));
 }
 
 void SlamPanel::showAnswer(bool success, const QString& message) {

@@ -13,7 +13,7 @@ import time
 import unittest
 import xmlrpc.client
 
-from launching import cut_bag, make_demo_bag, run_launch, run_offline, start_launch
+from launching import cut_bag, make_demo_bag, program, run_launch, run_offline, start_launch
 import rosgraph
 from slam_eval.io.run_folder import read_run
 
@@ -21,14 +21,15 @@ SECONDS = 22  # of the log
 AUTOSAVE = 1  # [s]
 GOES_ON = re.compile(r"the product goes on from (\S+) of ([\d.]+) s")
 NEAR = 0.3  # [m]
+IMAGES = ("/odom", "/camera/image_raw/compressed", "/camera/camera_info", "/tf_static")
 
 
 class Launch:
     """A launch of a live product with checkpoints; what it prints is collected."""
 
-    def __init__(self, folder, *arguments, product="ekf_wheel"):
+    def __init__(self, folder, *arguments, product="ekf_wheel", robot="mrpt_demo"):
         self.process, self.environment = start_launch(
-            "robot:=mrpt_demo", f"product:={product}", "use_sim_time:=true",
+            f"robot:={robot}", f"product:={product}", "use_sim_time:=true",
             f"checkpoints:={folder}", f"autosave:={AUTOSAVE}", *arguments)
         self.said = ""
         self.reader = threading.Thread(target=self._read)
@@ -53,9 +54,9 @@ class Launch:
                 raise AssertionError(self.said)
             time.sleep(0.05)
 
-    def play(self, bag, rate):
+    def play(self, bag, rate, topics=("/odom", "/observations")):
         return subprocess.Popen(["rosbag", "play", "-q", "--wait-for-subscribers", "--clock", "-r",
-                                 str(rate), bag, "--topics", "/odom", "/observations"],
+                                 str(rate), bag, "--topics", *topics],
                                 env=self.environment, stdout=subprocess.DEVNULL)
 
     def kill_manager(self):
@@ -128,6 +129,33 @@ class LiveCheckpointsTest(unittest.TestCase):
         self.assert_ends_near_offline(self.root / "second_run")
         self.assertGreater(landmarks_of(self.root / "second_run"),
                            landmarks_of(self.root / "first_run") - 1)
+
+    def test_the_stages_before_a_back_end_go_on_with_it(self):
+        folder, whole = self.root / "places", self.root / "gallery.bag"
+        subprocess.run([program("slam_sim", "slam_sim"), whole, "--world", "gallery", "--duration",
+                        "16", "--only", "odom,camera"], check=True, stdout=subprocess.DEVNULL)
+        ended = []
+        for part, begin, end in (("first", 0, 8), ("second", 8, 16)):
+            bag, run = self.root / f"{part}_images.bag", self.root / f"{part}_places"
+            cut_bag(whole, bag, begin, end, latched=("/tf_static",))
+            with Launch(folder, f"output_dir:={run}", "resume:=true", product="rat_wheel",
+                        robot="sim_segway") as launch:
+                launch.play(bag, 1, IMAGES).wait(timeout=40)
+                time.sleep(1)
+                ended.append(launch.end())
+        self.assertTrue(GOES_ON.search(ended[1]), ended[1])
+        for said in ended:
+            self.assertNotIn("no checkpoint can be written", said)
+        lines = (run / "places.csv").read_text(encoding="ascii").splitlines()[1:]
+        places = [line.split(",") for line in lines]
+        resumed = float(GOES_ON.search(ended[1]).group(2))
+        before = [first for stamp, first in places if float(stamp) <= resumed]
+        self.assertGreater(len(before), 60, "the way of the first part is there")
+        # where it was stopped it sees what it saw last, under the same number; one that had begun to
+        # count anew would be where it began
+        after = [first for stamp, first in places if float(stamp) > resumed][:3]
+        self.assertTrue(any(first and resumed - 3 < float(first) <= resumed for first in after),
+                        (resumed, after))
 
     def test_a_folder_that_cannot_be_made_ends_the_launch(self):
         (self.root / "file").write_text("", encoding="ascii")

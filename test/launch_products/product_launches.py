@@ -18,7 +18,9 @@ SECONDS = 2  # of the drive, replayed at the robot's own speed
 MASTERS = 3  # at a time: a launch mostly waits
 SECOND, REAR = "/second_observations", "/rear_observations"
 REAR_SECOND = "/rear_second_observations"
-BETWEEN = {"/motion", "/observations", SECOND, REAR, REAR_SECOND}  # components, each in a nodelet
+STAGES = {"rat": {"/local_view", "/pose_cells"}}  # before a back-end
+BETWEEN = {"/motion", "/observations", SECOND, REAR, REAR_SECOND}.union(
+    *STAGES.values())  # components, each in a nodelet
 ALWAYS = {"/pose", "/path", "/tf"}
 LANDMARKS = {"/landmarks", "/landmark_markers"}
 PROMISED = {"backend=ekf": LANDMARKS,
@@ -47,12 +49,13 @@ def promised(features, composition):
 def between(features):
     """Returns what components exchange: the grid back-end and those of images take in no
     observations; the grid back-end and a graph with a grid take in motion only where there is an
-    odometry source."""
+    odometry source. Stages before a back-end make data of their own."""
     is_grid = features["backend"] == "grid"
     scans_tell_motion = is_grid or features["backend"] == "graph" and features["map"] == "grid"
     has_motion = features["odometry"] != "none" or not scans_tell_motion
     takes_none = is_grid or features["backend"] in LOOK_THEMSELVES
-    return observations(features, takes_none) | ({"/motion"} if has_motion else set())
+    return (observations(features, takes_none) | STAGES.get(features["backend"], set()) |
+            ({"/motion"} if has_motion else set()))
 
 
 def observations(features, takes_none):

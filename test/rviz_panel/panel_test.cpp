@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rviz/config.h>
@@ -127,6 +128,21 @@ TEST_F(SlamPanelTest, SaysThatANamespaceIsNoNameAndCallsNothingOfTheOneBefore) {
   EXPECT_TRUE(shows("product", "no product is running", 2));
   connectTo("");
   EXPECT_TRUE(shows("trust", "confident")) << text("trust");
+}
+
+TEST_F(SlamPanelTest, SaysThatTrustAndCovarianceAreUnknown) {
+  connectTo("topological");
+  ros::NodeHandle handle("topological");
+  auto trust = handle.advertise<slam_msgs::Consistency>("consistency", 1);
+  auto pose = handle.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 1);
+  ASSERT_TRUE(
+      comesTrue([&] { return trust.getNumSubscribers() > 0 && pose.getNumSubscribers() > 0; }));
+  slam_msgs::Consistency unknown;
+  unknown.trust = "unknown";
+  trust.publish(unknown);
+  pose.publish(geometry_msgs::PoseWithCovarianceStamped());
+  EXPECT_TRUE(shows("trust", "unknown")) << text("trust");
+  EXPECT_TRUE(shows("pose", "σ unknown")) << text("pose");
 }
 
 TEST_F(SlamPanelTest, TakesAProductThatReplacesAnotherForRunning) {

@@ -54,6 +54,12 @@ class MachinesTest(Refusals, unittest.TestCase):
                                    f"backend_machine:={DESK}").items() if address == DESK},
                          BACK_END | {"/pointmap"})
 
+    def test_stages_are_in_the_manager_of_the_back_end_whose_checkpoints_hold_them(self):
+        there = {name: node for name, node in nodes("product:=rat_wheel",
+                                                    f"backend_machine:={DESK}").items()
+                 if node.machine.address == DESK}
+        self.assertEqual(set(there), BACK_END | {"/local_view", "/pose_cells"})
+
     def test_both_halves_on_one_other_machine_share_a_manager(self):
         both = [f"frontend_machine:={DESK}", f"backend_machine:={DESK}"]
         self.assertEqual(set(machines(*both)), FRONT_END | {"/slam_backend"})

@@ -45,9 +45,12 @@ class Component:
     plugin: str  # PACKAGE/CLASS
     inputs: tuple
     outputs: tuple
+    is_stage: bool = False  # before the back-end, and beside it
 
     @property
     def group(self):
+        if self.is_stage:
+            return "Back-end"
         if FRONT_END & set(self.outputs):
             return "Front-end"
         return "Back-end" if BACK_END in self.outputs else "Additional modules"
@@ -77,7 +80,8 @@ def taken(launches, part):
 def component(part, launch, gates):
     inputs = [topic for port in part.inputs for topic in topics_of(port, gates)]
     outputs = [port.topic for port in part.outputs]
-    return Component(*nodelet(launch), tuple(dict.fromkeys(inputs)), tuple(dict.fromkeys(outputs)))
+    return Component(*nodelet(launch), tuple(dict.fromkeys(inputs)), tuple(dict.fromkeys(outputs)),
+                     part.role == "stage")
 
 
 def topics_of(port, gates):

@@ -139,10 +139,11 @@ def common_arguments(product, arguments):
     """Returns the arguments of the parts beyond those of slam.launch itself."""
     keep_alive = "rosrun slam_launch keep_alive" if is_kept_alive(arguments) else ""
     with_pointmap = product.features.get("pointmap") == "true"
+    is_pubsub = arguments["composition"] == "pubsub"
     return {**absolute_paths(arguments), "keep_alive": keep_alive,
             "transport": arguments["camera_transport"],
-            "waits_for_pointmap":
-                "true" if with_pointmap and arguments["composition"] == "pubsub" else "false",
+            "waits_for_pointmap": "true" if with_pointmap and is_pubsub else "false",
+            "waits_for_stages": "true" if is_pubsub else "false",
             "publish_tf": arguments["publish_tf"] or publishes_edge(product, arguments)}
 
 

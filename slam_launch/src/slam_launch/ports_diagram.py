@@ -12,7 +12,7 @@ TIMES = {"trigger": "&#9654;", "carrier": "&#8614;", "latched": "&#9632;"}
 LEGEND = "&#9654; trigger: worth a step   &#8614; carrier: moves time on   &#9632; latched: in force " \
          "from then on   [0..1] optional"
 FILLS = {"gate": "#f4f5f7", "additional module": diagram.FILLS["Additional modules"],
-         "back-end": diagram.FILLS["Back-end"]}
+         "stage": diagram.FILLS["Back-end"], "back-end": diagram.FILLS["Back-end"]}
 
 
 def draw(product, path):

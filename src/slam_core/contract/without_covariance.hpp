@@ -3,15 +3,21 @@
 
 #pragma once
 
+#include "slam_core/contract/capabilities.hpp"
+
 namespace slam {
 
 /// Offered by a back-end that does not estimate the covariance of its pose. The covariance that it
 /// reports is that of the odometry, for internal use: with it jumps are distinguished from motion.
 /// It is published as zeros, which means "unknown" in ROS (sensor_msgs), and no figure is computed
-/// from it.
+/// from it. The trust in the pose is Trust::kUnknown.
 class WithoutCovariance {
  public:
   virtual ~WithoutCovariance() = default;
 };
+
+inline bool isWithoutCovariance(const Capabilities& backend) {
+  return backend.find<WithoutCovariance>() != nullptr;
+}
 
 }  // namespace slam

@@ -11,13 +11,16 @@ namespace slam {
 enum class Trust {
   kConfident,  ///< nothing speaks against it: the error is as its covariance says
   kDoubtful,   ///< something does; its covariance is widened by what that may amount to
-  kLost        ///< the robot may be anywhere in the map, and so says the covariance
+  kLost,       ///< the robot may be anywhere in the map, and so says the covariance
+  kUnknown     ///< nothing can be said: the back-end estimates no covariance
 };
 
 /// The states have these names in messages and files.
 inline const Names<Trust>& namesOfTrust() {
-  static const Names<Trust> names = {
-      {"confident", Trust::kConfident}, {"doubtful", Trust::kDoubtful}, {"lost", Trust::kLost}};
+  static const Names<Trust> names = {{"confident", Trust::kConfident},
+                                     {"doubtful", Trust::kDoubtful},
+                                     {"lost", Trust::kLost},
+                                     {"unknown", Trust::kUnknown}};
   return names;
 }
 

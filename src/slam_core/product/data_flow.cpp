@@ -78,6 +78,23 @@ std::vector<OutputPort> DataFlow::takenOutputs(const Part& part) const {
   return outputs;
 }
 
+std::vector<OutputPort> DataFlow::lastOutputs(const Part& part) const {
+  std::vector<OutputPort> last;
+  for (const auto& output : part.outputs) {
+    bool is_last = takersOf(output).empty();
+    for (const auto& taker : parts_) {
+      const auto* input = taker.input(output.name, output.kind);
+      if (input == nullptr) continue;
+      is_last = is_last || !taker.is_maker;
+      if (!taker.is_maker || !isTrigger(*input)) continue;
+      const auto further = lastOutputs(taker);
+      last.insert(last.end(), further.begin(), further.end());
+    }
+    if (is_last) last.push_back(output);
+  }
+  return last;
+}
+
 bool DataFlow::triggersSteps(const Part& part) const {
   return std::any_of(part.outputs.begin(), part.outputs.end(), [&](const auto& output) {
     const auto takers = takersOf(output);

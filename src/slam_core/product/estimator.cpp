@@ -341,12 +341,10 @@ void Estimator::reportStep(const Intake::Step& step) {
   report.has_motion = carrier_ != nullptr;
   report.statistics = statistics();
   report.doubt = doubt();
-  report.trust = isLost()               ? Trust::kLost
-                 : report.doubt.empty() ? Trust::kConfident
-                                        : Trust::kDoubtful;
+  report.trust = trust(report.doubt);
   report.restarted = step.restart;
   events_.complete(report, capabilities_);
-  if (capabilities_.find<WithoutCovariance>() != nullptr) report.pose.covariance.setZero();
+  if (isWithoutCovariance(capabilities_)) report.pose.covariance.setZero();
   pose_ = FilterPose::of(report.stamp, report.pose.pose);
   report_ = std::move(report);
 }
@@ -380,8 +378,13 @@ std::string Estimator::doubt() const {
   const auto fault = consistency_.fault();
   if (fault == Fault::kLost || fault == Fault::kBias) return consistency_.finding();
   // A pose without covariance cannot contradict what it claims.
-  if (capabilities_.find<WithoutCovariance>() != nullptr) return "";
-  return doubt_.reason();
+  return isWithoutCovariance(capabilities_) ? "" : doubt_.reason();
+}
+
+Trust Estimator::trust(const std::string& doubt) const {
+  if (isLost()) return Trust::kLost;
+  if (!doubt.empty()) return Trust::kDoubtful;
+  return isWithoutCovariance(capabilities_) ? Trust::kUnknown : Trust::kConfident;
 }
 
 Counters Estimator::counters() const {

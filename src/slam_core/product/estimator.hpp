@@ -137,6 +137,7 @@ class Estimator final : public Component {
   void judgeWay(bool was_lost);
   /// A clause on why the pose is in doubt; empty where it is not.
   std::string doubt() const;
+  Trust trust(const std::string& doubt) const;
   /// An error where the back-end's pose is not finite.
   Status faultOfState();
   Status watchConsistency();

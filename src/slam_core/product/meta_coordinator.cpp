@@ -66,6 +66,7 @@ std::uint64_t MetaCoordinator::dropped() const {
   std::uint64_t sum = 0;
   if (parts_.odometry) sum += parts_.odometry->dropped();
   for (const auto& detector : parts_.detectors) sum += detector.component->dropped();
+  for (const auto& stage : parts_.stages) sum += stage.component->dropped();
   if (parts_.estimator) sum += parts_.estimator->dropped();
   for (const auto& gate : wiring_.gates()) sum += gate->dropped();
   return sum;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/product/stage_placing.hpp"
 
 namespace slam {
 namespace {
@@ -60,6 +61,13 @@ ProductComponents create(const ProductConfig& product, const ProductPart& part,
   return parts;
 }
 
+/// Once it is known what the other components take in.
+void createStages(const ProductPart& part, ProductComponents& parts) {
+  if (part.extent == Extent::kWhole) parts.stages = placeStages(inOrder(parts));
+  if (part.extent == Extent::kStage)
+    parts.stages.push_back({Registry<Stage>::instance().create(part.name), {}});
+}
+
 void configureDetectors(ProductComponents& parts, Settings& settings, FaultCollector& faults) {
   DetectorIds ids;
   for (const auto& [place, detector] : parts.detectors)
@@ -83,6 +91,11 @@ void configure(ProductComponents& parts, Settings& settings, std::uint64_t seed,
   if (parts.estimator) faults.attempt([&] { parts.estimator->configure(settings); });
 }
 
+void configureStages(ProductComponents& parts, Settings& settings, FaultCollector& faults) {
+  for (const auto& stage : parts.stages)
+    faults.attempt([&, &part = *stage.component] { part.configure(settings); });
+}
+
 }  // namespace
 
 void connect(ProductComponents& parts, bool is_whole, Wiring& wiring) {
@@ -102,6 +115,8 @@ std::vector<ProductComponent> inOrder(const ProductComponents& parts) {
   for (const auto& [place, detector] : parts.detectors)
     all.push_back(
         {LandmarkDetector::kRole, place.key(), place.name, detector.get(), place.features()});
+  for (const auto& [stage, features] : parts.stages)
+    all.push_back({Stage::kRole, stage->name(), stage->name(), stage.get(), features});
   if (parts.estimator)
     all.push_back({Backend::kRole, "backend", names.backend, parts.estimator.get(), {"backend"}});
   for (const auto& [name, module] : parts.modules)
@@ -121,6 +136,8 @@ ProductComponents makeComponents(Settings& settings, const ProductPart& part,
   auto parts = create(named(product, part), part, faults);
   parts.frames = frames;
   configure(parts, settings, product.seed, faults);
+  faults.attempt([&] { createStages(part, parts); });
+  configureStages(parts, settings, faults);
   return parts;
 }
 
@@ -129,6 +146,7 @@ ProductComponents createComponents(const ProductConfig& product, const ProductPa
   FaultCollector faults;
   auto parts = create(named(product, part), part, faults);
   if (parts.estimator) faults.attempt([&] { parts.estimator->adaptTo(product); });
+  faults.attempt([&] { createStages(part, parts); });
   faults.raise();
   return parts;
 }

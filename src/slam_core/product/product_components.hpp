@@ -12,6 +12,7 @@
 #include "slam_core/contract/landmark_detector.hpp"
 #include "slam_core/contract/map_module.hpp"
 #include "slam_core/contract/odometry_source.hpp"
+#include "slam_core/contract/stage.hpp"
 #include "slam_core/product/detector_place.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_core/product/product_config.hpp"
@@ -21,10 +22,11 @@ namespace slam {
 
 /// What of a product runs in one place: in composition pubsub each nodelet runs a part.
 struct ProductPart {
-  enum class Extent { kWhole, kOdometry, kDetector, kBackend, kModule };
+  enum class Extent { kWhole, kOdometry, kDetector, kStage, kBackend, kModule };
 
   Extent extent = Extent::kWhole;
-  std::string name;  ///< of a component other than the one that the product names; of the module
+  /// Of a component other than the one that the product names; of the stage or the module.
+  std::string name;
   /// Where a product has several detectors, the prefix tells which one it is (DetectorPlace).
   std::string place = "";
 
@@ -37,12 +39,19 @@ struct ProductDetector {
   std::unique_ptr<LandmarkDetector> component;
 };
 
-/// Components that a product names.
+/// A stage, and the product's keys that bring who takes in what it makes.
+struct ProductStage {
+  std::unique_ptr<Stage> component;
+  std::vector<std::string> features;
+};
+
+/// Components that a product names, and the stages that these need.
 struct ProductComponents {
   ProductConfig product;  ///< what names them
   FramesConfig frames;
   std::unique_ptr<OdometrySource> odometry;  ///< null in a product without
   std::vector<ProductDetector> detectors;    ///< the first one first
+  std::vector<ProductStage> stages;          ///< makers before takers
   std::unique_ptr<Estimator> estimator;      ///< with the back-end
   std::map<std::string, std::unique_ptr<MapModule>> modules;
   bool is_complete = true;  ///< all components that the product names are known

@@ -12,16 +12,6 @@
 namespace slam {
 namespace {
 
-/// The gate that makes data fit for this input; null where none is registered.
-std::unique_ptr<Gate> gateFor(const InputPort& input) {
-  const auto& registry = Registry<Gate>::instance();
-  for (const auto& name : registry.names()) {
-    auto gate = registry.create(name);
-    if (portsOf(*gate).output(input.name, input.kind) != nullptr) return gate;
-  }
-  return nullptr;
-}
-
 /// Goes from those who take data to those who make them, and refuses to come back.
 class CycleSearch {
  public:
@@ -73,7 +63,7 @@ const Ports& WiredPorts::add(const std::string& title, Component& component) {
 void WiredPorts::placeGates() {
   const auto next = [this]() -> std::unique_ptr<Gate> {
     for (const auto& input : open())
-      if (auto gate = gateFor(input)) return gate;
+      if (auto gate = createMakerOf<Gate>(input)) return gate;
     return nullptr;
   };
   while (auto gate = next()) {

@@ -67,6 +67,18 @@ class WiredPorts {
   std::vector<std::unique_ptr<Gate>> gates_;
 };
 
+/// Creates the component of a role that makes what an input takes in, not configured; null where
+/// none is registered.
+template <class Role>
+std::unique_ptr<Role> createMakerOf(const InputPort& input) {
+  const auto& registry = Registry<Role>::instance();
+  for (const auto& name : registry.names()) {
+    auto maker = registry.create(name);
+    if (portsOf(*maker).output(input.name, input.kind) != nullptr) return maker;
+  }
+  return nullptr;
+}
+
 /// Whether an input's data come with those of another one of its name, as the mount of a sensor
 /// does with what the sensor sees.
 template <class Inputs>

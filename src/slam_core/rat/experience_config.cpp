@@ -28,6 +28,12 @@ void ExperienceConfig::describe(Fields& fields) {
            "so many experiences are remembered; beyond them the map does not grow")
       .unit("1")
       .in(Range::closed(1, 1000000));
+  fields
+      .add("most_steps", &most_steps,
+           "so many steps of the way are remembered, the last ones: they are revised with the map, "
+           "and stand in places.csv")
+      .unit("1")
+      .in(Range::closed(1, 100000000));
 }
 
 void requireUsable(const ExperienceConfig& config) {

@@ -16,6 +16,7 @@ struct ExperienceConfig {
   int relaxations = 20;
   double correction = 0.5;
   int most_experiences = 50000;
+  int most_steps = 500000;
 
   void describe(Fields& fields);
 };

@@ -10,7 +10,7 @@
 namespace slam::rat {
 namespace {
 
-const GateRegistrar<LocalView> kLocalView(LocalViewConfig::kSection);
+const StageRegistrar<LocalView> kLocalView(LocalViewConfig::kSection);
 const SectionRegistrar<LocalViewConfig> kLocalViewSection;
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "slam_core/camera/camera_view.hpp"
-#include "slam_core/contract/gate.hpp"
+#include "slam_core/contract/stage.hpp"
 #include "slam_core/rat/local_view_config.hpp"
 #include "slam_core/rat/view_cell.hpp"
 #include "slam_core/rat/view_memory.hpp"
@@ -21,7 +21,7 @@ namespace slam::rat {
 /// Every image makes a ViewCell, also one that shows nothing: it moves time on. Counted: "unusable"
 /// (images without calibration, mount or pixels), "blank" (without contrast), "views_full" (images
 /// of new views beyond the memory).
-class LocalView final : public Gate {
+class LocalView final : public Stage {
  public:
   std::string name() const override { return LocalViewConfig::kSection; }
   void describe(Ports& ports) override;

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam::rat {
 namespace {
 
-const GateRegistrar<PoseCells> kPoseCells(PoseCellConfig::kSection);
+const StageRegistrar<PoseCells> kPoseCells(PoseCellConfig::kSection);
 const SectionRegistrar<PoseCellConfig> kPoseCellSection;
 
 /// The share of its activity that a view adds which has faded by so much (Ball et al. 2013, the
@@ -42,22 +43,53 @@ void PoseCells::reset() {
   next_sequence_ = 0;
   is_busy_ = false;
   state_.reset();
+  invalid_.clear();
+  fault_.clear();
+}
+
+bool PoseCells::isFit(const std::string& fault, const char* counter) {
+  if (fault.empty()) return true;
+  invalid_.add(counter);
+  fault_ = fault + "; it is left out";
+  return false;
+}
+
+void PoseCells::set(const Motion& motion) {
+  if (isFit(faultOf(motion), "invalid_motion"))
+    collator_.push(motion);
+  else
+    collator_.skip(motion.sequence);
+}
+
+void PoseCells::set(const ViewCell& view) {
+  if (isFit(faultOf(view), "invalid_local_view"))
+    collator_.push(0, view.stamp, view.sequence, view);
+  else
+    collator_.skip(0, view.sequence);
+}
+
+Counters PoseCells::counters() const {
+  auto all = collator_.counters();
+  all.add(invalid_);
+  return all;
 }
 
 Status PoseCells::execute() {
   state_.reset();
+  const auto fault = std::exchange(fault_, "");
+  const auto status = fault.empty() ? Status::ok() : Status::warning(fault);
   const auto step = collator_.next();
   is_busy_ = step.has_value();
-  if (!step) return Status::ok();
+  if (!step) return status;
   for (const auto& motion : step->motions) network_.move(motion.increment);
-  if (!step->trigger) return Status::ok();
+  if (!step->trigger) return status;
   const auto view = step->trigger->cell;
   recall(view);
   network_.settle();
   learn(view);
   state_ = PoseCellState{step->stamp, next_sequence_++, network_.centre(),
                          view,        config_.edge,     config_.headings};
-  return Status::ok();
+  return status;
 }
 
 void PoseCells::recall(std::int64_t view) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "slam_core/common/collator.hpp"
-#include "slam_core/contract/gate.hpp"
+#include "slam_core/contract/stage.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/rat/cell_place.hpp"
 #include "slam_core/rat/pose_cell_config.hpp"
@@ -22,8 +22,9 @@ namespace slam::rat {
 /// activity, and a known view adds activity where the packet was when it was seen first. One view
 /// alone moves nothing; several in succession that agree with the motion between them do.
 ///
-/// A state comes out for each view, when motion covers its stamp. Counted: the collator's reasons.
-class PoseCells final : public Gate {
+/// A state comes out for each view, when motion covers its stamp. Counted: the collator's reasons,
+/// "invalid_motion" and "invalid_local_view" (values that cannot be used).
+class PoseCells final : public Stage {
  public:
   std::string name() const override { return PoseCellConfig::kSection; }
   void describe(Ports& ports) override;
@@ -31,13 +32,13 @@ class PoseCells final : public Gate {
   void configure(const PoseCellConfig& config);
   void configure(Settings& settings) override;
 
-  void set(const Motion& motion) { collator_.push(motion); }
-  void set(const ViewCell& view) { collator_.push(0, view.stamp, view.sequence, view); }
+  void set(const Motion& motion);
+  void set(const ViewCell& view);
   Status execute() override;
   bool isBusy() const override { return is_busy_; }
 
   const std::optional<PoseCellState>& state() const { return state_; }
-  Counters counters() const override { return collator_.counters(); }
+  Counters counters() const override;
   void reset() override;
   bool canResume() const override { return true; }
   void saveState(ArchiveWriter& archive) const override { archive(*this); }
@@ -46,7 +47,7 @@ class PoseCells final : public Gate {
   template <class Archive>
   void persist(Archive& archive) {
     collator_.persist(archive, {ViewCell()});
-    archive(network_, learnt_, next_sequence_);
+    archive(network_, learnt_, next_sequence_, invalid_);
   }
 
  private:
@@ -62,6 +63,8 @@ class PoseCells final : public Gate {
   };
   using Inputs = Collator<Motion, ViewCell>;
 
+  /// Whether a value can be used, by what is wrong with it.
+  bool isFit(const std::string& fault, const char* counter);
   void recall(std::int64_t view);
   void learn(std::int64_t view);
 
@@ -72,6 +75,8 @@ class PoseCells final : public Gate {
   std::uint64_t next_sequence_ = 0;
   bool is_busy_ = false;
   std::optional<PoseCellState> state_;
+  Counters invalid_;   ///< values that were left out
+  std::string fault_;  ///< of the last one of them, until it is told
 };
 
 }  // namespace slam::rat

@@ -60,7 +60,7 @@ Status RatSlam::execute() {
   const auto arrival = arrive(*cells);
   map_.relax();
   noteStep(cells->stamp, arrival != ExperienceMap::Arrival::kNowhere);
-  return statusOf(*cells, arrival);
+  return moreUrgent(statusOf(*cells, arrival), forgetSteps());
 }
 
 void RatSlam::relocate() {
@@ -109,6 +109,16 @@ void RatSlam::noteStep(Stamp stamp, bool is_at_place) {
   WayPoint point{stamp, here, here ? map_.sinceCurrent() : map_.pose(), std::nullopt};
   if (is_at_place) point.first_visit = map_.experiences()[*here].first_visit;
   way_.push_back(point);
+}
+
+Status RatSlam::forgetSteps() {
+  if (way_.size() <= static_cast<std::size_t>(config_.most_steps)) return Status::ok();
+  way_.pop_front();
+  counters_.add("steps_forgotten");
+  return Status::warning(
+      "rat.most_steps steps of the way are remembered and no more: its beginning is not revised "
+      "any "
+      "more, and places.csv lacks it; raise it to keep the whole way");
 }
 
 PoseEstimate RatSlam::pose() const { return {map_.pose(), covariance_}; }

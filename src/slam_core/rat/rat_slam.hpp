@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,7 @@ namespace slam::rat {
 ///
 /// It estimates no covariance (WithoutCovariance): what pose() holds is that of the odometry since
 /// the start, or since an initial pose. Counted: "loops" (places recognised along a new link),
-/// "experiences_full" (places beyond the memory).
+/// "experiences_full" (places beyond the memory), "steps_forgotten" (of the way).
 class RatSlam final : public Backend,
                       EventReporter,
                       GraphReporter,
@@ -92,12 +93,13 @@ class RatSlam final : public Backend,
   Status statusOf(const PoseCellState& state, ExperienceMap::Arrival arrival);
   void noteLoop(const Pose2& before);
   void noteStep(Stamp stamp, bool is_at_place);
+  Status forgetSteps();
 
   ExperienceConfig config_;
   ExperienceMap map_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of odometry since the start
-  std::vector<WayPoint> way_;
-  std::vector<Event> events_;  ///< of the last step
+  std::deque<WayPoint> way_;                              ///< the last most_steps of them
+  std::vector<Event> events_;                             ///< of the last step
   Inputs inputs_;
   Counters counters_;
 };

@@ -29,8 +29,10 @@ struct ViewCell {
 };
 
 inline std::string faultOf(const ViewCell& view) {
-  return view.cell >= kNoView && std::isfinite(view.difference) ? ""
-                                                                : "it names no view that can be";
+  return view.cell >= kNoView && std::isfinite(view.difference)
+             ? ""
+             : "a local view cell has a number that none can have, or a difference that is no "
+               "number";
 }
 
 }  // namespace slam::rat

@@ -14,6 +14,8 @@ slam::ProductPart partOf(const slam::ProductComponent& component,
                          const slam::ProductComponents& whole) {
   if (component.key == "odometry") return {Extent::kOdometry, ""};
   if (component.key == "backend") return {Extent::kBackend, ""};
+  for (const auto& stage : whole.stages)
+    if (stage.component.get() == component.component) return {Extent::kStage, component.name};
   for (const auto& detector : whole.detectors)
     if (detector.component.get() == component.component)
       return {Extent::kDetector, "", detector.place.prefix()};

@@ -103,6 +103,10 @@ class SameBytes(Runs):
             with self.subTest(product):
                 self.require_same_bytes(product)
 
+    def test_with_stages_before_the_back_end(self):
+        run = self.require_same_bytes("rat_wheel")
+        self.assertIn("4 processes", run.stdout)
+
     def test_with_another_seed_and_setting(self):
         self.require_same_bytes("pf_wheel", None, "--seed", "7", "--set", "pf.particles=40")
 

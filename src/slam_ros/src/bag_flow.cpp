@@ -17,6 +17,16 @@ constexpr const char* kForPointMap = " for the point map";
 constexpr const char* kMotionForPointMap = "motion for the point map";
 constexpr const char* kPosesForPointMap = "poses for the point map";
 
+/// Whether a component makes its data of what another one makes.
+bool hasChain(const BagInputs& inputs) {
+  const auto parts = inputs.parts();
+  return std::any_of(parts.begin(), parts.end(), [&](const slam::DataFlow::Part& part) {
+    return part.is_maker &&
+           std::any_of(part.inputs.begin(), part.inputs.end(),
+                       [&](const auto& input) { return inputs.flow().isMade(input); });
+  });
+}
+
 /// Counts the inputs that have data and that steps are taken for.
 std::size_t triggers(const BagInputs& inputs) {
   const auto& triggers = inputs.flow().triggersOfBackend();
@@ -30,7 +40,8 @@ std::size_t triggers(const BagInputs& inputs) {
 BagFlow::BagFlow(const BagInputs& inputs, Options options)
     : inputs_(inputs), options_(std::move(options)) {
   for (const auto& found : inputs_.found()) limit(found);
-  if (triggers(inputs_) > 1) max_ahead_ = options_.source_timeout / 2;
+  has_chain_ = hasChain(inputs_);
+  if (triggers(inputs_) > 1 || has_chain_) max_ahead_ = options_.source_timeout / 2;
 }
 
 void BagFlow::limit(const BagInputs::Found& found) {
@@ -52,7 +63,8 @@ std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const
     if (input == nullptr) continue;
     if (part.is_backend) answers.push_back(progressName(found.port));
     if (part.is_maker && isWaitedFor(found, part))
-      for (const auto& output : part.outputs) answers.push_back(progressName(output.name));
+      for (const auto& output : inputs_.flow().lastOutputs(part))
+        answers.push_back(progressName(output.name));
     const bool is_trigger = input->time == slam::TimeRole::kTrigger;
     is_of_module = is_of_module || (part.isModule() && is_trigger);
   }
@@ -66,8 +78,13 @@ std::vector<std::string> BagFlow::answersTo(const BagInputs::Found& found) const
 
 /// Whether the input is the one whose messages the flow waits for. Among the inputs that a
 /// component makes its data of, these are the ones with the largest messages; the others are sent
-/// in between.
+/// in between. So is what only carries time forward between the triggers that others make.
 bool BagFlow::isWaitedFor(const BagInputs::Found& found, const slam::DataFlow::Part& maker) const {
+  const auto* taken = maker.input(found.port, found.kind);
+  const bool has_triggers =
+      std::any_of(maker.inputs.begin(), maker.inputs.end(),
+                  [](const auto& input) { return input.time == slam::TimeRole::kTrigger; });
+  if (taken->time == slam::TimeRole::kCarrier && has_triggers) return false;
   const auto in_flight = found.input->play().in_flight;
   return std::all_of(inputs_.found().begin(), inputs_.found().end(),
                      [&](const BagInputs::Found& other) {
@@ -107,8 +124,10 @@ bool BagFlow::waitForRoom(const std::string& answer, slam::Stamp stamp) {
                               answer, slam::seconds(options_.patience)));
     window_.clear();
   }
-  if (!stopped_) window_.sent(answer, stamp);
-  return !stopped_;
+  if (stopped_) return false;
+  window_.sent(answer, stamp);
+  if (has_chain_ && answer == progressName("motion")) last_motion_ = stamp;
+  return true;
 }
 
 void BagFlow::acknowledge(const slam_msgs::Progress& message) {
@@ -133,8 +152,13 @@ void BagFlow::acknowledgeOfPointMap(const slam_msgs::Progress& message) {
   window_.acknowledged(kPosesForPointMap, fromRos(message.step));
 }
 
+/// In a chain of components data beyond the last motion are never acknowledged: they wait for more
+/// motion before the last component.
 std::size_t BagFlow::finish() {
-  return window_.waitUntilEmpty(options_.patience) || stopped_ ? 0 : window_.inFlight();
+  const bool is_through =
+      last_motion_ ? window_.waitForAllBefore(*last_motion_ + slam::Duration(1), options_.patience)
+                   : window_.waitUntilEmpty(options_.patience);
+  return is_through || stopped_ ? 0 : window_.inFlight();
 }
 
 void BagFlow::stop() {

@@ -72,9 +72,11 @@ class BagInputs::Search {
 
   void run() {
     for (const auto& part : flow_.parts()) {
-      const auto outputs = flow_.takenOutputs(part);
-      if (part.is_maker && outputs.empty()) continue;  // nobody needs what it takes
-      if (part.is_maker && isCarried(part, outputs))
+      if (part.is_maker && !isNeeded(part)) {  // nobody needs what it takes
+        if (!flow_.takenOutputs(part).empty()) inputs_.left_out_.push_back(part.key);
+        continue;
+      }
+      if (part.is_maker && leavesOut(part))
         inputs_.left_out_.push_back(part.key);
       else
         for (const auto& input : part.inputs)
@@ -102,14 +104,35 @@ class BagInputs::Search {
   }
 
  private:
+  /// Whether anyone takes what a component makes who is not left out himself.
+  bool isNeeded(const slam::DataFlow::Part& part) const {
+    const auto takes_any = [&part](const slam::DataFlow::Part& taker) {
+      return std::any_of(part.outputs.begin(), part.outputs.end(), [&](const auto& output) {
+        return taker.input(output.name, output.kind) != nullptr;
+      });
+    };
+    const auto& parts = flow_.parts();
+    return std::any_of(parts.begin(), parts.end(), [&](const slam::DataFlow::Part& taker) {
+      return takes_any(taker) && (!taker.is_maker || (isNeeded(taker) && !isCarried(taker)));
+    });
+  }
+
   /// Whether the bag has all that others take of what a component makes, and it is to be used.
-  bool isCarried(const slam::DataFlow::Part& part, const std::vector<slam::OutputPort>& outputs) {
-    if (isAskedFor(part)) return false;
-    const auto* shared = sharedInput(part);
-    const bool is_named = carries(outputs, Names::kOwn);
-    if (is_named && shared != nullptr) noteThatIsMade(part, outputs, *shared);
-    if (shared != nullptr) return false;
-    if (!is_named && (hasSources(part) || !carries(outputs, Names::kAny))) return false;
+  bool isCarried(const slam::DataFlow::Part& part) const {
+    if (isAskedFor(part) || sharedInput(part) != nullptr) return false;
+    const auto outputs = flow_.takenOutputs(part);
+    return carries(outputs, Names::kOwn) || (!hasSources(part) && carries(outputs, Names::kAny));
+  }
+
+  /// The same; what the bag has is among those found then, and a note says which is used.
+  bool leavesOut(const slam::DataFlow::Part& part) {
+    const auto outputs = flow_.takenOutputs(part);
+    if (!isCarried(part)) {
+      const auto* shared = isAskedFor(part) ? nullptr : sharedInput(part);
+      if (shared != nullptr && carries(outputs, Names::kOwn))
+        noteThatIsMade(part, outputs, *shared);
+      return false;
+    }
     for (const auto& output : outputs) find(output.name, output.kind);
     noteThatIsLeftOut(part, outputs);
     return true;

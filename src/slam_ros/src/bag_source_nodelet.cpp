@@ -47,6 +47,7 @@ struct BagSourceConfig {
   bool exit_at_end = true;
   bool odometry_tf = true;
   bool pointmap = false;
+  bool stages = false;
   std::vector<std::string> remaps;
 
   void describe(slam::Fields& fields) {
@@ -59,6 +60,7 @@ struct BagSourceConfig {
     fields.add("odometry_tf", &odometry_tf,
                "the bag's transform of the odometry too; not where the product publishes it");
     fields.add("pointmap", &pointmap, "scans wait for the point map's nodelet too");
+    fields.add("stages", &stages, "the stages before the back-end are nodelets of their own");
     fields.add("remaps", &remaps, "input:=topic of the bag");
   }
 };
@@ -84,6 +86,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
       const BagContext context{settings.read<TopicsConfig>(), settings.read<slam::FramesConfig>(),
                                GivenMounts(settings)};
       frames_ = context.frames;
+      topics_ = context.topics;
       bag_ = std::make_unique<BagReader>(config_.bag);
       inputs_.emplace(*bag_, slam::createComponents(product), context, parseRemaps(config_.remaps));
       for (const auto& note : inputs_->notes()) NODELET_INFO_STREAM(note);
@@ -164,10 +167,27 @@ class BagSourceNodelet : public nodelet::Nodelet {
       for (const auto& publisher : found.input->publishers())
         if (isLonely(publisher)) return "a subscriber of " + publisher.getTopic();
     }
+    if (const auto stage = missingStage(); !stage.empty()) return stage;
     if (progress_.getNumPublishers() == 0)
       return "a back-end that publishes " + progress_.getTopic();
     if (point_map_progress_ && point_map_progress_.getNumPublishers() == 0)
       return "a point map that publishes " + point_map_progress_.getTopic();
+    return "";
+  }
+
+  /// A stage publishes once all that it takes in is published.
+  std::string missingStage() const {
+    if (!config_.stages) return "";
+    ros::master::V_TopicInfo published;
+    ros::master::getTopics(published);
+    for (const auto& part : inputs_->parts())
+      for (const auto& output : part.outputs) {
+        const auto topic = getNodeHandle().resolveName(topics_.of(output.name));
+        const bool is_there =
+            std::any_of(published.begin(), published.end(),
+                        [&](const ros::master::TopicInfo& info) { return info.name == topic; });
+        if (part.role == slam::Stage::kRole && !is_there) return "a stage that publishes " + topic;
+      }
     return "";
   }
 
@@ -204,6 +224,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
 
   BagSourceConfig config_;
   slam::FramesConfig frames_;
+  TopicsConfig topics_;
   std::unique_ptr<BagReader> bag_;
   std::optional<BagInputs> inputs_;
   std::optional<BagFlow> flow_;

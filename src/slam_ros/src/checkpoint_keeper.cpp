@@ -22,10 +22,11 @@ constexpr const char* kNothingWritten = "no checkpoint can be written, the last 
 }  // namespace
 
 CheckpointKeeper::CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run,
-                                   slam::MetaCoordinator& product)
+                                   slam::MetaCoordinator& product, const StageStates& stages)
     : config_(parametersFromRos<CheckpointConfig>(handle)),
       run_(std::move(run)),
-      product_(product) {
+      product_(product),
+      stages_(stages) {
   if (config_.folder.empty()) return;
   folder_ = std::make_unique<slam::CheckpointFolder>(config_.folder);
   handle.setParam("restarted", true);
@@ -34,6 +35,12 @@ CheckpointKeeper::CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run
 CheckpointKeeper::~CheckpointKeeper() { writing_.wait(); }
 
 bool CheckpointKeeper::resume(const std::function<void()>& configure_anew) {
+  const bool goes_on = resumeProduct(configure_anew);
+  stages_.goOnFrom(goes_on ? std::exchange(saved_stages_, {}) : StageStates::Saved());
+  return goes_on;
+}
+
+bool CheckpointKeeper::resumeProduct(const std::function<void()>& configure_anew) {
   if (!folder_) return false;
   if (const auto title = slam::notResumable(product_.wiring()); !title.empty()) {
     news_.warnings = {"no checkpoints are written: the " + title + " cannot be resumed"};
@@ -80,7 +87,8 @@ void CheckpointKeeper::restore(const std::string& bytes) {
   slam::ArchiveReader archive(state);
   slam::Stamp stamp;
   std::string of_product;
-  archive(stamp, of_product);
+  archive(stamp, of_product, saved_stages_);
+  stages_.require(saved_stages_);
   slam::restore(of_product, product_);
   slam::goOnLive(product_, config_.restarted ? slam::Interruption::kOfThisProcess
                                              : slam::Interruption::kOfAll);
@@ -97,9 +105,11 @@ std::string CheckpointKeeper::note(slam::Stamp last_step) {
 /// While the last one is still being written, the next one is due with the next step.
 void CheckpointKeeper::save() {
   if (writing_.isBusy()) return;
+  if (const auto stage = stages_.missing(); !stage.empty())
+    return fail("the stage '" + stage + "' runs in another process than the back-end");
   const auto start = Clock::now();
   slam::ArchiveWriter archive;
-  archive(*last_step_, slam::stateOf(product_));
+  archive(*last_step_, slam::stateOf(product_), stages_.copy());
   autosave_.begin(*last_step_);
   saved_ = last_step_;
   writing_.tryRun([this, state = archive.take()] { write(state); });
@@ -112,8 +122,12 @@ void CheckpointKeeper::write(const std::string& state) {
     folder_->write(slam::checkpointOf(run_, state));
     if (std::exchange(has_failed_, false)) tell("checkpoints can be written again");
   } catch (const std::runtime_error& error) {
-    if (!std::exchange(has_failed_, true)) tell(kNothingWritten + std::string(error.what()));
+    fail(error.what());
   }
+}
+
+void CheckpointKeeper::fail(const std::string& cause) {
+  if (!std::exchange(has_failed_, true)) tell(kNothingWritten + cause);
 }
 
 void CheckpointKeeper::tell(const std::string& sentence) {

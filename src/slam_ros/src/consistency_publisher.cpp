@@ -29,7 +29,7 @@ void ConsistencyPublisher::restart() {
   truth_.reset();
   pending_.clear();
   nees_ = -1.0;
-  trust_ = slam::Trust::kConfident;
+  trust_ = slam::Trust::kUnknown;
   doubt_.clear();
 }
 

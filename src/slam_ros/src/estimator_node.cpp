@@ -79,11 +79,12 @@ bool EstimatorNode::resume(const ros::NodeHandle& product, slam::Settings& setti
                            const slam::ProductPart& part) {
   const auto& names = coordinator_.components().product;
   const bool is_whole = part.extent == slam::ProductPart::Extent::kWhole;
+  stages_ = StageStates(product, coordinator_.components());
   checkpoints_.emplace(ros::NodeHandle(product, "checkpoints"),
                        slam::RunIdentity{names.product, names.robot,
                                          is_whole ? "live data, inprocess" : "live data, pubsub",
                                          settings.inForce()},
-                       coordinator_);
+                       coordinator_, stages_);
   return checkpoints_->resume([&] { coordinator_.configure(settings, part); });
 }
 
@@ -304,6 +305,7 @@ void EstimatorNode::checkClock() {
 
 void EstimatorNode::reset() {
   beginAnew();
+  stages_.goOnFrom({});
   tellOfReset();
 }
 
@@ -339,11 +341,12 @@ std::vector<slam::InputPort> EstimatorNode::needlessInputs() const {
   const auto arrivals = estimator().intake().arrivals();
   std::vector<slam::InputPort> needless;
   for (const auto& part : flow_->parts()) {
+    const auto outputs = flow_->lastOutputs(part);
     const auto has_stamp = [&](const auto& output) {
       return arrivals.lastOf(output.name).has_value();
     };
     const bool has_come = flow_->triggersSteps(part)
-                              ? std::any_of(part.outputs.begin(), part.outputs.end(), has_stamp)
+                              ? std::any_of(outputs.begin(), outputs.end(), has_stamp)
                               : arrivals.motion.has_value();
     if (!part.is_maker || !has_come) continue;
     for (const auto& input : flow_->inputsOfAlone(part)) needless.push_back(input);

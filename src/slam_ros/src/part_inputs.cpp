@@ -47,6 +47,11 @@ const InputBinding& PartInputs::of(const std::string& input, slam::Kind kind) co
   return *other->second;
 }
 
+bool PartInputs::areConnected() const {
+  return std::all_of(bindings_.begin(), bindings_.end(),
+                     [](const auto& entry) { return entry.second->isConnected(); });
+}
+
 std::string PartInputs::waiting(const std::vector<slam::InputPort>& needless) const {
   for (const auto& address : mandatory_) {
     if (slam::findPort(needless, address.first, address.second) != nullptr) continue;

@@ -46,6 +46,12 @@ void PartNode::reset() {
 
 void PartNode::take(const std::string& port, slam::Kind kind, const void* value,
                     const std::string& topic) {
+  if (!through) return takeIn(port, kind, value, topic);
+  through([&] { takeIn(port, kind, value, topic); });
+}
+
+void PartNode::takeIn(const std::string& port, slam::Kind kind, const void* value,
+                      const std::string& topic) {
   const auto news = silence_.heard(topic, SilenceWatch::Clock::now());
   if (!news.empty()) diagnostics_->tell(ros::console::levels::Info, news);
   if (clock_.hasJumpedBack()) reset();
@@ -55,7 +61,10 @@ void PartNode::take(const std::string& port, slam::Kind kind, const void* value,
   if (on_taken) on_taken(kind, value);
 }
 
-std::string PartNode::missing() const { return inputs_ ? inputs_->waiting() : ""; }
+std::string PartNode::missing() const {
+  const auto wait = waits_for ? waits_for() : "";
+  return wait.empty() && inputs_ ? inputs_->waiting() : wait;
+}
 
 std::string PartNode::waiting() const {
   const auto wait = missing();

@@ -70,6 +70,7 @@ double AlarmTime::share() const {
 }
 
 void RunMetrics::addTrust(slam::Stamp stamp, slam::Trust trust) {
+  if (trust == slam::Trust::kUnknown && !lost_) return;
   if (!lost_) lost_.emplace(stamp);
   if (!doubtful_) doubtful_.emplace(stamp);
   lost_->add(stamp, trust == slam::Trust::kLost);

@@ -191,6 +191,24 @@ TEST_F(PoseCellsInMotion, AreNotConvincedByStandingBeforeOneView) {
   EXPECT_LT(distance(states.back().place, away.place), 1.0);
 }
 
+TEST_F(PoseCellsInMotion, LeaveOutWhatCannotBeUsed) {
+  const auto before = drive({0, 1, 2, 3}).back();
+  Motion broken = motion(count_);
+  broken.increment = Pose2(std::nan(""), 0.0, 0.0);
+  cells_.set(broken);
+  EXPECT_NE(cells_.execute().message.find("not a number"), std::string::npos);
+  auto no_view = view(count_, -2);
+  cells_.set(no_view);
+  EXPECT_NE(cells_.execute().message.find("a number that none can have"), std::string::npos);
+  EXPECT_EQ(cells_.counters()["invalid_motion"], 1U);
+  EXPECT_EQ(cells_.counters()["invalid_local_view"], 1U);
+  ++count_;
+  const auto after = drive({4, 5}).back();
+  EXPECT_EQ(faultOf(after), "");
+  EXPECT_LT(distance(after.place, before.place), 2.0);
+  EXPECT_EQ(cells_.counters()["lost"], 0U) << "nothing was lost on the way";
+}
+
 TEST_F(PoseCellsInMotion, AreFreshAfterReset) {
   const auto first = drive({0, 1, 2, 0, 1, 2});
   cells_.reset();

@@ -94,5 +94,29 @@ TEST(RatSlam, WarnsWhenItsMemoryIsFull) {
   EXPECT_EQ(backend->counters()["experiences_full"], 1U);
 }
 
+TEST(RatSlam, RemembersTheLastStepsOfItsWayOnly) {
+  auto short_way = variant();
+  short_way.settings = {"rat.most_steps=50"};
+  DrivenBackend whole(variant()), backend(short_way);
+  const auto drive = whole.drive(1), same = backend.drive(1);
+  for (int i = 0; i < 50; ++i) backend.step(*same);
+  EXPECT_EQ(backend->counters()["steps_forgotten"], 0U);
+  for (int i = 0; i < 10; ++i) {
+    same->give(backend.inputs());
+    const auto status = backend->execute();
+    EXPECT_NE(status.message.find("rat.most_steps"), std::string::npos) << status.message;
+  }
+  for (int i = 0; i < 60; ++i) whole.step(*drive);
+  EXPECT_EQ(backend->counters()["steps_forgotten"], 10U);
+  const auto path = backend.as<PathReviser>().path(), of_all = whole.as<PathReviser>().path();
+  ASSERT_EQ(path.size(), 50U);
+  ASSERT_EQ(of_all.size(), 60U);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_EQ(path[i].stamp, of_all[i + 10].stamp);
+    EXPECT_EQ(path[i].pose.vector(), of_all[i + 10].pose.vector()) << "the map is the same";
+  }
+  EXPECT_EQ(backend.as<PlaceReporter>().visits().size(), 50U);
+}
+
 }  // namespace
 }  // namespace slam::rat

@@ -40,7 +40,7 @@ class BagFlow {
   void acknowledge(const slam_msgs::Progress& message);
   void acknowledgeOfPointMap(const slam_msgs::Progress& message);
 
-  /// Waits until all has been acknowledged. @return how many messages were not
+  /// Waits until all has been acknowledged that can be. @return how many messages were not
   std::size_t finish();
   /// Ends all waiting, now and later.
   void stop();
@@ -61,6 +61,8 @@ class BagFlow {
   /// vain.
   std::map<std::string, std::size_t> held_;
   std::optional<slam::Duration> max_ahead_;  ///< of stamps, if several triggers wait together
+  bool has_chain_ = false;                   ///< of components, one behind another
+  std::optional<slam::Stamp> last_motion_;   ///< that was sent, if there is a chain
   std::atomic<bool> stopped_{false};
   slam_msgs::Progress told_, point_map_told_;  ///< last, by back-end and point map
 };

@@ -12,44 +12,27 @@
 #include <string>
 #include <vector>
 
-#include "slam_core/common/config_fields.hpp"
 #include "slam_core/product/autosave.hpp"
 #include "slam_core/product/checkpoint.hpp"
 #include "slam_core/product/checkpoint_folder.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 #include "slam_ros/background.hpp"
+#include "slam_ros/checkpoint_config.hpp"
+#include "slam_ros/stage_states.hpp"
 
 namespace slam_ros {
 
-/// Parameters in the namespace `checkpoints` of the product.
-struct CheckpointConfig {
-  static constexpr const char* kSection = "";
-
-  std::string folder;
-  double autosave = 10.0;
-  bool resume = false;
-  bool restarted = false;
-
-  void describe(slam::Fields& fields) {
-    fields.add("folder", &folder, "takes the checkpoints; none is written without");
-    fields.add("autosave", &autosave, "interval of the checkpoints")
-        .unit("s of stamps")
-        .in(slam::Range::above(0));
-    fields.add("resume", &resume, "go on from the folder's checkpoint, where there is one");
-    fields.add("restarted", &restarted,
-               "an earlier process of the same launch has died; the nodelet sets it");
-  }
-};
-
-/// Saves a product, or its part that has the back-end, during a run, and restores it. The state is
-/// copied between two steps, in the thread that takes them; another thread writes it to the disk.
-/// Components in other processes start over.
+/// Saves a product, or its part that has the back-end, with the stages beside it during a run, and
+/// restores them. The state is copied between two steps, in the thread that takes them; another
+/// thread writes it to the disk. Components in other processes start over.
 class CheckpointKeeper {
  public:
   /// Locks the folder, if there is one. @param handle has the parameters; `restarted` is set, so
   /// that a nodelet that this launch starts again goes on @param product outlives this
+  /// @param stages outlive this; resume() restores their state
   /// @throw std::runtime_error naming the folder and the cause
-  CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run, slam::MetaCoordinator& product);
+  CheckpointKeeper(ros::NodeHandle handle, slam::RunIdentity run, slam::MetaCoordinator& product,
+                   const StageStates& stages);
   ~CheckpointKeeper();
 
   /// If requested, restores the folder's last checkpoint that can be used.
@@ -75,16 +58,20 @@ class CheckpointKeeper {
   std::string finish();
 
  private:
+  bool resumeProduct(const std::function<void()>& configure_anew);
   void restore(const std::string& bytes);
   void describe(const slam::CheckpointFolder::Resumption& resumption);
   void save();
   void write(const std::string& state);
+  void fail(const std::string& cause);
   void tell(const std::string& sentence);
   std::string takeNews();
 
   CheckpointConfig config_;
   slam::RunIdentity run_;
   slam::MetaCoordinator& product_;
+  const StageStates& stages_;
+  StageStates::Saved saved_stages_;  ///< that the product goes on from
   slam::Autosave autosave_;
   std::unique_ptr<slam::CheckpointFolder> folder_;  ///< none if nothing is to be saved
   News news_;

@@ -49,8 +49,8 @@ class ConsistencyPublisher {
   const slam::ConsistencyMonitor& monitor_;
   TruthComparison truth_;
   std::deque<Pending> pending_;
-  double nees_ = -1.0;                           ///< the newest one
-  slam::Trust trust_ = slam::Trust::kConfident;  ///< after the last step
+  double nees_ = -1.0;                         ///< the newest one
+  slam::Trust trust_ = slam::Trust::kUnknown;  ///< after the last step
   std::string doubt_;
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;

@@ -107,6 +107,7 @@ class EstimatorNode {
   SilenceWatch silence_;
   std::optional<Diagnostics> diagnostics_;
   std::optional<RunRecorder> recorder_;
+  StageStates stages_;
   std::optional<CheckpointKeeper> checkpoints_;
   std::optional<BackendOutputs> outputs_;
   OutputsConfig live_config_;

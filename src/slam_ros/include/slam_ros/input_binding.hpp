@@ -57,6 +57,8 @@ class InputBinding {
   virtual const std::string& topic() const = 0;
   /// "waiting for ...", or empty if everything that a component may need has come.
   virtual std::string waiting() const = 0;
+  /// Whether somebody publishes data that other components make; always true of sensors' data.
+  virtual bool isConnected() const { return true; }
   /// When data came last, by the wall clock.
   LatencyWindow::Clock::time_point arrival() const { return arrival_; }
 

@@ -34,6 +34,7 @@ class MessageBinding final : public InputBinding {
   std::string waiting() const override {
     return has_come_ ? "" : "waiting for " + name_ + " on " + topic_;
   }
+  bool isConnected() const override { return subscriber_.getNumPublishers() > 0; }
 
  private:
   std::string name_, topic_;

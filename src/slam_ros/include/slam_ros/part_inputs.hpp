@@ -36,6 +36,8 @@ class PartInputs {
   /// @param needless inputs from which nothing is expected, since the data that are made of them
   /// come from elsewhere
   std::string waiting(const std::vector<slam::InputPort>& needless = {}) const;
+  /// Whether all that other components make for the inputs is published.
+  bool areConnected() const;
   /// From here on no callback runs.
   void stop() {
     bindings_.clear();

@@ -49,11 +49,17 @@ class PartNode {
 
   /// Called after each reset().
   std::function<void()> on_reset;
+  /// Where it is set, what takes a value in runs through this.
+  std::function<void(const std::function<void()>& take_in)> through;
+  /// Where it is set: what the part waits for beside its inputs, or empty.
+  std::function<std::string()> waits_for;
   /// Called after each value that was taken in.
   std::function<void(slam::Kind, const void*)> on_taken;
 
  private:
   void take(const std::string& port, slam::Kind kind, const void* value, const std::string& topic);
+  void takeIn(const std::string& port, slam::Kind kind, const void* value,
+              const std::string& topic);
   std::string waiting() const;
   std::string missing() const;
   Diagnostics::Values figures() const;

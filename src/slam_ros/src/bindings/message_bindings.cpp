@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 
 #include "slam_core/models/filter_pose.hpp"
+#include "slam_ros/cell_messages.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/message_binding.hpp"
 
@@ -25,6 +26,9 @@ const MessageBindingRegistrar<slam_msgs::LandmarkObservationArray, slam::Landmar
 const MessageBindingRegistrar<geometry_msgs::PoseWithCovarianceStamped, slam::FilterPose,
                               filterPose>
     kPose;
+const MessageBindingRegistrar<slam_msgs::ViewCell, slam::rat::ViewCell, fromMsg> kViewCell;
+const MessageBindingRegistrar<slam_msgs::PoseCellState, slam::rat::PoseCellState, fromMsg>
+    kPoseCellState;
 
 }  // namespace
 }  // namespace slam_ros

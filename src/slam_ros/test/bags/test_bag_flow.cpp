@@ -70,6 +70,40 @@ TEST_F(Flow, OfSeveralInputsOfAComponentTheLargestMessagesAreWaitedFor) {
   });
 }
 
+TEST_F(Flow, WhatTheLastOfAChainMakesOfAnImageAcknowledgesIt) {
+  slam::ProductConfig product;
+  product.backend = "rat";
+  product.detector = "none";
+  {
+    BagMaker bag(folder / "x.bag");
+    bag.addOdometry();
+    test::addCamera(bag, "/camera/image_raw", "/camera/camera_info");
+  }
+  start(product);
+  const auto images = gateOf("camera"), wheels = gateOf("odom");
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(images(stampOf(i)));
+    ASSERT_TRUE(wheels(stampOf(i)));
+  }
+  expectRoomAfter(wheels, 6,
+                  [this] {  // motion is no further ahead of the images than half a second
+                    slam_msgs::Progress progress;
+                    progress.motion = toRos(stampOf(3));
+                    flow->acknowledge(progress);
+                    progress.inputs = {"local_view", "pose_cells"};  // a view alone is not through
+                    progress.newest = {toRos(stampOf(3)), toRos(stampOf(1))};
+                    flow->acknowledge(progress);
+                  });
+  slam_msgs::Progress progress;
+  progress.motion = toRos(stampOf(6));
+  progress.inputs = {"pose_cells"};
+  progress.newest = {toRos(stampOf(3))};
+  flow->acknowledge(progress);
+  ASSERT_TRUE(images(stampOf(7)));
+  EXPECT_EQ(flow->finish(), 0u) << "an image beyond all motion is not waited for";
+  EXPECT_EQ(inputs->flow().lastOutputs(inputs->flow().parts()[1]).front().name, "pose_cells");
+}
+
 TEST_F(Flow, WhatAModuleOfItsOwnNodeletTakesItAcknowledges) {
   slam::ProductConfig product;
   product.modules["pointmap"] = true;

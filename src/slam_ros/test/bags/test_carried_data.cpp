@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
+#include <slam_msgs/PoseCellState.h>
 
 #include "camera_bag.hpp"
 #include "found_inputs.hpp"
@@ -16,7 +17,8 @@ using test::Topics;
 /// Bags that carry what a component of the product would make.
 struct CarriedData : ::testing::Test {
   CarriedData() { product.detector = "aruco"; }
-  /// A bag with these topics; by the topic's name each is odometry, motion, observations or images.
+  /// A bag with these topics; by the topic's name each is odometry, motion, observations, images or
+  /// pose cells.
   void write(const Topics& topics) {
     BagMaker bag(folder / "x.bag");
     for (const auto& topic : topics) {
@@ -24,6 +26,7 @@ struct CarriedData : ::testing::Test {
       if (test::contains(topic, "motion")) bag.add(topic, 0, test::motion(0, 1, 0));
       if (test::contains(topic, "observations")) bag.addObservations(topic);
       if (test::contains(topic, "image")) test::addCamera(bag, topic, "", 0.2);
+      if (test::contains(topic, "pose_cells")) bag.add(topic, 1, slam_msgs::PoseCellState());
     }
   }
   BagInputs find(const std::vector<Remap>& remaps = {}) const {
@@ -100,6 +103,22 @@ TEST_F(CarriedData, AndTheirSensorsCannotBothBeRemapped) {
   EXPECT_EQ(faultOf({{"odom", "/odom"}, {"motion", "/motion"}}),
             "the remapping motion:=/motion would have no effect: the odometry component makes what "
             "the input 'motion' takes in; leave it out");
+}
+
+TEST_F(CarriedData, OfAStageLeaveOutTheOnesBeforeIt) {
+  product.backend = "rat";
+  product.detector = "none";
+  write({"/odom", "/camera/image_raw"});
+  EXPECT_EQ(find().topicsOf("camera"), Topics{"/camera/image_raw"});
+  write({"/odom", "/camera/image_raw", "/pose_cells"});
+  const auto inputs = find();
+  EXPECT_EQ(inputs.topicsOf("pose_cells"), Topics{"/pose_cells"});
+  EXPECT_EQ(inputs.topicsOf("camera"), Topics{}) << "nobody takes images any more";
+  EXPECT_TRUE(inputs.isLeftOut("pose_cells"));
+  EXPECT_TRUE(inputs.isLeftOut("local_view"));
+  EXPECT_FALSE(inputs.isLeftOut("odometry"));
+  write({"/odom"});
+  EXPECT_TRUE(test::contains(faultOf({}), "(slam_msgs/ViewCell), or images")) << faultOf({});
 }
 
 TEST_F(CarriedData, RemappingsOfInputsThatNobodyTakesAreRefused) {

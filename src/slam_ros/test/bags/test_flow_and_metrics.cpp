@@ -42,6 +42,8 @@ TEST(AlarmTime, CountsAlarmsAndTheTimeThatTheyLast) {
   EXPECT_FALSE(json().contains("lost_alarms")) << "before the first step";
   const auto at = [](int s) { return slam::stampFromNanoseconds(s * 1000000000LL); };
   using slam::Trust;
+  metrics.addTrust(at(99), Trust::kUnknown);
+  EXPECT_FALSE(json().contains("lost_alarms")) << "of a back-end that cannot tell";
   metrics.addTrust(at(100), Trust::kConfident);
   EXPECT_EQ(json()["lost_alarms"], 0);
   EXPECT_FALSE(json().contains("lost_first_s"));

@@ -112,6 +112,16 @@ TEST(SlamPorts, AnOdometryThatLooksThroughACameraShowsWhatItMakes) {
   EXPECT_EQ(namesOf(portsOf("odometry=wheel")["components"][0]["outputs"]), Names{"motion"});
 }
 
+TEST(SlamPorts, StagesStandBetweenSensorsAndBackEnd) {
+  const auto components = portsOf("backend=rat detector=none")["components"];
+  ASSERT_EQ(components.size(), 4u);
+  EXPECT_EQ(components[1]["role"], "stage");
+  EXPECT_EQ(components[1]["key"], "local_view");
+  EXPECT_EQ(components[2]["features"], Json({"backend"}));
+  EXPECT_EQ(components[2]["inputs"][1]["made_by"], "local_view");
+  EXPECT_EQ(components[3]["inputs"][1]["made_by"], "pose_cells");
+}
+
 TEST(SlamPorts, OnlyASourceThatMovesAlongTheDriversFrameLeavesItTheTransform) {
   EXPECT_FALSE(ownsEdge("wheel"));
   EXPECT_FALSE(ownsEdge("wheel_imu"));
