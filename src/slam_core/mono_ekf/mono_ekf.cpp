@@ -41,6 +41,13 @@ bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
          cv::norm(a, b, cv::NORM_INF) == 0.0;
 }
 
+Status lost() {
+  return Status::alarm(
+      "the robot is lost: the features are not where they are predicted, as after the robot or "
+      "its camera was moved by hand; drive on slowly where the robot has been, or set an initial "
+      "pose");
+}
+
 }  // namespace
 
 void MonoEkf::describe(Ports& ports) {
@@ -67,7 +74,10 @@ void MonoEkf::reset() {
   state_ = MonoState(start());
   errors_ = OdometryErrors(config_.systematic_share);
   noise_ = PixelNoise(config_.pixel_sigma);
-  watch_ = TrackingWatch(config_.lost_after);
+  doubt_ = TrackingDoubt();
+  agreement_.clear();
+  before_.reset();
+  place_search_.reset();
   inputs_ = {};
   next_id_ = 0;
   last_gray_ = cv::Mat();
@@ -78,16 +88,25 @@ void MonoEkf::reset() {
 
 Status MonoEkf::execute() {
   relocate();
-  for (const auto& motion : std::exchange(inputs_.motions, {}))
+  for (const auto& motion : std::exchange(inputs_.motions, {})) {
     state_.predict(errors_.divide(motion));
+    agreement_.move(motion);
+  }
   const auto view = std::exchange(inputs_.view, std::nullopt);
   return view ? look(*view) : Status::ok();
 }
 
 void MonoEkf::relocate() {
   if (!inputs_.initial_pose) return;
-  state_.place(*std::exchange(inputs_.initial_pose, std::nullopt));
-  watch_.settle();
+  putAt(*std::exchange(inputs_.initial_pose, std::nullopt));
+}
+
+void MonoEkf::putAt(const PoseEstimate& robot) {
+  state_.place(robot);
+  doubt_.settle();
+  agreement_.clear();
+  before_.reset();
+  place_search_.reset();
 }
 
 Status MonoEkf::look(const CameraView& view) {
@@ -98,14 +117,28 @@ Status MonoEkf::look(const CameraView& view) {
   last_gray_ = gray;
   const PlanarCamera camera(view.camera, view.mount.T_base_camera);
   seen_.gray = gray;
+  if (doubt_.isLost() && !findItself(camera, gray)) return lost();
+  if (!before_) before_ = state_;
   take(active_search_.searchFar(state_, camera, gray, noise_.sigma()), camera);
   take(active_search_.searchNear(state_, camera, gray, noise_.sigma(), seen_.searches), camera);
   judgeExistence();
   const auto corners = beginFeatures(camera, gray, view.stamp);
   const auto status = judge(view.stamp, corners);
+  if (doubt_.isLost()) return status;
   convertSure(state_, camera.centre(state_.robot().pose), config_.largest_linearity_index);
   removeFeatures();
   return status;
+}
+
+/// A lost robot maps nothing. Several images in a row have to show where it is before it is put
+/// there.
+bool MonoEkf::findItself(const PlanarCamera& camera, const cv::Mat& gray) {
+  if (!place_search_) place_search_.emplace(config_, state_, noise_.sigma());
+  const auto place = place_search_->find(state_, camera, gray);
+  if (!place || !agreement_.add(place->pose)) return false;
+  putAt(anywhereNear(place->pose));
+  take(place->searches, camera);
+  return true;
 }
 
 Status MonoEkf::unusable(const CameraView& view) {
@@ -229,41 +262,51 @@ Status MonoEkf::judge(Stamp stamp, std::size_t corners) {
         "the camera sees nothing that it could track, as in a dark room, before a blank wall or "
         "behind a lens cap: the pose goes on by odometry meanwhile");
   }
-  const auto of_old = oldSearches(stamp);
-  if (watch_.judge(stamp, of_old.size(), countOf(of_old, Search::Outcome::kMatched), has_texture))
-    widen();
-  if (watch_.isContradicted()) counters_.add("contradicted");
-  if (watch_.lostSince() && isKnownAgain()) watch_.settle();
-  if (!watch_.lostSince()) return Status::ok();
-  return Status::alarm(
-      "the robot is lost: the features are not where they are predicted, as after the robot or "
-      "its camera was moved by hand; bring it back to where it was, or set an initial pose");
+  if (has_texture) {
+    doubt_.judge(viewOfMap(), state_.robot().pose, stamp);
+    if (doubt_.isContradicted()) counters_.add("contradicted");
+  }
+  if (!doubt_.doubtedSince()) before_.reset();
+  if (!doubt_.isLost()) return Status::ok();
+  lose();
+  return lost();
 }
 
-/// Of features from before a contradiction, if there is one; those that began in it agree with it.
-std::vector<Search> MonoEkf::oldSearches(Stamp now) const {
-  const auto age = durationFromSeconds(2.0 * config_.lost_after);
-  std::vector<Search> searches;
-  for (const auto& search : seen_.searches)
-    if (const auto& feature = state_.features()[search.feature];
-        feature.isProven() && now - feature.begun >= age)
-      searches.push_back(search);
-  return searches;
+/// Features that began in the doubt agree with the pose whether it is right or not.
+ViewOfMap MonoEkf::viewOfMap() const {
+  const auto since = doubt_.doubtedSince();
+  ViewOfMap view;
+  for (const auto& search : seen_.searches) {
+    const auto& feature = state_.features()[search.feature];
+    if (!feature.isProven() || (since && feature.begun >= *since)) continue;
+    ++view.expected;
+    view.found += search.outcome == Search::Outcome::kMatched ? 1 : 0;
+  }
+  return view;
 }
 
-/// The map goes on from here, where the robot may be elsewhere.
-void MonoEkf::widen() {
+/// The map is again what it was before the doubt; the robot may be anywhere in it.
+void MonoEkf::lose() {
   counters_.add("tracking_lost");
-  const double position = config_.lost_sigma_position, heading = config_.lost_sigma_heading;
-  mono_ekf::widen(state_, {position * position, position * position, heading * heading});
+  auto robot = state_.robot();
+  state_ = *std::exchange(before_, std::nullopt);
+  robot.covariance = start().covariance;
+  state_.place(robot);
+  agreement_.clear();
 }
 
-/// What was seen before has been recognised.
-bool MonoEkf::isKnownAgain() const {
-  constexpr double kShare = 0.2;
-  const Eigen::Array3d sigmas = state_.robot().covariance.diagonal().array().sqrt();
-  return sigmas.head<2>().maxCoeff() < kShare * config_.lost_sigma_position &&
-         sigmas(2) < kShare * config_.lost_sigma_heading;
+double MonoEkf::radiusOfMap() const {
+  double radius = 1.0;
+  for (const auto& feature : state_.features())
+    if (const auto point = pointOf(feature, coordinatesOf(state_, feature)); feature.is_point)
+      radius = std::max(radius, (point->head<2>() - state_.robot().pose.position()).norm());
+  return radius;
+}
+
+PoseEstimate MonoEkf::pose() const {
+  if (!doubt_.isLost()) return state_.robot();
+  const Eigen::Vector3d sigmas(radiusOfMap(), radiusOfMap(), M_PI);
+  return {state_.robot().pose, sigmas.cwiseAbs2().asDiagonal()};
 }
 
 std::vector<MappedFeature> MonoEkf::features() const {

@@ -8,6 +8,8 @@
 
 #include "slam_core/camera/camera_view.hpp"
 #include "slam_core/camera/view_drawer.hpp"
+#include "slam_core/consistency/place_agreement.hpp"
+#include "slam_core/consistency/tracking_doubt.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/feature_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
@@ -15,7 +17,7 @@
 #include "slam_core/mono_ekf/mono_state.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
 #include "slam_core/mono_ekf/pixel_noise.hpp"
-#include "slam_core/mono_ekf/tracking_watch.hpp"
+#include "slam_core/mono_ekf/place_search.hpp"
 
 namespace slam::mono_ekf {
 
@@ -38,7 +40,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   void set(const PoseEstimate& initial_pose) override { inputs_.initial_pose = initial_pose; }
   Status execute() override;
-  PoseEstimate pose() const override { return state_.robot(); }
+  PoseEstimate pose() const override;
   Counters counters() const override { return counters_; }
   Figures figures() const override;
   void reset() override;
@@ -51,7 +53,8 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(state_, errors_, noise_, watch_, inputs_, next_id_, counters_);
+    archive(state_, errors_, noise_, doubt_, agreement_, before_, inputs_, next_id_, counters_);
+    if constexpr (Archive::kReads) place_search_.reset();
     persistMat(archive, last_gray_);
   }
 
@@ -80,7 +83,8 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   // what it offers as capabilities
   std::vector<MappedFeature> features() const override;
-  std::optional<Stamp> lostSince() const override { return watch_.lostSince(); }
+  std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
+  bool findsItself() const override { return true; }
   cv::Mat drawing() const override;
 
   void relocate();
@@ -92,16 +96,21 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   std::size_t beginFeatures(const PlanarCamera& camera, const cv::Mat& gray, Stamp stamp);
   void removeFeatures();
   Status judge(Stamp stamp, std::size_t corners);
-  std::vector<Search> oldSearches(Stamp now) const;
-  void widen();
-  bool isKnownAgain() const;
+  ViewOfMap viewOfMap() const;
+  void lose();
+  bool findItself(const PlanarCamera& camera, const cv::Mat& gray);
+  void putAt(const PoseEstimate& robot);
+  double radiusOfMap() const;  ///< around the robot [m]
 
   MonoEkfConfig config_;
   ActiveSearch active_search_;
   MonoState state_;
   OdometryErrors errors_;
   PixelNoise noise_;
-  TrackingWatch watch_;
+  TrackingDoubt doubt_;
+  PlaceAgreement agreement_;
+  std::optional<MonoState> before_;          ///< the doubt, if there is one
+  std::optional<PlaceSearch> place_search_;  ///< in the map of a lost robot
   Inputs inputs_;
   std::uint64_t next_id_ = 0;
   cv::Mat last_gray_;

@@ -81,23 +81,6 @@ void describeOdometry(MonoEkfConfig& config, Fields& fields) {
       .in({0.0, 1.0, false, true});
 }
 
-/// These say when the robot is lost.
-void describeLoss(MonoEkfConfig& config, Fields& fields) {
-  fields
-      .add("lost_after", &config.lost_after,
-           "the robot is lost when for so long the features are not where they are predicted")
-      .unit("s")
-      .in(Range::closed(0.1, 60));
-  fields
-      .add("lost_sigma_position", &config.lost_sigma_position,
-           "a lost robot's position is believed to be off by this standard deviation")
-      .unit("m")
-      .in(Range::closed(0.01, 100));
-  fields.add("lost_sigma_heading", &config.lost_sigma_heading, "and its heading by this one")
-      .unit("rad")
-      .in(Range::closed(0.01, 3.14));
-}
-
 }  // namespace
 
 void MonoEkfConfig::describe(Fields& fields) {
@@ -106,7 +89,6 @@ void MonoEkfConfig::describe(Fields& fields) {
   describeMap(*this, fields);
   describeSearch(*this, fields);
   describeOdometry(*this, fields);
-  describeLoss(*this, fields);
 }
 
 void requireUsable(const MonoEkfConfig& config) {

@@ -24,9 +24,6 @@ struct MonoEkfConfig {
   double largest_view_change = 0.6;
   double largest_linearity_index = 0.1;
   double systematic_share = 0.5;
-  double lost_after = 1.0;
-  double lost_sigma_position = 1.0;
-  double lost_sigma_heading = 0.5;
 
   void describe(Fields& fields);
 };

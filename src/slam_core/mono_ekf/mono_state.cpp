@@ -120,10 +120,6 @@ MonoState partOf(const MonoState& state, const std::vector<std::size_t>& feature
   return part;
 }
 
-void widen(MonoState& state, const Eigen::Vector3d& variances) {
-  state.covariance_.topLeftCorner<MonoState::kPose, MonoState::kPose>().diagonal() += variances;
-}
-
 UpdateStatistics MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
   const auto rows = static_cast<Eigen::Index>(2 * measurements.size());
   if (rows == 0) return {};

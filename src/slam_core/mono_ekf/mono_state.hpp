@@ -79,8 +79,6 @@ class MonoState {
 
   /// The robot and some of the features, in this order.
   friend MonoState partOf(const MonoState& state, const std::vector<std::size_t>& features);
-  /// The robot may be off by so much more than was known: variances of (x, y, theta).
-  friend void widen(MonoState& state, const Eigen::Vector3d& variances);
   /// Gives those a place in metres whose depth is known well enough.
   friend void convertSure(MonoState& state, const Eigen::Vector3d& centre_now,
                           double largest_linearity_index);
@@ -96,7 +94,6 @@ class MonoState {
 };
 
 MonoState partOf(const MonoState& state, const std::vector<std::size_t>& features);
-void widen(MonoState& state, const Eigen::Vector3d& variances);
 void convertSure(MonoState& state, const Eigen::Vector3d& centre_now,
                  double largest_linearity_index);
 

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/mono_graph/chi_square.hpp"
+#include "slam_core/models/chi_square.hpp"
 
 namespace slam::mono_graph {
 namespace {

@@ -24,6 +24,8 @@ const SectionRegistrar<MonoGraphConfig> kSectionRegistrar;
 
 constexpr double kInitialVariance = 1e-6;  // [m^2, rad^2]
 constexpr std::size_t kLeastFeatures = 30;
+constexpr std::size_t kMuch = 100;     // features of an image that shows much
+constexpr int kProven = 3;             // images that have shown a point
 constexpr double kFewShared = 0.5;     // of the points of the reference
 constexpr double kNearKeyframe = 0.4;  // of the usual distance
 
@@ -76,6 +78,7 @@ void MonoGraph::reset() {
   mapper_ = LocalMapper(config_.window);
   recogniser_ = PlaceRecogniser(config_.least_place_points, seed_);
   closer_ = {};
+  doubt_ = TrackingDoubt();
   way_ = {};
   reference_.reset();
   unrecognised_.reset();
@@ -112,9 +115,8 @@ void MonoGraph::relocate() {
 void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   anchor_.place(pose, covariance);
   is_way_known_ = false;
-  watch_.clear();
+  doubt_.settle();
   agreement_.clear();
-  lost_since_.reset();
   predict();
 }
 
@@ -161,22 +163,22 @@ Status MonoGraph::see(const CameraView& view) {
 }
 
 Status MonoGraph::follow(const CameraView& view, const Features& features) {
-  if (lost_since_) lookForPlace(features);
-  if (lost_since_) return Status::ok();
+  if (doubt_.isLost()) lookForPlace(features);
+  if (doubt_.isLost()) return Status::ok();
   const auto seen = tracked(features);
+  const auto of_map = viewOfMap(features, seen);
   seen_.tracked = seen;
   is_tracked_ = seen.matches.size() >= static_cast<std::size_t>(config_.least_points);
   if (is_tracked_)
     believe(seen);
   else if (reference_)
     counters_.add("untracked");
-  watch_.add(view.stamp, features.size(), seen.expected.size(), seen.matches.size());
-  lost_since_ = watch_.lostSince();
-  if (lost_since_)
+  doubt_.judge(of_map, pose_, view.stamp);
+  if (doubt_.isLost())
     return Status::alarm(
         "the robot is lost: the camera sees next to nothing of what the map has here; drive on "
         "slowly where the robot has been, or set an initial pose");
-  if (watch_.isContradicted() || !wantsKeyframe(seen)) return Status::ok();
+  if (!doubt_.admits() || !wantsKeyframe(seen)) return Status::ok();
   return addKeyframe(view, features, seen);
 }
 
@@ -184,7 +186,7 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
 void MonoGraph::lookForPlace(const Features& features) {
   const auto place = recogniser_.find(map_, features, vocabulary_.wordsOf(features.all()), {},
                                       config_.least_similarity);
-  if (!place || !agreement_.add(*place)) return;
+  if (!place || !agreement_.add(place->pose)) return;
   putAt(place->pose, place->covariance);
   reference_ = place->keyframe;
 }
@@ -204,6 +206,24 @@ void MonoGraph::believe(const TrackedView& tracked) {
   pose_ = tracked.pose;
   covariance_ = tracked.covariance;
   anchor_.place(pose_, symmetric(tracked.information.inverse()));
+}
+
+/// Of the points that images show as a rule. Those that were mapped since the doubt began agree
+/// with the pose whether it is right or not.
+ViewOfMap MonoGraph::viewOfMap(const Features& features, const TrackedView& tracked) const {
+  const auto since = doubt_.doubtedSince();
+  const auto counts = [&](int number) {
+    const auto& point = map_.point(number);
+    return point.found >= kProven && 4 * point.found >= 3 * point.expected &&
+           (!since || map_.keyframe(point.host()).stamp < *since);
+  };
+  ViewOfMap view;
+  view.in_reach = tracked.in_reach;
+  for (const int point : tracked.expected) view.expected += counts(point) ? 1 : 0;
+  for (const auto* found : {&tracked.matches, &tracked.unfitted})
+    for (const auto& match : *found) view.found += counts(match.point) ? 1 : 0;
+  const bool shows_much = features.size() >= std::min(kMuch, 2 * view.expected);
+  return shows_much ? view : ViewOfMap();  // else it is dark or blurred
 }
 
 /// @param share of the distance and the turn that make a keyframe

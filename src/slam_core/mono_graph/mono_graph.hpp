@@ -11,6 +11,8 @@
 
 #include "slam_core/camera/camera_view.hpp"
 #include "slam_core/camera/view_drawer.hpp"
+#include "slam_core/consistency/place_agreement.hpp"
+#include "slam_core/consistency/tracking_doubt.hpp"
 #include "slam_core/contract/backend.hpp"
 #include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/event_reporter.hpp"
@@ -25,9 +27,7 @@
 #include "slam_core/mono_graph/mono_graph_config.hpp"
 #include "slam_core/mono_graph/odometry_anchor.hpp"
 #include "slam_core/mono_graph/orb_extractor.hpp"
-#include "slam_core/mono_graph/place_agreement.hpp"
 #include "slam_core/mono_graph/place_recogniser.hpp"
-#include "slam_core/mono_graph/sight_watch.hpp"
 #include "slam_core/mono_graph/tracker.hpp"
 #include "slam_core/mono_graph/visual_map.hpp"
 #include "slam_core/mono_graph/vocabulary.hpp"
@@ -73,8 +73,8 @@ class MonoGraph final : public Backend,
   template <class Archive>
   void persist(Archive& archive) {
     archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_,
-            unrecognised_, watch_, agreement_, lost_since_, is_tracked_, pose_, covariance_, path_,
-            events_, inputs_, counters_);
+            unrecognised_, doubt_, agreement_, is_tracked_, pose_, covariance_, path_, events_,
+            inputs_, counters_);
   }
 
  private:
@@ -116,7 +116,7 @@ class MonoGraph final : public Backend,
   std::optional<Stamp> correctedBy() const override { return firstVisit(); }
   std::vector<Event> events() const override { return events_; }
   GraphView graph() const override;
-  std::optional<Stamp> lostSince() const override { return lost_since_; }
+  std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
   bool findsItself() const override { return true; }
   std::vector<StampedPose> path() const override;
   std::vector<PlaceVisit> visits() const override;
@@ -135,6 +135,7 @@ class MonoGraph final : public Backend,
   void lookForPlace(const Features& features);
   TrackedView tracked(const Features& features) const;
   void believe(const TrackedView& tracked);
+  ViewOfMap viewOfMap(const Features& features, const TrackedView& tracked) const;
   bool wantsKeyframe(const TrackedView& tracked) const;
   bool isFarFromKeyframes(double share) const;
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
@@ -162,9 +163,8 @@ class MonoGraph final : public Backend,
   bool is_way_known_ = false;        ///< there is one, and no jump came since
   std::optional<int> reference_;     ///< the keyframe that the robot is tracked by
   std::optional<int> unrecognised_;  ///< the newest one, whose place has not been looked up yet
-  SightWatch watch_;
+  TrackingDoubt doubt_;
   PlaceAgreement agreement_;
-  std::optional<Stamp> lost_since_;
   bool is_tracked_ = false;  ///< the last image shows where the robot is
   Pose2 pose_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< relative to the reference

@@ -20,7 +20,7 @@ double MonoGraph::radiusOfMap() const {
 
 /// A lost robot may be anywhere in the map.
 PoseEstimate MonoGraph::pose() const {
-  if (lost_since_) {
+  if (doubt_.isLost()) {
     const Eigen::Vector3d sigmas(radiusOfMap(), radiusOfMap(), M_PI);
     return {pose_, sigmas.cwiseAbs2().asDiagonal()};
   }

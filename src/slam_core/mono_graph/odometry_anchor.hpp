@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "slam_core/camera/pose_fit.hpp"
 #include "slam_core/models/motion.hpp"
-#include "slam_core/mono_graph/pose_fit.hpp"
 
 namespace slam::mono_graph {
 

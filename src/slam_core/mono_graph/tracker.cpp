@@ -21,11 +21,20 @@ constexpr std::size_t kLeastMatches = 6;
 constexpr std::size_t kMostNeighbours = 10;
 constexpr int kBeforeAndAfter = 2;
 
-double radiusOf(const PosePrior& prior, double focal) {
+/// Of where a point is predicted [px].
+double predictionSigma(const PosePrior& prior, double focal) {
   const double position = std::sqrt(prior.covariance.topLeftCorner<2, 2>().trace());
   const double heading = std::sqrt(prior.covariance(2, 2));
-  const double pixels = kSigmas * focal * (position / kTypicalDepth + heading);
-  return std::clamp(kLeastRadius + pixels, kLeastRadius, kMostRadius);
+  return focal * (position / kTypicalDepth + heading);
+}
+
+double radiusOf(double sigma) {
+  return std::clamp(kLeastRadius + kSigmas * sigma, kLeastRadius, kMostRadius);
+}
+
+/// @return the probability of an error within a radius, along one direction mostly
+double probabilityWithin(double radius, double sigma) {
+  return std::erf(radius / (M_SQRT2 * sigma));
 }
 
 void take(const PointMatches& found, const FittedPose& fit, TrackedView& view) {
@@ -72,12 +81,17 @@ TrackedView track(const VisualMap& map, const Features& features, const PosePrio
   view.pose = prior.pose;
   view.covariance = prior.covariance;
   const auto points = pointsSeenBy(map, keyframes);
+  const double sigma = predictionSigma(prior, features.focal());
+  view.in_reach = probabilityWithin(radiusOf(sigma), sigma);
   SearchLimits limits;
-  for (const double radius : {radiusOf(prior, features.focal()), kNearRadius}) {
+  for (const double radius : {radiusOf(sigma), kNearRadius}) {
     limits.radius = radius;
     const auto found = searchPoints(map, points, features, view.pose, limits);
     if (view.expected.empty()) view.expected = found.expected;
-    if (found.matches.size() < kLeastMatches) break;
+    if (found.matches.size() < kLeastMatches) {
+      if (view.matches.empty() && view.rejected.empty()) view.unfitted = found.matches;
+      break;
+    }
     const auto fit =
         fitPose(features.camera(), sightingsOf(map, features, found.matches), view.pose, prior);
     if (!fit) break;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "slam_core/camera/pose_fit.hpp"
 #include "slam_core/mono_graph/point_search.hpp"
-#include "slam_core/mono_graph/pose_fit.hpp"
 
 namespace slam::mono_graph {
 
@@ -19,7 +19,9 @@ struct TrackedView {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< with odometry; the map taken as exact
   std::vector<PointMatch> matches;                        ///< that fit the pose
   std::vector<PointMatch> rejected;                       ///< that do not
+  std::vector<PointMatch> unfitted;                       ///< too few to fit a pose
   std::vector<int> expected;  ///< points that were to be seen from the pose
+  double in_reach = 1.0;      ///< probability of a point to be where it was searched
 };
 
 /// Follows the camera through the map: looks for the points of nearby keyframes around where the

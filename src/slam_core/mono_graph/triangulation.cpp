@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "slam_core/mono_graph/chi_square.hpp"
+#include "slam_core/models/chi_square.hpp"
 #include "slam_core/mono_graph/orb_extractor.hpp"
 
 namespace slam::mono_graph {

@@ -4,7 +4,8 @@
 #include "slam_core/scan_matching/usual_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "slam_core/models/beta_distribution.hpp"
 
 namespace slam::scan_matching {
 namespace {
@@ -19,8 +20,6 @@ constexpr double kMemory = 20.0;
 /// A share that hardly varies is not believed, one that is anything at all neither.
 constexpr double kLeastPrecision = 4.0, kMostPrecision = 60.0;
 
-double logBeta(double a, double b) { return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b); }
-
 }  // namespace
 
 double ShareDistribution::logLikelihood(const Agreement& counts) const {
@@ -28,17 +27,15 @@ double ShareDistribution::logLikelihood(const Agreement& counts) const {
   if (counts.known() == 0) return 0.0;
   const double ends = std::min(kMostEnds, counts.known() / kEndsAlike);
   const double against = ends * counts.contradicting / counts.known();
-  return logBeta(contradicting + against, agreeing + ends - against) -
-         logBeta(contradicting, agreeing);
+  return BetaDistribution{contradicting, agreeing}.logLikelihood(against, ends - against);
 }
 
 /// By the moments.
 ShareDistribution UsualFit::distribution() const {
   const double mean = std::max(mean_, kLeastShare);
   const double variance = std::max(variance_, kLeastDeviation * kLeastDeviation);
-  const double precision =
-      std::clamp(mean * (1.0 - mean) / variance - 1.0, kLeastPrecision, kMostPrecision);
-  return {mean * precision, (1.0 - mean) * precision};
+  const auto share = BetaDistribution::ofMoments(mean, variance, kLeastPrecision, kMostPrecision);
+  return {share.yes, share.no};
 }
 
 void UsualFit::learn(const Agreement& counts, double weight) {

@@ -191,7 +191,7 @@ TEST_F(MonoEkfInARoom, IsLostWhenItsCameraIsTurnedByHand) {
   drive(40);
   EXPECT_FALSE(lostSince());
   Status status;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 16 && !lostSince(); ++i) {
     move();
     status = take(seen(0.35));
   }
@@ -202,6 +202,28 @@ TEST_F(MonoEkfInARoom, IsLostWhenItsCameraIsTurnedByHand) {
   filter_.execute();
   EXPECT_FALSE(lostSince()) << "it was told where it is";
   EXPECT_EQ(filter_.pose().pose.vector(), Eigen::Vector3d(1.0, 2.0, 0.3));
+}
+
+TEST_F(MonoEkfInARoom, FindsItselfWhereItHasBeenAfterItWasCarried) {
+  drive(20);
+  const Pose2 known = truth_;
+  drive(40);
+  const double features = figure("features_with_depth");
+  truth_ = known * Pose2(0.1, 0.1, 0.05);  // odometry notices nothing
+  int lost = -1, found = -1;
+  for (int i = 0; i < 40; ++i) {
+    step();
+    if (lost < 0 && lostSince()) lost = i;
+    if (lost >= 0 && found < 0 && !lostSince()) found = i;
+    if (lostSince()) {
+      EXPECT_GE(filter_.pose().covariance(0, 0), 1.0) << "it may be anywhere in the map";
+      EXPECT_EQ(figure("features_with_depth"), features) << "a lost robot maps nothing";
+    }
+  }
+  EXPECT_GE(lost, 0);
+  EXPECT_LT(lost, 10) << "images";
+  EXPECT_GE(found, 0);
+  EXPECT_LT(error(), 0.1);
 }
 
 TEST_F(MonoEkfInARoom, GoesOnFromItsStateWithTheSameBits) {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "slam_core/camera/pose_fit.hpp"
 #include "slam_core/common/random.hpp"
 #include "slam_core/mono_graph/bundle.hpp"
-#include "slam_core/mono_graph/pose_fit.hpp"
 #include "slam_core/mono_graph/test/room_of_pictures.hpp"
 #include "slam_core/mono_graph/triangulation.hpp"
 

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/mono_graph/pose_fit.hpp"
+#include "slam_core/camera/pose_fit.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/mono_graph/chi_square.hpp"
+#include "slam_core/models/chi_square.hpp"
 
-namespace slam::mono_graph {
+namespace slam {
 namespace {
 
 constexpr double kLeastInformation = 1e-3;
@@ -103,4 +103,4 @@ std::optional<FittedPose> fitPose(const NormalisedCamera& camera,
   return fit;
 }
 
-}  // namespace slam::mono_graph
+}  // namespace slam

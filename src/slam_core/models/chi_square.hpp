@@ -3,9 +3,9 @@
 
 #pragma once
 
-namespace slam::mono_graph {
+namespace slam {
 
 /// Quantiles of the chi-square distribution at 0.95, with one and with two degrees of freedom.
 constexpr double kGateOfOne = 3.841, kGateOfTwo = 5.991;
 
-}  // namespace slam::mono_graph
+}  // namespace slam

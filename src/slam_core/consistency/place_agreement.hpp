@@ -5,10 +5,10 @@
 
 #include <optional>
 
+#include "slam_core/geometry/pose2.hpp"
 #include "slam_core/models/motion.hpp"
-#include "slam_core/mono_graph/place_recogniser.hpp"
 
-namespace slam::mono_graph {
+namespace slam {
 
 /// Whether a lost robot has been found: several images in a row have to show the places that
 /// odometry leads to between them.
@@ -17,8 +17,9 @@ class PlaceAgreement {
   void move(const Motion& motion) {
     if (pose_) pose_ = *pose_ * motion.increment;
   }
+  /// @param place where an image has the robot, T_map_base
   /// @return whether this place and those before agree
-  bool add(const RecognisedPlace& place);
+  bool add(const Pose2& place);
   void clear() { *this = PlaceAgreement(); }
 
   template <class Archive>
@@ -31,4 +32,4 @@ class PlaceAgreement {
   int in_a_row_ = 0;
 };
 
-}  // namespace slam::mono_graph
+}  // namespace slam

@@ -9,7 +9,7 @@
 
 #include "slam_core/camera/normalised_camera.hpp"
 
-namespace slam::mono_graph {
+namespace slam {
 
 /// A known point [m] and where the camera saw it on the plane z = 1.
 struct PoseSighting {
@@ -43,4 +43,4 @@ std::optional<FittedPose> fitPose(const NormalisedCamera& camera,
 std::size_t countFits(const NormalisedCamera& camera, const std::vector<PoseSighting>& sightings,
                       const Pose2& pose);
 
-}  // namespace slam::mono_graph
+}  // namespace slam

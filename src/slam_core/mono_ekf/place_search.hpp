@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "slam_core/camera/pose_fit.hpp"
+#include "slam_core/mono_ekf/active_search.hpp"
+#include "slam_core/mono_ekf/patch_descriptor.hpp"
+
+namespace slam::mono_ekf {
+
+/// Where an image shows what the map has.
+struct FoundPlace {
+  Pose2 pose;                    ///< T_map_base, the map taken as exact
+  std::vector<Search> searches;  ///< from there; those that fit it are kMatched
+};
+
+/// The robot before an image is taken that shows it there: about there, wherever the map as a whole
+/// is.
+PoseEstimate anywhereNear(const Pose2& pose);
+
+/// Looks for a lost robot in the whole map, whose features with depth are compared with all corners
+/// of an image by what is around them. Each pair of features that is seen from about one place
+/// suggests a pose, in a fixed order; those that most others fit (consensus: Fischler and Bolles
+/// 1981) are tested by an active search for everything that should be in view from there. A place
+/// is left out if another one that is tested has half as many matches; but not every place that
+/// looks alike is tested.
+class PlaceSearch {
+ public:
+  /// @param state its map stays as it is while the robot is lost @param sigma of pixels [px]
+  PlaceSearch(const MonoEkfConfig& config, const MonoState& state, double sigma);
+
+  /// @param state the same map
+  std::optional<FoundPlace> find(const MonoState& state, const PlanarCamera& camera,
+                                 const cv::Mat& gray) const;
+
+ private:
+  /// A feature with depth.
+  struct Known {
+    std::size_t feature;
+    Eigen::Vector3d point;        ///< map frame [m]
+    Eigen::Vector3d centre, ray;  ///< of its first sight
+    PatchDescriptor descriptor;
+  };
+  /// A corner that looks like a feature.
+  struct Alike {
+    std::size_t known, corner;
+    float correlation;
+    Eigen::Vector2d pixel;
+    PoseSighting sighting;
+  };
+  struct Hypothesis {
+    Pose2 pose;
+    std::size_t fits = 0;
+  };
+  struct Tested {
+    FoundPlace place;
+    std::size_t matched = 0;
+    bool is_good = false;
+  };
+
+  std::vector<Alike> alike(const PlanarCamera& camera, const cv::Mat& gray) const;
+  std::vector<Hypothesis> hypotheses(const NormalisedCamera& camera,
+                                     const std::vector<Alike>& matches) const;
+  std::optional<Pose2> poseOf(const NormalisedCamera& camera, const Alike& a, const Alike& b) const;
+  bool isSeenAlike(const NormalisedCamera& camera, const Pose2& pose, const Known& known) const;
+  static std::vector<Alike> fittingOnes(const NormalisedCamera& camera,
+                                        const std::vector<Alike>& matches, const Pose2& pose);
+  MonoState placed(const MonoState& state, const Pose2& pose, const PlanarCamera& camera,
+                   const std::vector<Alike>& fitting, std::vector<std::size_t>& features) const;
+  Tested test(const MonoState& state, const Pose2& pose, const PlanarCamera& camera,
+              const cv::Mat& gray, const std::vector<Alike>& fitting) const;
+
+  MonoEkfConfig config_;
+  double sigma_;
+  ActiveSearch active_search_;
+  std::vector<Known> known_;
+  Eigen::MatrixXf descriptors_;  ///< of those, a column each
+};
+
+}  // namespace slam::mono_ekf
