@@ -238,7 +238,8 @@ class BagInputs::Search {
       if (input.is_mandatory && candidateFor(input.name, input.kind) && !flow_.isMade(input))
         missing.push_back(needOf(input));
     if (!part.is_maker || missing.empty()) return missing;
-    // A bag may well carry what triggers steps. Of other data, such as motion, it has the sources.
+    // A bag may well carry what triggers steps. Of other data, such as motion, it has the sources,
+    // and so it has of what a stage makes.
     std::vector<std::string> instead;
     bool is_needed = false;
     for (const auto& output : flow_.takenOutputs(part)) {
@@ -249,7 +250,7 @@ class BagInputs::Search {
         instead.push_back(needOf(*trigger));
     }
     if (!is_needed) return {};
-    if (instead.empty()) return missing;
+    if (instead.empty() || part.role == slam::Stage::kRole) return missing;
     return {slam::join(instead) + ", or " + slam::join(missing, " and ")};
   }
 

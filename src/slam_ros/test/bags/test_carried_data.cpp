@@ -118,7 +118,7 @@ TEST_F(CarriedData, OfAStageLeaveOutTheOnesBeforeIt) {
   EXPECT_TRUE(inputs.isLeftOut("local_view"));
   EXPECT_FALSE(inputs.isLeftOut("odometry"));
   write({"/odom"});
-  EXPECT_TRUE(test::contains(faultOf({}), "(slam_msgs/ViewCell), or images")) << faultOf({});
+  EXPECT_TRUE(test::contains(faultOf({}), "lacks images: 'camera/image_raw'")) << faultOf({});
 }
 
 TEST_F(CarriedData, RemappingsOfInputsThatNobodyTakesAreRefused) {
