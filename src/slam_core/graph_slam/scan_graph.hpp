@@ -44,9 +44,6 @@ class ScanGraph {
 
   std::optional<OccupancyGrid> grid() const;
   std::uint64_t gridRevision() const { return renderer_.revision(); }
-  /// Whether the last scan taken showed where the robot is: it fits the submap, and no doubt says
-  /// that the place is wrong.
-  bool isCorrected() const { return is_determined_ && doubt_.admits(); }
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   const graph::RobustLoops& loops() const { return loops_; }
   /// The most memory that it takes; the same whether somebody has asked for the grid or not.
@@ -54,6 +51,11 @@ class ScanGraph {
   /// What came of the loops with the last scan.
   friend const std::vector<Event>& eventsOf(const ScanGraph& scans) {
     return scans.loop_watch_.events();
+  }
+  /// Whether the last scan taken showed where the robot is: it fits the submap, and no doubt says
+  /// that the place is wrong.
+  friend bool hasCorrected(const ScanGraph& scans) {
+    return scans.is_determined_ && scans.doubt_.admits();
   }
   /// The scan that became a node with the last take(); none where none did.
   friend const SharedScan& insertedBy(const ScanGraph& scans) { return scans.inserted_; }
