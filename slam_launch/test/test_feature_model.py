@@ -205,7 +205,8 @@ class ShippedModel(unittest.TestCase):
         for odometry in self.model.groups["odometry"].symbols:
             features = self.model.require_valid({**chosen, "odometry": odometry})
             self.assertEqual(self.model.launch_files(features)["backend"],
-                             ["slam_backend_rat/launch/backend.launch"])
+                             [f"slam_backend_rat/launch/{name}.launch"
+                              for name in ("local_view", "pose_cells", "backend")])
         for wrong in ({"detector": "apriltag"}, {"association": "jcbb"}):
             with self.subTest(wrong), self.assertRaises(ProductError) as caught:
                 self.model.require_valid({**chosen, **wrong})
