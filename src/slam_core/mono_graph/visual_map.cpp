@@ -37,6 +37,7 @@ int VisualMap::add(MapPoint point) {
 }
 
 bool VisualMap::addSighting(int point, Sighting sighting) {
+  if (this->point(point).isGone()) return false;
   auto& slot = keyframe(sighting.keyframe).points[static_cast<std::size_t>(sighting.feature)];
   auto& sightings = this->point(point).sightings;
   const bool is_known = std::any_of(sightings.begin(), sightings.end(), [&](const auto& each) {

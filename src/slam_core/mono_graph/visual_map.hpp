@@ -89,8 +89,9 @@ class VisualMap {
   int add(Keyframe keyframe);
   /// @param point with one sighting at least, that of its host first
   int add(MapPoint point);
-  /// A sighting of a keyframe that does not see the point yet, by a feature that is of none yet.
-  /// @return whether it is so
+  /// Adds a sighting by a keyframe that does not see the point yet, with a feature that belongs to
+  /// no point yet; not to a point that is gone, as its place may become that of another one.
+  /// @return whether it was added
   bool addSighting(int point, Sighting sighting);
   void removeSighting(int point, int keyframe);
   void remove(int point);

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/mono_graph/visual_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "slam_core/mono_graph/test/room_of_pictures.hpp"
+
+namespace slam::mono_graph {
+namespace {
+
+/// Two keyframes with four features each.
+VisualMap twoKeyframes() {
+  VisualMap map;
+  for (int i = 0; i < 2; ++i) {
+    Keyframe keyframe;
+    keyframe.features =
+        Features(std::vector<Feature>(4), NormalisedCamera(test::RoomOfPictures::mount()), 500.0);
+    map.add(std::move(keyframe));
+  }
+  return map;
+}
+
+MapPoint pointSeenBy(std::vector<Sighting> sightings) {
+  MapPoint point;
+  point.sightings = std::move(sightings);
+  return point;
+}
+
+TEST(VisualMap, KeepsNoSightingOfAPointThatIsGone) {
+  auto map = twoKeyframes();
+  const int point = map.add(pointSeenBy({{0, 1}, {1, 2}}));
+  map.remove(point);
+  EXPECT_FALSE(map.addSighting(point, {1, 3}));
+  EXPECT_TRUE(map.point(point).isGone());
+  EXPECT_EQ(map.keyframe(1).points[3], kNoPoint);
+}
+
+/// Else a keyframe would be left with a point that is gone.
+TEST(VisualMap, GivesThePlaceOfAPointThatIsGoneToOneOtherPoint) {
+  auto map = twoKeyframes();
+  const int first = map.add(pointSeenBy({{0, 0}, {1, 0}}));
+  map.remove(first);
+  map.addSighting(first, {1, 3});
+  const int second = map.add(pointSeenBy({{0, 1}, {1, 1}}));
+  EXPECT_EQ(second, first);
+  map.remove(second);
+  for (const auto& keyframe : map.keyframes())
+    for (const int point : keyframe.points) EXPECT_EQ(point, kNoPoint);
+}
+
+TEST(VisualMap, MergesTwoPointsIntoOneWithTheSightingsOfBoth) {
+  auto map = twoKeyframes();
+  const int kept = map.add(pointSeenBy({{0, 0}}));
+  const int merged = map.add(pointSeenBy({{1, 2}}));
+  map.merge(kept, merged);
+  EXPECT_TRUE(map.point(merged).isGone());
+  EXPECT_EQ(map.point(kept).sightings.size(), 2u);
+  EXPECT_EQ(map.keyframe(1).points[2], kept);
+  EXPECT_EQ(map.countOfPoints(), 1u);
+}
+
+}  // namespace
+}  // namespace slam::mono_graph
