@@ -22,26 +22,26 @@ struct ViewOfMap {
   double in_reach = 1.0;
 };
 
-/// Whether a camera is where the map has it, by a sequential test on the share of the expected
-/// features that each image shows: the logarithm of the likelihood of "lost" over that of "right"
-/// is summed over the images and never falls below zero (CUSUM, Page 1954), as in
-/// scan_matching::ScanDoubt. The share of a robot that is right is learnt: people hide features in
-/// every building, and repeated patterns hide them in some; it varies from image to image, so that
-/// the counts are beta-binomial (Skellam 1948). A lost robot finds some by chance.
+/// Decides whether a robot is lost, by a sequential test on the share of the expected features that
+/// each image shows: the log-likelihood ratio of "lost" to "right" is summed over the images and
+/// never falls below zero (CUSUM, Page 1954), as in scan_matching::ScanDoubt. The share at a right
+/// pose is learnt, since people hide features in every building, and repeated patterns hide them in
+/// some. It varies from image to image, so that the counts are beta-binomial (Skellam 1948). A lost
+/// robot finds some features by chance.
 ///
-/// Between two false alarms of a threshold h there are at least e^h independent images in the mean
-/// (Lorden 1971), as far as the learnt distribution holds. Images that follow one another closely
-/// err alike: the weight of one grows with the way, the turn and the time since the last one, up
-/// to 1.
+/// With a threshold h there are at least e^h independent images between two false alarms in the
+/// mean (Lorden 1971), if the learnt distribution holds. The errors of images that follow one
+/// another closely are correlated: the weight of an image grows with the distance, the turn and the
+/// time since the last one, up to 1.
 class TrackingDoubt {
  public:
   /// @param false_alarm_hours mean time between two false alarms, of a robot under way [h]
   explicit TrackingDoubt(double false_alarm_hours = 100.0);
 
-  /// To be called for each image that has something to see; dark and blurred ones say nothing.
+  /// To be called for each image that has features; dark and blurred ones say nothing.
   /// @param pose of the robot after it, map frame
   void judge(const ViewOfMap& view, const Pose2& pose, Stamp stamp);
-  /// The pose is known again.
+  /// To be called when the pose is known again.
   void settle();
 
   bool isLost() const { return lost_since_.has_value(); }
@@ -49,10 +49,10 @@ class TrackingDoubt {
   const std::optional<Stamp>& lostSince() const { return lost_since_; }
   /// The image with which the doubt began; nothing where there is none.
   std::optional<Stamp> doubtedSince() const;
-  /// Whether the last image may go into the map: not while the robot is lost, and not where it
-  /// speaks for that, alone or with those before it.
+  /// Whether the last image may be used for the map: not if the robot is lost, or if this image,
+  /// alone or with those before it, is evidence for that.
   bool admits() const;
-  /// Whether the last image speaks for a lost robot.
+  /// Whether the last image is evidence for a lost robot.
   bool isContradicted() const { return evidence_ > 0.0; }
 
   template <class Archive>

@@ -10,10 +10,10 @@
 
 namespace slam {
 
-/// A component on the way from the sensors to who takes in what it makes, such as the back-end. No
-/// product names it: it stands before each input of the kind that it makes, where no other
-/// component makes that. Unlike a gate it stands once in a product and runs where the composition
-/// puts it, in a nodelet or a process of its own.
+/// A component between the sensors and the component that takes in its output, such as the
+/// back-end. No product names it: the wiring adds it if an input needs data of the kind that it
+/// makes, and no other component makes them. Unlike a gate it exists once in a product, in a
+/// nodelet or a process of its own.
 class Stage : public Component {
  public:
   static constexpr const char* kRole = "stage";

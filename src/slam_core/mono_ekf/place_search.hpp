@@ -14,20 +14,20 @@
 
 namespace slam::mono_ekf {
 
-/// Where an image shows what the map has.
+/// A pose from which the map would look as an image does.
 struct FoundPlace {
   Pose2 pose;                    ///< T_map_base, the map taken as exact
   std::vector<Search> searches;  ///< from there; those that fit it are kMatched
 };
 
-/// The robot before an image is taken that shows it there: about there, wherever the map as a whole
-/// is.
+/// The prior of a robot that an image shows at this pose, relative to the map: uncertain by a metre
+/// and half a radian.
 PoseEstimate anywhereNear(const Pose2& pose);
 
-/// Looks for a lost robot in the whole map, whose features with depth are compared with all corners
-/// of an image by what is around them. Each pair of features that is seen from about one place
-/// suggests a pose, in a fixed order; those that most others fit (consensus: Fischler and Bolles
-/// 1981) are tested by an active search for everything that should be in view from there. A place
+/// Searches the whole map for a lost robot. The features with depth are compared with all corners
+/// of an image by their surroundings (PatchDescriptor). Each pair of features that can be seen from
+/// one place suggests a pose, in a fixed order. The poses that most other features fit (consensus:
+/// Fischler and Bolles 1981) are tested by an active search for all features in view. A place
 /// is left out if another one that is tested has half as many matches; but not every place that
 /// looks alike is tested.
 class PlaceSearch {

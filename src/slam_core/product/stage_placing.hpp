@@ -9,8 +9,8 @@
 
 namespace slam {
 
-/// Creates a stage, not configured, for each input that none of the components makes and that a
-/// stage is registered for, and for the inputs of these stages. @return makers before takers
+/// Creates a stage, not configured, for each input whose data none of the components makes, if one
+/// is registered that does; likewise for the inputs of these stages. @return makers before takers
 std::vector<ProductStage> placeStages(const std::vector<ProductComponent>& components);
 
 }  // namespace slam

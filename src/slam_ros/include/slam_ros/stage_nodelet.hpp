@@ -23,9 +23,9 @@
 
 namespace slam_ros {
 
-/// The nodelet of a stage with one output: it publishes what the stage makes. A package derives
-/// from it, names the stage and exports the plugin; nothing else. It belongs into the process of
-/// the back-end's nodelet, whose checkpoints hold its state.
+/// The nodelet of a stage with one output, which it publishes. A package derives from it, names the
+/// stage and exports the plugin; nothing else. It has to run in the process of the back-end's
+/// nodelet, whose checkpoints contain its state.
 /// @tparam convert from the stage's data to the message
 template <class Message, class Data, Message (*convert)(const Data&)>
 class StageNodelet : public nodelet::Nodelet {
@@ -59,7 +59,7 @@ class StageNodelet : public nodelet::Nodelet {
     });
   }
 
-  /// Once all that comes in is published: who sees this topic relies on what comes of its data.
+  /// Only after all inputs have publishers: who sees this topic expects an output for each input.
   void advertise() {
     if (!node_->inputs().areConnected()) return;
     publisher_ = getNodeHandle().advertise<Message>(topic_, kQueue);

@@ -13,24 +13,26 @@
 
 namespace slam_ros {
 
-/// What a stage knows whose nodelet runs beside the back-end's in one process. The back-end's
-/// nodelet copies it into its own checkpoint and says what the stage goes on from, since the one
-/// refers to what the other has numbered. Nodelets call it from threads of their own.
+/// The state of a stage whose nodelet runs in the same process as that of the back-end. The
+/// back-end's nodelet copies it into its own checkpoint and tells the stage which state to restore,
+/// since the back-end's state refers to numbers that the stage has given. Safe to be called from
+/// the threads of both nodelets.
 class StageState {
  public:
-  /// The same for the nodelets of the stage and of the back-end. @param product its namespace
+  /// The one that the nodelets of the stage and of the back-end share. @param product its namespace
   static std::shared_ptr<StageState> of(const std::string& product, const std::string& stage);
 
-  /// The stage's nodelet begins with this part of the product, which is configured.
-  /// @param has_checkpoints it takes nothing in before the back-end has said what it goes on from
+  /// The stage's nodelet starts, with this configured part of the product.
+  /// @param has_checkpoints the stage takes in nothing before goOnFrom() was called
   void open(slam::MetaCoordinator& part, bool has_checkpoints);
-  /// Runs what takes data in, while nobody copies the state; not while the stage waits.
+  /// Runs an action that takes in data, while nobody copies the state; nothing while the stage
+  /// waits.
   void take(const std::function<void()>& action);
   bool isWaiting();
-  /// The stage's nodelet ends: what it knows stays, where there are checkpoints.
+  /// The stage's nodelet ends; with checkpoints its state is kept.
   void close();
 
-  /// Before it takes in more, the stage goes on from here; from nothing where this is empty.
+  /// The stage restores this state before it takes in more; it is reset if the state is empty.
   void goOnFrom(const std::string& state);
   /// Whether there is anything to copy: a stage that runs in another process has nothing here.
   bool isHere();
@@ -42,9 +44,9 @@ class StageState {
   std::mutex mutex_;
   slam::MetaCoordinator* part_ = nullptr;
   bool has_checkpoints_ = false, is_waiting_ = false;
-  std::string fresh_;                ///< the part's state as it was configured
-  std::string last_;                 ///< when its nodelet ended
-  std::optional<std::string> next_;  ///< what it goes on from
+  std::string fresh_;                ///< state after the configuration
+  std::string last_;                 ///< state when its nodelet ended
+  std::optional<std::string> next_;  ///< state to restore
 };
 
 }  // namespace slam_ros

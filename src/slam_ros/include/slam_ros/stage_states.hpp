@@ -16,24 +16,23 @@
 
 namespace slam_ros {
 
-/// The stages of a product that run in nodelets of their own beside that of the back-end, for the
-/// back-end's.
+/// The stages of a product that run in nodelets of their own, as the back-end's nodelet sees them.
 class StageStates {
  public:
   using Saved = std::map<std::string, std::string>;  ///< states by the stage's name
 
   StageStates() = default;
-  /// None where the back-end's part of the product has the stages itself.
+  /// None if the back-end's part of the product contains the stages itself.
   StageStates(const ros::NodeHandle& product, const slam::ProductComponents& part);
 
-  /// The name of a stage that cannot be copied, since it runs in another process; else empty.
+  /// The name of a stage that runs in another process, so that it cannot be copied; else empty.
   std::string missing() const;
-  /// To be called once the back-end's own state has been copied. The stages are copied against the
-  /// flow of the data: whatever one state refers to, the state of who has made that knows.
+  /// To be called after the back-end's own state was copied. The stages are copied against the flow
+  /// of the data, so that each copy contains all that the copies before refer to.
   Saved copy() const;
-  /// @throw std::runtime_error where they are no states of these stages
+  /// @throw std::runtime_error if these are not states of these stages
   void require(const Saved& saved) const;
-  /// Each stage goes on from what was saved; those of which nothing was begin anew.
+  /// Each stage restores its saved state; a stage without one is reset.
   void goOnFrom(const Saved& saved) const;
 
  private:
