@@ -14,14 +14,13 @@ import yaml
 SECONDS = 10  # of the office, as fast as it goes
 PRODUCTS = ("ekf_wheel", "pf_wheel", "pf_visual", "ekf_wheel_pointmap", "pf_wheel_grid",
             "scan_grid", "ekf_ceiling", "ekf_laser", "ekf_wheel_imu", "ekf_wheel_lines",
-            "graph_wheel", "graph_wheel_grid", "rat_visual", "rat_wheel", "graph_mono")
+            "graph_wheel", "graph_wheel_grid", "rat_visual", "graph_mono")
 TWO_OF_EACH = ("second_detector=aruco", "second_camera=true")
 MAPS = {"ekf_wheel_pointmap": {"landmarks.yaml", "points.pcd"},
         "pf_wheel_grid": {"map.pgm", "map.yaml"},
         "scan_grid": {"map.pgm", "map.yaml"},
         "graph_mono": {"graph.csv", "places.csv"},
         "rat_visual": {"graph.csv", "places.csv"},
-        "rat_wheel": {"graph.csv", "places.csv"},
         "graph_wheel_grid": {"map.pgm", "map.yaml"}}
 OTHERS = {"metrics.json",  # tells how long it took, too
           # what else a bag has, which the offline program writes beside a run
