@@ -32,7 +32,7 @@ class ScaleDoubt {
   /// @param estimated the back-end's increment, in the robot's frame before it
   void add(const Motion& odometry, const Pose2& estimated);
 
-  /// How the estimated path differs from the one by odometry.
+  /// The estimated path differs from the path by odometry in length and direction.
   struct Difference {
     double scale = 0.0;  ///< by how much it is longer, as a share of the path by odometry
     double turn = 0.0;   ///< from the one to the other [rad]

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "slam_core/models/beta_distribution.hpp"
+#include "slam_core/models/independence.hpp"
 
 namespace slam {
 namespace {
@@ -28,9 +29,8 @@ constexpr double kMostOfAnImage = 6.0;
 constexpr double kMostOfOne = 1.25;
 /// Where nothing is expected, a doubt fades.
 constexpr double kOfNothingInView = 0.3;
-/// An image is independent of another one after this way, turn, or time, in which whatever hid the
-/// view has moved.
-constexpr double kImageWay = 0.2, kImageTurn = 0.3, kImageTime = 0.4;  // [m], [rad], [s]
+/// Whatever hid the view has moved in the time.
+constexpr Independence kImages{0.2, 0.3, 0.4};
 /// Relative to the threshold: up to this the robot counts as right, and its images are learnt from.
 constexpr double kStillRight = 0.2;
 /// Relative to the threshold and to what an image may say: from here on those that speak for a
@@ -41,7 +41,7 @@ constexpr double kInDoubt = 0.4, kByItself = 0.5;
 
 TrackingDoubt::TrackingDoubt(double false_alarm_hours)
     : mean_(kFirstMean), variance_(kFirstDeviation * kFirstDeviation) {
-  constexpr double kImagesInAnHour = 3600.0 / kImageTime;
+  constexpr double kImagesInAnHour = 3600.0 / kImages.time;
   threshold_ = std::log(kImagesInAnHour * false_alarm_hours);
 }
 
@@ -75,10 +75,7 @@ double TrackingDoubt::evidenceOf(const ViewOfMap& view) const {
 }
 
 double TrackingDoubt::weightOf(const Pose2& pose, Stamp stamp) const {
-  if (!pose_) return 1.0;
-  const Pose2 step = pose_->between(pose);
-  return std::min(1.0, step.position().norm() / kImageWay + std::abs(step.theta()) / kImageTurn +
-                           std::max(0.0, seconds(stamp - stamp_)) / kImageTime);
+  return pose_ ? kImages.weightOf(pose_->between(pose), stamp - stamp_) : 1.0;
 }
 
 void TrackingDoubt::learn(double share, double weight) {

@@ -27,9 +27,9 @@ class WayContradiction {
 
   /// Whether several pieces in a row were contradictory, and not many have agreed since.
   bool isEvident() const { return ways_.isEvident() || turns_.isEvident(); }
-  /// How far the pose by odometry may be from the back-end's pose (standard deviations), from the
-  /// motions of both since the contradiction began and from the odometry's noise. It is 0 if there
-  /// is no contradiction.
+  /// The pose by odometry may be so far from the back-end's pose, in standard deviations. The
+  /// distance is computed from the motions of both since the contradiction began and from the
+  /// odometry's noise. It is 0 if there is no contradiction.
   struct Distance {
     double position = 0.0;  ///< [m]
     double heading = 0.0;   ///< [rad]

@@ -21,7 +21,7 @@ class Gate : public Component {
   /// The name under which it is registered, and which its configuration section and its counters
   /// have.
   virtual std::string name() const = 0;
-  /// How many data wait, by what they wait for.
+  /// Counts the data that wait, by what they wait for.
   virtual Counters held() const { return {}; }
 };
 

@@ -98,7 +98,7 @@ class Ports {
 
   const std::deque<InputPort>& inputs() const& { return inputs_; }
   const std::deque<OutputPort>& outputs() const& { return outputs_; }
-  /// Of a temporary, by value: a reference would outlive it.
+  /// These return by value, since a reference would outlive the temporary.
   std::deque<InputPort> inputs() && { return std::move(inputs_); }
   std::deque<OutputPort> outputs() && { return std::move(outputs_); }
   /// Null if there is none.

@@ -60,7 +60,7 @@ class WheelsBeside {
     return datum;
   }
 
-  /// Nothing if the wheels do not cover all of it.
+  /// The result is empty if the wheels do not cover the whole time.
   std::optional<Motion> between(Stamp start, Stamp end) const { return track_.between(start, end); }
   Counters counters() const {
     auto all = wheels_->counters();

@@ -225,7 +225,7 @@ Status GraphSlam::takeScan() {
   if (!scan_) return graph_->scans ? graph_->scans->status() : Status::ok();
   const auto scan = *std::exchange(scan_, std::nullopt);
   const auto taken = graph_->scans->take(scan, counters_);
-  is_corrected_ = hasCorrected(*graph_->scans);
+  is_corrected_ = hasCorrected(graph_->scans->doubt());
   graph_->record.add(scan.stamp, graph_->path);
   events_ = eventsOf(*graph_->scans);
   graph_->reduction.reduce();

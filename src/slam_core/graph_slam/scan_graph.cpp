@@ -43,7 +43,6 @@ void ScanGraph::restart(const PoseEstimate& robot) {
   trigger_.restart();
   doubt_.forget();
   watch_.restart();
-  is_determined_ = false;
   told_.restart();
 }
 
@@ -91,7 +90,6 @@ scan_matching::Match ScanGraph::match(const ScanLevels& scan, Stamp stamp, Count
   const auto found = tracker_.track(map, scan, stamp, motion);
   watch_.note(scan, map.isEmpty(), found, motion.has_value(), counters);
   doubt_.judge(found, stamp);
-  is_determined_ = found.is_determined;
   return found;
 }
 

@@ -52,11 +52,6 @@ class ScanGraph {
   friend const std::vector<Event>& eventsOf(const ScanGraph& scans) {
     return scans.loop_watch_.events();
   }
-  /// Whether the last scan taken showed where the robot is: it fits the submap, and no doubt says
-  /// that the place is wrong.
-  friend bool hasCorrected(const ScanGraph& scans) {
-    return scans.is_determined_ && scans.doubt_.admits();
-  }
   /// The scan that became a node with the last take(); none where none did.
   friend const SharedScan& insertedBy(const ScanGraph& scans) { return scans.inserted_; }
   friend ScanReduction& reductionOf(ScanGraph& scans) { return scans.reduction_; }
@@ -66,7 +61,7 @@ class ScanGraph {
   template <class Archive>
   void persist(Archive& archive) {
     archive(told_, submaps_, loops_, loop_watch_, renderer_, reduction_, tracker_, trigger_, doubt_,
-            watch_, is_determined_, inserted_);
+            watch_, inserted_);
   }
 
  private:
@@ -97,7 +92,6 @@ class ScanGraph {
   scan_matching::InsertionTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
   scan_matching::ScanWatch watch_;
-  bool is_determined_ = false;  ///< the pose, by the last scan taken
   SharedScan inserted_;
 };
 

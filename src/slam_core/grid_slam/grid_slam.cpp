@@ -135,7 +135,7 @@ Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
   const auto found = tracker_.track(map_->view(), scan, stamp, motion);
   watch_.note(scan, map_->isEmpty(), found, motion.has_value(), counters_);
   doubt_.judge(found, stamp);
-  is_corrected_ = found.is_determined && doubt_.admits();
+  is_corrected_ = hasCorrected(doubt_);
   return found;
 }
 

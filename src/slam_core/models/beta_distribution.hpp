@@ -8,11 +8,12 @@
 
 namespace slam {
 
-/// The distribution of a share that differs from one case to the next: Beta(yes, no).
+/// Describes a share that differs from one case to the next: it is distributed as Beta(yes, no).
 struct BetaDistribution {
   double yes = 1.0, no = 1.0;
 
-  /// By the moments. @param least, most bounds of yes + no: the larger the less the share varies
+  /// The result has this mean and variance, as far as the bounds `least` and `most` of yes + no
+  /// allow. The share varies less if yes + no is larger.
   static BetaDistribution ofMoments(double mean, double variance, double least, double most) {
     const double precision = std::clamp(mean * (1.0 - mean) / variance - 1.0, least, most);
     return {mean * precision, (1.0 - mean) * precision};

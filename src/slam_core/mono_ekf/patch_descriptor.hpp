@@ -14,9 +14,9 @@ namespace slam::mono_ekf {
 /// samples of a smoothed image, of mean 0 and length 1. The product of two is their correlation.
 using PatchDescriptor = Eigen::Matrix<float, 64, 1>;
 
-/// The image as it is sampled.
+/// The samples of a descriptor are taken from this smoothed image.
 cv::Mat smoothed(const cv::Mat& gray);
-/// Nothing where the image ends too near, or shows hardly any contrast.
+/// The result is empty if the image ends too near, or if it shows hardly any contrast.
 /// @param smooth the smoothed image @param scale how much larger the surroundings are taken
 std::optional<PatchDescriptor> describe(const cv::Mat& smooth, const Eigen::Vector2d& pixel,
                                         double scale);

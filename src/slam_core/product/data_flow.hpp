@@ -49,8 +49,9 @@ class DataFlow {
   std::vector<InputPort> inputsOfAlone(const Part& part) const;
   /// What others take of what a part makes.
   std::vector<OutputPort> takenOutputs(const Part& part) const;
-  /// What comes of a part's data at last: its outputs that a back-end or a module takes, and the
-  /// same of the makers that each value of an output is a trigger for.
+  /// Follows a part's data to their end. The result contains the part's outputs that a back-end or
+  /// a module takes, and the last outputs of those makers for which the part's outputs are
+  /// triggers.
   std::vector<OutputPort> lastOutputs(const Part& part) const;
   /// Whether steps are taken for what a part makes.
   bool triggersSteps(const Part& part) const;

@@ -25,7 +25,8 @@ struct ProductPart {
   enum class Extent { kWhole, kOdometry, kDetector, kStage, kBackend, kModule };
 
   Extent extent = Extent::kWhole;
-  /// Of a component other than the one that the product names; of the stage or the module.
+  /// It names the component if this is not the one that the product names, and always names a stage
+  /// or a module.
   std::string name;
   /// Where a product has several detectors, the prefix tells which one it is (DetectorPlace).
   std::string place = "";

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
+#include "slam_core/models/independence.hpp"
 
 namespace slam::relocalisation {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kViewEdge = 2.0, kViewAngle = M_PI / 4;  // [m], [rad]
 /// Two steps are independent if they are apart by this distance, this turn, or this time, in which
 /// people walk on.
-constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
+constexpr Independence kViews{0.4, 0.6, 4.0};
 /// Probability that a lost robot sees, by chance, a landmark where one is expected.
 constexpr double kByChance = 0.25;
 /// Landmarks are not independent, since an object that hides one often hides others: they count as
@@ -102,10 +103,7 @@ void LandmarkDoubt::noteMissing(const Ids& expected, const Ids& seen, double evi
 }
 
 double LandmarkDoubt::weightOf(const Pose2& robot, Stamp stamp) const {
-  if (!robot_) return 1.0;
-  const Pose2 step = robot_->between(robot);
-  return std::min(1.0, step.position().norm() / kWay + std::abs(step.theta()) / kTurn +
-                           std::max(0.0, seconds(stamp - stamp_)) / kTime);
+  return robot_ ? kViews.weightOf(robot_->between(robot), stamp - stamp_) : 1.0;
 }
 
 /// The log-likelihood ratio of "lost" to "right". The number of expected landmarks that are seen is

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "slam_core/models/independence.hpp"
 #include "slam_core/scan_matching/usual_fit.hpp"
 
 namespace slam::relocalisation {
@@ -127,9 +128,8 @@ double PlaceTrial::ofNewSurfaces(const grid_map::ScanPoints& scan,
 }
 
 double PlaceTrial::weightOf(const Pose2& local) const {
-  constexpr double kWay = 0.4, kTurn = 0.6;  // to an independent scan [m], [rad]
-  const Pose2 step = last_.between(local);
-  return std::min(1.0, step.position().norm() / kWay + std::abs(step.theta()) / kTurn);
+  constexpr Independence kScans{0.4, 0.6};
+  return kScans.weightOf(last_.between(local), Duration::zero());
 }
 
 }  // namespace slam::relocalisation

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/models/independence.hpp"
+
 namespace slam::scan_matching {
 namespace {
 
@@ -21,8 +23,8 @@ constexpr double kMostOfAScan = 6.0;
 constexpr double kOfAJump = 6.0;
 /// A place that a loaded map does not show is less usual than a wrong pose.
 constexpr double kOfNothingKnown = 1.0;
-/// A scan is independent of another one after this way, turn, or time, in which people walk on.
-constexpr double kWay = 0.4, kTurn = 0.6, kTime = 4.0;  // [m], [rad], [s]
+/// People walk on in the time.
+constexpr Independence kScans{0.4, 0.6, 4.0};
 /// Relative to the threshold: up to this the robot counts as right, and its scans are learnt from.
 constexpr double kRight = 0.4;
 /// Relative to the threshold: from here on, and during an alarm, scans that speak for a wrong place
@@ -43,6 +45,7 @@ ScanDoubt::ScanDoubt(double lost_share, double false_alarm_hours, bool map_is_fi
 void ScanDoubt::judge(const Match& match, Stamp stamp) {
   const double weight = weightOf(match.pose, stamp);
   agreement_ = match.agreement;
+  is_determined_ = match.is_determined;
   jumped_ = match.jumped;
   evidence_ = evidenceOf(match);
   add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
@@ -59,10 +62,7 @@ double ScanDoubt::evidenceOf(const Match& match) const {
 }
 
 double ScanDoubt::weightOf(const Pose2& pose, Stamp stamp) const {
-  if (!pose_) return 1.0;
-  const Pose2 step = pose_->between(pose);
-  return std::min(1.0, step.position().norm() / kWay + std::abs(step.theta()) / kTurn +
-                           std::max(0.0, seconds(stamp - stamp_)) / kTime);
+  return pose_ ? kScans.weightOf(pose_->between(pose), stamp - stamp_) : 1.0;
 }
 
 void ScanDoubt::add(double evidence, Stamp stamp) {
@@ -98,6 +98,7 @@ void ScanDoubt::forget() {
   lost_since_.reset();
   pose_.reset();
   jumped_.reset();
+  is_determined_ = false;
   agreement_ = {};
 }
 

@@ -51,12 +51,17 @@ class ScanDoubt {
   Duration lostFor() const { return lost_since_ ? stamp_ - *lost_since_ : Duration::zero(); }
   /// Of the last scan.
   const Agreement& agreement() const { return agreement_; }
+  /// Whether the last scan corrected the pose: it determined the pose, and may be added to the map.
+  friend bool hasCorrected(const ScanDoubt& doubt) {
+    return doubt.is_determined_ && doubt.admits();
+  }
   /// To be called for a new place or map: earlier scans say nothing about it.
   void forget();
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(usual_, sum_, evidence_, began_, lost_since_, pose_, jumped_, stamp_, agreement_);
+    archive(usual_, sum_, evidence_, began_, lost_since_, pose_, jumped_, is_determined_, stamp_,
+            agreement_);
   }
 
  private:
@@ -74,6 +79,7 @@ class ScanDoubt {
   std::optional<Stamp> lost_since_;
   std::optional<Pose2> pose_;    ///< of the last scan
   std::optional<Pose2> jumped_;  ///< of the last scan, relative to the predicted pose
+  bool is_determined_ = false;   ///< the pose, by the last scan
   Stamp stamp_;
   Agreement agreement_;
 };

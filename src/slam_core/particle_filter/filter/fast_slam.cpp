@@ -64,7 +64,7 @@ FastSlam::Step FastSlam::takeInputs() {
     step.update = &*scans_;
     step.has_seen = true;
   }
-  is_corrected_ = scans_->isCorrected();
+  is_corrected_ = hasCorrected(scans_->doubt());
   correct(scans_->correction(), step);
   return step;
 }

@@ -63,7 +63,6 @@ void ScanUpdate::relocate(const PoseEstimate& around) {
   trigger_ = triggerOf(config_);
   doubt_.forget();
   watch_.restart();
-  is_determined_ = false;
   follower_.restart();
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
   to_robot.topLeftCorner<2, 2>() = around.pose.rotation().transpose();
@@ -81,7 +80,6 @@ bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& 
   const auto found = follower_.follow(map, levels, scan.stamp, pose);
   watch_.note(levels, map.isEmpty(), found, true, account.counters);
   doubt_.judge(found, scan.stamp);
-  is_determined_ = found.is_determined;
   correction_ = follower_.correction();
   motion_ = follower_.motion();
   if (levels.front().beams.empty() || !trigger_.isDue(motion_.increment, scan.stamp)) return false;

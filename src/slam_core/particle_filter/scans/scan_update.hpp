@@ -48,9 +48,6 @@ class ScanUpdate final : public SensorUpdate {
   Lesson learn(ParticleSet& particles, const Ancestors& ancestors, PoseBelief& belief,
                const Execution& execution, Account& account) override;
 
-  /// Whether the last scan taken showed where the robot is: it fits the map, and no doubt says that
-  /// the place is wrong.
-  bool isCorrected() const { return is_determined_ && doubt_.admits(); }
   /// Whether the scans still fit the map of the most likely particle.
   const scan_matching::ScanDoubt& doubt() const { return doubt_; }
   /// Says whether the latest scans tell where the robot is.
@@ -61,8 +58,8 @@ class ScanUpdate final : public SensorUpdate {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(follower_, drift_, trigger_, doubt_, watch_, is_determined_, told_, correction_, stamp_,
-            motion_, scan_);
+    archive(follower_, drift_, trigger_, doubt_, watch_, told_, correction_, stamp_, motion_,
+            scan_);
   }
 
  private:
@@ -88,7 +85,6 @@ class ScanUpdate final : public SensorUpdate {
   UpdateTrigger trigger_;
   scan_matching::ScanDoubt doubt_;
   scan_matching::ScanWatch watch_;
-  bool is_determined_ = false;  ///< the pose, by the last scan taken
   std::optional<Motion> told_;  ///< by how much the robot may be off the place that it was given
   ScanCorrection correction_;
 

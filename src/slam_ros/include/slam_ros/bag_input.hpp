@@ -87,7 +87,7 @@ class BagInput {
 
   /// @return whether the bag has it @throw TopicError if that cannot be decided
   virtual bool find(BagSearch& bag) = 0;
-  /// What a bag must have for it, such as "'scan' (sensor_msgs/LaserScan)".
+  /// This names what a bag must have for the input, such as "'scan' (sensor_msgs/LaserScan)".
   virtual std::string need() const = 0;
   /// The topics of the bag on which it was found, that of its data first.
   virtual std::vector<std::string> topics() const = 0;

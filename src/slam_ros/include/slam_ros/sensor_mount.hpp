@@ -35,9 +35,9 @@ class SensorMount {
   std::string missing() const;
 
  private:
-  /// Nothing while no transform connects base and sensor. An invalid transform of the sensor itself
-  /// (NaN, no unit quaternion) is passed on unchanged: slam::faultOfMount() says what is wrong with
-  /// it.
+  /// The result is empty while no transform connects base and sensor. An invalid transform of the
+  /// sensor itself (NaN, no unit quaternion) is passed on unchanged: slam::faultOfMount() says what
+  /// is wrong with it.
   std::optional<Eigen::Isometry3d> pose() const;
   void tell();
 
