@@ -26,7 +26,7 @@ constexpr double kLargestDistanceRatio = 2.0;  // of a feature, now and at first
 constexpr std::size_t kTested = 3, kLeastFits = 5;
 constexpr double kElsewhere = 0.3;  // [m, rad], of another place
 constexpr std::size_t kLeastMatched = 10;
-constexpr double kLeastMatchedShare = 0.4;  // of what should be in view
+constexpr double kLeastMatchedShare = 0.7;  // of what should be in view
 constexpr double kRivalShare = 0.5;         // of what the best place has
 
 bool isElsewhere(const Pose2& a, const Pose2& b) {
@@ -36,6 +36,14 @@ bool isElsewhere(const Pose2& a, const Pose2& b) {
 
 NormalisedCamera normalised(const PlanarCamera& camera) {
   return NormalisedCamera(camera.pose(Pose2()));
+}
+
+bool isInImage(const PlanarCamera& camera, const Pose2& pose, const Eigen::Vector3d& point) {
+  const auto seen = camera.project(pose, point - camera.centre(pose));
+  if (!seen) return false;
+  const auto& c = camera.model().calibration();
+  return (seen->pixel.array() >= 0.0).all() && seen->pixel.x() < c.width &&
+         seen->pixel.y() < c.height;
 }
 
 /// Of a corner that looks like a feature, on the plane z = 1.
@@ -78,27 +86,37 @@ std::vector<PlaceSearch::Alike> PlaceSearch::fittingOnes(const NormalisedCamera&
   return fitting;
 }
 
-/// For each feature the corners that look most like it; best ones first.
-std::vector<PlaceSearch::Alike> PlaceSearch::alike(const PlanarCamera& camera,
-                                                   const cv::Mat& gray) const {
-  auto corners =
-      cornersOf(gray, {}, config_.least_gradient, config_.spacing / 2, Patch::kStoredRadius);
+/// All corners against all features with depth.
+PlaceSearch::Comparison PlaceSearch::compare(const cv::Mat& gray) const {
+  Comparison comparison;
+  auto& [corners, correlations] = comparison;
+  corners = cornersOf(gray, {}, config_.least_gradient, config_.spacing / 2, Patch::kStoredRadius);
   if (corners.size() > kMostCorners) corners.resize(kMostCorners);
   const cv::Mat smooth = smoothed(gray);
-  std::vector<Alike> all;
-  Eigen::MatrixXf best =
+  correlations =
       Eigen::MatrixXf::Zero(descriptors_.cols(), static_cast<Eigen::Index>(corners.size()));
   for (std::size_t c = 0; c < corners.size(); ++c)
     for (const double scale : kScales)
       if (const auto descriptor = describe(smooth, corners[c], scale)) {
-        auto column = best.col(static_cast<Eigen::Index>(c));
+        auto column = correlations.col(static_cast<Eigen::Index>(c));
         column = column.cwiseMax(descriptors_.transpose() * *descriptor);
       }
+  return comparison;
+}
+
+/// For each of these features the corners that look most like it; best ones first.
+std::vector<PlaceSearch::Alike> PlaceSearch::alike(const Comparison& comparison,
+                                                   const PlanarCamera& camera,
+                                                   const std::vector<bool>& is_considered) const {
+  std::vector<Alike> all;
+  const auto& [corners, correlations] = comparison;
   const double sigma = cornerSigmaOf(camera);
   for (std::size_t k = 0; k < known_.size(); ++k) {
+    if (!is_considered[k]) continue;
     std::vector<std::pair<float, std::size_t>> ranked;
     for (std::size_t c = 0; c < corners.size(); ++c)
-      if (const float value = best(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c));
+      if (const float value =
+              correlations(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c));
           value >= kLeastAlike)
         ranked.emplace_back(-value, c);
     std::sort(ranked.begin(), ranked.end());
@@ -138,6 +156,7 @@ std::optional<Pose2> PlaceSearch::poseOf(const NormalisedCamera& camera, const A
   return fit->pose;
 }
 
+/// Those that most others fit first.
 std::vector<PlaceSearch::Hypothesis> PlaceSearch::hypotheses(
     const NormalisedCamera& camera, const std::vector<Alike>& matches) const {
   std::vector<PoseSighting> sightings;
@@ -158,15 +177,7 @@ std::vector<PlaceSearch::Hypothesis> PlaceSearch::hypotheses(
     }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.fits > b.fits; });
-  std::vector<Hypothesis> distinct;
-  for (const auto& each : found) {
-    if (distinct.size() >= kTested) break;
-    const bool is_new = std::all_of(distinct.begin(), distinct.end(), [&](const auto& other) {
-      return isElsewhere(each.pose, other.pose);
-    });
-    if (is_new) distinct.push_back(each);
-  }
-  return distinct;
+  return found;
 }
 
 /// The features that may be recognised from a pose, and the robot there, as the corners that look
@@ -230,28 +241,53 @@ PlaceSearch::Tested PlaceSearch::test(const MonoState& state, const Pose2& pose,
   return tested;
 }
 
-std::optional<FoundPlace> PlaceSearch::find(const MonoState& state, const PlanarCamera& camera,
-                                            const cv::Mat& gray) const {
-  const auto matches = alike(camera, gray);
-  const auto places = hypotheses(normalised(camera), matches);
-  if (places.empty()) return std::nullopt;
-  std::vector<Tested> all;
-  for (const auto& place : places) {
-    const auto fitting = fittingOnes(normalised(camera), matches, place.pose);
+/// Tests the first of these places; those that lead to the same one count once.
+std::vector<PlaceSearch::Tested> PlaceSearch::placesOf(const MonoState& state,
+                                                       const PlanarCamera& camera,
+                                                       const cv::Mat& gray,
+                                                       const std::vector<Alike>& matches) const {
+  std::vector<Tested> tested;
+  std::vector<Pose2> begun;
+  const auto isNew = [&](const Pose2& pose) {
+    return std::all_of(begun.begin(), begun.end(),
+                       [&](const Pose2& other) { return isElsewhere(pose, other); });
+  };
+  const auto lens = normalised(camera);
+  for (const auto& place : hypotheses(lens, matches)) {
+    if (begun.size() >= kTested) break;
+    if (!isNew(place.pose)) continue;
+    const auto fitting = fittingOnes(lens, matches, place.pose);
     std::vector<PoseSighting> sightings;
     for (const auto& match : fitting) sightings.push_back(match.sighting);
-    const auto fit = fitPose(normalised(camera), sightings, place.pose, std::nullopt);
-    all.push_back(test(state, fit ? fit->pose : place.pose, camera, gray, fitting));
+    const auto fit = fitPose(lens, sightings, place.pose, std::nullopt);
+    const Pose2 pose = fit ? fit->pose : place.pose;
+    if (!isNew(pose)) continue;
+    begun.push_back(pose);
+    tested.push_back(test(state, pose, camera, gray, fitting));
   }
-  const auto best = std::max_element(all.begin(), all.end(), [](const Tested& a, const Tested& b) {
-    return std::make_tuple(a.is_good, a.matched) < std::make_tuple(b.is_good, b.matched);
-  });
-  if (!best->is_good) return std::nullopt;
-  const bool has_rival = std::any_of(all.begin(), all.end(), [&](const Tested& other) {
+  return tested;
+}
+
+std::optional<FoundPlace> PlaceSearch::find(const MonoState& state, const PlanarCamera& camera,
+                                            const cv::Mat& gray) const {
+  const auto comparison = compare(gray);
+  std::vector<bool> is_considered(known_.size(), true);
+  auto places = placesOf(state, camera, gray, alike(comparison, camera, is_considered));
+  const auto best =
+      std::max_element(places.begin(), places.end(), [](const Tested& a, const Tested& b) {
+        return std::make_tuple(a.is_good, a.matched) < std::make_tuple(b.is_good, b.matched);
+      });
+  if (best == places.end() || !best->is_good) return std::nullopt;
+  const auto isRival = [&](const Tested& other) {
     return isElsewhere(other.place.pose, best->place.pose) &&
            static_cast<double>(other.matched) > kRivalShare * static_cast<double>(best->matched);
-  });
-  return has_rival ? std::nullopt : std::optional<FoundPlace>(std::move(best->place));
+  };
+  if (std::any_of(places.begin(), places.end(), isRival)) return std::nullopt;
+  for (std::size_t k = 0; k < known_.size(); ++k)
+    is_considered[k] = !isInImage(camera, best->place.pose, known_[k].point);
+  const auto others = placesOf(state, camera, gray, alike(comparison, camera, is_considered));
+  if (std::any_of(others.begin(), others.end(), isRival)) return std::nullopt;
+  return std::move(best->place);
 }
 
 }  // namespace slam::mono_ekf

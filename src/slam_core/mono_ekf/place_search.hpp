@@ -28,8 +28,9 @@ PoseEstimate anywhereNear(const Pose2& pose);
 /// of an image by their surroundings (PatchDescriptor). Each pair of features that can be seen from
 /// one place suggests a pose, in a fixed order. The poses that most other features fit (consensus:
 /// Fischler and Bolles 1981) are tested by an active search for all features in view. A place
-/// is left out if another one that is tested has half as many matches; but not every place that
-/// looks alike is tested.
+/// counts where most of them are found. Then the features that are not in view from there are
+/// searched for a place of their own that looks alike: if it, or another one that was tested, has
+/// half as many matches, the robot is found in none.
 class PlaceSearch {
  public:
   /// @param state its map stays as it is while the robot is lost @param sigma of pixels [px]
@@ -46,6 +47,10 @@ class PlaceSearch {
     Eigen::Vector3d point;        ///< map frame [m]
     Eigen::Vector3d centre, ray;  ///< of its first sight
     PatchDescriptor descriptor;
+  };
+  struct Comparison {
+    std::vector<Eigen::Vector2d> corners;  ///< of an image
+    Eigen::MatrixXf correlations;          ///< of each feature, a row each, with each corner
   };
   /// A corner that looks like a feature.
   struct Alike {
@@ -64,13 +69,17 @@ class PlaceSearch {
     bool is_good = false;
   };
 
-  std::vector<Alike> alike(const PlanarCamera& camera, const cv::Mat& gray) const;
+  Comparison compare(const cv::Mat& gray) const;
+  std::vector<Alike> alike(const Comparison& comparison, const PlanarCamera& camera,
+                           const std::vector<bool>& is_considered) const;
   std::vector<Hypothesis> hypotheses(const NormalisedCamera& camera,
                                      const std::vector<Alike>& matches) const;
   std::optional<Pose2> poseOf(const NormalisedCamera& camera, const Alike& a, const Alike& b) const;
   bool isSeenAlike(const NormalisedCamera& camera, const Pose2& pose, const Known& known) const;
   static std::vector<Alike> fittingOnes(const NormalisedCamera& camera,
                                         const std::vector<Alike>& matches, const Pose2& pose);
+  std::vector<Tested> placesOf(const MonoState& state, const PlanarCamera& camera,
+                               const cv::Mat& gray, const std::vector<Alike>& matches) const;
   MonoState placed(const MonoState& state, const Pose2& pose, const PlanarCamera& camera,
                    const std::vector<Alike>& fitting, std::vector<std::size_t>& features) const;
   Tested test(const MonoState& state, const Pose2& pose, const PlanarCamera& camera,

@@ -17,20 +17,27 @@ struct Painting {
   double least_edge, most_edge;  ///< [m]
 };
 
-/// A square room with paintings on its walls, as a level camera without distortion sees it. No two
-/// walls are alike; floor and ceiling are bare.
+/// A square room with paintings on its walls, as a level camera without distortion sees it. Floor
+/// and ceiling are bare.
 class PaintedRoom {
  public:
+  enum class Walls { kDifferent, kAlike };  ///< all four alike: a quarter turn changes nothing
+
   /// @param half of a wall's length [m]
   /// @param height of the walls [m]
-  PaintedRoom(std::uint64_t seed, double half, double height, const Painting& painting)
+  PaintedRoom(std::uint64_t seed, double half, double height, const Painting& painting,
+              Walls walls = Walls::kDifferent)
       : half_(half),
         height_(height),
         texels_(0.5 * kLength / half),
         walls_(static_cast<int>(height * texels_), 4 * kLength, CV_8U) {
-    for (int wall = 0; wall < 4; ++wall)
-      paint(walls_.colRange(wall * kLength, (wall + 1) * kLength), painting,
-            RandomStream(seed, static_cast<std::uint64_t>(wall)));
+    for (int i = 0; i < 4; ++i)
+      if (i == 0 || walls == Walls::kDifferent)
+        paint(wall(i), painting, RandomStream(seed, static_cast<std::uint64_t>(i)));
+      else if (i == 3)
+        wall(0).copyTo(wall(i));
+      else
+        cv::flip(wall(0), wall(i), 1);  // their columns go from right to left
   }
 
   /// @param T_room_camera where the camera stands, looking along its x axis
@@ -59,6 +66,8 @@ class PaintedRoom {
     float column;  // of walls_
     double depth;  // along the camera's axis [m]
   };
+
+  cv::Mat wall(int which) { return walls_.colRange(which * kLength, (which + 1) * kLength); }
 
   void paint(cv::Mat wall, const Painting& painting, RandomStream random) const {
     wall.setTo(130);

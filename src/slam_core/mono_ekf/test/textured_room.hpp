@@ -12,12 +12,13 @@
 namespace slam::test {
 
 /// A square room whose walls are painted at random, as a camera sees it that looks ahead from
-/// 0.65 m. No two walls are alike; floor and ceiling are bare.
+/// 0.65 m. Floor and ceiling are bare.
 class TexturedRoom {
  public:
   /// @param half length of a wall [m]
-  explicit TexturedRoom(std::uint64_t seed, double half = 8.0)
-      : room_(seed, half, 3.5, {static_cast<int>(32 * half), 0.16, 0.84}) {
+  explicit TexturedRoom(std::uint64_t seed, double half = 8.0,
+                        PaintedRoom::Walls walls = PaintedRoom::Walls::kDifferent)
+      : room_(seed, half, 3.5, {static_cast<int>(32 * half), 0.16, 0.84}, walls) {
     setSize({320, 240});
   }
 

@@ -65,6 +65,18 @@ TEST(MonoGraph, NoticesThatItWasCarriedAndFindsItself) {
   EXPECT_LT(drive.error(), 0.1);
 }
 
+TEST(MonoGraph, IsNotPutBeforeTheWrongOneOfEqualWalls) {
+  PictureDrive drive(3, {}, PictureDrive::Walls::kAlike);
+  drive.steps(150);
+  EXPECT_LT(drive.error(), 0.1) << "walls that look alike close no loop";
+  drive.round().carry({0.6, 1.2, 2.4});
+  for (int i = 0; i < 60; ++i) {
+    drive.step();
+    if (i < 10 || drive.isLost()) continue;
+    EXPECT_LT(drive.error(), 0.3) << i;
+  }
+}
+
 TEST(MonoGraph, StaysLostWhereItSeesWhatItNeverSaw) {
   PictureDrive drive(4), elsewhere(99);
   drive.steps(130);

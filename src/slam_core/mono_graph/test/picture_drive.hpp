@@ -13,8 +13,11 @@ namespace slam::test {
 /// A robot in a room of pictures, step by step.
 class PictureDrive {
  public:
-  explicit PictureDrive(std::uint64_t seed, const mono_graph::MonoGraphConfig& config = {})
-      : drive_(seed), inputs_(graph_) {
+  using Walls = RoundOfPictures::Walls;
+
+  explicit PictureDrive(std::uint64_t seed, const mono_graph::MonoGraphConfig& config = {},
+                        Walls walls = Walls::kDifferent)
+      : drive_(seed, walls), inputs_(graph_) {
     graph_.configure(config);
   }
 

@@ -20,7 +20,10 @@ class RoomOfPictures {
   static constexpr double kHalf = 3.0;    ///< of an edge of the room [m]
   static constexpr double kHeight = 2.4;  ///< of the walls [m]
 
-  explicit RoomOfPictures(std::uint64_t seed) : room_(seed, kHalf, kHeight, {500, 0.04, 0.34}) {}
+  using Walls = PaintedRoom::Walls;
+
+  explicit RoomOfPictures(std::uint64_t seed, Walls walls = Walls::kDifferent)
+      : room_(seed, kHalf, kHeight, {500, 0.04, 0.34}, walls) {}
 
   static CameraCalibration calibration(int width = 320) {
     CameraCalibration calibration;
@@ -60,7 +63,10 @@ class RoomOfPictures {
 /// A robot that drives round and round in such a room, with odometry that errs.
 class RoundOfPictures final : public SimulatedDrive {
  public:
-  explicit RoundOfPictures(std::uint64_t seed) : room_(seed), random_(seed, 100) {
+  using Walls = RoomOfPictures::Walls;
+
+  explicit RoundOfPictures(std::uint64_t seed, Walls walls = Walls::kDifferent)
+      : room_(seed, walls), random_(seed, 100) {
     covariance_.diagonal() << 4e-6, 1e-6, 4e-6;
   }
 
