@@ -56,23 +56,39 @@ class MatchedPart {
     return fit;
   }
 
-  /// Against the state before, linearised at what is believed now.
-  Measurement relinearised(std::size_t match, const MonoState& before) const {
-    const auto& feature = belief_.features()[match];
+  /// By how much the scale of what is seen has changed, by the matches that agree.
+  double scaleSince(const MonoState& before, const std::vector<bool>& agrees) const {
+    std::vector<int> offsets;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(before.mean().size());
+    change.head<2>() = belief_.mean().head<2>() - before.mean().head<2>();
+    for (std::size_t i = 0; i < agrees.size(); ++i) {
+      if (!agrees[i]) continue;
+      const auto& original = before.features()[matches_[i].feature];
+      offsets.push_back(original.offset);
+      change.segment(original.offset, original.size()) =
+          coordinatesOf(belief_, belief_.features()[i]) - coordinatesOf(before, original);
+    }
+    return ScaleError(before, offsets).of(change);
+  }
+
+  /// Against the state before, linearised at what is believed now. @param s scaleSince(before)
+  Measurement relinearised(std::size_t match, const MonoState& before, double s) const {
     const auto& original = before.features()[matches_[match].feature];
     auto measurement = *measured(match, belief_.mean());
     auto& [pixel, J_pose, J_feature] = measurement.prediction;
     const Eigen::Vector3d now = belief_.mean().head<3>(), then = before.mean().head<3>();
-    const Eigen::VectorXd y_now = coordinatesOf(belief_, feature),
+    const Eigen::VectorXd y_now = coordinatesOf(belief_, belief_.features()[match]),
                           y_then = coordinatesOf(before, original);
-    const double alpha = wrapAngle(now.z() - then.z());
-    Eigen::Vector3d pose_step(0.0, 0.0, alpha);
-    pose_step.head<2>() = stepBetween(then.head<2>(), now.head<2>(), alpha);
-    Eigen::VectorXd step = y_now - y_then;
-    step.head<2>() = stepBetween(y_then.head<2>(), y_now.head<2>(), alpha);
-    J_pose.col(2) += J_pose.leftCols<2>() * turnedLeft(now.head<2>() - then.head<2>()) +
-                     J_feature.leftCols<2>() * turnedLeft(y_now.head<2>() - y_then.head<2>());
-    measurement.nu += J_pose * pose_step + J_feature * step;
+    const MapStep map{wrapAngle(now.z() - then.z()), s};
+    Eigen::Vector3d pose_step(0.0, 0.0, map.alpha);
+    pose_step.head<2>() = stepBetween(then.head<2>(), now.head<2>(), map);
+    const Eigen::Vector2d moved = now.head<2>() - then.head<2>();
+    const Eigen::VectorXd y_moved = y_now - y_then;
+    measurement.J_scale =
+        J_pose.leftCols<2>() * moved + J_feature * addedByScale(original, y_moved);
+    J_pose.col(2) += J_pose.leftCols<2>() * turnedLeft(moved) + J_feature * addedByHeading(y_moved);
+    measurement.nu += J_pose * pose_step + J_feature * stepBetween(original, y_then, y_now, map) +
+                      measurement.J_scale * s;
     measurement.offset = original.offset;
     return measurement;
   }
@@ -121,8 +137,9 @@ Consensus consensusOf(const MonoState& state, const std::vector<Match>& matches,
   MatchedPart part(state, matches, camera, sigma);
   part.update(part.bestHypothesis());
   Consensus consensus{part.gated(), {}};
+  const double s = part.scaleSince(state, consensus.agrees);
   for (std::size_t i = 0; i < matches.size(); ++i)
-    if (consensus.agrees[i]) consensus.measurements.push_back(part.relinearised(i, state));
+    if (consensus.agrees[i]) consensus.measurements.push_back(part.relinearised(i, state, s));
   return consensus;
 }
 

@@ -75,29 +75,29 @@ Eigen::Matrix2d predictedCovariance(const MonoState& state, int offset,
          H_f * P.block(offset, offset, H_f.cols(), H_f.cols()) * H_f.transpose();
 }
 
-Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step) {
+Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step, double s) {
   Eigen::VectorXd mean = state.mean() + step;
   mean(2) = wrapAngle(mean(2));
-  const auto turn = [&](Eigen::Index at) {
-    mean.segment<2>(at) = stepped(Eigen::Vector2d(state.mean().segment<2>(at)),
-                                  Eigen::Vector2d(step.segment<2>(at)), step(2));
-  };
-  turn(0);
-  for (const auto& feature : state.features()) turn(feature.offset);  // its point, or its anchor
+  const MapStep map{step(2), s};
+  mean.head<2>() = stepped(Eigen::Vector2d(state.mean().head<2>()), step.head<2>(), map);
+  for (const auto& feature : state.features())
+    mean.segment(feature.offset, feature.size()) = stepped(
+        feature, coordinatesOf(state, feature), step.segment(feature.offset, feature.size()), map);
   return mean;
 }
 
 Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement, double sigma) {
-  const auto& [offset, prediction, nu] = measurement;
+  const int offset = measurement.offset;
+  const auto& prediction = measurement.prediction;
   const auto& P = state.covariance();
   const Eigen::Matrix2d S =
       predictedCovariance(state, offset, prediction) + sigma * sigma * Eigen::Matrix2d::Identity();
-  const Eigen::Vector2d weighted = S.inverse() * nu;
+  const Eigen::Vector2d weighted = S.inverse() * measurement.nu;
   Eigen::VectorXd step =
       P.leftCols<MonoState::kPose>() * (prediction.J_pose.transpose() * weighted);
   step += P.middleCols(offset, prediction.J_feature.cols()) *
           (prediction.J_feature.transpose() * weighted);
-  return stepped(state, step);
+  return stepped(state, step, 0.0);
 }
 
 MonoState partOf(const MonoState& state, const std::vector<std::size_t>& features) {
@@ -123,45 +123,60 @@ MonoState partOf(const MonoState& state, const std::vector<std::size_t>& feature
 UpdateStatistics MonoState::update(const std::vector<Measurement>& measurements, double sigma) {
   const auto rows = static_cast<Eigen::Index>(2 * measurements.size());
   if (rows == 0) return {};
+  std::vector<int> offsets;
+  for (const auto& each : measurements) offsets.push_back(each.offset);
+  const ScaleError scale(*this, offsets);
+  Eigen::MatrixXd of_map(mean_.size(), 2);
+  of_map << covariance_.col(2), scale.columnsOf(covariance_);
   Eigen::MatrixXd PHt(mean_.size(), rows), S(rows, rows);
   Eigen::VectorXd nu(rows);
   Eigen::Index row = 0;
-  for (const auto& [offset, prediction, residual] : measurements) {
+  for (const auto& [offset, prediction, residual, J_scale] : measurements) {
     PHt.middleCols<2>(row) = covariance_.leftCols<kPose>() * prediction.J_pose.transpose();
     PHt.middleCols<2>(row) += covariance_.middleCols(offset, prediction.J_feature.cols()) *
                               prediction.J_feature.transpose();
+    PHt.middleCols<2>(row) += of_map.col(1) * J_scale.transpose();
     nu.segment<2>(row) = residual;
     row += 2;
   }
+  const Eigen::RowVectorXd scale_row = scale.rowsOf(PHt);
   row = 0;
-  for (const auto& [offset, prediction, residual] : measurements) {
+  for (const auto& [offset, prediction, residual, J_scale] : measurements) {
     S.middleRows<2>(row) = prediction.J_pose * PHt.topRows<kPose>();
     S.middleRows<2>(row) +=
         prediction.J_feature * PHt.middleRows(offset, prediction.J_feature.cols());
+    S.middleRows<2>(row) += J_scale * scale_row;
     row += 2;
   }
   S.diagonal().array() += sigma * sigma;
   const Eigen::LLT<Eigen::MatrixXd> cholesky(S);
   const Eigen::MatrixXd W = cholesky.matrixL().solve(PHt.transpose());
   const Eigen::VectorXd whitened = cholesky.matrixL().solve(nu);
+  const Eigen::VectorXd step = W.transpose() * whitened;
+  of_map.col(0) -= W.transpose() * W.col(2);
+  of_map.col(1) -= W.transpose() * scale.columnsOf(W);
   covariance_.selfadjointView<Eigen::Lower>().rankUpdate(W.transpose(), -1.0);
-  moveTo(stepped(*this, W.transpose() * whitened));
+  moveTo(stepped(*this, step, scale.of(step)), scale, std::move(of_map));
   covariance_.triangularView<Eigen::StrictlyUpper>() = covariance_.transpose();
   return {whitened.squaredNorm(), scoreOf(cholesky, whitened, sigma * sigma)};
 }
 
 /// With the errors as they are about the new mean: in the lower triangle of the covariance.
-void MonoState::moveTo(Eigen::VectorXd mean) {
-  Eigen::VectorXd J_theta = Eigen::VectorXd::Zero(mean.size());
-  const auto moved = [&](Eigen::Index at) {
-    J_theta.segment<2>(at) = turnedLeft(mean.segment<2>(at) - mean_.segment<2>(at));
-  };
-  moved(0);
-  for (const auto& feature : features_) moved(feature.offset);
-  Eigen::VectorXd with_theta(mean.size());
-  with_theta << covariance_.row(2).head<3>().transpose(), covariance_.col(2).tail(mean.size() - 3);
-  with_theta += 0.5 * with_theta(2) * J_theta;
-  covariance_.selfadjointView<Eigen::Lower>().rankUpdate(J_theta, with_theta, 1.0);
+/// @param of_map covariance of all errors with those of the heading and of the scale
+void MonoState::moveTo(Eigen::VectorXd mean, const ScaleError& scale, Eigen::MatrixXd of_map) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(mean.size(), 2);
+  const Eigen::Vector2d robot = mean.head<2>() - mean_.head<2>();
+  J.topRows<2>() << turnedLeft(robot), robot;
+  for (const auto& feature : features_) {
+    const auto at = feature.offset, size = feature.size();
+    const Eigen::VectorXd moved = mean.segment(at, size) - mean_.segment(at, size);
+    J.middleRows(at, size) << addedByHeading(moved), addedByScale(feature, moved);
+  }
+  Eigen::Matrix2d own;
+  own << of_map.row(2), scale.rowsOf(of_map);
+  of_map += 0.5 * J * own;
+  for (int i = 0; i < 2; ++i)
+    covariance_.selfadjointView<Eigen::Lower>().rankUpdate(J.col(i), of_map.col(i), 1.0);
   mean_ = std::move(mean);
 }
 

@@ -10,6 +10,7 @@
 #include "slam_core/mono_ekf/feature.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
 #include "slam_core/mono_ekf/pixel_noise.hpp"
+#include "slam_core/mono_ekf/scale_error.hpp"
 
 namespace slam::mono_ekf {
 
@@ -22,6 +23,9 @@ struct Measurement {
   int offset = 0;  ///< of the feature's first coordinate in the state
   Prediction prediction;
   Eigen::Vector2d nu;  ///< what is not explained yet [px]
+  /// In the error of the scale (ScaleError of the update's features), where it is linearised
+  /// elsewhere than at the state; else an image shows none.
+  Eigen::Vector2d J_scale = Eigen::Vector2d::Zero();
 };
 
 /// How well an update's measurements were predicted.
@@ -84,7 +88,7 @@ class MonoState {
                           double largest_linearity_index);
 
  private:
-  void moveTo(Eigen::VectorXd mean);
+  void moveTo(Eigen::VectorXd mean, const ScaleError& scale, Eigen::MatrixXd of_map);
   void toPoint(int offset, double height);
   void compact(const std::vector<int>& kept_rows);
 
@@ -105,7 +109,8 @@ inline auto coordinatesOf(const MonoState& state, const Feature& feature) {
 Eigen::Matrix2d predictedCovariance(const MonoState& state, int offset,
                                     const Prediction& prediction);
 /// The state's mean after a step of all coordinates, an invariant one of the positions.
-Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step);
+/// @param s of the scale (MapStep)
+Eigen::VectorXd stepped(const MonoState& state, const Eigen::VectorXd& step, double s);
 /// The state's mean after an update with one measurement alone.
 Eigen::VectorXd meanAfter(const MonoState& state, const Measurement& measurement, double sigma);
 

@@ -103,13 +103,22 @@ TEST(MonoState, UpdatesAsTheTextbookDoesWithInvariantErrors) {
   const Eigen::MatrixXd S =
       H * P * H.transpose() + 0.49 * Eigen::MatrixXd::Identity(H.rows(), H.rows());
   const Eigen::MatrixXd K = P * H.transpose() * S.inverse();
-  const Eigen::VectorXd mean = stepped(state, K * nu);
-  Eigen::MatrixXd J_moved = Eigen::MatrixXd::Identity(mean.size(), mean.size());
-  const auto moved = [&](Eigen::Index at) {
-    J_moved.block<2, 1>(at, 2) = turnedLeft(mean.segment<2>(at) - state.mean().segment<2>(at));
-  };
-  moved(0);
-  for (const auto& feature : state.features()) moved(feature.offset);
+  std::vector<int> offsets;
+  for (const auto& each : measurements) offsets.push_back(each.offset);
+  const ScaleError scale(state, offsets);
+  const Eigen::VectorXd step = K * nu;
+  const Eigen::VectorXd mean = stepped(state, step, scale.of(step));
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(mean.size(), mean.size());
+  const Eigen::RowVectorXd of_scale = scale.rowsOf(identity);
+  Eigen::MatrixXd J_moved = identity;
+  J_moved.block<2, 1>(0, 2) += turnedLeft(mean.head<2>() - state.mean().head<2>());
+  J_moved.topRows<2>() += (mean.head<2>() - state.mean().head<2>()) * of_scale;
+  for (const auto& feature : state.features()) {
+    const int at = feature.offset, size = feature.size();
+    const Eigen::VectorXd moved = mean.segment(at, size) - state.mean().segment(at, size);
+    J_moved.block(at, 2, size, 1) += addedByHeading(moved);
+    J_moved.middleRows(at, size) += addedByScale(feature, moved) * of_scale;
+  }
   const Eigen::MatrixXd covariance = J_moved * (P - K * S * K.transpose()) * J_moved.transpose();
   EXPECT_NEAR(state.update(measurements, 0.7).nis, nu.dot(S.inverse() * nu), 1e-6);
   EXPECT_LT((state.mean() - mean).norm(), 1e-8);

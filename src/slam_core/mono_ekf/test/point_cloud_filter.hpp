@@ -37,6 +37,20 @@ class PointCloudFilter {
     begin(seen);
   }
 
+  void measure(const std::vector<PointCloudDrive::Pixel>& seen) {
+    std::map<std::size_t, std::size_t> features;
+    for (std::size_t i = 0; i < state_.features().size(); ++i)
+      features[state_.features()[i].id] = i;
+    std::vector<mono_ekf::Match> matches;
+    for (const auto& [point, pixel] : seen)
+      if (features.count(point) > 0 && matches.size() < 40)
+        matches.push_back({features[point], pixel});
+    const double sigma = noise_.sigma();
+    const auto consensus = mono_ekf::consensusOf(state_, matches, drive_.camera(), sigma);
+    noise_.learn(state_.update(consensus.measurements, sigma).score);
+    if (2 * consensus.measurements.size() < matches.size()) noise_.doubt();
+  }
+
   mono_ekf::MonoState& state() { return state_; }
   const PointCloudDrive& drive() const { return drive_; }
   PointCloudDrive& drive() { return drive_; }
@@ -56,20 +70,6 @@ class PointCloudFilter {
   }
 
  private:
-  void measure(const std::vector<PointCloudDrive::Pixel>& seen) {
-    std::map<std::size_t, std::size_t> features;
-    for (std::size_t i = 0; i < state_.features().size(); ++i)
-      features[state_.features()[i].id] = i;
-    std::vector<mono_ekf::Match> matches;
-    for (const auto& [point, pixel] : seen)
-      if (features.count(point) > 0 && matches.size() < 40)
-        matches.push_back({features[point], pixel});
-    const double sigma = noise_.sigma();
-    const auto consensus = mono_ekf::consensusOf(state_, matches, drive_.camera(), sigma);
-    noise_.learn(state_.update(consensus.measurements, sigma).score);
-    if (2 * consensus.measurements.size() < matches.size()) noise_.doubt();
-  }
-
   void begin(const std::vector<PointCloudDrive::Pixel>& seen) {
     std::vector<mono_ekf::MonoState::Seed> seeds;
     for (const auto& [point, pixel] : seen) {
