@@ -56,17 +56,17 @@ class Whole(Tree):
             offered = {node.name.partition("=")[2] for node in nodes_of(self.root)
                        if node.name.startswith(f"{key}=") and node.mark != ABSENT}
             self.assertEqual(offered - NO_COMPONENT, set(told[key]), key)
-        # a second detector is one of those, and a camera that detectors look through no component
+        # a second detector is one of those; a second camera or laser is no component
         modules = {node.name.partition("=")[0] for node in nodes_of(self.root)
                    if node.name.endswith("=true")}
-        self.assertEqual(modules - {"second_camera"}, set(told["modules"]))
+        self.assertEqual(modules - {"second_camera", "rear_laser"}, set(told["modules"]))
 
     def test_what_is_not_offered_is_in_no_component(self):
         told = ports.components()
         absent = [node for node in nodes_of(self.root) if node.mark == ABSENT]
         self.assertEqual({node.name for node in absent},
                          {"backend=seif", "detector=visual_features",
-                          "second_detector=laser_trunks", "rear_laser", "scene_reconstruction"})
+                          "second_detector=laser_trunks", "scene_reconstruction"})
         for node in absent:
             key, _, value = node.name.partition("=")
             self.assertNotIn(value, told.get(key, []), node.name)

@@ -62,6 +62,18 @@ class Told(Ports):
                               ("ekf_wheel_pointmap", ["camera", "laser"])):
             self.assertEqual([gate.name for gate in self.of(name).gates], sensors, name)
 
+    def test_the_scans_of_two_lasers_reach_a_map_through_one_gate_with_motion(self):
+        one = products.find("scan_grid_wheel", self.model)
+        told = ports.of_product(products.without_file({**one.features, "rear_laser": "true"},
+                                                      self.model))
+        backend = told.components[-1]
+        scans = next(port for port in backend.inputs if port.gate == "joined_scan")
+        self.assertEqual([(port.name, port.topic, port.made_by, port.gate)
+                          for port in ports.before_gates(scans, told)],
+                         [("scan", "scan", None, "laser"),
+                          ("rear_scan", "rear_scan", None, "rear_scan"),
+                          ("motion", "motion", "odometry", None)])
+
     def test_motion_is_a_hint_of_an_odometry_source_or_is_not_taken_in(self):
         alone = products.find("scan_grid", self.model)
         wheels = products.without_file({**alone.features, "odometry": "wheel"}, self.model)

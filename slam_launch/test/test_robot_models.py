@@ -68,10 +68,12 @@ class Models(unittest.TestCase):
 
     def test_have_the_sensors_where_the_simulator_has_them(self):
         folder = rospkg.RosPack().get_path("slam_sim")
-        for name in ("segway", "omni", "skid", "scout", "car", "turtlebot3"):
+        for name in ("segway", "omni", "skid", "scout", "twin", "car", "turtlebot3"):
             with open(f"{folder}/robots/{name}.yaml", encoding="utf-8") as file:
                 robot = yaml.safe_load(file)
             mounts = {"laser": robot["laser"]["position"]}
+            if "rear_laser" in robot:
+                mounts["rear_laser"] = robot["rear_laser"]["position"]
             for camera in robot.get("cameras", []):
                 mounts[camera["name"]] = camera["pose"][:3]
             if "imu" in robot:

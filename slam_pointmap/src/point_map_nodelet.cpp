@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
@@ -21,6 +22,7 @@
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/part_node.hpp"
 #include "slam_ros/points_publisher.hpp"
+#include "slam_ros/progress_message.hpp"
 #include "slam_ros/queue_sizes.hpp"
 #include "slam_ros/report_failure.hpp"
 
@@ -57,9 +59,9 @@ class PointMapNodelet : public nodelet::Nodelet {
     publisher_.emplace(*map_, slam_ros::ModulePublisher::Context{
                                   handle, slam_ros::frameId(node_->part().components().frames.map),
                                   config_.points_rate});
-    node_->on_taken = [this](slam::Kind kind, const void* value) {
+    node_->on_taken = [this](const auto& port, slam::Kind kind, const void* value) {
       if (kind == slam::kindOf<slam::LaserSweep>())
-        last_scan_ = static_cast<const slam::LaserSweep*>(value)->stamp;
+        last_scans_[port] = static_cast<const slam::LaserSweep*>(value)->stamp;
       publish();
     };
     start_.emplace([this, handle] { subscribe(handle); });
@@ -89,7 +91,7 @@ class PointMapNodelet : public nodelet::Nodelet {
     slam_msgs::Progress message;
     message.motion = slam_ros::toRos(map_->lastMotion().value_or(slam::Stamp()));
     message.step = slam_ros::toRos(map_->lastPose().value_or(slam::Stamp()));
-    message.scans = slam_ros::toRos(last_scan_);
+    for (const auto& [port, stamp] : last_scans_) slam_ros::setProgress(message, port, stamp);
     return message;
   }
 
@@ -105,7 +107,8 @@ class PointMapNodelet : public nodelet::Nodelet {
   NodeletConfig config_;
   std::optional<slam_ros::PartNode> node_;
   const slam::point_map::PointMap* map_ = nullptr;  ///< of the part
-  slam::Stamp last_scan_;     ///< that has come, whether or not it could be used
+  /// Of the last scan that has come to each input, whether or not it could be used.
+  std::map<std::string, slam::Stamp> last_scans_;
   std::uint32_t resets_ = 0;  ///< of the back-end
   std::optional<slam_ros::PointsPublisher> publisher_;
   ros::Publisher progress_;

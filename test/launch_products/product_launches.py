@@ -10,6 +10,7 @@ import tempfile
 
 from launching import program, record_launch
 import rosbag
+import rospkg
 from slam_launch import products
 from slam_launch.feature_model import FeatureModel, text
 import yaml
@@ -76,9 +77,15 @@ def published(record):
 
 
 def simulate(path):
-    subprocess.run([program("slam_sim", "slam_sim"), path, "--world", "foyer", "--robot",
-                    "scout", "--duration", str(SECONDS), "--only",
-                    "odom,scan,imu,camera,rear_camera,ceiling_camera"], check=True,
+    """Writes a bag of the robot scout, which has two cameras, with the rear laser of twin."""
+    robots = pathlib.Path(rospkg.RosPack().get_path("slam_sim")) / "robots"
+    scout, twin = (yaml.safe_load((robots / f"{name}.yaml").read_text(encoding="utf-8"))
+                   for name in ("scout", "twin"))
+    robot = path.with_suffix(".yaml")
+    robot.write_text(yaml.safe_dump({**scout, "rear_laser": twin["rear_laser"]}), encoding="utf-8")
+    subprocess.run([program("slam_sim", "slam_sim"), path, "--world", "foyer", "--robot", robot,
+                    "--duration", str(SECONDS), "--only",
+                    "odom,scan,rear_scan,imu,camera,rear_camera,ceiling_camera"], check=True,
                    stdout=subprocess.DEVNULL)
 
 

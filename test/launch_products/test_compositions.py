@@ -16,9 +16,11 @@ PRODUCTS = ("ekf_wheel", "pf_wheel", "pf_visual", "ekf_wheel_pointmap", "pf_whee
             "scan_grid", "ekf_ceiling", "ekf_laser", "ekf_wheel_imu", "ekf_wheel_lines",
             "graph_wheel", "graph_wheel_grid", "rat_visual", "graph_mono")
 TWO_OF_EACH = ("second_detector=aruco", "second_camera=true")
+TWO_LASERS = {"scan_grid_wheel": ("pointmap=true",), "pf_wheel_grid": (), "graph_wheel_grid": ()}
 MAPS = {"ekf_wheel_pointmap": {"landmarks.yaml", "points.pcd"},
         "pf_wheel_grid": {"map.pgm", "map.yaml"},
         "scan_grid": {"map.pgm", "map.yaml"},
+        "scan_grid_wheel": {"map.pgm", "map.yaml", "points.pcd"},
         "graph_mono": {"graph.csv", "places.csv"},
         "rat_visual": {"graph.csv", "places.csv"},
         "graph_wheel_grid": {"map.pgm", "map.yaml"}}
@@ -38,37 +40,38 @@ class CompositionsTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.root = pathlib.Path(folder.name)
-        cls.bags = {world: cls.root / f"{world}.bag" for world in ("office", "foyer")}
-        for (world, bag), robot in zip(cls.bags.items(), ("skid", "scout")):
+        cls.bags = {}
+        for world, robot in (("office", "skid"), ("foyer", "scout"), ("office", "twin")):
+            bag = cls.bags[robot] = cls.root / f"{robot}.bag"
             subprocess.run([program("slam_sim", "slam_sim"), bag, "--world", world, "--robot", robot,
                             "--duration", str(SECONDS)], check=True, stdout=subprocess.DEVNULL)
 
-    def offline(self, product, world, features):
-        run = self.root / f"{product}_{world}"
+    def offline(self, product, robot, features):
+        run = self.root / f"{product}_{robot}"
         words = [word for feature in features for word in ("--set", feature)]
-        subprocess.run([program("slam_ros", "slam_run"), product, "--bag", self.bags[world],
+        subprocess.run([program("slam_ros", "slam_run"), product, "--bag", self.bags[robot],
                         "--out", run, *words], check=True, stdout=subprocess.DEVNULL)
         found = files(run)
         # ./slam run says where the run comes from, a launch cannot
         found["config.yaml"] = found["config.yaml"].partition(b"run:\n")[0]
         return found
 
-    def launched(self, product, world, features, composition):
-        run = self.root / f"{product}_{world}_{composition}"
-        output, _ = run_launch(f"product:={product}", f"bag:={self.bags[world]}", "rate:=0",
+    def launched(self, product, robot, features, composition):
+        run = self.root / f"{product}_{robot}_{composition}"
+        output, _ = run_launch(f"product:={product}", f"bag:={self.bags[robot]}", "rate:=0",
                                f"composition:={composition}", f"output_dir:={run}",
                                *(feature.replace("=", ":=") for feature in features))
         self.assertTrue(run.is_dir(), output)
         return files(run)
 
-    def assert_same_as_offline(self, product, world="office", features=()):
-        offline = self.offline(product, world, features)
+    def assert_same_as_offline(self, product, robot="skid", features=()):
+        offline = self.offline(product, robot, features)
         self.assertLessEqual({"trajectory.tum", *MAPS.get(product, {"landmarks.yaml"})},
                              offline.keys())
         self.assertGreater(offline["trajectory.tum"].count(b"\n"), 5 * SECONDS)
         for composition in ("pubsub", "inprocess"):
             with self.subTest(product, features=features, composition=composition):
-                online = self.launched(product, world, features, composition)
+                online = self.launched(product, robot, features, composition)
                 self.assertEqual(online.keys(), offline.keys())
                 for name, content in online.items():
                     self.assertEqual(content, offline[name], name)
@@ -80,10 +83,14 @@ class CompositionsTest(unittest.TestCase):
 
     def test_do_so_with_two_kinds_of_markers_and_two_cameras(self):
         for product in ("ekf_wheel", "pf_wheel", "graph_wheel"):
-            run = self.assert_same_as_offline(product, "foyer", TWO_OF_EACH)
+            run = self.assert_same_as_offline(product, "scout", TWO_OF_EACH)
             ids = [landmark["id"] for landmark in yaml.safe_load(run["landmarks.yaml"])["landmarks"]]
             self.assertTrue(any(number < 587 for number in ids), ids)
             self.assertTrue(any(10000 <= number < 10050 for number in ids), ids)
+
+    def test_do_so_with_two_lasers(self):
+        for product, features in TWO_LASERS.items():
+            self.assert_same_as_offline(product, "twin", ("rear_laser=true", *features))
 
 
 if __name__ == "__main__":

@@ -22,7 +22,8 @@ FRONT_END = {"motion", "observations", "second_observations", "rear_observations
 BACK_END = "pose"
 SENSORS = {"odom": "wheel encoders", "camera/image_raw": "front camera",
            "rear_camera/image_raw": "rear camera",
-           "ceiling_camera/image_raw": "camera that looks up", "scan": "laser", "imu": "IMU",
+           "ceiling_camera/image_raw": "camera that looks up", "scan": "laser",
+           "rear_scan": "rear laser", "imu": "IMU",
            "observations": "landmark observations of others", "motion": "motion of others"}
 RESULTS = "robot, rviz"
 INPROCESS = "slam_launch/launch/inprocess.launch"
@@ -62,8 +63,7 @@ def components(product, model):
     nothing that the parts say."""
     launches = model.launches(product.features)
     wired = ports.of_product(product)
-    gates = {gate.name: gate for gate in wired.gates}
-    drawn = [component(part, taken(launches, part), gates) for part in wired.components]
+    drawn = [component(part, taken(launches, part), wired) for part in wired.components]
     return drawn + [Component(*nodelet(launch), (), ()) for launch in launches]
 
 
@@ -77,22 +77,12 @@ def taken(launches, part):
                        f"which {' and '.join(part.features)} names")
 
 
-def component(part, launch, gates):
-    inputs = [topic for port in part.inputs for topic in topics_of(port, gates)]
+def component(part, launch, wired):
+    inputs = [port.topic for taken in part.inputs if taken.time != ports.LATCHED
+              for port in ports.before_gates(taken, wired)]
     outputs = [port.topic for port in part.outputs]
     return Component(*nodelet(launch), tuple(dict.fromkeys(inputs)), tuple(dict.fromkeys(outputs)),
                      part.role == "stage")
-
-
-def topics_of(port, gates):
-    """Returns the topics that an input's data come from: those of a gate which makes data of another
-    name are what the gate takes in, in the same nodelet."""
-    if port.time == ports.LATCHED:
-        return []
-    gate = gates.get(port.gate)
-    if gate is None or any(before.name == port.name for before in gate.inputs):
-        return [port.topic]
-    return [topic for before in gate.inputs for topic in topics_of(before, gates)]
 
 
 @functools.lru_cache(maxsize=None)

@@ -19,6 +19,7 @@ OVERRIDING = {"seed": "seed", "detector": "detector", "second_detector": "second
               "observations_topic": "topics.observations", "camera_topic": "topics.camera",
               "rear_camera_topic": "topics.rear_camera",
               "ceiling_camera_topic": "topics.ceiling_camera", "scan_topic": "topics.scan",
+              "rear_scan_topic": "topics.rear_scan",
               "map_folder": "files.map_folder", "unsafe_paths": "files.unsafe_paths",
               "map_frame": "frames.map", "jump_limit": "frames.jump_limit"}
 

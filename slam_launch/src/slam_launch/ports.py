@@ -87,6 +87,16 @@ def components(libraries=()):
     return json.loads(call([*words, "--components"]))
 
 
+def before_gates(port, product):
+    """Returns the inputs that an input's data come from: where a gate makes data of another name, what
+    that gate takes in, in the same nodelet."""
+    gate = next((gate for gate in product.gates if gate.name == port.gate), None)
+    if gate is None or any(before.name == port.name for before in gate.inputs):
+        return [port]
+    return [outer for before in gate.inputs if before.time != LATCHED
+            for outer in before_gates(before, product)]
+
+
 def read(text):
     """Returns what the program says of a product as ProductPorts."""
     told = json.loads(text)

@@ -10,6 +10,16 @@
 #include "slam_core/scan_matching/scan_map.hpp"
 
 namespace slam::graph_slam {
+namespace {
+
+/// Of its beams.
+double beamBytesOf(const LaserScan& scan) {
+  std::size_t beams = 0;
+  forEachFan(scan, [&](const LaserFan& fan) { beams += fan.beams.size(); });
+  return static_cast<double>(beams * sizeof(LaserBeam));
+}
+
+}  // namespace
 
 GridRenderer::GridRenderer(const grid_map::GridMapConfig& config)
     : config_(config), model_(scan_matching::levelModels(config)[0]) {}
@@ -23,7 +33,7 @@ void GridRenderer::startWith(const OccupancyGrid& grid) {
 
 void GridRenderer::add(graph::Key node, const Pose2& pose, const SharedScan& scan) {
   scans_.push_back({node, pose, scan, reachOf(*scan)});
-  scan_bytes_ += static_cast<double>(scan->beams.size() * sizeof(LaserBeam));
+  scan_bytes_ += beamBytesOf(*scan);
   cover(scans_.back());
   ++revision_;
 }
@@ -38,7 +48,7 @@ void GridRenderer::remove(graph::Key node) {
     drawn_.erase(drawn_.begin() + at);
     is_erased_ = true;
   }
-  scan_bytes_ -= static_cast<double>(found->scan->beams.size() * sizeof(LaserBeam));
+  scan_bytes_ -= beamBytesOf(*found->scan);
   scans_.erase(found);
   ++revision_;
 }
@@ -103,10 +113,15 @@ OccupancyGrid GridRenderer::grid() const {
 }
 
 double GridRenderer::reachOf(const LaserScan& scan) const {
-  double furthest = 0.0;
-  for (const auto& beam : scan.beams)
-    furthest = std::max(furthest, static_cast<double>(beam.range));
-  return std::min(furthest, config_.usable_range) + scan.sensor_pose.position().norm();
+  double reach = 0.0;
+  forEachFan(scan, [&](const LaserFan& fan) {
+    double furthest = 0.0;
+    for (const auto& beam : fan.beams)
+      furthest = std::max(furthest, static_cast<double>(beam.range));
+    reach = std::max(reach,
+                     std::min(furthest, config_.usable_range) + fan.sensor_pose.position().norm());
+  });
+  return reach;
 }
 
 void GridRenderer::cover(const Scan& scan) {

@@ -213,11 +213,12 @@ class SessionCheck {
   }
   void check(const Session::Scan& scan) const {
     requireNode(scan.node);
-    const auto& beams = scan.scan->beams;
-    const bool is_fit = scan.scan->relative_sigma >= 0.0 &&
-                        std::all_of(beams.begin(), beams.end(),
-                                    [](const LaserBeam& beam) { return beam.range >= 0.0F; });
-    require(is_fit, "it holds a scan with a negative range");
+    forEachFan(*scan.scan, [&](const LaserFan& fan) {
+      const bool is_fit = fan.relative_sigma >= 0.0 &&
+                          std::all_of(fan.beams.begin(), fan.beams.end(),
+                                      [](const LaserBeam& beam) { return beam.range >= 0.0F; });
+      require(is_fit, "it holds a scan with a negative range");
+    });
   }
   void check(const Session::Submap& submap) {
     requireNode(submap.origin);

@@ -76,6 +76,10 @@ void fields(Archive& in, LaserBeam& it) {
   in(it.bearing, it.range, it.hit);
 }
 template <class Archive>
+void fields(Archive& in, LaserFan& it) {
+  in(it.sensor_pose, it.relative_sigma, it.beams);
+}
+template <class Archive>
 void fields(Archive& in, LaserScan& it) {
   in(it.sequence, it.stamp, it.sensor_frame, it.sensor_pose, it.relative_sigma, it.beams);
 }

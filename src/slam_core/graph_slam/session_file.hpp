@@ -11,7 +11,9 @@ namespace slam::graph_slam {
 
 /// A session as the bytes of a file, the same for the same session: the magic "SLAMGRPH", the
 /// version (32 bits), the length of the content (64 bits), the content, and the CRC-64/XZ of all
-/// before it. Numbers are little-endian, doubles IEEE 754 to the bit. docs/graph.md tells more.
+/// before it. Where scans are joined ones, what the further lasers saw follows the records of all
+/// else; the sessions of a robot with one laser end there. Numbers are little-endian, doubles IEEE
+/// 754 to the bit. docs/graph.md tells more.
 std::string bytesOf(const Session& session);
 
 /// @throw std::runtime_error with what is wrong with the bytes and what to do, to stand behind the

@@ -122,16 +122,21 @@ class Insertion {
         ends_(scan.beams.size()) {}
 
   std::size_t run() {
-    const Eigen::Vector2d origin = pose_.transform(scan_.origin);
     std::vector<BeamReading> readings;
     readings.reserve(scan_.beams.size());
-    for (const auto& beam : scan_.beams) {
-      readings.push_back(readingOf(origin, pose_.transform(beam.end), beam.sigma, map_));
-      if (beam.isHit()) ends_.add(readings.back().hit);
-    }
-    const auto from = cellOf(origin);
-    for (const auto& reading : readings)
-      traverse(from, reading.free_to, [&](CellIndex cell) { miss(cell); });
+    scan_.forEachFan([&](const auto& fan, const auto& beams, const auto&) {
+      const Eigen::Vector2d origin = pose_.transform(fan.origin);
+      for (const auto& beam : beams) {
+        readings.push_back(readingOf(origin, pose_.transform(beam.end), beam.sigma, map_));
+        if (beam.isHit()) ends_.add(readings.back().hit);
+      }
+    });
+    auto reading = readings.begin();
+    scan_.forEachFan([&](const auto& fan, const auto& beams, const auto&) {
+      const auto from = cellOf(pose_.transform(fan.origin));
+      for (std::size_t left = beams.size(); left > 0; --left)
+        traverse(from, (reading++)->free_to, [&](CellIndex cell) { miss(cell); });
+    });
     for (std::size_t k = 0; k < readings.size(); ++k)
       if (scan_.beams[k].isHit()) hit(readings[k], scan_.beams[k].gain);
     if constexpr (Tiles::kHasLikelihood)
@@ -205,11 +210,13 @@ class Insertion {
 /// The beams that may write to some of the tiles.
 ScanPoints partAmong(const TileSet& tiles, const ScanPoints& scan, const Pose2& in_cells) {
   ScanPoints part;
-  part.origin = scan.origin;
-  const auto from = tileOf(cellOf(in_cells.transform(scan.origin)));
-  for (const auto& beam : scan.beams)
-    if (tiles.touches(from, tileOf(cellOf(in_cells.transform(beam.end)))))
-      part.beams.push_back(beam);
+  scan.forEachFan([&](const auto& fan, const auto& beams, const auto&) {
+    part.startFan(fan.origin, fan.relative_sigma);
+    const auto from = tileOf(cellOf(in_cells.transform(fan.origin)));
+    for (const auto& beam : beams)
+      if (tiles.touches(from, tileOf(cellOf(in_cells.transform(beam.end)))))
+        part.beams.push_back(beam);
+  });
   return part;
 }
 
@@ -234,8 +241,9 @@ void drawScan(const BeamModel& model, const ScanPoints& scan, const Pose2& pose,
 void addTilesOf(const ScanPoints& scan, const Pose2& pose, std::vector<CellIndex>& tiles) {
   if (!scan.isOnMap(pose) || scan.beams.empty()) return;
   const Pose2 in_cells = scan.inCells(pose);
-  const auto from = cellOf(in_cells.transform(scan.origin));
-  std::vector<CellIndex> corners = {tileOf(from)};
+  std::vector<CellIndex> corners;
+  for (const auto& fan : scan.fans)
+    corners.push_back(tileOf(cellOf(in_cells.transform(fan.origin))));
   for (const auto& beam : scan.beams)
     corners.push_back(tileOf(cellOf(in_cells.transform(beam.end))));
   const auto [least, width, height] = rectangleOf(corners);
@@ -247,11 +255,14 @@ void addTilesOf(const ScanPoints& scan, const Pose2& pose, std::vector<CellIndex
     if (!is_added[at]) tiles.push_back(tile);
     is_added[at] = true;
   };
-  for (const auto& beam : scan.beams) {
-    const auto end = cellOf(in_cells.transform(beam.end));
-    traverse(from, end, add);
-    if (beam.isHit()) add(end);
-  }
+  scan.forEachFan([&](const auto& fan, const auto& beams, const auto&) {
+    const auto from = cellOf(in_cells.transform(fan.origin));
+    for (const auto& beam : beams) {
+      const auto end = cellOf(in_cells.transform(beam.end));
+      traverse(from, end, add);
+      if (beam.isHit()) add(end);
+    }
+  });
 }
 
 }  // namespace slam::grid_map

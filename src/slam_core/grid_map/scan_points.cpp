@@ -9,7 +9,7 @@
 namespace slam::grid_map {
 namespace {
 
-std::optional<ScanPoints::Beam> beamOf(const LaserBeam& beam, const LaserScan& scan,
+std::optional<ScanPoints::Beam> beamOf(const LaserBeam& beam, const LaserFan& fan,
                                        const BeamModel& model) {
   const double range = beam.range;
   if (!std::isfinite(beam.bearing) || !(range > 0.0)) return std::nullopt;
@@ -18,8 +18,8 @@ std::optional<ScanPoints::Beam> beamOf(const LaserBeam& beam, const LaserScan& s
   const double length = is_hit ? range : free;
   if (!(length > 0.0)) return std::nullopt;
   const Eigen::Vector2d direction(std::cos(double{beam.bearing}), std::sin(double{beam.bearing}));
-  const Eigen::Vector2d end = scan.sensor_pose.transform(length * direction);
-  const double sigma = scan.relative_sigma * range;
+  const Eigen::Vector2d end = fan.sensor_pose.transform(length * direction);
+  const double sigma = fan.relative_sigma * range;
   if (!is_hit) return ScanPoints::Beam{end / model.resolution(), LogOdds{0}, 0.0};
   return ScanPoints::Beam{end / model.resolution(), model.gainOf(sigma),
                           sigma / model.resolution()};
@@ -50,6 +50,19 @@ class Thinning {
   double step_ = 0.0;  ///< to the last end
 };
 
+void add(const LaserFan& fan, const BeamModel& model, double spacing, ScanPoints& points) {
+  if (!points.isOnMap(fan.sensor_pose)) return;
+  points.startFan(fan.sensor_pose.position() / model.resolution(), fan.relative_sigma);
+  points.beams.reserve(points.beams.size() + fan.beams.size());
+  Thinning thinning(spacing / model.resolution());
+  for (const auto& read : fan.beams) {
+    const auto beam = beamOf(read, fan, model);
+    if (!beam) continue;
+    points.beams.push_back(*beam);
+    if (beam->isHit() && thinning.keeps(beam->end)) points.ends.push_back(beam->end);
+  }
+}
+
 }  // namespace
 
 bool ScanPoints::isOnMap(const Pose2& pose) const {
@@ -60,17 +73,7 @@ bool ScanPoints::isOnMap(const Pose2& pose) const {
 ScanPoints pointsOf(const LaserScan& scan, const BeamModel& model, double spacing) {
   ScanPoints points;
   points.cells_per_metre = 1.0 / model.resolution();
-  if (!points.isOnMap(scan.sensor_pose)) return points;
-  points.origin = scan.sensor_pose.position() / model.resolution();
-  points.relative_sigma = scan.relative_sigma;
-  points.beams.reserve(scan.beams.size());
-  Thinning thinning(spacing / model.resolution());
-  for (const auto& read : scan.beams) {
-    const auto beam = beamOf(read, scan, model);
-    if (!beam) continue;
-    points.beams.push_back(*beam);
-    if (beam->isHit() && thinning.keeps(beam->end)) points.ends.push_back(beam->end);
-  }
+  forEachFan(scan, [&](const LaserFan& fan) { add(fan, model, spacing, points); });
   return points;
 }
 

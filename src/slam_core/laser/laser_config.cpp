@@ -29,8 +29,8 @@ void LaserConfig::describe(Fields& fields) {
       .ofRobot();
 }
 
-std::optional<Eigen::Isometry3d> LaserConfig::mount() const {
-  return mountOf(sensor_pose, std::string(kSection) + ".sensor_pose");
+std::optional<Eigen::Isometry3d> LaserConfig::mount(const std::string& section) const {
+  return mountOf(sensor_pose, section + ".sensor_pose");
 }
 
 }  // namespace slam

@@ -22,8 +22,14 @@ struct LaserConfig {
 
   void describe(Fields& fields);
   /// The pose of the laser's frame in the robot's base frame, where the robot file gives it.
+  /// @param section it was read from
   /// @throw ConfigError when it has another number of values than none or 6
-  std::optional<Eigen::Isometry3d> mount() const;
+  std::optional<Eigen::Isometry3d> mount(const std::string& section = kSection) const;
+};
+
+/// The same of the second laser, wherever it looks.
+struct RearLaserConfig : LaserConfig {
+  static constexpr const char* kSection = "rear_scan";
 };
 
 }  // namespace slam

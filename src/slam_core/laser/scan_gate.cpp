@@ -14,28 +14,24 @@ namespace {
 constexpr Duration kPatience = std::chrono::seconds(1);
 
 const GateRegistrar<ScanGate> kRegistrar(LaserConfig::kSection);
+const GateRegistrar<RearScanGate> kRearRegistrar(RearLaserConfig::kSection);
 const SectionRegistrar<LaserConfig> kSectionRegistrar;
-
-std::string unknownMount(const std::string& frame) {
-  return "it is not known where the laser of frame '" + frame +
-         "' is mounted; publish its static transform to the robot's base frame or give "
-         "laser.sensor_pose in the robot file";
-}
+const SectionRegistrar<RearLaserConfig> kRearSectionRegistrar;
 
 }  // namespace
 
 void ScanGate::configure(const LaserConfig& config) {
   validate(config);
   config_ = config;
-  const auto pose = config.mount();
+  const auto pose = config.mount(section_);
   sweeps_.restart(pose ? std::optional(LaserMount{"", *pose}) : std::nullopt);
   reset();
 }
 
 void ScanGate::describe(Ports& ports) {
-  ports.takes<LaserSweep>("scan", "laser scans", [this](const LaserSweep& sweep) { set(sweep); });
-  ports.takes<LaserMount>("scan", "the laser's mount", this).latched();
-  ports.makes<LaserScan>("scan", scan_);
+  ports.takes<LaserSweep>(port_, sentence_, [this](const LaserSweep& sweep) { set(sweep); });
+  ports.takes<LaserMount>(port_, "the laser's mount", this).latched();
+  ports.makes<LaserScan>(port_, scan_);
 }
 
 Counters ScanGate::held() const {
@@ -90,12 +86,18 @@ Status ScanGate::watchBlindness() {
                   scan_->sensor_frame, seconds(*blind_since_ - Stamp())));
 }
 
+std::string ScanGate::unknownMount(const std::string& frame) const {
+  return "it is not known where the laser of frame '" + frame +
+         "' is mounted; publish its static transform to the robot's base frame or give " +
+         section_ + ".sensor_pose in the robot file";
+}
+
 std::optional<ScanGate::Fault> ScanGate::faultOfSweep(const LaserSweep& sweep) const {
   if (!sweeps_.hasMount(sweep)) return Fault{"no_mount", unknownMount(sweep.frame)};
   if (const auto& fault = sweeps_.mountFault(); !fault.empty())
     return Fault{"bad_mount", "the laser's mount cannot be used: " + fault +
-                                  "; correct its transform to the robot's base frame or "
-                                  "laser.sensor_pose in the robot file"};
+                                  "; correct its transform to the robot's base frame or " +
+                                  section_ + ".sensor_pose in the robot file"};
   if (const auto fault = faultOf(sweep); !fault.empty())
     return Fault{"bad_scan",
                  "a scan cannot be used: " + fault + "; correct what the laser's driver sends"};

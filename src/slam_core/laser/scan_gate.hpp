@@ -23,11 +23,13 @@ namespace slam {
 /// Call order: configure(), set(...) of what has come, execute() until scan() is empty.
 /// Counted, of scans without beams: "bad_scan", "bad_mount", "no_mount", "no_range" (a laser that
 /// is blind: worth a word after a second).
-class ScanGate final : public Gate {
+class ScanGate : public Gate {
  public:
   static constexpr std::size_t kCapacity = 200;
 
-  std::string name() const override { return LaserConfig::kSection; }
+  ScanGate() : ScanGate(LaserConfig::kSection, "scan", "laser scans") {}
+
+  std::string name() const override { return section_; }
   void describe(Ports& ports) override;
   /// A fresh start; the mount is the configured one or none. @throw ConfigError
   void configure(const LaserConfig& config);
@@ -57,20 +59,37 @@ class ScanGate final : public Gate {
     archive(sweeps_, sequence_, blind_since_, scan_, counters_);
   }
 
+ protected:
+  /// @param section of the configuration @param port of its inputs and its output
+  /// @param sentence what comes in there
+  ScanGate(std::string section, std::string port, std::string sentence)
+      : section_(std::move(section)), port_(std::move(port)), sentence_(std::move(sentence)) {}
+
  private:
   struct Fault {
     std::string reason, sentence;
   };
 
+  std::string unknownMount(const std::string& frame) const;
   std::optional<Fault> faultOfSweep(const LaserSweep& sweep) const;
   Status watchBlindness();
 
+  std::string section_, port_, sentence_;
   LaserConfig config_;
   MountQueue<LaserSweep, LaserMount> sweeps_{kCapacity};
   std::uint64_t sequence_ = 0;
   std::optional<Stamp> blind_since_;  ///< all sweeps from there on had no range
   std::optional<LaserScan> scan_;
   Counters counters_;
+};
+
+/// The gate of the second laser.
+class RearScanGate final : public ScanGate {
+ public:
+  RearScanGate() : ScanGate(RearLaserConfig::kSection, "rear_scan", "scans of the rear laser") {}
+
+  using ScanGate::configure;
+  void configure(Settings& settings) override { configure(settings.read<RearLaserConfig>()); }
 };
 
 }  // namespace slam

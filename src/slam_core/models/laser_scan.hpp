@@ -33,21 +33,40 @@ struct LaserBeam {
   }
 };
 
-/// One sweep of a laser, whatever its mount, seen as horizontal. Beams that tell nothing (not a
-/// number, nearer than the sensor can measure) are not among them; the others keep the sweep's
-/// order.
-struct LaserScan {
-  std::uint64_t sequence = 0;
-  Stamp stamp;
-  std::string sensor_frame;
+/// The beams of one laser, which have one origin.
+struct LaserFan {
   Pose2 sensor_pose;            ///< T_base_sensor
   double relative_sigma = 0.0;  ///< standard deviation of a range, relative to it
   std::vector<LaserBeam> beams;
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(sequence, stamp, sensor_frame, sensor_pose, relative_sigma, beams);
+    archive(sensor_pose, relative_sigma, beams);
   }
 };
+
+/// One sweep of a laser, whatever its mount, seen as horizontal. Beams that tell nothing (not a
+/// number, nearer than the sensor can measure) are not among them; the others keep the sweep's
+/// order. A joined scan holds what further lasers saw as well.
+struct LaserScan : LaserFan {
+  std::uint64_t sequence = 0;
+  Stamp stamp;
+  std::string sensor_frame;
+  /// Of further lasers. Their poses are those in the base frame at `stamp`, also where the robot
+  /// has moved since they saw it.
+  std::vector<LaserFan> further;
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(sequence, stamp, sensor_frame, sensor_pose, relative_sigma, beams, further);
+  }
+};
+
+/// Calls visit(fan) for each laser's part of a scan, the scan's own first.
+template <class Visit>
+void forEachFan(const LaserScan& scan, const Visit& visit) {
+  visit(static_cast<const LaserFan&>(scan));
+  for (const auto& fan : scan.further) visit(fan);
+}
 
 }  // namespace slam

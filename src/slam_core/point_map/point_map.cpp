@@ -83,9 +83,20 @@ Status PointMap::execute() {
 }
 
 Status PointMap::fuse(const LaserScan& scan, const Pose2& T_map_base) {
-  const Pose2 T_map_sensor = T_map_base * scan.sensor_pose;
   std::uint64_t left_out = 0;
-  for (const auto& beam : scan.beams) {
+  forEachFan(scan, [&](const LaserFan& fan) { left_out += fuse(fan, T_map_base); });
+  ++revision_;
+  counters_.add("full", left_out);
+  if (left_out == 0) return Status::ok();
+  return Status::warning("the point map is full with " + std::to_string(points_.size()) +
+                         " points: new ones are left out; raise point_map.max_points or "
+                         "point_map.fusion_distance");
+}
+
+std::uint64_t PointMap::fuse(const LaserFan& fan, const Pose2& T_map_base) {
+  const Pose2 T_map_sensor = T_map_base * fan.sensor_pose;
+  std::uint64_t left_out = 0;
+  for (const auto& beam : fan.beams) {
     if (!beam.hit) continue;
     const Eigen::Vector2d end = T_map_sensor.transform(beam.end());
     if (const auto near = fusion_->match(end, points_))
@@ -95,12 +106,7 @@ Status PointMap::fuse(const LaserScan& scan, const Pose2& T_map_base) {
     else
       ++left_out;
   }
-  ++revision_;
-  counters_.add("full", left_out);
-  if (left_out == 0) return Status::ok();
-  return Status::warning("the point map is full with " + std::to_string(points_.size()) +
-                         " points: new ones are left out; raise point_map.max_points or "
-                         "point_map.fusion_distance");
+  return left_out;
 }
 
 Counters PointMap::counters() const {

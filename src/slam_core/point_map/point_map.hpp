@@ -72,6 +72,8 @@ class PointMap final : public MapModule {
  private:
   void begin();
   Status fuse(const LaserScan& scan, const Pose2& T_map_base);
+  /// @return the end points that found no room
+  std::uint64_t fuse(const LaserFan& fan, const Pose2& T_map_base);
 
   PointMapConfig config_;
   std::unique_ptr<FusionPolicy> fusion_;

@@ -22,8 +22,10 @@ constexpr double kConverged = 1e-4;      ///< [m], [rad]
 
 std::vector<Eigen::Vector2d> endsInBase(const LaserScan& scan) {
   std::vector<Eigen::Vector2d> ends;
-  for (const auto& beam : scan.beams)
-    if (beam.hit) ends.push_back(scan.sensor_pose.transform(beam.end()));
+  forEachFan(scan, [&](const LaserFan& fan) {
+    for (const auto& beam : fan.beams)
+      if (beam.hit) ends.push_back(fan.sensor_pose.transform(beam.end()));
+  });
   const auto stride = std::max<std::size_t>(1, ends.size() / kEnds);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < ends.size(); i += stride) ends[kept++] = ends[i];

@@ -20,7 +20,7 @@ void addInputs(const Ports& ports, const WiredPorts& wired, std::vector<const Ga
     if (comesWithAnother(input, ports.inputs())) continue;
     const auto* maker = wired.makerOf(input);
     if (maker == nullptr || maker->gate == nullptr) {
-      inputs.push_back(input);
+      if (findPort(inputs, input.name, input.kind) == nullptr) inputs.push_back(input);
     } else if (std::count(passed.begin(), passed.end(), maker->gate) == 0) {
       passed.push_back(maker->gate);
       addInputs(maker->ports, wired, passed, inputs);
@@ -41,7 +41,7 @@ std::vector<InputPort> inputsBeforeGates(const Ports& ports, const WiredPorts& w
 DataFlow::DataFlow(const ProductComponents& product) {
   const auto wired = wiredPortsOf(product);
   for (const auto& component : inOrder(product)) {
-    const auto ports = portsOf(*component.component);
+    const auto ports = portsOf(component);
     Part part{component.role, component.key, inputsBeforeGates(ports, wired), {}, false, false};
     part.outputs.assign(ports.outputs().begin(), ports.outputs().end());
     part.is_backend = component.component == product.estimator.get();

@@ -13,6 +13,10 @@ bool isInvalid(const LaserBeam& beam) {
   return !std::isfinite(beam.bearing) || !std::isfinite(beam.range) || beam.range <= 0.0f;
 }
 
+bool isValid(const LaserFan& fan) {
+  return fan.sensor_pose.isFinite() && std::none_of(fan.beams.begin(), fan.beams.end(), isInvalid);
+}
+
 }  // namespace
 
 std::optional<HeldDatum> InputScreen::pass(const InputPort& port, const void* value) {
@@ -46,13 +50,15 @@ void InputScreen::tell(const std::string& sentence) {
 }
 
 void InputScreen::screen(LaserScan& scan) {
-  auto& beams = scan.beams;
-  if (scan.sensor_pose.isFinite() && std::none_of(beams.begin(), beams.end(), isInvalid)) return;
+  bool is_valid = true;
+  forEachFan(scan, [&](const LaserFan& fan) { is_valid = is_valid && isValid(fan); });
+  if (is_valid) return;
   counters_.add("invalid_scan");
   fault_ =
       "a scan whose sensor pose or beams hold values that are not numbers, or a range that is not "
       "above 0, is taken as empty";
-  beams.clear();
+  scan.beams.clear();
+  scan.further.clear();
 }
 
 void InputScreen::reset() {

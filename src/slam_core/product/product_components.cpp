@@ -3,9 +3,11 @@
 
 #include "slam_core/product/product_components.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/product/joined_scan_gate.hpp"
 #include "slam_core/product/stage_placing.hpp"
 
 namespace slam {
@@ -96,13 +98,44 @@ void configureStages(ProductComponents& parts, Settings& settings, FaultCollecto
     faults.attempt([&, &part = *stage.component] { part.configure(settings); });
 }
 
+/// Who makes a map of scans takes in those of both lasers, and needs motion to join them.
+void requireJoinableScans(const ProductComponents& parts) {
+  const auto& product = parts.product;
+  if (!product.rear_laser) return;
+  if (product.odometry == kNone)
+    throw ConfigError(
+        "rear_laser: the scans of two lasers are joined by the motion between their stamps, which "
+        "a product with odometry: none does not have; choose an odometry source");
+  const auto all = inOrder(parts);
+  const bool is_taken = std::any_of(all.begin(), all.end(), [](const auto& part) {
+    return portsOf(part).input(JoinedScanGate::kName, kindOf<LaserScan>()) != nullptr;
+  });
+  if (!is_taken)
+    throw ConfigError(
+        "rear_laser: no component of the product makes a map of scans; leave the key out, or "
+        "choose map: grid or the point map");
+}
+
 }  // namespace
+
+Ports portsOf(const ProductComponent& part) {
+  auto own = portsOf(*part.component);
+  if (!part.takes_joined_scans) return own;
+  Ports ports;
+  for (auto input : own.inputs()) {
+    if (input.kind == kindOf<LaserScan>()) input.name = JoinedScanGate::kName;
+    ports.add(std::move(input));
+  }
+  for (const auto& output : own.outputs()) ports.add(output);
+  return ports;
+}
 
 void connect(ProductComponents& parts, bool is_whole, Wiring& wiring) {
   for (const auto& part : inOrder(parts)) {
     const bool is_estimator = part.component == parts.estimator.get();
     wiring.add(is_whole && !is_estimator ? part.key + "_" : "", *part.component,
-               is_estimator ? Wiring::Turn::kOnRequest : Wiring::Turn::kAtOnce, part.title());
+               is_estimator ? Wiring::Turn::kOnRequest : Wiring::Turn::kAtOnce, part.title(),
+               portsOf(part));
   }
 }
 
@@ -118,9 +151,14 @@ std::vector<ProductComponent> inOrder(const ProductComponents& parts) {
   for (const auto& [stage, features] : parts.stages)
     all.push_back({Stage::kRole, stage->name(), stage->name(), stage.get(), features});
   if (parts.estimator)
-    all.push_back({Backend::kRole, "backend", names.backend, parts.estimator.get(), {"backend"}});
+    all.push_back({Backend::kRole,
+                   "backend",
+                   names.backend,
+                   parts.estimator.get(),
+                   {"backend"},
+                   names.rear_laser});
   for (const auto& [name, module] : parts.modules)
-    all.push_back({MapModule::kRole, name, name, module.get(), {name}});
+    all.push_back({MapModule::kRole, name, name, module.get(), {name}, names.rear_laser});
   return all;
 }
 
@@ -136,6 +174,7 @@ ProductComponents makeComponents(Settings& settings, const ProductPart& part,
   auto parts = create(named(product, part), part, faults);
   parts.frames = frames;
   configure(parts, settings, product.seed, faults);
+  if (part.extent == Extent::kWhole) faults.attempt([&] { requireJoinableScans(parts); });
   faults.attempt([&] { createStages(part, parts); });
   configureStages(parts, settings, faults);
   return parts;
@@ -146,6 +185,7 @@ ProductComponents createComponents(const ProductConfig& product, const ProductPa
   FaultCollector faults;
   auto parts = create(named(product, part), part, faults);
   if (parts.estimator) faults.attempt([&] { parts.estimator->adaptTo(product); });
+  if (part.extent == Extent::kWhole) faults.attempt([&] { requireJoinableScans(parts); });
   faults.attempt([&] { createStages(part, parts); });
   faults.raise();
   return parts;
@@ -153,7 +193,7 @@ ProductComponents createComponents(const ProductConfig& product, const ProductPa
 
 WiredPorts wiredPortsOf(const ProductComponents& parts) {
   WiredPorts ports;
-  for (const auto& part : inOrder(parts)) ports.add(part.title(), *part.component);
+  for (const auto& part : inOrder(parts)) ports.add(part.title(), *part.component, portsOf(part));
   ports.placeGates();
   return ports;
 }

@@ -65,10 +65,14 @@ struct ProductComponent {
   std::string name;  ///< in the registry
   Component* component = nullptr;
   std::vector<std::string> features;  ///< the product's keys that bring it
+  bool takes_joined_scans = false;    ///< it takes those of two lasers in where it takes in scans
 
   /// "odometry source 'wheel'", for sentences
   std::string title() const { return role + " '" + name + "'"; }
 };
+
+/// The component's ports, with the names that they have in the product.
+Ports portsOf(const ProductComponent& part);
 
 /// Loads a product's libraries and creates all components that it names, without configuring them.
 /// @throw ConfigError naming a library that cannot be loaded, or the components that there are

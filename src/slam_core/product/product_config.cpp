@@ -61,6 +61,9 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("second_camera", &second_camera,
              "the detectors look through a second camera as well, which the robot file calls "
              "rear_camera");
+  fields.add("rear_laser", &rear_laser,
+             "the scans of a second laser go into the map as well, joined with those of the first "
+             "one; the robot file calls it rear_scan");
   fields.add("association", &association,
              "how it is decided of which landmark an observation is: known_ids (it says so), "
              "nearest (by its place, each on its own), jcbb (by their places, all of a stamp "

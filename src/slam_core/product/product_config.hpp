@@ -27,6 +27,7 @@ struct ProductConfig {
   std::string detector = "none";
   std::string second_detector = "none";
   bool second_camera = false;  ///< the detectors look through a second camera as well
+  bool rear_laser = false;     ///< a second laser's scans go into the map as well
   std::string association = "known_ids";
   MapKind map = MapKind::kLandmarks;
   std::map<std::string, bool> modules;  ///< whether it has the additional module of a name

@@ -13,7 +13,8 @@ class StagePlacing {
  public:
   explicit StagePlacing(const std::vector<ProductComponent>& components) {
     std::vector<const Ports*> ports;
-    for (const auto& each : components) ports.push_back(&wired_.add(each.title(), *each.component));
+    for (const auto& each : components)
+      ports.push_back(&wired_.add(each.title(), *each.component, portsOf(each)));
     for (std::size_t i = 0; i < components.size(); ++i)
       placeBefore(*ports[i], components[i].features);
   }

@@ -55,8 +55,8 @@ class CycleSearch {
 
 }  // namespace
 
-const Ports& WiredPorts::add(const std::string& title, Component& component) {
-  parts_.push_back({title, &component, portsOf(component)});
+const Ports& WiredPorts::add(const std::string& title, const Component& component, Ports ports) {
+  parts_.push_back({title, &component, std::move(ports)});
   return parts_.back().ports;
 }
 

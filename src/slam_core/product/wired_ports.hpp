@@ -31,8 +31,13 @@ class WiredPorts {
   };
 
   /// @param title what sentences call the component @param component outlives this
-  /// @return its ports, which stay in their place
-  const Ports& add(const std::string& title, Component& component);
+  /// @param ports its ports, with the names that they have in the product
+  /// @return the ports, which stay in their place
+  const Ports& add(const std::string& title, const Component& component, Ports ports);
+  /// The same under the ports' own names.
+  const Ports& add(const std::string& title, Component& component) {
+    return add(title, component, portsOf(component));
+  }
   /// Adds a gate, not configured, before each input that nobody makes and that one is registered
   /// for; before those of a gate as well. A gate stands once, whatever it makes.
   /// @throw ConfigError where two gates have one name

@@ -10,8 +10,8 @@
 namespace slam {
 
 void Wiring::add(const std::string& prefix, Component& component, Turn turn,
-                 const std::string& title) {
-  nodes_.push_back({prefix, &component, &ports_.add(title, component), turn});
+                 const std::string& title, Ports ports) {
+  nodes_.push_back({prefix, &component, &ports_.add(title, component, std::move(ports)), turn});
 }
 
 void Wiring::connect(Settings& settings) {

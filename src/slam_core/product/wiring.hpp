@@ -38,7 +38,12 @@ class Wiring {
   /// @param prefix of its counters @param component outlives this and stays in its place
   /// @param title what sentences call it: "back-end 'ekf'"
   void add(const std::string& prefix, Component& component, Turn turn = Turn::kAtOnce,
-           const std::string& title = "component");
+           const std::string& title = "component") {
+    add(prefix, component, turn, title, portsOf(component));
+  }
+  /// @param ports the component's, with the names that they have in the product
+  void add(const std::string& prefix, Component& component, Turn turn, const std::string& title,
+           Ports ports);
   /// Joins what was added, and places the input gates. @throw ConfigError where two components make
   /// the same output, components take data from one another in a circle, or an input gate cannot be
   /// configured

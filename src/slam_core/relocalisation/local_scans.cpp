@@ -88,6 +88,7 @@ ScanLevels LocalScans::together() const {
   for (std::size_t level = 0; level < all.size(); ++level) {
     all[level].beams.clear();
     all[level].ends.clear();
+    all[level].fans.resize(1);
     std::set<std::pair<int, int>> taken;
     for (const auto& kept : kept_)
       addEnds(kept.points[level], robot().between(kept.pose), taken, all[level].ends);

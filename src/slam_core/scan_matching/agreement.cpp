@@ -42,9 +42,7 @@ Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap&
   if (!scan.isOnMap(pose)) return agreement;
   const auto surely_free = surelyFree(model);
   const Pose2 in_cells = scan.inCells(pose);
-  const Eigen::Vector2d origin = in_cells.transform(scan.origin);
-  for (const auto& scan_end : scan.ends) {
-    const Eigen::Vector2d end = in_cells.transform(scan_end);
+  const auto judge = [&](const Eigen::Vector2d& origin, const Eigen::Vector2d& end) {
     const auto cell = grid_map::cellOf(end);
     const auto* const tile = map.tile(cell);
     const auto at = Tile::at(cell);
@@ -55,7 +53,11 @@ Agreement agreementOf(const grid_map::BeamModel& model, const grid_map::GridMap&
       ++agreement.contradicting;
     else
       ++agreement.silent;
-  }
+  };
+  scan.forEachFan([&](const auto& fan, const auto&, const auto& ends) {
+    const Eigen::Vector2d origin = in_cells.transform(fan.origin);
+    for (const auto& end : ends) judge(origin, in_cells.transform(end));
+  });
   return agreement;
 }
 

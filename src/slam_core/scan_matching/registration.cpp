@@ -92,20 +92,22 @@ class Fit {
     NormalEquations sum;
     const double c = std::cos(pose.theta()), s = std::sin(pose.theta());
     const Eigen::Vector2d position = scan_.cells_per_metre * pose.position();
-    for (const auto& end : scan_.ends) {
-      const Eigen::Vector2d turned(c * end.x() - s * end.y(), s * end.x() + c * end.y());
-      add(turned, turned + position, end, sum);
-    }
+    scan_.forEachFan([&](const auto& fan, const auto&, const auto& ends) {
+      for (const auto& end : ends) {
+        const Eigen::Vector2d turned(c * end.x() - s * end.y(), s * end.x() + c * end.y());
+        const double range_variance =
+            fan.relative_sigma * fan.relative_sigma * (end - fan.origin).squaredNorm();
+        add(turned, turned + position, range_variance, sum);
+      }
+    });
     return sum;
   }
 
  private:
-  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, const Eigen::Vector2d& end,
+  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, double range_variance,
            NormalEquations& sum) {
     const auto* const surface = finder_.nearest(p);
     if (surface == nullptr) return;
-    const double range_variance =
-        scan_.relative_sigma * scan_.relative_sigma * (end - scan_.origin).squaredNorm();
     const double variance = variance_ + range_variance;
     const Eigen::Vector2d& n = surface->normal;
     const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface->point;

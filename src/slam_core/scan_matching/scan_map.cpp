@@ -3,6 +3,7 @@
 
 #include "slam_core/scan_matching/scan_map.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "slam_core/grid_map/scan_insertion.hpp"
@@ -38,14 +39,14 @@ ScanLevels pointsOf(const LaserScan& scan, const LevelModels& models, double spa
 double mostBytesFor(const ScanLevels& scan) {
   double tiles = 0.0;
   for (const auto& level : scan) {
-    Eigen::Vector2d least = level.origin, most = level.origin;
-    for (const auto& beam : level.beams) {
-      least = least.cwiseMin(beam.end);
-      most = most.cwiseMax(beam.end);
-    }
+    Eigen::AlignedBox2d box;
+    for (const auto& fan : level.fans) box.extend(fan.origin);
+    for (const auto& beam : level.beams) box.extend(beam.end);
+    const Eigen::Vector2d size =
+        box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.sizes());
     // in whatever direction it lies, and with a tile begun on either side
-    const double diagonal = (most - least).norm() / Tile::kSize + 2.0;
-    const Eigen::Array2d edges = (most - least).array() / Tile::kSize + 2.0;
+    const double diagonal = size.norm() / Tile::kSize + 2.0;
+    const Eigen::Array2d edges = size.array() / Tile::kSize + 2.0;
     tiles += std::min(edges.prod() * 2.0, diagonal * diagonal);
   }
   return tiles * sizeof(Tile);

@@ -5,7 +5,8 @@ faults has none."""
 import math
 import unittest
 
-from drives import drive, Edit, edited, diagnose, faults, IMU, ODOMETRY, SCAN, simulate
+from drives import (diagnose, drive, Edit, edited, faults, FOLDER, IMU, ODOMETRY, SCAN,
+                    simulate)
 import genpy
 from slam_eval.bench.adverse import changes
 from slam_eval.bench.harness import miscalibration
@@ -100,6 +101,34 @@ class Laser(unittest.TestCase):
         found = diagnose(edited("upside_down", Edit((SCAN, "tf2_msgs/TFMessage"), change)))
         self.assertEqual(faults(found), {})
         self.assertIn("upside down", found["scan.mount"].text)
+
+    def test_a_second_one_is_checked_as_the_first(self):
+        bag = simulate("two_lasers", "--robot", "twin")
+        found = diagnose(bag, "sim_twin")
+        self.assertEqual(faults(found), {})
+        for check in ("mount", "angles", "beams", "frozen", "rate", "direction", "heading"):
+            self.assertIn(f"rear_scan.{check}", found)
+        self.assertIn("yaw 3.00", found["rear_scan.mount"].text)
+
+        def mirror(kind, message, time):
+            if kind == SCAN and message.header.frame_id == "rear_laser":
+                message.ranges = message.ranges[::-1]
+        found = diagnose(edited("rear_mirrored", Edit((SCAN,), mirror), bag), "sim_twin")
+        self.assertEqual(found["rear_scan.direction"].level.name, "ERROR")
+        self.assertEqual(found["scan.direction"].level.name, "OK")
+
+        def rename(kind, message, time):
+            for each in message.transforms:
+                each.child_frame_id = each.child_frame_id.replace("rear_laser", "elsewhere")
+        found = diagnose(edited("rear_mount", Edit(("tf2_msgs/TFMessage",), rename), bag), "sim_twin")
+        self.assertEqual(found["rear_scan.mount"].level.name, "ERROR")
+        self.assertIn("rear_scan.sensor_pose", found["rear_scan.mount"].advice)
+        product = FOLDER / "two_lasers.yaml"
+        product.write_text("version: 1\nbackend: grid\nmap: grid\nodometry: wheel\ndetector: none\n"
+                           "rear_laser: true\n", encoding="utf-8")
+        found = diagnose(edited("one_laser", Edit((), None), bag, ("/rear_scan",)), "sim_twin",
+                         product)
+        self.assertEqual(found["rear_scan.topic"].level.name, "ERROR")
 
     def test_frozen(self):
         found = faults(diagnose(edited("frozen", changes.FrozenLaser(20.0))))

@@ -119,6 +119,14 @@ class SameBytes(Runs):
                                       "--set", "second_camera=true")
         self.assertIn("6 processes", run.stdout)
 
+    def test_with_two_lasers(self):
+        bag = self.folder / "twin.bag"
+        subprocess.run([program("slam_sim", "slam_sim"), bag, "--robot", "twin", "--duration", "5"],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        for product in ("scan_grid_wheel", "graph_wheel_grid"):
+            self.require_same_bytes(product, bag, "--set", "rear_laser=true", "--set",
+                                    "pointmap=true")
+
     def test_a_bag_that_nothing_can_be_made_of_is_refused_with_the_same_sentence(self):
         bag = self.folder / "no_mount.bag"
         with rosbag.Bag(str(self.bag)) as whole, rosbag.Bag(str(bag), "w") as part:

@@ -14,6 +14,7 @@ GivenMounts::GivenMounts(slam::Settings settings) {
     if (!sensor_pose.empty()) ports_.insert(port);
   };
   add("scan", settings.read<slam::LaserConfig>().sensor_pose);
+  add("rear_scan", settings.read<slam::RearLaserConfig>().sensor_pose);
   add("imu", settings.read<slam::ImuConfig>().sensor_pose);
   add("camera", settings.read<slam::CameraConfig>().sensor_pose);
   add("rear_camera", settings.read<slam::RearCameraConfig>().sensor_pose);

@@ -58,7 +58,7 @@ void PartNode::takeIn(const std::string& port, slam::Kind kind, const void* valu
   arrival_ = inputs_->of(port, kind).arrival();
   part_.put(port, kind, value);
   diagnostics_->report(topic, part_.execute());
-  if (on_taken) on_taken(kind, value);
+  if (on_taken) on_taken(port, kind, value);
 }
 
 std::string PartNode::missing() const {

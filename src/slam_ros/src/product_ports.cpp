@@ -71,7 +71,7 @@ void addCapabilities(const slam::Capabilities& capabilities, Json& outputs) {
 
 Json outputsOf(const slam::ProductComponents& product, const slam::ProductComponent& part) {
   auto outputs = Json::array();
-  const auto ports = slam::portsOf(*part.component);
+  const auto ports = portsOf(part);
   for (const auto& output : ports.outputs()) outputs.push_back(describe(output));
   if (part.component == product.estimator.get())
     addCapabilities(product.estimator->capabilities(), outputs);

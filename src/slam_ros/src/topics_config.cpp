@@ -43,6 +43,7 @@ std::vector<std::pair<std::string, slam::Kind>> TopicsConfig::inputs() {
           {"rear_camera", slam::kindOf<slam::Image>()},
           {"ceiling_camera", slam::kindOf<slam::Image>()},
           {"scan", slam::kindOf<slam::LaserSweep>()},
+          {"rear_scan", slam::kindOf<slam::LaserSweep>()},
           {"imu", slam::kindOf<slam::ImuReading>()}};
 }
 

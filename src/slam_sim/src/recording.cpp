@@ -25,6 +25,7 @@ ros::Time stampOf(Duration time) { return slam_ros::toRos(kStart + time); }
 
 std::vector<std::string> streamNames(const RobotModel& robot) {
   std::vector<std::string> names = {"odom", "scan"};
+  if (robot.rear_laser) names.push_back("rear_scan");
   if (robot.imu) names.push_back("imu");
   for (const auto& camera : robot.cameras) names.push_back(camera.name);
   return names;
@@ -47,6 +48,7 @@ Recording::Recording(World world, RobotModel robot, RecordingOptions options)
 void Recording::scheduleAll() {
   schedule("odom", robot_.odometry, Kind::kOdometry);
   schedule("scan", robot_.laser.pace, Kind::kScan);
+  if (robot_.rear_laser) schedule("rear_scan", robot_.rear_laser->pace, Kind::kRearScan);
   if (robot_.imu) schedule("imu", robot_.imu->pace, Kind::kImu);
   for (std::size_t i = 0; i < robot_.cameras.size(); ++i)
     schedule(robot_.cameras[i].name, robot_.cameras[i].pace, Kind::kImage, i);
@@ -102,6 +104,7 @@ void Recording::writeEvents(slam_ros::BagFile& bag, Progress& progress,
     const auto& event = events_[i];
     if (event.kind == Kind::kOdometry) writeOdometry(bag, event);
     if (event.kind == Kind::kScan) writeScan(bag, event);
+    if (event.kind == Kind::kRearScan) writeRearScan(bag, event);
     if (event.kind == Kind::kImu) writeImu(bag, event);
     if (event.kind == Kind::kImage) writeImage(bag, event, images.next());
     progress.update(i + 1);
@@ -126,6 +129,12 @@ void Recording::writeScan(slam_ros::BagFile& bag, const Event& event) {
   put(bag, "/scan",
       scanMessage(robot_.laser, stampOf(event.time),
                   sensors_.scan(truth(seconds(event.time)), event.reading)));
+}
+
+void Recording::writeRearScan(slam_ros::BagFile& bag, const Event& event) {
+  put(bag, "/rear_scan",
+      scanMessage(*robot_.rear_laser, stampOf(event.time),
+                  sensors_.rearScan(truth(seconds(event.time)), event.reading)));
 }
 
 void Recording::writeImu(slam_ros::BagFile& bag, const Event& event) {

@@ -152,6 +152,8 @@ CameraModel readCamera(YamlMap& map) {
 }
 
 void checkNames(const RobotModel& robot, YamlMap& root) {
+  if (robot.rear_laser && robot.rear_laser->frame == robot.laser.frame)
+    root.fault("has two lasers of frame " + robot.laser.frame);
   std::set<std::string> names;
   for (const auto& camera : robot.cameras)
     if (!names.insert(camera.name).second) root.fault("has two cameras named " + camera.name);
@@ -182,6 +184,7 @@ RobotModel readRobotFile(const std::string& path) {
   readOdometry(root.map("odometry"), robot);
   readLimits(root.map("limits"), robot.limits);
   readLaser(root.map("laser"), robot.laser);
+  if (root.has("rear_laser")) readLaser(root.map("rear_laser"), robot.rear_laser.emplace());
   if (root.has("imu")) robot.imu = readImu(root.map("imu"));
   for (auto& camera : root.list("cameras")) robot.cameras.push_back(readCamera(camera));
   checkNames(robot, root);

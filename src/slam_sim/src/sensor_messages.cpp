@@ -61,10 +61,14 @@ tf2_msgs::TFMessage transformMessage(const nav_msgs::Odometry& odometry) {
 
 tf2_msgs::TFMessage mountMessage(const RobotModel& robot, const ros::Time& stamp) {
   tf2_msgs::TFMessage message;
-  Eigen::Isometry3d laser = Eigen::Isometry3d::Identity();
-  laser.translation() = robot.laser.position;
-  laser.linear() = Eigen::AngleAxisd(robot.laser.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  message.transforms.push_back(mount(robot.base_frame, robot.laser.frame, stamp, laser));
+  const auto add = [&](const LaserModel& laser) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = laser.position;
+    pose.linear() = Eigen::AngleAxisd(laser.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    message.transforms.push_back(mount(robot.base_frame, laser.frame, stamp, pose));
+  };
+  add(robot.laser);
+  if (robot.rear_laser) add(*robot.rear_laser);
   if (robot.imu)
     message.transforms.push_back(
         mount(robot.base_frame, robot.imu->frame, stamp, robot.imu->T_base_imu));

@@ -9,7 +9,7 @@ namespace slam::sim {
 namespace {
 
 /// The random streams of the sensors.
-constexpr std::uint32_t kWheels = 1, kLaser = 2, kImu = 3, kFirstCamera = 16;
+constexpr std::uint32_t kWheels = 1, kLaser = 2, kImu = 3, kRearLaser = 4, kFirstCamera = 16;
 
 Eigen::Isometry3d spatial(const Pose2& pose) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -25,7 +25,8 @@ Sensors::Sensors(const World& world, RobotModel robot, std::uint64_t seed)
       robot_(std::move(robot)),
       seed_(seed),
       plan_(world),
-      laser_(plan_, robot_.laser) {}
+      laser_(plan_, robot_.laser),
+      rear_laser_(plan_, robot_.rear_laser.value_or(LaserModel())) {}
 
 void Sensors::openCamera(std::size_t camera) {
   if (!scene_) scene_ = std::make_shared<const Scene>(world_);
@@ -44,6 +45,11 @@ RandomStream Sensors::imuNoise(std::uint64_t reading) const {
 LaserReadings Sensors::scan(const Pose2& T_world_base, std::uint64_t reading) const {
   RandomStream random(seed_, reading, kLaser);
   return laser_.scan(T_world_base, random);
+}
+
+LaserReadings Sensors::rearScan(const Pose2& T_world_base, std::uint64_t reading) const {
+  RandomStream random(seed_, reading, kRearLaser);
+  return rear_laser_.scan(T_world_base, random);
 }
 
 cv::Mat Sensors::image(std::size_t camera, const BasePath& T_world_base, std::uint64_t reading,

@@ -103,6 +103,8 @@ class SimulatorNodelet : public nodelet::Nodelet {
     odom_ = handle.advertise<nav_msgs::Odometry>("odom", kQueue);
     truth_ = handle.advertise<geometry_msgs::PoseStamped>("ground_truth/pose", kQueue);
     scan_ = handle.advertise<sensor_msgs::LaserScan>("scan", kQueue);
+    if (model_.rear_laser)
+      rear_scan_ = handle.advertise<sensor_msgs::LaserScan>("rear_scan", kQueue);
     if (model_.imu) imu_ = handle.advertise<sensor_msgs::Imu>("imu", kQueue);
     for (std::size_t i = 0; i < model_.cameras.size(); ++i) {
       robot_->sensors().openCamera(i);
@@ -117,6 +119,9 @@ class SimulatorNodelet : public nodelet::Nodelet {
                                          &SimulatorNodelet::onOdometry, this));
     timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.laser.pace.rate),
                                          &SimulatorNodelet::onScan, this));
+    if (model_.rear_laser)
+      timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.rear_laser->pace.rate),
+                                           &SimulatorNodelet::onRearScan, this));
     if (model_.imu)
       timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.imu->pace.rate),
                                            &SimulatorNodelet::onImu, this));
@@ -167,6 +172,14 @@ class SimulatorNodelet : public nodelet::Nodelet {
     scan_.publish(scanMessage(model_.laser, stamp, robot_->sensors().scan(pose, scans_++)));
   }
 
+  void onRearScan(const ros::TimerEvent&) {
+    if (rear_scan_.getNumSubscribers() == 0) return;
+    const auto stamp = ros::Time::now();
+    const auto pose = poseAround(stamp)(0.0);
+    rear_scan_.publish(
+        scanMessage(*model_.rear_laser, stamp, robot_->sensors().rearScan(pose, rear_scans_++)));
+  }
+
   void onImu(const ros::TimerEvent&) {
     const auto stamp = ros::Time::now();
     auto noise = robot_->sensors().imuNoise(imu_readings_++);
@@ -201,11 +214,11 @@ class SimulatorNodelet : public nodelet::Nodelet {
   std::mutex mutex_;  ///< of robot_'s motion and the next two
   bool waits_for_listeners_ = false;
   ros::Time start_;
-  std::uint64_t scans_ = 0, imu_readings_ = 0;
+  std::uint64_t scans_ = 0, rear_scans_ = 0, imu_readings_ = 0;
   Gyroscope gyro_;
   tf2_ros::TransformBroadcaster transforms_;
   tf2_ros::StaticTransformBroadcaster mounts_;
-  ros::Publisher name_, landmarks_, odom_, truth_, scan_, imu_;
+  ros::Publisher name_, landmarks_, odom_, truth_, scan_, rear_scan_, imu_;
   ros::Subscriber cmd_vel_;  // with what follows last: no callback may find the others gone
   std::vector<ros::Timer> timers_;
   std::optional<slam_ros::AfterLoad> start_obeying_;

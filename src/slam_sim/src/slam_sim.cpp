@@ -38,11 +38,12 @@ void addOptions(slam_ros::CommandLine& line, Options& options) {
   line.add("--world", options.world,
            "office, corridor, hall, depot, forest, foyer, gallery, loops or a file.yaml")
       .withDefault();
-  line.add("--robot", options.robot, "segway, omni, skid, scout, car, turtlebot3 or a file.yaml")
+  line.add("--robot", options.robot,
+           "segway, omni, skid, scout, twin, car, turtlebot3 or a file.yaml")
       .withDefault();
   line.add("--seed", recording.seed, "of all noise").withDefault();
   line.add("--only", recording.streams,
-           "odom,scan,imu,camera,rear_camera,ceiling_camera: some of them")
+           "odom,scan,rear_scan,imu,camera,rear_camera,ceiling_camera: some of them")
       .separatedBy(',');
   line.add("--duration", recording.duration, "the drive's first seconds only [s]").positive();
   line.add("--threads", recording.threads, "that render; the bag is the same")

@@ -166,6 +166,26 @@ TEST_F(RecordingOfTheOffice, HoldsAnImuWithItsMountWhereTheRobotHasOne) {
   EXPECT_EQ(mounts[0]->transforms[1].child_frame_id, robot.imu->frame);
 }
 
+TEST_F(RecordingOfTheOffice, HoldsTheScansOfTwoLasersWithMountsAndStampsOfTheirOwn) {
+  const auto robot = readRobotFile(folder() + "/robots/twin.yaml");
+  Recording recording(readWorldFile(folder() + "/worlds/office.yaml"), robot, {1, {}, 1.0, 1});
+  std::ostringstream log;
+  Progress progress(log, false);
+  recording.write(files_ / "twin.bag", progress, stop_);
+  const auto scans = messages<sensor_msgs::LaserScan>(files_ / "twin.bag", "/scan");
+  const auto rear = messages<sensor_msgs::LaserScan>(files_ / "twin.bag", "/rear_scan");
+  ASSERT_EQ(scans.size(), 10u);
+  ASSERT_EQ(rear.size(), 8u);
+  EXPECT_EQ(rear[0]->header.frame_id, "rear_laser");
+  EXPECT_NEAR((rear[0]->header.stamp - scans[0]->header.stamp).toSec(), 0.032, 1e-6);
+  EXPECT_EQ(rear[0]->ranges.size(), 361u);
+  EXPECT_NE(rear[0]->ranges[180], scans[0]->ranges[256]) << "another wall";
+  const auto mounts = messages<tf2_msgs::TFMessage>(files_ / "twin.bag", "/tf_static").at(0);
+  ASSERT_EQ(mounts->transforms.size(), 2u);
+  EXPECT_EQ(mounts->transforms[1].child_frame_id, "rear_laser");
+  EXPECT_LT(mounts->transforms[1].transform.translation.x, 0.0);
+}
+
 TEST_F(RecordingOfTheOffice, LeavesNothingWhenItIsInterrupted) {
   stop_ = true;
   EXPECT_THROW(record("none.bag", {1, {"odom"}, 1.0, 1}), Interrupted);

@@ -80,6 +80,29 @@ TEST(SessionFile, ComesBackToTheBit) {
   EXPECT_EQ(nanoseconds(back.path[0].stamp), -5);
 }
 
+TEST(SessionFile, HasTheScansOfASecondLaserBehindAllElse) {
+  auto session = small();
+  const auto of_one = bytesOf(session);
+  auto joined = std::make_shared<LaserScan>(*session.scans[0].scan);
+  joined->further = {{}};
+  joined->further[0].sensor_pose = Pose2(-0.2, 0.1, 3.0);
+  joined->further[0].relative_sigma = 0.02;
+  joined->further[0].beams = {{-0.5f, 1.5f, true}};
+  session.scans[0].scan = joined;
+  const auto bytes = bytesOf(session);
+  EXPECT_GT(bytes.size(), of_one.size());
+  EXPECT_EQ(bytesOf(sessionOf(bytes)), bytes);
+  const auto back = sessionOf(bytes).scans[0].scan;
+  ASSERT_EQ(back->further.size(), 1u);
+  EXPECT_EQ(back->further[0].sensor_pose.vector(), joined->further[0].sensor_pose.vector());
+  EXPECT_EQ(back->further[0].beams[0].range, 1.5f);
+  EXPECT_TRUE(sessionOf(of_one).scans[0].scan->further.empty());
+  joined = std::make_shared<LaserScan>(*joined);
+  joined->further[0].beams[0].range = -1.0f;
+  session.scans[0].scan = joined;
+  EXPECT_TRUE(oneSays(said(bytesOf(session)), {"a negative range"}));
+}
+
 TEST(SessionFile, IsLittleEndian) {
   const auto bytes = bytesOf(Session());
   EXPECT_EQ(bytes.substr(0, 8), "SLAMGRPH");

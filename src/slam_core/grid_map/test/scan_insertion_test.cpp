@@ -48,6 +48,44 @@ TEST_F(ScanInsertion, FreesTheCellsOnABeamsWayAndOccupiesItsEnd) {
   EXPECT_EQ(at(0.57, 0.5), kUnseen);
 }
 
+TEST_F(ScanInsertion, FreesTheWayOfABeamFromItsOwnLaser) {
+  auto joined = scanWith({{0.0f, 1.02f, true}});
+  joined.sensor_pose = Pose2(0.52, 0.02, 0.0);
+  joined.further = {{}};
+  joined.further[0].sensor_pose = Pose2(-0.48, 0.52, M_PI);
+  joined.further[0].beams = {{0.0f, 1.02f, true}};
+  insert(joined);
+  for (double x = 0.53; x < 1.5; x += 0.05) EXPECT_LT(at(x, 0.02), 0) << x;
+  for (double x = -0.53; x > -1.45; x -= 0.05) EXPECT_LT(at(x, 0.52), 0) << x;
+  EXPECT_GT(at(1.54, 0.02), 0);
+  EXPECT_GT(at(-1.5, 0.52), 0);
+  for (double x = -1.4; x < 0.5; x += 0.05) EXPECT_EQ(at(x, 0.02), kUnseen) << x;
+  for (double x = -0.43; x < 1.5; x += 0.05) EXPECT_EQ(at(x, 0.52), kUnseen) << x;
+}
+
+TEST_F(ScanInsertion, JoinedScansMakeTheMapOfTheirPartsWhereTheseDoNotMeet) {
+  test::Room room;
+  RandomStream random(3, 0);
+  const Pose2 front(0.2, 0.0, 0.0), rear(-0.2, 0.0, M_PI), base = test::RoomDrive::start();
+  auto joined = test::scanOf(room, base, front, 181, 0.0, random);
+  const auto behind = test::scanOf(room, base, rear, 181, 0.0, random);
+  insert(joined);
+  insert(behind);
+  const GridMap apart = map;
+  map = GridMap(memory);
+  joined.further = {behind};
+  insert(joined);
+  std::size_t same = 0, cells = 0;
+  for (std::int32_t y = -120; y < 120; ++y)
+    for (std::int32_t x = -120; x < 120; ++x) {
+      if (apart.logOdds({x, y}) == kUnseen && map.logOdds({x, y}) == kUnseen) continue;
+      ++cells;
+      same += apart.logOdds({x, y}) == map.logOdds({x, y});
+    }
+  EXPECT_GT(cells, 5000u);
+  EXPECT_GT(static_cast<double>(same), 0.97 * static_cast<double>(cells));
+}
+
 TEST_F(ScanInsertion, FreesNothingAlongABeamThatMetNothingUnlessToldSo) {
   insert(scanWith({{0.0f, 80.0f, false}}));
   EXPECT_TRUE(map.isEmpty());

@@ -24,6 +24,40 @@ def matrix_of(pose):
     return out
 
 
+class LaserDrive:
+    """What the scans of a laser show of a drive."""
+
+    def __init__(self, case, name):
+        self.case, self.name = case, name
+
+    @functools.cached_property
+    def scans(self):
+        """The ScansInBase, or None. A laser without a mount is taken to sit at the base's
+        origin, as directions and ways show even so."""
+        record = self.case.record(self.name)
+        if record is None or self.case.path is None or not record.frames:
+            return None
+        mount = self.case.mount(self.name, sorted(record.frames)[0])
+        return ScansInBase(record, self.case.path, np.eye(4) if mount is None else mount)
+
+    @functools.cached_property
+    def drives(self):
+        """compare.Drives, or None."""
+        return compare.compare_drives(self.scans.drives()) if self.scans else None
+
+    @functools.cached_property
+    def turns(self):
+        """compare.Turns, or None."""
+        return compare.compare_turns(self.scans.turns()) if self.scans else None
+
+    @functools.cached_property
+    def offset(self):
+        """compare.Offset, or None."""
+        if not self.turns:
+            return None
+        return compare.compare_times(self.scans, self.case.path, self.turns.turn.value)
+
+
 class Case:
     """What the checks look at; comparisons are made once."""
 
@@ -31,6 +65,7 @@ class Case:
         self.recording, self.expectations = recording, expectations
         self.robot = expectations.robot
         self.sensors = find_sensors(recording, expectations)
+        self._lasers = {}
 
     def record(self, name):
         """What the messages of an input say, or None."""
@@ -58,32 +93,24 @@ class Case:
         rows = record.samples() if record else []
         return Path(rows) if len(rows) > 1 else None
 
-    @functools.cached_property
+    def laser(self, name):
+        """The LaserDrive of an input."""
+        return self._lasers.setdefault(name, LaserDrive(self, name))
+
+    @property
     def scans(self):
-        """The ScansInBase, or None. A laser without a mount is taken to sit at the base's
-        origin, as directions and ways show even so."""
-        record = self.record("scan")
-        if record is None or self.path is None or not record.frames:
-            return None
-        mount = self.mount("scan", sorted(record.frames)[0])
-        return ScansInBase(record, self.path, np.eye(4) if mount is None else mount)
+        """The ScansInBase of the first laser, or None."""
+        return self.laser("scan").scans
 
-    @functools.cached_property
+    @property
     def drives(self):
-        """compare.Drives, or None."""
-        return compare.compare_drives(self.scans.drives()) if self.scans else None
+        """compare.Drives of the first laser, or None."""
+        return self.laser("scan").drives
 
-    @functools.cached_property
+    @property
     def turns(self):
-        """compare.Turns, or None."""
-        return compare.compare_turns(self.scans.turns()) if self.scans else None
-
-    @functools.cached_property
-    def offset(self):
-        """compare.Offset, or None."""
-        if not self.turns:
-            return None
-        return compare.compare_times(self.scans, self.path, self.turns.turn.value)
+        """compare.Turns of the first laser, or None."""
+        return self.laser("scan").turns
 
     @functools.cached_property
     def stands(self):

@@ -13,7 +13,8 @@ from slam_launch.feature_model import FeatureModel
 
 from slam_doctor.errors import InputError, UsageError
 
-REAR_CAMERA = "rear_camera"  # the input that a second camera brings
+# The inputs that a second camera and a second laser bring, with the kinds of their data.
+SECOND_SENSORS = {"rear_camera": "slam::CameraView", "rear_scan": "slam::LaserScan"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -116,8 +117,8 @@ def with_needs(product, told):
     """The Product of slam_launch's product, by its ports."""
     needs = tuple(Need(port.name, port.topic, port.kind, port.sentence, port.is_mandatory,
                        frozenset(output.kind for output in component.outputs if output.kind))
-                  for component in told.components for port in component.inputs
-                  if port.made_by is None)
+                  for component in told.components for taken in component.inputs
+                  for port in ports.before_gates(taken, told) if port.made_by is None)
     made = tuple(Need(output.name, output.topic, output.kind, output.name, False, frozenset())
                  for component in told.components for output in component.outputs if output.kind)
     named = (product.features.get(key, "none") for key in ("detector", "second_detector"))
@@ -142,10 +143,11 @@ class Expectations:
         return str(self.robot.value("frames", "odom") or "odom")
 
     def inputs(self):
-        """{name of an input: its topic} of the products, by the robot file. That of a second camera,
+        """{name of an input: its topic} of the products, by the robot file. That of a second sensor,
         which no named product has, is looked for where the robot file names it."""
         topics = {need.input: need.topic for product in self.products for need in product.needs}
         own = self.robot.content.get("topics") or {}
-        if self.product is None and REAR_CAMERA in own:
-            topics.setdefault(REAR_CAMERA, own[REAR_CAMERA])
+        for name in SECOND_SENSORS:
+            if self.product is None and name in own:
+                topics.setdefault(name, own[name])
         return {name: str(own.get(name, topic)) for name, topic in topics.items()}

@@ -5,7 +5,7 @@ import dataclasses
 import posixpath
 from typing import Optional
 
-from slam_doctor.expectations import REAR_CAMERA
+from slam_doctor.expectations import SECOND_SENSORS
 from slam_doctor.record.recording import (CALIBRATION, COMPRESSED, IMAGE, IMU, MOTION,
                                           OBSERVATIONS, ODOMETRY, SCAN, Topic)
 
@@ -38,7 +38,7 @@ def plain(topic):
 
 def kinds_of_inputs(expectations):
     """{name of an input: types of its messages}; those of other packages' kinds are empty."""
-    return {REAR_CAMERA: MESSAGES["slam::CameraView"],
+    return {**{name: MESSAGES[kind] for name, kind in SECOND_SENSORS.items()},
             **{need.input: MESSAGES.get(need.kind, ()) for product in expectations.products
                for need in product.needs}}
 

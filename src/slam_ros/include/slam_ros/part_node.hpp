@@ -54,7 +54,7 @@ class PartNode {
   /// Where it is set: what the part waits for beside its inputs, or empty.
   std::function<std::string()> waits_for;
   /// Called after each value that was taken in.
-  std::function<void(slam::Kind, const void*)> on_taken;
+  std::function<void(const std::string&, slam::Kind, const void*)> on_taken;
 
  private:
   void take(const std::string& port, slam::Kind kind, const void* value, const std::string& topic);

@@ -26,6 +26,7 @@ struct TopicsConfig {
   std::string rear_camera = "rear_camera/image_raw";
   std::string ceiling_camera = "ceiling_camera/image_raw";
   std::string scan = "scan";
+  std::string rear_scan = "rear_scan";
   std::string imu = "imu";
 
   /// The inputs that have names here, with the kinds of their data, in the order in which messages
@@ -41,6 +42,7 @@ struct TopicsConfig {
     if (input == "rear_camera") return rear_camera;
     if (input == "ceiling_camera") return ceiling_camera;
     if (input == "scan") return scan;
+    if (input == "rear_scan") return rear_scan;
     return input == "imu" ? imu : input;
   }
 
@@ -58,6 +60,7 @@ struct TopicsConfig {
     add("ceiling_camera", &ceiling_camera,
         "raw images of the camera that looks at the ceiling; others as of the camera");
     add("scan", &scan, "the laser's sensor_msgs/LaserScan");
+    add("rear_scan", &rear_scan, "the second laser's sensor_msgs/LaserScan");
     add("imu", &imu, "the IMU's sensor_msgs/Imu");
   }
 };

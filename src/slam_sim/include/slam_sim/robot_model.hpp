@@ -90,6 +90,7 @@ struct RobotModel {
   Pace odometry;
   OdometryNoise noise;  ///< of LinearMotionModel: what one way errs does not depend on the rate
   LaserModel laser;
+  std::optional<LaserModel> rear_laser;
   std::optional<ImuModel> imu;
   std::vector<CameraModel> cameras;
 };

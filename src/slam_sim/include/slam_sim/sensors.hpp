@@ -41,6 +41,8 @@ class Sensors {
   RandomStream wheelNoise(std::uint64_t reading) const;
   RandomStream imuNoise(std::uint64_t reading) const;
   LaserReadings scan(const Pose2& T_world_base, std::uint64_t reading) const;
+  /// @pre the robot has a rear laser
+  LaserReadings rearScan(const Pose2& T_world_base, std::uint64_t reading) const;
   /// 8 bit, one channel; the path's second 0 is the middle of the exposure.
   /// @param time since the start [s], which the light depends on
   cv::Mat image(std::size_t camera, const BasePath& T_world_base, std::uint64_t reading,
@@ -51,7 +53,7 @@ class Sensors {
   RobotModel robot_;
   std::uint64_t seed_;
   FloorPlan plan_;
-  LaserScanner laser_;
+  LaserScanner laser_, rear_laser_;
   std::shared_ptr<const Scene> scene_;
   std::map<std::size_t, CameraRenderer> cameras_;
 };

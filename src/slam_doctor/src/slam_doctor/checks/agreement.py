@@ -3,8 +3,10 @@
 """Do laser and odometry agree: direction, scale of ways and turns, the laser's heading, time?"""
 import dataclasses
 
+from slam_doctor.checks.laser import LASERS, named
 from slam_doctor.finding import error, judged, ok, unknown, warn
 
+FIRST = LASERS[0]
 SCALE = (0.1, 0.2)      # of odometry, its distance from 1: WARN, ERROR
 TURN_SCALE = (0.12, 0.25)
 HEADING = (0.06, 0.2)   # of the laser's mount [rad]: WARN, ERROR
@@ -15,18 +17,23 @@ MOST_VAGUE = 0.1        # and a scale [1]
 
 
 def check(case):
-    """Findings about scans against odometry."""
-    if "scan" not in case.sensors or "odom" not in case.sensors:
-        return []
-    if case.scans is None:
+    """Findings about scans against odometry. The scales of odometry are told of the first laser."""
+    return [finding for name in LASERS if name in case.sensors and "odom" in case.sensors
+            for finding in named(name, of_laser(case.laser(name), case))
+            if name == FIRST or finding.check.startswith(name)]
+
+
+def of_laser(laser, case):
+    """Findings about the scans of one laser against odometry."""
+    if laser.scans is None:
         return [unknown("scan.odometry", "scans cannot be held against odometry",
                         "Record both for longer.")]
-    return [*turning(case), *driving(case), timing(case)]
+    return [*turning(laser, case), *driving(laser, case), timing(laser)]
 
 
-def turning(case):
+def turning(laser, case):
     """The direction of the laser and the scale of turns."""
-    turns = case.turns
+    turns = laser.turns
     if turns is None:
         return [unknown("scan.direction", "too few turns on the spot to see the laser's direction",
                         "Turn by half a turn either way, slowly, while recording.")]
@@ -68,9 +75,9 @@ def scale(check_name, what, key, ratio, limits, case):
     return dataclasses.replace(finding, value=measured, unit="1")
 
 
-def driving(case):
+def driving(laser, case):
     """The scale of ways and the heading of the laser's mount."""
-    drives = case.drives
+    drives = laser.drives
     if drives is None:
         return [unknown("odom.scale", "too few straight drives to compare odometry's ways with the "
                         "scans",
@@ -81,16 +88,15 @@ def driving(case):
     if heading is not None and drives.way.value > 0:
         value, sure = heading.value, abs(heading.value) > SURE * heading.sigma
         text = f"straight drives point {value:+.3f} +- {heading.sigma:.3f} rad off in the scans"
-        found.append(judged("scan.heading", text, f"Turn the laser's mount by {-value:+.3f} rad "
-                            "(yaw), or look whether the robot pulls to one "
-                            "side.", abs(value) if sure else 0.0,
-                            HEADING, "rad"))
+        found.append(judged("scan.heading", text, "Turn the laser's mount by "
+                            f"{-value:+.3f} rad (yaw), or look whether the robot pulls to one "
+                            "side.", abs(value) if sure else 0.0, HEADING, "rad"))
     return found
 
 
-def timing(case):
+def timing(laser):
     """The offset in time between the stamps of scans and odometry."""
-    offset = case.offset
+    offset = laser.offset
     if offset is None or offset.sigma > VAGUE:
         return unknown("scan.offset", "the turns do not tell the offset in time between scans and "
                        "odometry", "Turn left and right some times while recording, with scans at "

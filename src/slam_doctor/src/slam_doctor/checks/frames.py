@@ -6,6 +6,7 @@ import math
 import numpy as np
 
 from slam_doctor.finding import error, ok, unknown, warn
+from slam_doctor.record.recording import SCAN
 
 TILT = 0.1  # of a laser's plane, above which scans are refused (slam_ros, README: Lasers) [rad]
 FAR = 3.0   # a mount farther from the base than this is asked about [m]
@@ -98,7 +99,7 @@ def placed(name, sensor, frame, pose, is_static):
                     "these millimetres, or is it another "
                     "frame?", float(np.linalg.norm(pose[:3, 3])),
                     "m")
-    if sensor.name == "scan":
+    if sensor.topic.kind == SCAN:
         tilt = math.acos(min(1.0, abs(pose[2, 2])))
         text += ", upside down" if pose[2, 2] < 0 else ""
         if tilt > TILT:

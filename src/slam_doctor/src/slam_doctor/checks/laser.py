@@ -1,24 +1,38 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Is a laser's data usable by itself: angles, ranges, beams that tell something, frozen scans?"""
+import dataclasses
 import math
+import re
 
 import numpy as np
 
 from slam_doctor.finding import error, judged, ok, unknown, warn
 
+LASERS = ("scan", "rear_scan")  # the inputs that bring scans
 USABLE = (0.1, 0.02)     # share of the beams that tell something, below: WARN, ERROR
 FROZEN = 0.3             # odometry moves so far while a scan is repeated: ERROR [m or rad]
 REPEATED = 2.0           # so long a repeat is told where nothing says whether the robot moved [s]
 
 
 def check(case):
-    """Findings about the laser."""
-    sensor = case.sensors.get("scan")
-    if sensor is None or not sensor.topic.record.count:
+    """Findings about the lasers."""
+    return [finding for name in LASERS for finding in of_laser(name, case)]
+
+
+def of_laser(name, case):
+    """Findings about the laser of an input."""
+    record = case.record(name)
+    if record is None or not record.count:
         return []
-    record = sensor.topic.record
-    return [geometry(record), beams(record), *constant(record), *frozen(record, case)]
+    return named(name, [geometry(record), beams(record), *constant(record),
+                        *frozen(record, case)])
+
+
+def named(name, findings):
+    """Findings about scans, as those of the laser of an input."""
+    return [dataclasses.replace(finding, check=re.sub("^scan(?=[.])", name, finding.check))
+            for finding in findings]
 
 
 def fault_of(shape):
