@@ -24,7 +24,7 @@ void describeMap(MonoEkfConfig& config, Fields& fields) {
   fields
       .add("pixel_sigma", &config.pixel_sigma,
            "least standard deviation of where a feature is found in an image, however well the "
-           "matches agree; where they agree less, up to ten times as much is estimated")
+           "matches agree; where they agree less, up to 25 times as much is estimated")
       .unit("px")
       .in(Range::closed(0.05, 20));
   fields

@@ -14,7 +14,7 @@ struct MonoEkfConfig {
   BackendMode mode = BackendMode::kSlam;
   int features_in_view = 40;
   int most_features = 250;
-  double pixel_sigma = 0.5;
+  double pixel_sigma = 0.2;
   double nearest = 0.5;
   double typical_distance = 2.5;
   double least_correlation = 0.8;

@@ -9,7 +9,7 @@ namespace slam::mono_ekf {
 namespace {
 
 constexpr double kMostInformation = 1000.0;  // of some 40 images with 40 features
-constexpr double kLargestLogFactor = 4.605;  // ten times the sigma
+constexpr double kLargestLogFactor = 6.438;  // 25 times the sigma
 constexpr double kLargestStep = 0.5;         // a single image may be wrong
 
 }  // namespace

@@ -23,7 +23,7 @@ struct PixelScore {
 /// Estimates the noise of the pixels where features are found from the innovations, by a step of
 /// Fisher scoring for each update (adaptive filtering: Mehra 1970). It forgets what is older than
 /// some 40 images. The estimate is between the least sigma, which stands for what linearisation
-/// leaves as well, and ten times that; it begins with twice the least one.
+/// leaves as well, and 25 times that; it begins with five times the least one.
 class PixelNoise {
  public:
   PixelNoise() = default;
@@ -42,7 +42,7 @@ class PixelNoise {
   }
 
  private:
-  static constexpr double kFirstLogFactor = 1.386;  ///< of the variance: twice the sigma
+  static constexpr double kFirstLogFactor = 3.219;  ///< of the variance: five times the sigma
   static constexpr double kFirstInformation = 4.0;  ///< as of four matches that are well predicted
 
   double least_sigma_ = 1.0;
