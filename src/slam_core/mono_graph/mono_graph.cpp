@@ -79,6 +79,7 @@ void MonoGraph::reset() {
   recogniser_ = PlaceRecogniser(config_.least_place_points, seed_);
   closer_ = {};
   doubt_ = TrackingDoubt();
+  continuity_.settle();
   way_ = {};
   reference_.reset();
   unrecognised_.reset();
@@ -116,6 +117,7 @@ void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   anchor_.place(pose, covariance);
   is_way_known_ = false;
   doubt_.settle();
+  continuity_.settle();
   agreement_.clear();
   predict();
 }
@@ -138,6 +140,7 @@ void MonoGraph::move(const Motion& motion) {
   anchor_.move(motion);
   way_.move(motion);
   agreement_.move(motion);
+  continuity_.move(motion);
 }
 
 void MonoGraph::predict() {
@@ -163,8 +166,8 @@ Status MonoGraph::see(const CameraView& view) {
 }
 
 Status MonoGraph::follow(const CameraView& view, const Features& features) {
-  if (doubt_.isLost()) lookForPlace(features);
-  if (doubt_.isLost()) return Status::ok();
+  if (isLost()) lookForPlace(features);
+  if (isLost()) return Status::ok();
   const auto seen = tracked(features);
   const auto of_map = viewOfMap(features, seen);
   seen_.tracked = seen;
@@ -174,11 +177,16 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
   else if (reference_)
     counters_.add("untracked");
   doubt_.judge(of_map, pose_, view.stamp);
+  continuity_.judge(features, view.stamp);
   if (doubt_.isLost())
     return Status::alarm(
         "the robot is lost: the camera sees next to nothing of what the map has here; drive on "
         "slowly where the robot has been, or set an initial pose");
-  if (!doubt_.admits() || !wantsKeyframe(seen)) return Status::ok();
+  if (continuity_.isLost())
+    return Status::alarm(
+        "the robot is lost: the camera sees another scene than a moment ago, as if the robot had "
+        "been carried; drive on slowly where the robot has been, or set an initial pose");
+  if (!mayMap() || !wantsKeyframe(seen)) return Status::ok();
   return addKeyframe(view, features, seen);
 }
 

@@ -22,6 +22,7 @@
 #include "slam_core/contract/place_reporter.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/mono_graph/image_continuity.hpp"
 #include "slam_core/mono_graph/local_mapper.hpp"
 #include "slam_core/mono_graph/loop_closer.hpp"
 #include "slam_core/mono_graph/mono_graph_config.hpp"
@@ -73,8 +74,8 @@ class MonoGraph final : public Backend,
   template <class Archive>
   void persist(Archive& archive) {
     archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_,
-            unrecognised_, doubt_, agreement_, is_tracked_, pose_, covariance_, path_, events_,
-            inputs_, counters_);
+            unrecognised_, doubt_, continuity_, agreement_, is_tracked_, pose_, covariance_, path_,
+            events_, inputs_, counters_);
   }
 
  private:
@@ -116,7 +117,7 @@ class MonoGraph final : public Backend,
   std::optional<Stamp> correctedBy() const override { return firstVisit(); }
   std::vector<Event> events() const override { return events_; }
   GraphView graph() const override;
-  std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
+  std::optional<Stamp> lostSince() const override;
   bool findsItself() const override { return true; }
   std::vector<StampedPose> path() const override;
   std::vector<PlaceVisit> visits() const override;
@@ -132,6 +133,8 @@ class MonoGraph final : public Backend,
 
   // what an image leads to
   Status follow(const CameraView& view, const Features& features);
+  bool isLost() const { return doubt_.isLost() || continuity_.isLost(); }
+  bool mayMap() const { return doubt_.admits() && continuity_.admits(); }
   void lookForPlace(const Features& features);
   TrackedView tracked(const Features& features) const;
   void believe(const TrackedView& tracked);
@@ -164,6 +167,7 @@ class MonoGraph final : public Backend,
   std::optional<int> reference_;     ///< the keyframe that the robot is tracked by
   std::optional<int> unrecognised_;  ///< the newest one, whose place has not been looked up yet
   TrackingDoubt doubt_;
+  ImageContinuity continuity_;
   PlaceAgreement agreement_;
   bool is_tracked_ = false;  ///< the last image shows where the robot is
   Pose2 pose_;

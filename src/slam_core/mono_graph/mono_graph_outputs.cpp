@@ -18,9 +18,14 @@ double MonoGraph::radiusOfMap() const {
   return radius;
 }
 
+std::optional<Stamp> MonoGraph::lostSince() const {
+  const auto &by_map = doubt_.lostSince(), &by_images = continuity_.lostSince();
+  return by_map && by_images ? std::min(*by_map, *by_images) : (by_map ? by_map : by_images);
+}
+
 /// A lost robot may be anywhere in the map.
 PoseEstimate MonoGraph::pose() const {
-  if (doubt_.isLost()) {
+  if (isLost()) {
     const Eigen::Vector3d sigmas(radiusOfMap(), radiusOfMap(), M_PI);
     return {pose_, sigmas.cwiseAbs2().asDiagonal()};
   }
