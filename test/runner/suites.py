@@ -23,6 +23,7 @@ STATISTICS = ("*FindsTheNoiseOfASimulatedLog*:*TellsUncertaintiesThatHoldTheTrut
               "*SelfCalibration*.IsNearly*:*SelfCalibration*.KnowsHowWell*:"
               "SystematicErrorTest.*:LostOnAGrid.*:MatchingInARoom.ARobotCarried*:"
               "Aisles.*:*WoodOfPairs.*:*LostByPlace.*:*LyingMarkers.*:HeadingDrift.*:"
+              "PixelNoise.IsFound*:PixelNoise.Follows*:MonoState.IsConsistent*:"
               "*BackendContract.StaysWithTheRobot*:*LandmarkContract.ConvergesToAStaticWorld*")
 # Gives way to tests that run by the wall clock. Each test has a session of its own; where the
 # kernel groups processes by session, the nice value of the group counts.
