@@ -107,7 +107,7 @@ class PointMapNodelet : public nodelet::Nodelet {
   NodeletConfig config_;
   std::optional<slam_ros::PartNode> node_;
   const slam::point_map::PointMap* map_ = nullptr;  ///< of the part
-  /// Of the last scan that has come to each input, whether or not it could be used.
+  /// Each input has here the stamp of its last scan, whether or not that could be used.
   std::map<std::string, slam::Stamp> last_scans_;
   std::uint32_t resets_ = 0;  ///< of the back-end
   std::optional<slam_ros::PointsPublisher> publisher_;

@@ -12,7 +12,7 @@
 namespace slam::graph_slam {
 namespace {
 
-/// Of its beams.
+/// @return the memory that the beams of a scan take [bytes]
 double beamBytesOf(const LaserScan& scan) {
   std::size_t beams = 0;
   forEachFan(scan, [&](const LaserFan& fan) { beams += fan.beams.size(); });

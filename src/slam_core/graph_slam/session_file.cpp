@@ -22,7 +22,7 @@ constexpr SealedFormat kSessionFormat = {
     "SLAMGRPH", 3, "it is no session of the graph: name a file that save_session has written",
     "copy it again or save the session again"};
 
-/// What further lasers saw, of each scan of a session.
+/// Each scan of a session has here what further lasers saw.
 using FurtherFans = std::vector<std::vector<LaserFan>>;
 
 FurtherFans furtherOf(const Session& session) {

@@ -35,7 +35,8 @@ struct ScanPoints {
       archive(end, gain, sigma);
     }
   };
-  /// What one laser saw: its beams and ends go on up to the first ones of the next laser.
+  /// This is the part of one laser. Its beams and ends go on up to the first ones of the next
+  /// laser.
   struct Fan {
     Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the sensor
     double relative_sigma = 0.0;                       ///< of a range, relative to it

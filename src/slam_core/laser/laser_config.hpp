@@ -27,7 +27,7 @@ struct LaserConfig {
   std::optional<Eigen::Isometry3d> mount(const std::string& section = kSection) const;
 };
 
-/// The same of the second laser, wherever it looks.
+/// The second laser has the same parameters, wherever it looks.
 struct RearLaserConfig : LaserConfig {
   static constexpr const char* kSection = "rear_scan";
 };

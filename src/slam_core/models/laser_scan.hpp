@@ -52,8 +52,8 @@ struct LaserScan : LaserFan {
   std::uint64_t sequence = 0;
   Stamp stamp;
   std::string sensor_frame;
-  /// Of further lasers. Their poses are those in the base frame at `stamp`, also where the robot
-  /// has moved since they saw it.
+  /// These beams are those of further lasers. Their poses are those in the base frame at `stamp`,
+  /// also where the robot has moved between the stamps.
   std::vector<LaserFan> further;
 
   template <class Archive>

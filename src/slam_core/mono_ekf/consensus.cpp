@@ -56,7 +56,7 @@ class MatchedPart {
     return fit;
   }
 
-  /// By how much the scale of what is seen has changed, by the matches that agree.
+  /// The matches that agree say by how much the scale of what is seen has changed.
   double scaleSince(const MonoState& before, const std::vector<bool>& agrees) const {
     std::vector<int> offsets;
     Eigen::VectorXd change = Eigen::VectorXd::Zero(before.mean().size());

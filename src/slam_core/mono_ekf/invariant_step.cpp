@@ -18,7 +18,7 @@ Complex growthOf(const MapStep& map) {
   return std::abs(lambda) < kNearZero ? 1.0 + 0.5 * lambda : (std::exp(lambda) - 1.0) / lambda;
 }
 
-/// Of a feature's last coordinate, which grows with the scale or with one over it.
+/// A feature's last coordinate grows with the scale, or with one over it.
 double lastGrowthOf(const Feature& feature, const MapStep& map) {
   const double s = feature.is_point ? map.s : -map.s;
   return std::abs(s) < kNearZero ? 1.0 + 0.5 * s : std::expm1(s) / s;

@@ -42,13 +42,14 @@ Eigen::Vector2d stepped(const Eigen::Vector2d& position, const Eigen::Vector2d& 
 Eigen::Vector2d stepBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                             const MapStep& map);
 
-/// The same of all coordinates of a feature.
+/// These two do the same for all coordinates of a feature.
 Eigen::VectorXd stepped(const Feature& feature, const Eigen::VectorXd& coordinates,
                         const Eigen::VectorXd& step, const MapStep& map);
 Eigen::VectorXd stepBetween(const Feature& feature, const Eigen::VectorXd& from,
                             const Eigen::VectorXd& to, const MapStep& map);
 
-/// What errors alpha = 1, or s = 1, add to the error of a feature whose estimate moves by this.
+/// If the estimate of a feature moves by this, its error grows by alpha times the first of these,
+/// and by s times the second one.
 Eigen::VectorXd addedByHeading(const Eigen::VectorXd& moved);
 Eigen::VectorXd addedByScale(const Feature& feature, const Eigen::VectorXd& moved);
 

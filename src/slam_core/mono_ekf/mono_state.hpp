@@ -23,8 +23,8 @@ struct Measurement {
   int offset = 0;  ///< of the feature's first coordinate in the state
   Prediction prediction;
   Eigen::Vector2d nu;  ///< what is not explained yet [px]
-  /// In the error of the scale (ScaleError of the update's features), where it is linearised
-  /// elsewhere than at the state; else an image shows none.
+  /// The Jacobian in the error of the scale (the ScaleError of the update's features). It is zero
+  /// unless the measurement is linearised elsewhere than at the state.
   Eigen::Vector2d J_scale = Eigen::Vector2d::Zero();
 };
 

@@ -86,7 +86,7 @@ std::vector<PlaceSearch::Alike> PlaceSearch::fittingOnes(const NormalisedCamera&
   return fitting;
 }
 
-/// All corners against all features with depth.
+/// Compares all corners with all features with depth.
 PlaceSearch::Comparison PlaceSearch::compare(const cv::Mat& gray) const {
   Comparison comparison;
   auto& [corners, correlations] = comparison;
@@ -104,7 +104,7 @@ PlaceSearch::Comparison PlaceSearch::compare(const cv::Mat& gray) const {
   return comparison;
 }
 
-/// For each of these features the corners that look most like it; best ones first.
+/// Finds the corners that look most like each of these features; the best ones come first.
 std::vector<PlaceSearch::Alike> PlaceSearch::alike(const Comparison& comparison,
                                                    const PlanarCamera& camera,
                                                    const std::vector<bool>& is_considered) const {
@@ -156,7 +156,7 @@ std::optional<Pose2> PlaceSearch::poseOf(const NormalisedCamera& camera, const A
   return fit->pose;
 }
 
-/// Those that most others fit first.
+/// The poses that most others fit come first.
 std::vector<PlaceSearch::Hypothesis> PlaceSearch::hypotheses(
     const NormalisedCamera& camera, const std::vector<Alike>& matches) const {
   std::vector<PoseSighting> sightings;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLeastVariance = 1e-12;
 
-/// The relative error of a distance, times its weight: its gradient in one or two coordinates of
-/// the feature, and for a point the same with the other sign in the robot's position.
+/// This is the gradient of a distance's relative error, times its weight. It is in one or two
+/// coordinates of the feature; a point has the same with the other sign in the robot's position.
 struct OfDistance {
   int at = 0;
   bool is_point = false;

@@ -20,14 +20,14 @@ class ScaleError {
   /// @param offsets of the features that an image measures, in the state
   ScaleError(const MonoState& state, const std::vector<int>& offsets);
 
-  /// Of these errors of the state.
+  /// The error of the scale if the state has these errors.
   double of(const Eigen::VectorXd& errors) const;
   /// The products of matrices with the gradient of this function.
   Eigen::VectorXd columnsOf(const Eigen::MatrixXd& matrix) const;
   Eigen::RowVectorXd rowsOf(const Eigen::MatrixXd& matrix) const;
 
  private:
-  std::vector<std::pair<int, double>> gradient_;  ///< coordinates that count, and how much
+  std::vector<std::pair<int, double>> gradient_;  ///< a coordinate, and how much it counts
 };
 
 }  // namespace slam::mono_ekf

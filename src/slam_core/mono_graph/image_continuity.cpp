@@ -14,15 +14,16 @@
 namespace slam::mono_graph {
 namespace {
 
-/// The weight of images that show another scene, from which on the robot is lost.
+/// The robot is lost when the images of another scene have this weight.
 constexpr double kLost = 2.0;
 constexpr Independence kScenes{0.15, 0.2};
-/// As far as this the robot sees much of the same [m], [rad].
+/// A robot that has moved and turned no more than this sees much of the same [m], [rad].
 constexpr double kSameViewWay = 0.6, kSameViewTurn = 0.5;
 constexpr double kNearestDepth = 1.0, kFarthestDepth = 50.0;  ///< of what a camera sees [m]
 constexpr std::size_t kMostCompared = 100;                    ///< features, the strongest ones
 constexpr std::size_t kFewestCompared = 20;
-/// Of the features of one image in the next one. Of two scenes a hundredth looks alike.
+/// An image shows at least this share of the features of the one before; two scenes have a
+/// hundredth in common.
 constexpr double kSameScene = 0.1;
 constexpr double kSearchRadius = 10.0;  ///< around where a feature is predicted [px]
 constexpr double kHeadingSigmas = 3.0;
@@ -30,7 +31,8 @@ constexpr int kLargestDistance = 60;  ///< of descriptors
 constexpr double kDistinct = 0.85;    ///< of the best one's distance to the second one's
 constexpr int kLevelsApart = 1;
 
-/// Where a feature may be seen again: at each depth elsewhere, along a line.
+/// A feature may be seen again within this distance of a point. Each depth puts it elsewhere along
+/// a line.
 struct Reach {
   Eigen::Vector2d middle;
   double radius = 0.0;  ///< [px]

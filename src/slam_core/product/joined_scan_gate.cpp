@@ -67,7 +67,7 @@ void JoinedScanGate::push(Source source, const LaserScan& scan) {
   collator_.push(source, scan.stamp, scan.sequence, {source == kRear, scan});
 }
 
-/// What is wrong with motion is said by the back-end, which gets it as well.
+/// The back-end gets the same motion and says what is wrong with it.
 void JoinedScanGate::set(const Motion& motion) {
   if (faultOf(motion).empty()) return collator_.push(motion);
   counters_.add("invalid_motion");

@@ -33,7 +33,7 @@ namespace slam {
 /// to which no motion leads), "invalid_motion".
 class JoinedScanGate final : public Gate {
  public:
-  /// Of the gate and of its output.
+  /// The gate and its output have this name.
   static constexpr const char* kName = "joined_scan";
   static constexpr double kPatience = 0.75;
 
@@ -69,7 +69,7 @@ class JoinedScanGate final : public Gate {
   }
 
  private:
-  /// Of one stamp the rear scan comes first, so that it is joined with the front scan.
+  /// If two scans have one stamp, the rear one is taken first, so that both are joined.
   enum Source : std::size_t { kRear, kFront };
   struct Arrival {
     bool is_rear = false;
@@ -81,14 +81,14 @@ class JoinedScanGate final : public Gate {
     }
   };
   using Scans = Collator<Motion, Arrival>;
-  /// A scan, and the robot's way since its stamp.
+  /// This scan waits; the robot's way since its stamp is followed.
   struct Waiting {
     LaserScan scan;
     Pose2 T_then_now;
     Stamp now;  ///< up to where the way is known
-    /// Of a front scan: the last scan of the rear laser before it, seen from its pose.
+    /// A front scan has here the last rear scan before it, seen from its own pose.
     std::optional<LaserFan> before;
-    Duration apart{};  ///< of both stamps
+    Duration apart{};  ///< so far is that scan's stamp from this one's
 
     template <class Archive>
     void persist(Archive& archive) {
@@ -101,7 +101,7 @@ class JoinedScanGate final : public Gate {
   void restart();
   Status takeRear(const LaserScan& scan);
   Status takeFront(const LaserScan& scan);
-  /// Whether a rear scan is that which the front scan waits for.
+  /// Says whether the front scan that waits is to be joined with this rear scan.
   bool isNearest(const LaserScan& rear) const;
   /// Takes the rear scan that waits, seen from the robot's pose now.
   std::optional<LaserFan> fanBefore(Stamp now);
@@ -117,7 +117,7 @@ class JoinedScanGate final : public Gate {
   std::optional<Stamp> start_;    ///< of the first step
   std::optional<Stamp> last_front_, last_rear_;
   Duration front_interval_{}, rear_interval_{};  ///< between the last two scans; 0: unknown
-  std::deque<LaserScan> out_;                    ///< that are joined
+  std::deque<LaserScan> out_;                    ///< these are joined
   std::uint64_t sequence_ = 0;
   std::optional<LaserScan> scan_;
   Counters counters_;

@@ -34,7 +34,7 @@ class WiredPorts {
   /// @param ports its ports, with the names that they have in the product
   /// @return the ports, which stay in their place
   const Ports& add(const std::string& title, const Component& component, Ports ports);
-  /// The same under the ports' own names.
+  /// Adds a component whose ports keep their own names.
   const Ports& add(const std::string& title, Component& component) {
     return add(title, component, portsOf(component));
   }

@@ -54,8 +54,7 @@ TEST(InvariantStep, LeadsFromOnePlaceToAnother) {
   }
 }
 
-/// What the state knows of the scale: the information on a map that grows with all it holds about
-/// the camera.
+/// This is the information that the state has on its scale: on a map that grows about the camera.
 double informationOnScale(test::PointCloudFilter& filter) {
   const auto& state = filter.state();
   const Eigen::Vector3d centre = filter.drive().camera().centre(state.robot().pose);

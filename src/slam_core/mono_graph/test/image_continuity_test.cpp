@@ -15,7 +15,7 @@ namespace {
 using test::RoomOfPictures;
 using test::RoundOfPictures;
 
-/// What a camera sees that drives round and round, ten images a second.
+/// The camera drives round and round and sees this, ten images a second.
 class Views {
  public:
   using Walls = RoundOfPictures::Walls;

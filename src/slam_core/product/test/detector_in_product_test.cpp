@@ -7,7 +7,7 @@
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/odometry_sample.hpp"
-#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/product_run.hpp"
 #include "slam_core/product/test/spot_detector.hpp"
 
 namespace slam {
@@ -89,10 +89,9 @@ Image lampAt(int column, int milliseconds) {
   return image;
 }
 
-struct DetectorRun : testing::Test {
+struct DetectorRun : testing::Test, test::ProductRun {
   DetectorRun() {
-    Settings settings({}, {}, {"detector=lamp"});
-    coordinator.configure(settings);
+    configure({"detector=lamp"});
     for (int i = 0; i <= 20; ++i) {
       OdometrySample sample;
       sample.stamp = at(100 * i);
@@ -104,17 +103,6 @@ struct DetectorRun : testing::Test {
     coordinator.put("camera", CameraCalibration{32, 24, "plumb_bob", 16, 16, 16, 12, {}});
     coordinator.put("camera", CameraMount{"camera", Eigen::Isometry3d::Identity()});
   }
-  void drain() {
-    do {
-      const auto status = coordinator.execute();
-      if (!status.isOk()) sentences.push_back(status.message);
-      if (coordinator.estimator().report()) reports.push_back(*coordinator.estimator().report());
-    } while (coordinator.estimator().report());
-  }
-
-  MetaCoordinator coordinator;
-  std::vector<StepReport> reports;
-  std::vector<std::string> sentences;
 };
 
 TEST_F(DetectorRun, EveryImageIsAStepAndWhatIsSeenIsMapped) {

@@ -10,6 +10,7 @@
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/product/test/product_run.hpp"
 
 namespace slam {
 namespace {
@@ -100,25 +101,13 @@ OdometrySample sampleAt(Stamp stamp, const Pose2& pose) {
   return sample;
 }
 
-class MetaCoordinatorRun : public testing::Test {
+class MetaCoordinatorRun : public testing::Test, protected test::ProductRun {
  protected:
   void SetUp() override {
-    Settings settings({}, {},
-                      {"wheel_odometry.alpha1=2e-4", "wheel_odometry.alpha2=0",
-                       "wheel_odometry.alpha3=1e-4", "wheel_odometry.alpha4=0"});
-    coordinator.configure(settings);  // with the noise of the simulated world
+    configure({"wheel_odometry.alpha1=2e-4", "wheel_odometry.alpha2=0",
+               "wheel_odometry.alpha3=1e-4",
+               "wheel_odometry.alpha4=0"});  // with the noise of the simulated world
   }
-  void drain() {
-    do {
-      const auto status = coordinator.execute();
-      if (!status.isOk()) sentences.push_back(status.message);
-      if (coordinator.estimator().report()) ++steps;
-    } while (coordinator.estimator().report());
-  }
-
-  MetaCoordinator coordinator;
-  std::vector<std::string> sentences;
-  int steps = 0;
 };
 
 TEST_F(MetaCoordinatorRun, LeadsRawOdometryAndObservationsToAMap) {
@@ -132,7 +121,7 @@ TEST_F(MetaCoordinatorRun, LeadsRawOdometryAndObservationsToAMap) {
     coordinator.set(step.observations);
     drain();
   }
-  EXPECT_EQ(steps, 100);
+  EXPECT_EQ(reports.size(), 100u);
   EXPECT_TRUE(sentences.empty());
   EXPECT_EQ(coordinator.dropped(), 0u);
   const auto pose = coordinator.estimator().backend().pose().pose;
@@ -141,33 +130,29 @@ TEST_F(MetaCoordinatorRun, LeadsRawOdometryAndObservationsToAMap) {
 
 /// A drive of 300 steps whose odometry samples go through a change. @return where it ends
 template <class Change>
-Pose2 driveWith(MetaCoordinator& coordinator, int& steps, std::vector<std::string>& sentences,
-                const Change& change) {
+Pose2 driveWith(test::ProductRun& run, const Change& change) {
   test::SimulatedWorld world(4);
   Pose2 truth;
   for (int i = 0; i < 300; ++i) {
     const auto step = world.next();
     truth = step.truth;
     const Pose2 begin(20, -10, 1);  // of the odometry
-    if (i == 0) coordinator.set(sampleAt(step.motion.start, begin * step.motion.odometry_start));
+    if (i == 0)
+      run.coordinator.set(sampleAt(step.motion.start, begin * step.motion.odometry_start));
     auto sample = sampleAt(step.motion.end, begin * step.motion.odometry_end);
     change(i, sample);
-    coordinator.set(sample);
-    coordinator.set(step.observations);
-    do {
-      const auto status = coordinator.execute();
-      if (!status.isOk()) sentences.push_back(status.message);
-      if (coordinator.estimator().report()) ++steps;
-    } while (coordinator.estimator().report());
+    run.coordinator.set(sample);
+    run.coordinator.set(step.observations);
+    run.drain();
   }
   return truth;
 }
 
 TEST_F(MetaCoordinatorRun, LosesNothingOfARunToThreeOdometryMessagesStampedAhead) {
-  const auto truth = driveWith(coordinator, steps, sentences, [](int i, auto& sample) {
+  const auto truth = driveWith(*this, [](int i, auto& sample) {
     if (i >= 100 && i < 103) sample.stamp += std::chrono::seconds(100);
   });
-  EXPECT_GE(steps, 298);
+  EXPECT_GE(reports.size(), 298u);
   EXPECT_GT(coordinator.dropped(), 0u);
   const auto pose = coordinator.estimator().backend().pose().pose;
   EXPECT_LT((pose.position() - truth.position()).norm(), 0.3);
@@ -175,11 +160,11 @@ TEST_F(MetaCoordinatorRun, LosesNothingOfARunToThreeOdometryMessagesStampedAhead
 
 TEST_F(MetaCoordinatorRun, GoesOnWhereTheDriverOfTheOdometryWasRestarted) {
   Pose2 restart;
-  const auto truth = driveWith(coordinator, steps, sentences, [&](int i, auto& sample) {
+  const auto truth = driveWith(*this, [&](int i, auto& sample) {
     if (i == 100) restart = *sample.pose;
     if (i >= 100) sample.pose = restart.between(*sample.pose);
   });
-  EXPECT_GE(steps, 298);
+  EXPECT_GE(reports.size(), 298u);
   EXPECT_EQ(coordinator.counters()["odometry_pose_jump"], 1u);
   EXPECT_EQ(sentences.size(), 2u) << join(sentences, "\n");
   const auto estimate = coordinator.estimator().backend().pose();
@@ -190,11 +175,11 @@ TEST_F(MetaCoordinatorRun, GoesOnWhereTheDriverOfTheOdometryWasRestarted) {
 TEST_F(MetaCoordinatorRun, IsNotMovedByOneOdometryMessageThatIsOff) {
   for (const double off : {1e6, 1e300}) {
     SetUp();
-    steps = 0;
-    const auto truth = driveWith(coordinator, steps, sentences, [&](int i, auto& sample) {
+    reports.clear();
+    const auto truth = driveWith(*this, [&](int i, auto& sample) {
       if (i == 100) sample.pose = Pose2(off, 0, 0);
     });
-    EXPECT_GE(steps, 298);
+    EXPECT_GE(reports.size(), 298u);
     EXPECT_EQ(coordinator.dropped(), 1u);
     const auto pose = coordinator.estimator().backend().pose().pose;
     EXPECT_LT((pose.position() - truth.position()).norm(), 0.3) << off;

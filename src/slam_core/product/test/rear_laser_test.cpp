@@ -14,11 +14,12 @@
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 #include "slam_core/product/data_flow.hpp"
-#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/product_run.hpp"
 
 namespace slam {
 namespace {
 
+using test::faultsOfWords;
 using test::oneSays;
 using Overrides = std::vector<std::string>;
 
@@ -33,20 +34,12 @@ Stamp laserStamp(int milliseconds) {
   return stampFromNanoseconds(1000000000) + std::chrono::milliseconds(milliseconds);
 }
 
-std::vector<std::string> refusalsOf(const Overrides& overrides) {
-  return test::faultsOf([&] {
-    Settings settings({}, {}, overrides);
-    MetaCoordinator().configure(settings);
-  });
-}
-
 /// A robot that drives round the box of a room, with two lasers of 180 degrees back to back. The
 /// rear one sees between the scans of the front one.
-class RearLaser : public testing::Test {
+class RearLaser : public testing::Test, protected test::ProductRun {
  protected:
   void configure(const Overrides& overrides) {
-    Settings settings({}, {}, overrides);
-    coordinator.configure(settings);
+    ProductRun::configure(overrides);
     know("scan", T_base_front);
     if (findPort(coordinator.wiring().ports().open(), "rear_scan", kindOf<LaserSweep>()) != nullptr)
       know("rear_scan", T_base_rear);
@@ -93,13 +86,6 @@ class RearLaser : public testing::Test {
     coordinator.set(sample);
     drain();
   }
-  void drain() {
-    do {
-      const auto status = coordinator.execute();
-      if (!status.isOk()) sentences.push_back(status.message);
-      if (coordinator.estimator().report()) reports.push_back(*coordinator.estimator().report());
-    } while (coordinator.estimator().report());
-  }
   OccupancyGrid grid() const {
     return *coordinator.estimator().capabilities().find<GridMapper>()->grid();
   }
@@ -118,9 +104,6 @@ class RearLaser : public testing::Test {
   const Pose2 T_base_front{0.2, 0.0, 0.0}, T_base_rear{-0.2, 0.05, 3.0};
   test::Room room;
   bool has_front = true, has_rear = true;
-  MetaCoordinator coordinator;
-  std::vector<StepReport> reports;
-  std::vector<std::string> sentences;
 };
 
 TEST_F(RearLaser, OfAProductIsAnInputOfItsMapsAndOfNobodyElse) {
@@ -239,13 +222,14 @@ TEST_F(RearLaser, GoesOnFromASavedState) {
 }
 
 TEST(RearLaserConfig, IsRefusedWithoutMotionBetweenTheStamps) {
-  EXPECT_TRUE(oneSays(refusalsOf({"backend=grid", "map=grid", "odometry=none", "rear_laser=true"}),
-                      {"rear_laser", "odometry: none"}));
+  EXPECT_TRUE(
+      oneSays(faultsOfWords({"backend=grid", "map=grid", "odometry=none", "rear_laser=true"}),
+              {"rear_laser", "odometry: none"}));
 }
 
 TEST(RearLaserConfig, IsRefusedWhereNobodyMakesAMapOfScans) {
-  EXPECT_TRUE(oneSays(refusalsOf({"backend=ekf", "detector=laser_trunks", "association=nearest",
-                                  "rear_laser=true"}),
+  EXPECT_TRUE(oneSays(faultsOfWords({"backend=ekf", "detector=laser_trunks", "association=nearest",
+                                     "rear_laser=true"}),
                       {"rear_laser", "map of scans"}));
 }
 

@@ -11,12 +11,13 @@
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/odometry_sample.hpp"
-#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/product_run.hpp"
 #include "slam_core/product/test/spot_detector.hpp"
 
 namespace slam {
 namespace {
 
+using test::faultsOfWords;
 using test::oneSays;
 
 /// The brightest spot of an image is a beacon 2 m away, whose number is its gray value. Detectors
@@ -57,18 +58,10 @@ Image beacon(const std::string& camera, int number, int milliseconds) {
   return image;
 }
 
-std::vector<std::string> faultsWith(const std::vector<std::string>& overrides) {
-  return test::faultsOf([&] {
-    Settings settings({}, {}, overrides);
-    MetaCoordinator().configure(settings);
-  });
-}
-
-class SeveralDetectors : public testing::Test {
+class SeveralDetectors : public testing::Test, protected test::ProductRun {
  protected:
   explicit SeveralDetectors(const std::vector<std::string>& overrides = kFour) {
-    Settings settings({}, {}, overrides);
-    coordinator.configure(settings);
+    configure(overrides);
   }
   /// Odometry up to a time [ms].
   void drive(int until) {
@@ -96,13 +89,6 @@ class SeveralDetectors : public testing::Test {
     coordinator.put(camera, beacon(camera, camera == "camera" ? 3 : 4, milliseconds));
     drain();
   }
-  void drain() {
-    do {
-      const auto status = coordinator.execute();
-      if (!status.isOk()) sentences.push_back(status.message);
-      if (coordinator.estimator().report()) reports.push_back(*coordinator.estimator().report());
-    } while (coordinator.estimator().report());
-  }
   LandmarkMap map() const {
     return coordinator.estimator().capabilities().find<LandmarkMapper>()->landmarks();
   }
@@ -116,10 +102,6 @@ class SeveralDetectors : public testing::Test {
     for (const auto& report : reports) names.push_back(report.trigger);
     return names;
   }
-
-  MetaCoordinator coordinator;
-  std::vector<StepReport> reports;
-  std::vector<std::string> sentences;
 
  private:
   int driven_ = 0;
@@ -245,33 +227,33 @@ TEST(SeveralDetectorsConfig, OneOfAPartHasThePortsOfItsPlace) {
 }
 
 TEST(SeveralDetectorsConfig, RefusesTheSameDetectorTwice) {
-  EXPECT_TRUE(oneSays(faultsWith({"detector=beacons_a", "second_detector=beacons_a"}),
+  EXPECT_TRUE(oneSays(faultsOfWords({"detector=beacons_a", "second_detector=beacons_a"}),
                       {"second_detector", "'beacons_a' is the first detector already"}));
 }
 
 TEST(SeveralDetectorsConfig, RefusesARearCameraForADetectorThatHasNone) {
-  EXPECT_TRUE(oneSays(faultsWith({"detector=laser_trunks", "second_camera=true"}),
+  EXPECT_TRUE(oneSays(faultsOfWords({"detector=laser_trunks", "second_camera=true"}),
                       {"second_camera", "'laser_trunks' does not look through the camera"}));
 }
 
 TEST(SeveralDetectorsConfig, RefusesToCalibrateASensorOfTwo) {
-  EXPECT_TRUE(oneSays(
-      faultsWith({"detector=beacons_a", "second_camera=true", "calibration.estimate=[sensor_yaw]"}),
-      {"calibration.estimate", "second_camera"}));
+  EXPECT_TRUE(oneSays(faultsOfWords({"detector=beacons_a", "second_camera=true",
+                                     "calibration.estimate=[sensor_yaw]"}),
+                      {"calibration.estimate", "second_camera"}));
 }
 
 TEST(SeveralDetectorsConfig, RefusesACorrectionOfOneMountOfTwo) {
   const std::string yaw = "landmark_sensor.mount_yaw=0.01";
-  EXPECT_TRUE(oneSays(faultsWith({"detector=beacons_a", "second_camera=true", yaw}),
+  EXPECT_TRUE(oneSays(faultsOfWords({"detector=beacons_a", "second_camera=true", yaw}),
                       {"landmark_sensor", "mount_yaw", "camera.sensor_pose"}));
-  EXPECT_TRUE(faultsWith({"detector=beacons_a", yaw}).empty());
+  EXPECT_TRUE(faultsOfWords({"detector=beacons_a", yaw}).empty());
 }
 
 TEST(SeveralDetectorsConfig, RefusesMarkersThatTwoDetectorsWouldFind) {
   const std::vector<std::string> both = {"detector=apriltag", "second_detector=aruco"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), both.begin(), both.end());
-    return faultsWith(more);
+    return faultsOfWords(more);
   };
   EXPECT_TRUE(with({"aruco.dictionaries=[DICT_4X4_50]"}).empty());
   EXPECT_TRUE(oneSays(with({"aruco.dictionaries=[DICT_APRILTAG_36h11]"}),

@@ -7,39 +7,34 @@
 #include "slam_core/camera/test/ceiling_picture.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/models/odometry_sample.hpp"
-#include "slam_core/product/meta_coordinator.hpp"
+#include "slam_core/product/test/product_run.hpp"
 
 namespace slam {
 namespace {
 
+using test::faultsOfWords;
 using test::oneSays;
 namespace ceilings = test::ceilings;
 
-std::vector<std::string> faultsOf(const std::vector<std::string>& overrides) {
-  return test::faultsOf([&] {
-    Settings settings({}, {}, overrides);
-    MetaCoordinator().configure(settings);
-  });
-}
-
 TEST(VisualProductConfig, NamesTheOdometrySourcesThereAre) {
-  EXPECT_TRUE(oneSays(faultsOf({"odometry=visul"}),
+  EXPECT_TRUE(oneSays(faultsOfWords({"odometry=visul"}),
                       {"odometry source 'visul'", "did you mean 'visual'", "visual_wheel"}));
 }
 
 TEST(VisualProductConfig, NeedsTheCeilingsHeight) {
   for (const char* odometry : {"odometry=visual", "odometry=visual_wheel"}) {
-    EXPECT_TRUE(oneSays(faultsOf({odometry}), {"ceiling_height is 0", "above 0", "robot file"}));
-    EXPECT_TRUE(oneSays(faultsOf({odometry, "visual_odometry.ceiling_height=-1"}),
+    EXPECT_TRUE(
+        oneSays(faultsOfWords({odometry}), {"ceiling_height is 0", "above 0", "robot file"}));
+    EXPECT_TRUE(oneSays(faultsOfWords({odometry, "visual_odometry.ceiling_height=-1"}),
                         {"visual_odometry.ceiling_height", "-1"}));
-    EXPECT_TRUE(faultsOf({odometry, "visual_odometry.ceiling_height=1.7"}).empty());
+    EXPECT_TRUE(faultsOfWords({odometry, "visual_odometry.ceiling_height=1.7"}).empty());
   }
 }
 
 TEST(VisualProductConfig, TellsAllFaultsOfItsSections) {
   const auto faults =
-      faultsOf({"odometry=visual", "visual_odometry.features=obr", "visual_odometry.max_speed=0",
-                "ceiling_camera.sensor_pose=[1, 2]"});
+      faultsOfWords({"odometry=visual", "visual_odometry.features=obr",
+                     "visual_odometry.max_speed=0", "ceiling_camera.sensor_pose=[1, 2]"});
   EXPECT_TRUE(oneSays(faults, {"visual_odometry.features", "orb"}));
   EXPECT_TRUE(oneSays(faults, {"visual_odometry.max_speed", "> 0"}));
 }
