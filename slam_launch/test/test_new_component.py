@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Packages that new_component writes: what stands in them, and what is refused. test/run_tests builds
-one of each role and runs its contract."""
+a back-end, with --all one of each role, and runs its contract."""
 
 import os
 import pathlib

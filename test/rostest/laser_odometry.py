@@ -5,43 +5,21 @@
 
 import copy
 import math
-import os
-import subprocess
 import sys
-import tempfile
-import threading
 import time
 import unittest
 
-from catkin.find_in_workspaces import find_in_workspaces
-from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import TransformStamped
+from motion_source import MotionSource, simulated
 from nav_msgs.msg import Odometry
 import numpy
 from player import wait_for
-import rosbag
-from rosgraph_msgs.msg import Log
 import rospy
 import rostest
 from sensor_msgs.msg import LaserScan
-from slam_msgs.msg import Motion
 from tf2_msgs.msg import TFMessage
 
 SECONDS = 8
 TOPICS = {"/scan": LaserScan, "/tf_static": TFMessage}
-OUTPUTS = {"motion": Motion, "laser_odometry/odom": Odometry, "compared/odom": Odometry,
-           "/tf": TFMessage, "/rosout": Log, "/diagnostics": DiagnosticArray}
-
-
-def read_log():
-    """Returns the (topic, message) of a simulated drive."""
-    program = find_in_workspaces(["libexec"], "slam_sim", "slam_sim", first_match_only=True)[0]
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "drive.bag")
-        subprocess.run([program, path, "--duration", str(SECONDS), "--only", "odom,scan"],
-                       check=True, stdout=subprocess.DEVNULL)
-        with rosbag.Bag(path) as bag:
-            return [(topic, message) for topic, message, _ in bag.read_messages()]
 
 
 def planar(pose):
@@ -64,32 +42,18 @@ def blind(message):
     return empty
 
 
-class LaserOdometryTest(unittest.TestCase):
-    """The tests go on from one another in the order of their numbers."""
+class LaserOdometryTest(MotionSource, unittest.TestCase):
+    SOURCE = "laser"
 
     @classmethod
     def setUpClass(cls):
         cls.has_wheels = rospy.get_param("~odometry") == "laser_wheel"
         kinds = {**TOPICS, **({"/odom": Odometry} if cls.has_wheels else {})}
-        log = read_log()
+        log = simulated(SECONDS, "odom,scan")
         cls.truth = {m.header.stamp: planar(m.pose) for topic, m in log
                      if topic == "/ground_truth/pose"}
         cls.steps = cls.split([(topic, m) for topic, m in log if topic in kinds])
-        cls.lock = threading.Lock()
-        cls.received = {topic: [] for topic in OUTPUTS}
-        cls.publishers = {topic: rospy.Publisher(topic, kind, queue_size=100,
-                                                 latch=topic == "/tf_static")
-                          for topic, kind in kinds.items()}
-        cls.transforms = rospy.Publisher("/tf", TFMessage, queue_size=10)
-        cls.subscribers = [rospy.Subscriber(topic, kind, cls.keep, topic, queue_size=1000)
-                           for topic, kind in OUTPUTS.items()]
-        cls.connected = wait_for(lambda: all(p.get_num_connections() > 0
-                                             for p in cls.publishers.values()), 30)
-        cls.connected &= wait_for(lambda: all(s.get_num_connections() > 0
-                                              for s in cls.subscribers[:3]), 30)
-        time.sleep(0.5)  # a nodelet advertises before it subscribes
-        cls.publishers["/tf_static"].publish(next(m for topic, m in log if topic == "/tf_static"))
-        time.sleep(1.0)
+        cls.connect(kinds, [next(entry for entry in log if entry[0] == "/tf_static")])
         cls.sent = 0
 
     @staticmethod
@@ -102,15 +66,6 @@ class LaserOdometryTest(unittest.TestCase):
             if steps and topic != "/tf_static":
                 steps[-1].append((topic, message))
         return steps
-
-    @classmethod
-    def keep(cls, message, topic):
-        with cls.lock:
-            cls.received[topic].append(message)
-
-    def get(self, topic):
-        with self.lock:
-            return list(self.received[topic])
 
     def send(self, count, change=lambda message: message):
         """Sends the next scans and what comes with them."""
@@ -125,23 +80,6 @@ class LaserOdometryTest(unittest.TestCase):
         """Of the scans that have been sent."""
         return [step[0][1].header.stamp for step in self.steps[:self.sent]]
 
-    def motions(self, count):
-        self.assertTrue(wait_for(lambda: len(self.get("motion")) >= count),
-                        f"{len(self.get('motion'))} motions came")
-        return self.get("motion")
-
-    def test_1_every_scan_after_the_first_yields_a_motion(self):
-        self.assertTrue(self.connected)
-        self.send(30)
-        motions = self.motions(29)
-        self.assertEqual([m.sequence for m in motions], list(range(29)))
-        self.assertEqual([m.end for m in motions], self.stamps()[1:])
-        for motion in motions:
-            covariance = numpy.array(motion.covariance).reshape(3, 3)
-            self.assertGreater(numpy.linalg.eigvalsh(covariance).min(), 0)
-        self.assertEqual({(m.header.frame_id, m.child_frame_id) for m in motions},
-                         {("odom", "base_link")})
-
     def error(self):
         """Of the way from the first to the last scan [m]: the truth is that of nearby stamps."""
         true = numpy.array([stamp.to_sec() for stamp in self.truth])
@@ -154,31 +92,13 @@ class LaserOdometryTest(unittest.TestCase):
         end = self.get("motion")[-1].odometry_end
         return math.hypot(end.x - way[0], end.y - way[1])
 
+    def test_1_every_scan_after_the_first_yields_a_motion(self):
+        self.assertTrue(self.connected)
+        self.send(30)
+        self.assert_motions_end_at(self.stamps()[1:])
+
     def test_2_odometry_and_transform_tell_the_same_way(self):
-        self.assertTrue(wait_for(lambda: len(self.get("laser_odometry/odom")) >= 29))
-        odometry, end = self.get("laser_odometry/odom")[-1], self.get("motion")[-1].odometry_end
-        self.assertEqual((odometry.header.frame_id, odometry.child_frame_id),
-                         ("odom", "base_link"))
-        self.assertAlmostEqual(odometry.pose.pose.position.x, end.x)
-        self.assertAlmostEqual(odometry.pose.pose.position.y, end.y)
-        self.assertGreater(odometry.pose.covariance[0], 0)
-        self.assertTrue(wait_for(lambda: self.edges()), "no transform came")
-        self.assertAlmostEqual(self.edges()[-1].transform.translation.x, end.x)
-        stamps = [edge.header.stamp for edge in self.edges()]
-        self.assertTrue(all(a < b for a, b in zip(stamps, stamps[1:])))
-
-    def edges(self):
-        """The transforms of the robot's base."""
-        return [t for m in self.get("/tf") for t in m.transforms if t.child_frame_id == "base_link"]
-
-    def values(self):
-        """The newest diagnostic of the nodelet."""
-        for array in reversed(self.get("/diagnostics")):
-            for status in array.status:
-                if status.name.startswith("laser_odometry"):
-                    return {"message": status.message,
-                            **{entry.key: entry.value for entry in status.values}}
-        return {}
+        self.assert_odometry_and_transform_tell_the_way(29)
 
     def test_3_the_way_is_the_true_one_and_diagnostics_tell_how_well_it_goes(self):
         self.send(20)
@@ -196,38 +116,20 @@ class LaserOdometryTest(unittest.TestCase):
         self.send(5, blind)
         unsure = self.motions(54)[-1].covariance[0]
         self.assertTrue(self.has_wheels or unsure > 10 * sure)
-        self.assertTrue(wait_for(lambda: any("do not tell the robot's motion" in log.msg
-                                             for log in self.get("/rosout"))))
+        self.assertTrue(self.has_warned("do not tell the robot's motion"))
         self.send(5)
         self.assertLess(self.motions(59)[-1].covariance[0], 1e-4)
         self.assertLess(self.error(), 0.05)
         self.assertTrue(wait_for(lambda: self.values().get("unmatched") == "5"), self.values())
 
     def test_5_another_odometry_keeps_its_transform(self):
-        edge = TransformStamped(child_frame_id="base_link")
-        edge.header.frame_id = "odom"
-        edge.header.stamp = self.stamps()[-1]
-        edge.transform.rotation.w = 1.0
-        self.transforms.publish(TFMessage([edge]))
-        time.sleep(0.5)
+        self.let_another_publish_the_transform(self.stamps()[-1])
         self.send(4)
-        self.assertEqual(self.motions(63)[-1].header.frame_id, "laser_odom")
-        self.assertTrue(wait_for(lambda: any("laser_odom" in log.msg
-                                             for log in self.get("/rosout"))))
+        self.assert_keeps_a_frame_of_its_own(63)
 
     def test_6_beside_the_products_odometry_a_second_one_only_tells_its_own(self):
-        self.assertTrue(wait_for(lambda: len(self.get("compared/odom")) >= 63),
-                        len(self.get("compared/odom")))
-        compared = self.get("compared/odom")
-        self.assertEqual({(m.header.frame_id, m.child_frame_id) for m in compared},
-                         {("laser_odom", "base_link")})
-        ours = {m.header.stamp: m.pose.pose.position for m in self.get("laser_odometry/odom")}
-        self.assertEqual([m.header.stamp for m in compared], sorted(ours))
-        delta = 0.05 if self.has_wheels else 1e-9  # the second one goes by its laser alone
-        for message in compared:
-            self.assertAlmostEqual(message.pose.pose.position.x, ours[message.header.stamp].x,
-                                   delta=delta)
-        self.assertEqual(len(self.motions(63)), 63, "it publishes no motion")
+        # the second one goes by its laser alone
+        self.assert_the_second_one_tells_only_its_own(63, 0.05 if self.has_wheels else 1e-9)
 
 
 if __name__ == "__main__":
