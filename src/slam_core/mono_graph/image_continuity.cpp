@@ -78,10 +78,10 @@ void ImageContinuity::move(const Motion& motion) {
     if (*image) (*image)->odometry.move(motion);
 }
 
-/// Nothing is known of an image of another camera, nor of one that has far fewer features: it is
+/// Nothing is known of an image of another camera, nor of one that has few features: it may be
 /// blurred or dark.
 ImageContinuity::Same ImageContinuity::compared(const Image& earlier, const Features& features) {
-  if (features.focal() != earlier.features.focal() || 2 * features.size() < earlier.features.size())
+  if (features.focal() != earlier.features.focal() || features.size() < kMostCompared)
     return Same::kUnknown;
   std::size_t expected = 0, found = 0;
   std::vector<std::size_t> near;

@@ -37,6 +37,7 @@ class Views {
            int width = 320) {
     auto view = room.view(stamp_, place, width);
     if (!hidden.empty()) view.image.gray = hidden;
+    view.image.gray.rowRange(0, blank_rows_).setTo(128);
     continuity_.judge(orb_.extract(view), stamp_);
   }
   /// @return how many images it takes until the robot is lost
@@ -47,6 +48,8 @@ class Views {
     }
     return most + 1;
   }
+  /// From now on the upper rows of the images show nothing.
+  void blank(int rows) { blank_rows_ = rows; }
   RoundOfPictures& drive() { return drive_; }
   ImageContinuity& continuity() { return continuity_; }
   Stamp stamp() const { return stamp_; }
@@ -56,6 +59,7 @@ class Views {
   OrbExtractor orb_{400, 1.0};
   ImageContinuity continuity_;
   Stamp stamp_;
+  int blank_rows_ = 0;
 };
 
 /// An object with a pattern, before the whole view; it has moved sideways [px].
@@ -91,6 +95,16 @@ TEST(ImageContinuity, EndsWithinASecondWhereTheRobotWasCarried) {
       EXPECT_FALSE(views.continuity().isLost());
       EXPECT_TRUE(views.continuity().admits());
     }
+}
+
+TEST(ImageContinuity, EndsWhereTheOtherSceneShowsFarLess) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Views views(seed);
+    views.steps(20);
+    views.drive().carry({0.6, 1.2, 2.4});
+    views.blank(120);
+    EXPECT_LE(views.stepsToLoss(10), 9) << seed;
+  }
 }
 
 TEST(ImageContinuity, OutlastsAnObjectThatHidesTheViewForASecond) {
