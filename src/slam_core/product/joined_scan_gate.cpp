@@ -23,6 +23,12 @@ Status silentLaser(const std::string& laser, const std::string& other, Stamp sin
                   laser, seconds(since - Stamp()), other));
 }
 
+/// Two lasers cannot be at one place; scanners one above the other have frames of their own.
+bool haveOneMount(const LaserScan& front, const LaserScan& rear) {
+  return front.sensor_frame == rear.sensor_frame &&
+         front.sensor_pose.vector() == rear.sensor_pose.vector();
+}
+
 }  // namespace
 
 void JoinedScanGate::describe(Ports& ports) {
@@ -104,6 +110,7 @@ Status JoinedScanGate::takeFront(const LaserScan& scan) {
   letOutFront();
   front_interval_ = last_front_ ? scan.stamp - *last_front_ : Duration::zero();
   last_front_ = scan.stamp;
+  const auto mounts = rear_ && haveOneMount(scan, rear_->scan) ? leaveOutRear(scan) : Status::ok();
   const auto since = last_rear_.value_or(*start_);
   const auto apart = scan.stamp - since;
   const bool is_silent = apart > patience_;
@@ -113,7 +120,7 @@ Status JoinedScanGate::takeFront(const LaserScan& scan) {
     letOutFront(scan, before);
   else
     front_ = Waiting{scan, Pose2(), scan.stamp, std::move(before), apart};
-  return is_silent ? silentLaser("rear", "front", since) : Status::ok();
+  return is_silent ? silentLaser("rear", "front", since) : mounts;
 }
 
 Status JoinedScanGate::takeRear(const LaserScan& scan) {
@@ -126,6 +133,7 @@ Status JoinedScanGate::takeRear(const LaserScan& scan) {
     letOut(scan);
     return silentLaser("front", "rear", since);
   }
+  if (front_ && haveOneMount(front_->scan, scan)) return leaveOutRear(scan);
   if (front_ && isNearest(scan)) {
     if (front_->before) counters_.add("rear_left_out");
     LaserFan fan = scan;
@@ -137,6 +145,15 @@ Status JoinedScanGate::takeRear(const LaserScan& scan) {
   if (rear_) counters_.add("rear_left_out");
   rear_ = Waiting{scan, Pose2(), scan.stamp, std::nullopt, {}};
   return Status::ok();
+}
+
+Status JoinedScanGate::leaveOutRear(const LaserScan& scan) {
+  rear_.reset();
+  counters_.add("same_mount");
+  return Status::warning(fmt::format(
+      "both lasers have the frame '{}', and with it one mount: the scans of the rear laser are "
+      "left out; give each driver a frame_id of its own, and publish where each laser is mounted",
+      scan.sensor_frame));
 }
 
 bool JoinedScanGate::isNearest(const LaserScan& rear) const {
