@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "slam_core/common/starvation.hpp"
 #include "slam_core/product/product_config.hpp"
 
 namespace slam {
@@ -85,12 +86,17 @@ Status JoinedScanGate::execute() {
   auto status = Status::ok();
   while (out_.empty()) {
     const auto step = collator_.next();
-    if (!step) return status;
+    if (!step) return moreUrgent(status, starvation());
     status = moreUrgent(status, take(*step));
   }
   scan_ = std::move(out_.front());
   out_.pop_front();
   return status;
+}
+
+Status JoinedScanGate::starvation() const {
+  const auto front = slam::starvation(collator_, kFront, "laser scans");
+  return front.isOk() ? slam::starvation(collator_, kRear, "laser scans") : front;
 }
 
 Status JoinedScanGate::take(const Scans::Step& step) {

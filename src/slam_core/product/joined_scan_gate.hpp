@@ -98,6 +98,8 @@ class JoinedScanGate final : public Gate {
   };
 
   void push(Source source, const LaserScan& scan);
+  /// A warning where scans wait for motion that does not come.
+  Status starvation() const;
   Status take(const Scans::Step& step);
   void restart();
   Status takeRear(const LaserScan& scan);

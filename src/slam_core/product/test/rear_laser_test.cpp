@@ -75,7 +75,7 @@ class RearLaser : public testing::Test, protected test::ProductRun {
   }
   void drive(int from, int until) {
     for (int time = from; time < until; time += 10) {
-      if (time % 50 == 0) roll(time);
+      if (time % 50 == 0 && has_wheels) roll(time);
       if (time % 100 == 10 && has_front) look("scan", T_base_front, time);
       if (time % 100 == 60 && has_rear) look("rear_scan", T_base_rear, time);
     }
@@ -104,7 +104,7 @@ class RearLaser : public testing::Test, protected test::ProductRun {
 
   const Pose2 T_base_front{0.2, 0.0, 0.0}, T_base_rear{-0.2, 0.05, 3.0};
   test::Room room;
-  bool has_front = true, has_rear = true, has_one_frame = false;
+  bool has_front = true, has_rear = true, has_wheels = true, has_one_frame = false;
 };
 
 TEST_F(RearLaser, OfAProductIsAnInputOfItsMapsAndOfNobodyElse) {
@@ -178,6 +178,16 @@ TEST_F(RearLaser, GoesOnAloneWhereTheFrontOneDies) {
   EXPECT_GE(reports.back().stamp, laserStamp(4800));
   EXPECT_TRUE(oneSays(sentences, {"the front laser has sent no scan since"}));
   EXPECT_LT(errorOfPose(), 0.05);
+}
+
+TEST_F(RearLaser, SaysWhereScansWaitForOdometryThatDoesNotCome) {
+  configure(adding(kScanGrid, "rear_laser=true"));
+  drive(0, 2000);
+  has_wheels = false;
+  drive(2000, 4500);
+  EXPECT_TRUE(sentences.empty()) << sentences.front();
+  drive(4500, 6000);
+  EXPECT_TRUE(oneSays(sentences, {"no update: laser scans since", "wait for motion"}));
 }
 
 TEST_F(RearLaser, WithTheFrameOfTheFrontOneIsLeftOut) {
