@@ -184,12 +184,14 @@ void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera)
   for (std::size_t i = 0; i < matches.size(); ++i)
     if (consensus.agrees[i]) found[i]->outcome = Search::Outcome::kMatched;
   const auto agreed = consensus.measurements.size();
-  if (agreed < kLeastMatches || 2 * agreed < matches.size()) {  // patterns that repeat
+  const bool is_enough = agreed >= kLeastMatches && 2 * agreed >= matches.size();
+  const auto statistics =
+      is_enough ? state_.update(consensus.measurements, noise_.sigma()) : UpdateStatistics();
+  if (!is_enough || !statistics.is_credible) {  // patterns that repeat, or a wrong mount
     for (auto* search : found) search->outcome = Search::Outcome::kRejected;
     if (agreed < matches.size()) noise_.doubt();
     return;
   }
-  const auto statistics = state_.update(consensus.measurements, noise_.sigma());
   noise_.learn(statistics.score);
   nis_ = statistics.nis / static_cast<double>(2 * agreed);
 }
