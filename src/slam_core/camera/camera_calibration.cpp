@@ -3,6 +3,8 @@
 
 #include "slam_core/camera/camera_calibration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,6 +18,11 @@ namespace {
 /// The numbers of coefficients each distortion model may come with.
 const std::map<std::string, std::vector<std::size_t>> kDistortionModels = {
     {"plumb_bob", {0, 4, 5}}, {"rational_polynomial", {8}}, {"equidistant", {4}}};
+
+/// Fisheyes have a focal length of a third of their image, telephoto lenses one of a hundred
+/// images; a region of interest is a small part of its image. Beyond these shares of the longer
+/// side are normalised units, and other numbers that are no pixels.
+constexpr double kLeastShare = 0.01, kLargestShare = 1000.0;
 
 std::string faultOfDistortion(const CameraCalibration& calibration) {
   const auto& name = calibration.distortion_model;
@@ -53,6 +60,15 @@ std::string faultOf(const CameraCalibration& calibration) {
   if (!std::isfinite(c.fx) || !std::isfinite(c.fy) || c.fx <= 0.0 || c.fy <= 0.0)
     return "its focal lengths are not positive numbers";
   if (!std::isfinite(c.cx) || !std::isfinite(c.cy)) return "its principal point is not a number";
+  const double side = std::max(c.width, c.height);
+  const auto [shorter, longer] = std::minmax(c.fx, c.fy);
+  if (shorter < kLeastShare * side || longer > kLargestShare * side)
+    return fmt::format(
+        "its focal lengths of {:g} and {:g} px fit no lens of an image of {} x {} px", c.fx, c.fy,
+        c.width, c.height);
+  if (std::max(std::abs(c.cx), std::abs(c.cy)) > kLargestShare * side)
+    return fmt::format("its principal point is at ({:g}, {:g}) px, far from an image of {} x {} px",
+                       c.cx, c.cy, c.width, c.height);
   return faultOfDistortion(c);
 }
 

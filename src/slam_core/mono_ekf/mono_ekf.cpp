@@ -41,6 +41,17 @@ bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
          cv::norm(a, b, cv::NORM_INF) == 0.0;
 }
 
+/// Whether it is of one gray, as behind a lens cap: then the next one may well be the same.
+bool isUniform(const cv::Mat& gray) {
+  double least = 0.0, largest = 0.0;
+  cv::minMaxLoc(gray, &least, &largest);
+  return least == largest;
+}
+
+bool isRepeated(const cv::Mat& gray, const cv::Mat& last) {
+  return isSameImage(gray, last) && !isUniform(gray);
+}
+
 Status lost() {
   return Status::alarm(
       "the robot is lost: the features are not where they are predicted, as after the robot or "
@@ -113,7 +124,7 @@ Status MonoEkf::look(const CameraView& view) {
   seen_ = {};
   nis_ = 0.0;
   const auto& gray = view.image.gray;
-  if (!view.isUsable() || gray.empty() || isSameImage(gray, last_gray_)) return unusable(view);
+  if (!view.isUsable() || gray.empty() || isRepeated(gray, last_gray_)) return unusable(view);
   last_gray_ = gray;
   const PlanarCamera camera(view.camera, view.mount.T_base_camera);
   seen_.gray = gray;
@@ -173,12 +184,14 @@ void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera)
   for (std::size_t i = 0; i < matches.size(); ++i)
     if (consensus.agrees[i]) found[i]->outcome = Search::Outcome::kMatched;
   const auto agreed = consensus.measurements.size();
-  if (agreed < kLeastMatches || 2 * agreed < matches.size()) {  // patterns that repeat
+  const bool is_enough = agreed >= kLeastMatches && 2 * agreed >= matches.size();
+  const auto statistics =
+      is_enough ? state_.update(consensus.measurements, noise_.sigma()) : UpdateStatistics();
+  if (!is_enough || !statistics.is_credible) {  // patterns that repeat, or a wrong mount
     for (auto* search : found) search->outcome = Search::Outcome::kRejected;
     if (agreed < matches.size()) noise_.doubt();
     return;
   }
-  const auto statistics = state_.update(consensus.measurements, noise_.sigma());
   noise_.learn(statistics.score);
   nis_ = statistics.nis / static_cast<double>(2 * agreed);
 }

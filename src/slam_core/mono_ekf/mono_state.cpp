@@ -17,6 +17,9 @@ namespace slam::mono_ekf {
 
 namespace {
 
+/// The 1 - 1e-6 quantile of a chi-square distribution with three degrees of freedom.
+constexpr double kPoseGate = 30.66;
+
 PixelScore scoreOf(const Eigen::LLT<Eigen::MatrixXd>& cholesky, const Eigen::VectorXd& whitened,
                    double variance) {
   const auto rows = whitened.size();
@@ -153,12 +156,22 @@ UpdateStatistics MonoState::update(const std::vector<Measurement>& measurements,
   const Eigen::MatrixXd W = cholesky.matrixL().solve(PHt.transpose());
   const Eigen::VectorXd whitened = cholesky.matrixL().solve(nu);
   const Eigen::VectorXd step = W.transpose() * whitened;
+  Eigen::VectorXd mean = stepped(*this, step, scale.of(step));
+  if (!isCredible(mean)) return {false, whitened.squaredNorm(), {}};
   of_map.col(0) -= W.transpose() * W.col(2);
   of_map.col(1) -= W.transpose() * scale.columnsOf(W);
   covariance_.selfadjointView<Eigen::Lower>().rankUpdate(W.transpose(), -1.0);
-  moveTo(stepped(*this, step, scale.of(step)), scale, std::move(of_map));
+  moveTo(std::move(mean), scale, std::move(of_map));
   covariance_.triangularView<Eigen::StrictlyUpper>() = covariance_.transpose();
-  return {whitened.squaredNorm(), scoreOf(cholesky, whitened, sigma * sigma)};
+  return {true, whitened.squaredNorm(), scoreOf(cholesky, whitened, sigma * sigma)};
+}
+
+/// Every update of a consistent filter is, but one in a million.
+bool MonoState::isCredible(const Eigen::VectorXd& mean) const {
+  Eigen::Vector3d moved = mean.head<kPose>() - mean_.head<kPose>();
+  moved(2) = wrapAngle(moved(2));
+  const Eigen::Matrix3d P = covariance_.topLeftCorner<kPose, kPose>();
+  return mean.allFinite() && moved.dot(P.ldlt().solve(moved)) <= kPoseGate;
 }
 
 /// With the errors as they are about the new mean: in the lower triangle of the covariance.

@@ -30,6 +30,9 @@ struct Measurement {
 
 /// How well an update's measurements were predicted.
 struct UpdateStatistics {
+  /// Whether the update moved the pose by no more than its covariance allows. If not, it was not
+  /// done: linearisation does not hold there, or the measurements are not those of the features.
+  bool is_credible = true;
   double nis = 0.0;  ///< nu^T S^-1 nu
   PixelScore score;
 };
@@ -56,7 +59,7 @@ class MonoState {
   /// The robot is elsewhere; its correlations with the features become zero.
   void place(const PoseEstimate& robot);
 
-  /// The update of the EKF with all measurements together.
+  /// The update of the EKF with all measurements together, unless it is not credible.
   /// @param sigma of a pixel's coordinate [px]
   UpdateStatistics update(const std::vector<Measurement>& measurements, double sigma);
 
@@ -88,6 +91,7 @@ class MonoState {
                           double largest_linearity_index);
 
  private:
+  bool isCredible(const Eigen::VectorXd& mean) const;
   void moveTo(Eigen::VectorXd mean, const ScaleError& scale, Eigen::MatrixXd of_map);
   void toPoint(int offset, double height);
   void compact(const std::vector<int>& kept_rows);

@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "slam_core/common/starvation.hpp"
 #include "slam_core/product/product_config.hpp"
 
 namespace slam {
@@ -21,6 +22,12 @@ Status silentLaser(const std::string& laser, const std::string& other, Stamp sin
       fmt::format("the {} laser has sent no scan since {:.1f}: the map is made of the scans of the "
                   "{} laser alone; is it unplugged, or has its driver ended?",
                   laser, seconds(since - Stamp()), other));
+}
+
+/// Two lasers cannot be at one place; scanners one above the other have frames of their own.
+bool haveOneMount(const LaserScan& front, const LaserScan& rear) {
+  return front.sensor_frame == rear.sensor_frame &&
+         front.sensor_pose.vector() == rear.sensor_pose.vector();
 }
 
 }  // namespace
@@ -79,12 +86,17 @@ Status JoinedScanGate::execute() {
   auto status = Status::ok();
   while (out_.empty()) {
     const auto step = collator_.next();
-    if (!step) return status;
+    if (!step) return moreUrgent(status, starvation());
     status = moreUrgent(status, take(*step));
   }
   scan_ = std::move(out_.front());
   out_.pop_front();
   return status;
+}
+
+Status JoinedScanGate::starvation() const {
+  const auto front = slam::starvation(collator_, kFront, "laser scans");
+  return front.isOk() ? slam::starvation(collator_, kRear, "laser scans") : front;
 }
 
 Status JoinedScanGate::take(const Scans::Step& step) {
@@ -104,6 +116,7 @@ Status JoinedScanGate::takeFront(const LaserScan& scan) {
   letOutFront();
   front_interval_ = last_front_ ? scan.stamp - *last_front_ : Duration::zero();
   last_front_ = scan.stamp;
+  const auto mounts = rear_ && haveOneMount(scan, rear_->scan) ? leaveOutRear(scan) : Status::ok();
   const auto since = last_rear_.value_or(*start_);
   const auto apart = scan.stamp - since;
   const bool is_silent = apart > patience_;
@@ -113,7 +126,7 @@ Status JoinedScanGate::takeFront(const LaserScan& scan) {
     letOutFront(scan, before);
   else
     front_ = Waiting{scan, Pose2(), scan.stamp, std::move(before), apart};
-  return is_silent ? silentLaser("rear", "front", since) : Status::ok();
+  return is_silent ? silentLaser("rear", "front", since) : mounts;
 }
 
 Status JoinedScanGate::takeRear(const LaserScan& scan) {
@@ -126,6 +139,7 @@ Status JoinedScanGate::takeRear(const LaserScan& scan) {
     letOut(scan);
     return silentLaser("front", "rear", since);
   }
+  if (front_ && haveOneMount(front_->scan, scan)) return leaveOutRear(scan);
   if (front_ && isNearest(scan)) {
     if (front_->before) counters_.add("rear_left_out");
     LaserFan fan = scan;
@@ -137,6 +151,15 @@ Status JoinedScanGate::takeRear(const LaserScan& scan) {
   if (rear_) counters_.add("rear_left_out");
   rear_ = Waiting{scan, Pose2(), scan.stamp, std::nullopt, {}};
   return Status::ok();
+}
+
+Status JoinedScanGate::leaveOutRear(const LaserScan& scan) {
+  rear_.reset();
+  counters_.add("same_mount");
+  return Status::warning(fmt::format(
+      "both lasers have the frame '{}', and with it one mount: the scans of the rear laser are "
+      "left out; give each driver a frame_id of its own, and publish where each laser is mounted",
+      scan.sensor_frame));
 }
 
 bool JoinedScanGate::isNearest(const LaserScan& rear) const {

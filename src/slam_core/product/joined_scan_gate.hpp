@@ -30,7 +30,8 @@ namespace slam {
 /// Call order as of every gate: set an input, execute() until isBusy() is false.
 /// Counted: the collator's reasons; "front_alone" and "rear_alone" (scans that came out without the
 /// other laser's), "rear_left_out" (a scan of the rear laser that is nearest to no front scan, or
-/// to which no motion leads), "invalid_motion".
+/// to which no motion leads), "same_mount" (scans of a rear laser that is said to be where the
+/// front one is; they are left out as well), "invalid_motion".
 class JoinedScanGate final : public Gate {
  public:
   /// The gate and its output have this name.
@@ -97,10 +98,14 @@ class JoinedScanGate final : public Gate {
   };
 
   void push(Source source, const LaserScan& scan);
+  /// A warning where scans wait for motion that does not come.
+  Status starvation() const;
   Status take(const Scans::Step& step);
   void restart();
   Status takeRear(const LaserScan& scan);
   Status takeFront(const LaserScan& scan);
+  /// The rear laser has this scan's mount, which cannot be true.
+  Status leaveOutRear(const LaserScan& scan);
   /// Says whether the front scan that waits is to be joined with this rear scan.
   bool isNearest(const LaserScan& rear) const;
   /// Takes the rear scan that waits, seen from the robot's pose now.

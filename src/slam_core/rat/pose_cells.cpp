@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "slam_core/common/starvation.hpp"
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam::rat {
@@ -80,7 +81,7 @@ Status PoseCells::execute() {
   const auto status = fault.empty() ? Status::ok() : Status::warning(fault);
   const auto step = collator_.next();
   is_busy_ = step.has_value();
-  if (!step) return status;
+  if (!step) return moreUrgent(status, starvation(collator_, 0, "views of the camera"));
   for (const auto& motion : step->motions) network_.move(motion.increment);
   if (!step->trigger) return status;
   const auto view = step->trigger->cell;

@@ -122,6 +122,11 @@ TEST(CameraCalibration, IsRefusedWithTheReason) {
   EXPECT_TRUE(says(faultWith([](auto& c) { c.fy = NAN; }), "focal"));
   EXPECT_TRUE(says(faultWith([](auto& c) { c.cy = INFINITY; }), "principal point"));
   EXPECT_TRUE(says(faultWith([](auto& c) { c.width = 0; }), "size"));
+  EXPECT_TRUE(says(faultWith([](auto& c) { c.fx = c.fy = 0.8; }), "of 0.8 and 0.8 px fit no lens"))
+      << "normalised units";
+  EXPECT_TRUE(says(faultWith([](auto& c) { c.fy = 1e12; }), "fit no lens"));
+  EXPECT_TRUE(says(faultWith([](auto& c) { c.cx = -1e9; }), "principal point is at (-1e+09"));
+  EXPECT_EQ(faultWith([](auto& c) { c.width = c.height = 8; }), "") << "a region of interest";
   EXPECT_TRUE(says(faultWith([](auto& c) { c.distortion_model = "plump_bob"; }),
                    "did you mean 'plumb_bob'"));
   EXPECT_TRUE(says(faultWith([](auto& c) { c.distortion = {1, 2, 3}; }), "3 coefficients"));

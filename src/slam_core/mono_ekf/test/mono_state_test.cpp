@@ -125,6 +125,22 @@ TEST(MonoState, UpdatesAsTheTextbookDoesWithInvariantErrors) {
   EXPECT_LT((state.covariance() - covariance).norm(), 1e-8);
 }
 
+/// As of features that are taken for others: linearisation says nothing so far away.
+TEST(MonoState, IsNotMovedFartherThanItsCovarianceAllows) {
+  auto state = someState();
+  const auto before = state;
+  const auto& feature = state.features().front();
+  const auto prediction = predictedPixel(test::forwardCamera(), state.robot().pose, feature,
+                                         coordinatesOf(state, feature));
+  ASSERT_TRUE(prediction);
+  for (const double residual : {1e4, 1e300, std::nan("")}) {
+    const Measurement far = {feature.offset, *prediction, Eigen::Vector2d(residual, 0.0)};
+    EXPECT_FALSE(state.update({far}, 0.7).is_credible) << residual;
+    EXPECT_EQ(state.mean(), before.mean());
+    EXPECT_EQ(state.covariance(), before.covariance());
+  }
+}
+
 TEST(MonoState, KeepsTheGaussianOfTheOthersWhenAFeatureIsRemoved) {
   auto state = someState();
   const auto before = state;

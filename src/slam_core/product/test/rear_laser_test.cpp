@@ -45,11 +45,12 @@ class RearLaser : public testing::Test, protected test::ProductRun {
       know("rear_scan", T_base_rear);
   }
   void know(const std::string& laser, const Pose2& pose) {
-    LaserMount mount{laser, Eigen::Isometry3d::Identity()};
+    LaserMount mount{frameOf(laser), Eigen::Isometry3d::Identity()};
     mount.T_base_laser.translation().head<2>() = pose.position();
     mount.T_base_laser.linear().topLeftCorner<2, 2>() = pose.rotation();
     coordinator.put(laser, mount);
   }
+  std::string frameOf(const std::string& laser) const { return has_one_frame ? "laser" : laser; }
   /// The robot's pose in the frame of its first one.
   static Pose2 truth(int milliseconds) {
     const double way = 0.5e-3 * std::max(0, milliseconds - 500);  // it stands at first
@@ -60,7 +61,7 @@ class RearLaser : public testing::Test, protected test::ProductRun {
     const Pose2 at = test::RoomDrive::start() * truth(milliseconds) * T_base_laser;
     LaserSweep sweep;
     sweep.stamp = laserStamp(milliseconds);
-    sweep.frame = laser;
+    sweep.frame = frameOf(laser);
     sweep.angle_min = static_cast<float>(-M_PI / 2);
     sweep.angle_max = static_cast<float>(M_PI / 2);
     sweep.angle_increment = static_cast<float>(M_PI / (kBeams - 1));
@@ -74,7 +75,7 @@ class RearLaser : public testing::Test, protected test::ProductRun {
   }
   void drive(int from, int until) {
     for (int time = from; time < until; time += 10) {
-      if (time % 50 == 0) roll(time);
+      if (time % 50 == 0 && has_wheels) roll(time);
       if (time % 100 == 10 && has_front) look("scan", T_base_front, time);
       if (time % 100 == 60 && has_rear) look("rear_scan", T_base_rear, time);
     }
@@ -103,7 +104,7 @@ class RearLaser : public testing::Test, protected test::ProductRun {
 
   const Pose2 T_base_front{0.2, 0.0, 0.0}, T_base_rear{-0.2, 0.05, 3.0};
   test::Room room;
-  bool has_front = true, has_rear = true;
+  bool has_front = true, has_rear = true, has_wheels = true, has_one_frame = false;
 };
 
 TEST_F(RearLaser, OfAProductIsAnInputOfItsMapsAndOfNobodyElse) {
@@ -177,6 +178,27 @@ TEST_F(RearLaser, GoesOnAloneWhereTheFrontOneDies) {
   EXPECT_GE(reports.back().stamp, laserStamp(4800));
   EXPECT_TRUE(oneSays(sentences, {"the front laser has sent no scan since"}));
   EXPECT_LT(errorOfPose(), 0.05);
+}
+
+TEST_F(RearLaser, SaysWhereScansWaitForOdometryThatDoesNotCome) {
+  configure(adding(kScanGrid, "rear_laser=true"));
+  drive(0, 2000);
+  has_wheels = false;
+  drive(2000, 4500);
+  EXPECT_TRUE(sentences.empty()) << sentences.front();
+  drive(4500, 6000);
+  EXPECT_TRUE(oneSays(sentences, {"no update: laser scans since", "wait for motion"}));
+}
+
+TEST_F(RearLaser, WithTheFrameOfTheFrontOneIsLeftOut) {
+  has_one_frame = true;
+  configure(adding(kScanGrid, "rear_laser=true"));
+  know("rear_scan", T_base_front);  // by the frame
+  drive(0, 9000);
+  EXPECT_TRUE(oneSays(sentences, {"both lasers have the frame 'laser'", "a frame_id of its own"}));
+  EXPECT_GE(coordinator.counters()["joined_scan_same_mount"], 88u);
+  EXPECT_LT(errorOfPose(), 0.05);
+  EXPECT_GT(test::shareOnWalls(grid(), room), 0.9);
 }
 
 TEST_F(RearLaser, WithoutAMountDoesNotStopTheMap) {

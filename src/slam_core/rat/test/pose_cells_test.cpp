@@ -209,6 +209,16 @@ TEST_F(PoseCellsInMotion, LeaveOutWhatCannotBeUsed) {
   EXPECT_EQ(cells_.counters()["lost"], 0U) << "nothing was lost on the way";
 }
 
+TEST_F(PoseCellsInMotion, SayThatViewsWaitForMotionThatDoesNotCome) {
+  drive({0, 1, 2});
+  for (; count_ < 33; ++count_) {
+    cells_.set(view(count_, 1));
+    EXPECT_TRUE(cells_.execute().isOk()) << "for three seconds";
+  }
+  cells_.set(view(count_, 1));
+  EXPECT_EQ(cells_.execute().message, "no update: views of the camera since 0.4 wait for motion");
+}
+
 TEST_F(PoseCellsInMotion, AreFreshAfterReset) {
   const auto first = drive({0, 1, 2, 0, 1, 2});
   cells_.reset();

@@ -13,6 +13,7 @@
 
 #include "slam_core/camera/camera_calibration.hpp"
 #include "slam_core/camera/image.hpp"
+#include "slam_ros/lasting_fault.hpp"
 #include "slam_ros/sensor_mount.hpp"
 
 namespace slam_ros {
@@ -39,16 +40,21 @@ class CameraInput {
   bool hasImage() const { return mount_.hasFrame(); }
   bool hasCalibration() const { return calibration_.has_value(); }
   bool hasMount() const { return mount_.isKnown(); }
+  /// Why none of the images that have come can be used; empty if some can.
+  std::string fault() const;
   /// "base_link -> camera_optical_frame" if images have come and that transform has not; otherwise
   /// empty.
   std::string missingTransform() const { return mount_.missing(); }
 
  private:
   void pass(const slam::Image& image);
+  /// @pre there is a calibration
+  std::string sizeFault(const slam::Image& image) const;
 
   Sinks sinks_;
   SensorMount mount_;
   std::optional<slam::CameraCalibration> calibration_;
+  LastingFault unreadable_, uncalibrated_, of_other_size_;
 };
 
 }  // namespace slam_ros

@@ -127,6 +127,8 @@ class CameraInBag final : public BagInput {
   }
   std::string lacking() const override {
     if (!input_->hasCalibration()) return images_ + " came without the camera's calibration";
+    if (const auto fault = input_->fault(); !fault.empty())
+      return images_ + " cannot be used: " + fault;
     const bool has_mount = robot_file_has_mount_ || input_->hasMount();
     return has_mount ? "" : lackOfTransform(input_->missingTransform());
   }

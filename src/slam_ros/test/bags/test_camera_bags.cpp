@@ -263,6 +263,36 @@ TEST_F(OfflineCamera, FailsWithoutCalibrationOrTransformOfTheWholeBag) {
       << "the robot file may give the mount";
 }
 
+TEST_F(OfflineCamera, FailsWhereNoImageOfTheWholeBagCanBeUsed) {
+  const auto sentenceWith = [&](auto&& spoil) {
+    {
+      BagMaker bag(folder / "x.bag");
+      bag.addOdometry().add("/tf_static", 0, test::cameraMount());
+      for (double t = 0.5; t < 3.0; t += 0.5) {
+        auto info = test::cameraInfo(t);
+        auto image = test::rawImage(t);
+        spoil(info, image, t);
+        bag.add(kInfo, t, info).add(kRaw, t, image);
+      }
+    }
+    return run("run");
+  };
+  const std::string beginning =
+      "nothing that the sensors saw could be used, and odometry alone is no result: "
+      "/camera/image_raw cannot be used: ";
+  EXPECT_EQ(sentenceWith([](auto& info, auto&, double) { info.K = {}; }),
+            beginning + "its focal lengths are zero: the camera is not calibrated");
+  EXPECT_TRUE(contains(sentenceWith([](auto& info, auto&, double) { info.width /= 2; }),
+                       beginning + "its images are of another size than its calibration"));
+  EXPECT_TRUE(contains(sentenceWith([](auto&, auto& image, double) { image.encoding = "grau8"; }),
+                       beginning + "an image of the encoding 'grau8' cannot be used"));
+  EXPECT_EQ(sentenceWith([](auto& info, auto&, double t) {
+              if (t < 2.0) info.K = {};
+            }),
+            "")
+      << "the last images are good";
+}
+
 TEST_F(OfflineCamera, SaysWhatTheImagesOfAShortBagWaitedFor) {
   {
     BagMaker bag(folder / "x.bag");
