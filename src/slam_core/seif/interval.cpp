@@ -101,15 +101,19 @@ std::vector<graph::Key> Interval::active() const {
 }
 
 bool Interval::isFull() const {
-  return !nodes_.empty() && (observed_.size() > limits_.landmarks ||
-                             nodes_.size() >= limits_.nodes || headingSigma() > limits_.heading);
+  if (nodes_.empty()) return false;
+  return observed_.size() > limits_.landmarks || nodes_.size() >= limits_.nodes ||
+         (!observed_.empty() && headingSigma() > limits_.heading);
 }
 
-/// Of the last pose, relative to the first one [rad].
+/// Of the robot, relative to the first pose [rad].
 double Interval::headingSigma() const {
-  if (nodes_.size() < 2) return 0.0;
-  const Eigen::MatrixXd P = path_.graph().covariance({nodes_.front(), nodes_.back()});
-  return std::sqrt(std::max(0.0, P(2, 2) + P(5, 5) - 2.0 * P(2, 5)));
+  double variance = tailCovarianceOf(path_)(2, 2);
+  if (nodes_.size() > 1) {
+    const Eigen::MatrixXd P = path_.graph().covariance({nodes_.front(), nodes_.back()});
+    variance += std::max(0.0, P(2, 2) + P(5, 5) - 2.0 * P(2, 5));
+  }
+  return std::sqrt(variance);
 }
 
 /// What is left of the interval without its poses, but for the last one and those with a prior.

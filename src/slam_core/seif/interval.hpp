@@ -41,7 +41,9 @@ class Interval {
   void follow();
   /// @return the variables of the landmarks that are near the robot, to be eliminated last
   std::vector<graph::Key> active() const;
-  /// Ends the interval if it is full. To be called when the graph is solved.
+  /// Ends the interval if it is full. To be called when the graph is solved, and before what is
+  /// observed after a motion is added: a motion that is too uncertain belongs to no interval that
+  /// has observations on both of its sides.
   /// @return whether it has ended, so that the graph has to be solved again
   bool endWhereFull();
   /// The path is about to go on elsewhere.

@@ -139,6 +139,7 @@ void SeifSlam::predict() {
 Status SeifSlam::takeObservations() {
   if (!observations_) return Status::ok();
   const auto z = *std::exchange(observations_, std::nullopt);
+  marginalise();
   auto association = associator_.associate(z, filter_->landmarks, statistics_, counters_);
   if (association.is_solved) filter_->landmarks.observe(association.matches, z.sensor_pose);
   const auto reconsidered = reconsider(association, z.sensor_pose);

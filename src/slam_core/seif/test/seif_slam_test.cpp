@@ -7,8 +7,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 
 #include "slam_core/common/config_error.hpp"
@@ -173,6 +175,32 @@ TEST(SeifSlam, KeepsItsWayWhereOneLandmarkIsSeenAtATime) {
   }
   EXPECT_LT((filter.pose().pose.position() - truth.position()).norm(), 0.5);
   EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(stateOf(filter).joint_covariance).info(), Eigen::Success);
+}
+
+/// A turn that is nearly unknown bends no local map: what was seen before it and what was seen
+/// after it lie in two of them.
+TEST(SeifSlam, IsTheBatchSolutionWhereATurnIsUnknown) {
+  auto filter = made(30, 100);
+  auto least_squares = batch();
+  SimulatedWorld world(7, ring());
+  std::set<LandmarkId> known;
+  for (int i = 0; i < 60; ++i) {
+    auto step = world.next();
+    auto& seen = step.observations.observations;
+    if (i == 15) {
+      step.motion.increment = step.motion.increment * Pose2(0.0, 0.0, 0.5);
+      step.motion.covariance(2, 2) = 0.3 * 0.3;
+    }
+    if (i >= 15 && i < 25)  // only new landmarks
+      seen.erase(std::remove_if(seen.begin(), seen.end(),
+                                [&](const auto& z) { return known.count(z.id) > 0; }),
+                 seen.end());
+    if (i < 15)
+      for (const auto& z : seen) known.insert(z.id);
+    take(filter, step);
+    take(least_squares, step);
+  }
+  EXPECT_LT((filter.pose().pose.vector() - least_squares.pose().pose.vector()).norm(), 0.01);
 }
 
 TEST(SeifSlam, RefusesAnIntervalOfNothing) {
