@@ -182,7 +182,7 @@ class ShippedModel(unittest.TestCase):
 
     def test_association_by_descriptors_needs_a_detector_that_tells_them(self):
         chosen = {"backend": "ekf", "odometry": "wheel", "association": "descriptor"}
-        for backend in ("ekf", "pf", "graph"):
+        for backend in ("ekf", "pf", "graph", "seif"):
             for detector in ("ceiling_features", "laser_trunks", "none"):
                 self.model.require_valid({**chosen, "backend": backend, "detector": detector})
         for detector in ("apriltag", "aruco", "laser_reflectors", "laser_corners", "laser_lines"):

@@ -154,7 +154,8 @@ class Writing(ProductFiles):
                                "that name, given with the section", "backend=pf",
                                "odometry=wheel", "particles=50")
         self.expect_refusal_of("ekf.mode and graph.mode and grid.mode and mono_ekf.mode and "
-                               "mono_graph.mode and pf.mode and rat.mode are parameters of that name",
+                               "mono_graph.mode and pf.mode and rat.mode and seif.mode are "
+                               "parameters of that name",
                                "mode=slam")
 
     def test_refuses_an_octal_number(self):

@@ -12,7 +12,7 @@ import unittest
 
 from launching import cut_bag, make_demo_bag, run_launch, run_offline, SameAsOffline
 
-BACKENDS = ("ekf", "pf", "graph")
+BACKENDS = ("ekf", "pf", "graph", "seif")
 FIRST, LAST = 15, 30  # [s] of the log: mapped, then localised in
 FRAME = 0.1  # [s]; the last frame of the first part is where the second starts
 
@@ -50,7 +50,9 @@ class BackendSwapTest(SameAsOffline, unittest.TestCase):
                                                ("pf", "backend:=pf", "inprocess"),
                                                ("pf", "product:=pf_wheel", "pubsub"),
                                                ("graph", "backend:=graph", "pubsub"),
-                                               ("graph", "backend:=graph", "inprocess")):
+                                               ("graph", "backend:=graph", "inprocess"),
+                                               ("seif", "backend:=seif", "pubsub"),
+                                               ("seif", "backend:=seif", "inprocess")):
             with self.subTest(argument, composition=composition):
                 run = self.root / f"swapped_{backend}_{argument[:7]}_{composition}"
                 output = self.launch("first.bag", run, argument, f"composition:={composition}")

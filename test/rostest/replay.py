@@ -21,7 +21,7 @@ from std_srvs.srv import SetBool, Trigger
 from player import Player, wait_for
 
 LANDMARKS = 70
-REMOVERS = ("ekf", "pf", "graph")  # other back-ends need not remove landmarks
+REMOVERS = ("ekf", "pf", "graph", "seif")  # other back-ends need not remove landmarks
 NUMBER = re.compile(r"-?\d[\d.]*(?:e[-+]?\d+)?")
 
 

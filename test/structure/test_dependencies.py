@@ -16,7 +16,7 @@ STANDARD = re.compile(r"[a-z_0-9]+$|cxxabi\.h$|(sys/)?"
 
 # each may include those before it
 BELOW = ["common", "geometry", "models", "graph", "contract", "grid_map", "camera", "imu", "laser",
-         "association", "scan_matching", "consistency"]
+         "association", "landmark_graph", "scan_matching", "consistency"]
 ABOVE = {"product", "tuning", "tools"}  # what lies between is a component
 
 
@@ -71,7 +71,7 @@ class NoRos(unittest.TestCase):
 
 class OneWay(unittest.TestCase):
     """common <- geometry <- models <- graph, contract <- grid_map, camera, imu, laser, association,
-    scan_matching, consistency <- components <- product; tests may look at more."""
+    landmark_graph, scan_matching, consistency <- components <- product; tests may look at more."""
 
     def uses(self):
         for path in sources():

@@ -10,6 +10,7 @@
 
 #include "slam_core/graph/calibrated_factors.hpp"
 #include "slam_core/graph/factors.hpp"
+#include "slam_core/graph/local_map.hpp"
 
 namespace slam::graph {
 
@@ -22,7 +23,9 @@ enum class FactorKind : std::uint8_t {
   kSighting,
   kParameterPrior,
   kCalibratedBetween,
-  kCalibratedSighting
+  kCalibratedSighting,
+  kBasedMap,
+  kFreeMap
 };
 
 /// @return whether the factor depends on parameters or is a prior on them; otherwise nothing is
@@ -57,6 +60,10 @@ void write(const Factor& factor, Archive& archive) {
     archive(FactorKind::kBetween, between->measured(), between->weight());
   else if (const auto* sighting = dynamic_cast<const RangeBearing*>(&factor))
     archive(FactorKind::kSighting, sighting->sensor(), sighting->measured(), sighting->weight());
+  else if (const auto* based = dynamic_cast<const BasedMap*>(&factor))
+    archive(FactorKind::kBasedMap, based->map());
+  else if (const auto* free = dynamic_cast<const FreeMap*>(&factor))
+    archive(FactorKind::kFreeMap, free->map());
   else if (!writeCalibrated(factor, archive))
     throw std::logic_error("this kind of factor cannot be written");
 }
@@ -90,6 +97,23 @@ std::shared_ptr<const Factor> readCalibrated(Archive& archive, FactorKind kind,
   return nullptr;
 }
 
+/// @return null if it is of another kind
+template <class Archive>
+std::shared_ptr<const Factor> readLocalMap(Archive& archive, FactorKind kind,
+                                           const std::vector<Key>& keys) {
+  if (kind != FactorKind::kBasedMap && kind != FactorKind::kFreeMap) return nullptr;
+  LocalMap map;
+  archive(map);
+  const auto variables = map.poses.size() + map.points.size();
+  const auto rows = static_cast<Eigen::Index>(3 * map.poses.size() + 2 * map.points.size());
+  const bool is_square = map.covariance.rows() == rows && map.covariance.cols() == rows;
+  if (is_square && kind == FactorKind::kBasedMap && keys.size() == variables + 1)
+    return std::make_shared<BasedMap>(keys, std::move(map));
+  if (is_square && kind == FactorKind::kFreeMap && keys.size() == variables)
+    return std::make_shared<FreeMap>(keys, std::move(map));
+  return nullptr;
+}
+
 /// @throw std::runtime_error if the archive holds no factor
 template <class Archive>
 std::shared_ptr<const Factor> readFactor(Archive& archive) {
@@ -115,6 +139,7 @@ std::shared_ptr<const Factor> readFactor(Archive& archive) {
     return archive(pose, point, W2),
            std::make_shared<RangeBearing>(keys[0], keys[1], pose, point, W2);
   if (auto calibrated = readCalibrated(archive, kind, keys)) return calibrated;
+  if (auto map = readLocalMap(archive, kind, keys)) return map;
   throw std::runtime_error("it holds a factor of unknown kind: save it again");
 }
 

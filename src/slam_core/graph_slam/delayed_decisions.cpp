@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "slam_core/association/gate.hpp"
-#include "slam_core/graph_slam/candidates.hpp"
+#include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
 namespace {

@@ -10,9 +10,8 @@
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
-#include "slam_core/graph_slam/associator.hpp"
 #include "slam_core/graph_slam/graph_config.hpp"
-#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
 

@@ -9,6 +9,7 @@
 #include "slam_core/association/place_config.hpp"
 #include "slam_core/common/config_fields.hpp"
 #include "slam_core/contract/backend_mode.hpp"
+#include "slam_core/landmark_graph/associator.hpp"
 #include "slam_core/models/calibration.hpp"
 
 namespace slam::graph_slam {
@@ -37,6 +38,9 @@ struct GraphConfig {
   double lost_share = 0.5;
 
   bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
+  landmark_graph::AssociationConfig ofAssociation() const {
+    return {association, gate_probability, places, mapIsFixed()};
+  }
   /// The variance of (x, y, theta) by which scans err for each metre of the way.
   Eigen::Vector3d driftPerMetre() const;
   void describe(Fields& fields);

@@ -42,7 +42,7 @@ void GraphSlam::configure(const GraphConfig& config, const grid_map::GridMapConf
   config_ = config;
   grid_config_ = grid;
   matcher_config_ = matcher;
-  associator_ = Associator(config);
+  associator_ = Associator(config.ofAssociation());
   reset();
 }
 

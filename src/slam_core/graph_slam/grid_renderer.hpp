@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "slam_core/graph_slam/grid_drawing.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/submap.hpp"
 #include "slam_core/grid_map/grid_map_config.hpp"
 #include "slam_core/models/occupancy_grid.hpp"

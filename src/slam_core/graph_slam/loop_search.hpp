@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 

@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 
 #include "slam_core/geometry/covariance.hpp"
-#include "slam_core/graph_slam/twist_covariance.hpp"
+#include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
 

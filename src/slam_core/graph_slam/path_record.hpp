@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "slam_core/contract/stamped_pose.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
 

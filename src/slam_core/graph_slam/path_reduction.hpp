@@ -9,8 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "slam_core/graph_slam/landmark_graph.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/path_record.hpp"
 #include "slam_core/graph_slam/place_raster.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/session_parts.hpp"
-#include "slam_core/graph_slam/twist_covariance.hpp"
 
 namespace slam::graph_slam {
 

@@ -12,7 +12,7 @@
 #include "slam_core/graph_slam/grid_renderer.hpp"
 #include "slam_core/graph_slam/loop_search.hpp"
 #include "slam_core/graph_slam/loop_watch.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/scan_path.hpp"
 #include "slam_core/graph_slam/scan_reduction.hpp"
 #include "slam_core/graph_slam/submaps.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
 

@@ -10,7 +10,7 @@
 
 #include "slam_core/graph/robust_loops.hpp"
 #include "slam_core/graph_slam/grid_renderer.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/submaps.hpp"
 
 namespace slam::graph_slam {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "slam_core/graph/factors.hpp"
-#include "slam_core/graph_slam/path_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
 namespace {

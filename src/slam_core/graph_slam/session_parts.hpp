@@ -7,7 +7,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "slam_core/graph_slam/landmark_graph.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/path_record.hpp"
 #include "slam_core/graph_slam/scan_graph.hpp"
 #include "slam_core/graph_slam/session_graph.hpp"

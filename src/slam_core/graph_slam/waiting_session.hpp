@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "slam_core/graph_slam/landmark_ids.hpp"
+#include "slam_core/graph_slam/names.hpp"
 #include "slam_core/graph_slam/scan_meeting.hpp"
 #include "slam_core/graph_slam/session_merge.hpp"
 

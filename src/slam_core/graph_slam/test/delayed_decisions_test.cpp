@@ -19,7 +19,7 @@ class DelayedDecisionsTest : public testing::Test {
   DelayedDecisionsTest() : path_({0.05, 0.05}, {Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}) {
     GraphConfig config;
     config.association = "jcbb";
-    associator_ = Associator(config);
+    associator_ = Associator(config.ofAssociation());
     associator_.restart({});
     delayed_ = DelayedDecisions(config);
   }

@@ -33,6 +33,8 @@ std::vector<Variant> variants() {
   all.push_back({"ekf", "ekf_neighbourhood_of_one", {"ekf.neighbourhood=1"}});
   all.push_back(
       {"pf", "pf_grid", {"pf.particles=8", "pf.resampling_threshold=0.5"}, MapKind::kGrid});
+  all.push_back({"seif", "seif_of_short_intervals",
+                 {"seif.active_landmarks=4", "seif.interval_nodes=8"}});
   all.push_back({"graph", "graph_grid", {}, MapKind::kGrid});
   return all;
 }

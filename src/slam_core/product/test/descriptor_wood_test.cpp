@@ -101,7 +101,7 @@ TEST_P(WoodOfPairs, DescriptorsTellTreesApartThatStandTogether) {
   EXPECT_LT(std::sqrt(by_descriptor.squared), 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, WoodOfPairs, testing::Values("ekf", "pf", "graph"),
+INSTANTIATE_TEST_SUITE_P(Backends, WoodOfPairs, testing::Values("ekf", "pf", "graph", "seif"),
                          [](const auto& backend) { return backend.param; });
 
 }  // namespace

@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FaultyProduct{"ekf_jcbb", {"backend=ekf", "association=jcbb"}, false, 6},
                     FaultyProduct{"pf", {"backend=pf", "pf.particles=10"}, false, 12},
                     FaultyProduct{"graph", {"backend=graph"}, false, 8},
+                    FaultyProduct{"seif", {"backend=seif"}, false, 8},
                     FaultyProduct{"grid", {"backend=grid", "map=grid"}, true, 2},
                     FaultyProduct{"grid_laser_odometry",
                                   {"backend=grid", "map=grid", "odometry=laser", "pointmap=true"},

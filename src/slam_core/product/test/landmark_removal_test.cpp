@@ -78,7 +78,7 @@ TEST_P(LandmarkRemoval, IsRefusedWhereTheMapIsFixed) {
   EXPECT_EQ(this->map().size(), 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, LandmarkRemoval, testing::Values("ekf", "pf", "graph"),
+INSTANTIATE_TEST_SUITE_P(Backends, LandmarkRemoval, testing::Values("ekf", "pf", "graph", "seif"),
                          [](const auto& backend) { return backend.param; });
 
 TEST(LandmarkRemovalOfAGrid, IsRefusedByABackEndWithoutLandmarks) {

@@ -183,7 +183,7 @@ TEST_P(LiveResume, ForgetsTheMapWhereTheClockIsSetBackLater) {
   EXPECT_LT(landmarks(), known);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, LiveResume, testing::Values("ekf", "pf", "graph"));
+INSTANTIATE_TEST_SUITE_P(Backends, LiveResume, testing::Values("ekf", "pf", "graph", "seif"));
 
 /// What a laser saw before a pause is of another place than what it sees afterwards.
 TEST(LiveResumeOfAProduct, BeginsAnewWithAnOdometryThatGoesByWhatItSaw) {

@@ -154,7 +154,7 @@ TEST_P(LyingMarkers, AFifthOfFalseRangesIsLeftOut) {
   EXPECT_EQ(counted("distrusted"), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, LyingMarkers, testing::Values("ekf", "pf", "graph"),
+INSTANTIATE_TEST_SUITE_P(Backends, LyingMarkers, testing::Values("ekf", "pf", "graph", "seif"),
                          [](const auto& backend) { return backend.param; });
 
 }  // namespace

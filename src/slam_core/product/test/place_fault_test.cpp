@@ -131,7 +131,7 @@ TEST_P(PlaceDoor, RefusesAMapWithALandmarkThatIsNowhereAndTheDriveGoesOn) {
   drive(20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, PlaceDoor, testing::Values("ekf", "pf", "graph"),
+INSTANTIATE_TEST_SUITE_P(Backends, PlaceDoor, testing::Values("ekf", "pf", "graph", "seif"),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

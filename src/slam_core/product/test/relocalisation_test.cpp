@@ -125,7 +125,7 @@ TEST_P(Relocalisation, WaitsForWhatIsInTheMap) {
   EXPECT_GT(estimator.counters()["withheld"], 30u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, Relocalisation, testing::Values("ekf", "pf", "graph"));
+INSTANTIATE_TEST_SUITE_P(Backends, Relocalisation, testing::Values("ekf", "pf", "graph", "seif"));
 
 TEST(RelocalisationWithoutAMap, HasNothingToLookFor) {
   Settings settings;

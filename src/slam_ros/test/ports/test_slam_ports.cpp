@@ -165,7 +165,7 @@ TEST(SlamPorts, TakeAnInputThatAComponentCanDoWithoutAndAnyNameOfAKnownKind) {
 TEST(SlamPorts, NameAllComponentsByTheProductsKey) {
   const auto names = Json::parse(askWithOdd("--components").printed);
   EXPECT_EQ(names["backend"],
-            Json({"ekf", "graph", "grid", "mono_ekf", "mono_graph", "pf", "rat"}));
+            Json({"ekf", "graph", "grid", "mono_ekf", "mono_graph", "pf", "rat", "seif"}));
   EXPECT_EQ(names["association"], Json({"descriptor", "jcbb", "known_ids", "nearest"}));
   EXPECT_EQ(names["modules"], Json({"echo_map", "pointmap"}));
   EXPECT_EQ(ask("--components ekf_wheel").code, 2);

@@ -55,5 +55,5 @@ SLAM_FUZZ_TARGET(landmark_file) {
   const auto text = toYaml(file);
   saveLandmarks(path, file);
   requireThat(toYaml(loadLandmarks(path, "map")) == text, "a saved map that comes back otherwise");
-  for (const auto* backend : {"ekf", "pf", "graph"}) drive(backend, file.map);
+  for (const auto* backend : {"ekf", "pf", "graph", "seif"}) drive(backend, file.map);
 }

@@ -23,7 +23,7 @@ class ToyDetectorLaunch(ReplayOfProduct, unittest.TestCase):
     def test_the_feature_model_has_it_for_back_ends_that_map_landmarks(self):
         model = FeatureModel()
         self.assertIn(self.product, [product.name for product in products.named(model)])
-        for backend in ("ekf", "pf", "graph"):
+        for backend in ("ekf", "pf", "graph", "seif"):
             model.require_valid({"backend": backend, "odometry": "wheel", "detector": "toy",
                                  "association": "jcbb"})
 

@@ -26,7 +26,7 @@ class ToyMapLaunch(ReplayOfProduct, unittest.TestCase):
     def test_the_feature_model_has_it_for_every_back_end(self):
         model = FeatureModel()
         self.assertIn(self.product, [product.name for product in products.named(model)])
-        for backend in ("ekf", "pf", "graph"):
+        for backend in ("ekf", "pf", "graph", "seif"):
             model.require_valid({"backend": backend, "odometry": "wheel", "map_toy": "true"})
 
 

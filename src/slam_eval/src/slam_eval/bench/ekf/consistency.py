@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Part consistency: NEES over a simulated loop, averaged over seeds."""
+"""Part consistency: NEES over a simulated loop, averaged over seeds; other back-ends beside the EKF."""
 import json
 
 import numpy as np
@@ -21,8 +21,8 @@ NIS_LIMITS = (0.95, 1.05)
 LINEARIZATIONS = ("right_invariant", "observability_constrained", "first_estimates", "textbook")
 DEFAULT = LINEARIZATIONS[0]
 FILTERS = ("extended", "unscented")
+OTHERS = ("seif", "graph")  # back-ends
 LINEAR_SCALE = 0.01  # of all noise: nothing is left to linearise
-EXACT_START = [f"ekf.initial_sigma_{of}=1e-6" for of in ("position", "heading")]
 
 HEADER = ["loop", "steps", "in bounds", "mean NEES", "NIS/dof", "position rmse [m]"]
 
@@ -49,20 +49,25 @@ def variants():
             for of in FILTERS for linearization in LINEARIZATIONS]
 
 
-def run_loop(context, loop, filter_name, linearization, noise=1.0):
-    """What slam_eval_consistency says of a loop [m]."""
-    log = context.work / f"consistency_{loop}_{filter_name}_{linearization}_{noise:g}.json"
+def run_backend(context, loop, name, backend, settings=(), noise=1.0):
+    """What slam_eval_consistency says of a back-end on a loop [m], whose start is known exactly."""
+    log = context.work / f"consistency_{loop}_{name.replace(', ', '_')}_{noise:g}.json"
     seeds = context.options.seeds
-    command = [workspace_program("slam_eval", "slam_eval_consistency"), "--loop", str(loop),
-               "--seeds", str(seeds), "--noise", str(noise),
-               "--set", f"ekf.filter={filter_name}", f"ekf.linearization={linearization}",
-               *EXACT_START]
-    call(context, f"consistency, loop of {loop} m, {filter_name}, {linearization}, {seeds} seeds",
-         command, log)
+    exact = [f"{backend}.initial_sigma_{of}=1e-6" for of in ("position", "heading")]
+    command = [workspace_program("slam_eval", "slam_eval_consistency"), "--backend", backend,
+               "--loop", str(loop), "--seeds", str(seeds), "--noise", str(noise),
+               "--set", *settings, *exact]
+    call(context, f"consistency, loop of {loop} m, {name}, {seeds} seeds", command, log)
     try:
         return json.loads(log.read_text(encoding="utf-8"))
     except json.JSONDecodeError:
         raise BenchError("slam_eval_consistency printed no JSON; build it again") from None
+
+
+def run_loop(context, loop, filter_name, linearization, noise=1.0):
+    """The same of a variant of the EKF."""
+    return run_backend(context, loop, f"{filter_name}, {linearization}", "ekf",
+                       [f"ekf.filter={filter_name}", f"ekf.linearization={linearization}"], noise)
 
 
 def row(name, result):
@@ -91,7 +96,8 @@ def measure(context):
     for loop in LOOPS:
         results = {name: run_loop(context, loop, *of) for name, *of in variants()}
         linear = run_loop(context, loop, FILTERS[0], DEFAULT, LINEAR_SCALE)
-        lines += [row(f"{loop} m, {name}", result) for name, result in results.items()]
+        others = {f"back-end {name}": run_backend(context, loop, name, name) for name in OTHERS}
+        lines += [row(f"{loop} m, {name}", result) for name, result in (results | others).items()]
         lines.append(row(f"{loop} m, {DEFAULT}, noise x {LINEAR_SCALE:g}", linear))
         remarks.append(remark(loop, results[DEFAULT]))
         path = context.out / f"consistency_nees_{loop}.png"
