@@ -230,7 +230,7 @@ void MonoGraph::believe(const TrackedView& tracked) {
   for (const auto& match : tracked.matches) ++map_.point(match.point).found;
   reference_ = referenceOf(map_, tracked.matches);
   pose_ = tracked.pose;
-  covariance_ = tracked.covariance;
+  covariance_ = tracked.covariance + scaleCovariance(map_, *reference_, pose_);
   anchor_.place(pose_, symmetric(tracked.information.inverse()));
 }
 
