@@ -35,11 +35,9 @@ void ImageContinuity::move(const Motion& motion) {
     if (*image) (*image)->odometry.move(motion);
 }
 
-/// Nothing is known of an image of another camera, nor of one that has far fewer features: it is
-/// blurred or dark.
+/// Nothing is known of an image of another camera.
 ImageContinuity::Same ImageContinuity::compared(const Image& earlier, const Features& features) {
-  if (features.focal() != earlier.features.focal() || 2 * features.size() < earlier.features.size())
-    return Same::kUnknown;
+  if (features.focal() != earlier.features.focal()) return Same::kUnknown;
   const auto again =
       pairFeatures(earlier.features, features, earlier.odometry.since(), kMostCompared);
   if (again.expected < kFewestCompared) return Same::kUnknown;
@@ -48,8 +46,11 @@ ImageContinuity::Same ImageContinuity::compared(const Image& earlier, const Feat
   return share < kSameScene ? Same::kNo : Same::kYes;
 }
 
+/// An image with far fewer features than the one before is blurred or dark, and says nothing; a
+/// bare scene has few in each image.
 void ImageContinuity::judge(const Features& features, Stamp stamp) {
   if (!earlier_ || !isSameView(earlier_->odometry)) return begin(features, false);
+  if (2 * features.size() < (last_ ? *last_ : *earlier_).features.size()) return;
   switch (compared(*earlier_, features)) {
     case Same::kYes:
       return begin(features, true);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "slam_core/common/archive.hpp"
 #include "slam_core/mono_graph/orb_extractor.hpp"
 #include "slam_core/mono_graph/test/room_of_pictures.hpp"
@@ -91,6 +93,24 @@ TEST(ImageContinuity, EndsWithinASecondWhereTheRobotWasCarried) {
       EXPECT_FALSE(views.continuity().isLost());
       EXPECT_TRUE(views.continuity().admits());
     }
+}
+
+TEST(ImageContinuity, EndsAlsoWhereTheOtherSceneIsBare) {
+  const RoomOfPictures other(50);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Views views(seed);
+    views.steps(20);
+    int count = 0;
+    for (; !views.continuity().isLost() && count < 15; ++count) {
+      const auto motion = views.drive().drive();
+      views.continuity().move(motion);
+      cv::Mat bare = other.view(motion.end, views.drive().place()).image.gray.clone();
+      const double covered = std::min(0.6, 0.3 + 0.15 * count);  // share of the view
+      bare.colRange(0, static_cast<int>(covered * bare.cols)).setTo(128);
+      views.see(other, views.drive().place(), bare);
+    }
+    EXPECT_LE(count, 12) << "seed " << seed;
+  }
 }
 
 TEST(ImageContinuity, OutlastsAnObjectThatHidesTheViewForASecond) {
