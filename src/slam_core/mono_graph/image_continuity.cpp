@@ -46,11 +46,15 @@ ImageContinuity::Same ImageContinuity::compared(const Image& earlier, const Feat
   return share < kSameScene ? Same::kNo : Same::kYes;
 }
 
-/// An image with far fewer features than the one before is blurred or dark, and says nothing; a
-/// bare scene has few in each image.
+/// An image with far fewer features is blurred or dark, and says nothing, unless it shows what the
+/// image before it showed: a bare scene moves on as the robot does.
 void ImageContinuity::judge(const Features& features, Stamp stamp) {
   if (!earlier_ || !isSameView(earlier_->odometry)) return begin(features, false);
-  if (2 * features.size() < (last_ ? *last_ : *earlier_).features.size()) return;
+  if (2 * features.size() < earlier_->features.size() &&
+      (!last_ || compared(*last_, features) != Same::kYes)) {
+    last_ = Image{features, {}};
+    return;
+  }
   switch (compared(*earlier_, features)) {
     case Same::kYes:
       return begin(features, true);
