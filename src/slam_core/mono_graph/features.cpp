@@ -51,20 +51,30 @@ bool Features::covers(const Eigen::Vector2d& seen) const {
   return (seen.array() >= least_.array()).all() && (seen.array() <= most_.array()).all();
 }
 
-void Features::near(const Eigen::Vector2d& seen, double radius,
-                    std::vector<std::size_t>& found) const {
-  if (features_.empty()) return;
-  const double reach = radius / focal_;
-  if ((seen.array() < least_.array() - reach).any() || (seen.array() > most_.array() + reach).any())
-    return;
-  const int left = column(seen.x() - reach), right = column(seen.x() + reach);
-  for (int r = row(seen.y() - reach); r <= row(seen.y() + reach); ++r)
+void Features::within(const Eigen::AlignedBox2d& box, std::vector<std::size_t>& found) const {
+  if (features_.empty() || !box.intersects({least_, most_})) return;
+  const int left = column(box.min().x()), right = column(box.max().x());
+  const int top = row(box.min().y()), bottom = row(box.max().y());
+  for (int r = top; r <= bottom; ++r)
     for (int c = left; c <= right; ++c) {
       const auto cell = static_cast<std::size_t>(r * columns_ + c);
       for (std::size_t k = begins_[cell]; k < begins_[cell + 1]; ++k)
-        if ((features_[members_[k]].seen - seen).squaredNorm() <= reach * reach)
-          found.push_back(members_[k]);
+        if (box.contains(features_[members_[k]].seen)) found.push_back(members_[k]);
     }
+}
+
+void Features::near(const Eigen::Vector2d& seen, double radius,
+                    std::vector<std::size_t>& found) const {
+  const double reach = radius / focal_;
+  const std::size_t before = found.size();
+  const Eigen::Vector2d corner = Eigen::Vector2d::Constant(reach);
+  within({seen - corner, seen + corner}, found);
+  const auto is_far = [&](std::size_t i) {
+    return (features_[i].seen - seen).squaredNorm() > reach * reach;
+  };
+  found.erase(
+      std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), is_far),
+      found.end());
 }
 
 }  // namespace slam::mono_graph

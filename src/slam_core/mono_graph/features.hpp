@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -54,6 +54,8 @@ class Features {
 
   /// Appends the features within a distance [px] of a point of the plane z = 1, in a fixed order.
   void near(const Eigen::Vector2d& seen, double radius, std::vector<std::size_t>& found) const;
+  /// Appends those in a box of the plane z = 1, in a fixed order.
+  void within(const Eigen::AlignedBox2d& box, std::vector<std::size_t>& found) const;
   /// Whether the point lies where there are features: within their bounding box.
   bool covers(const Eigen::Vector2d& seen) const;
 

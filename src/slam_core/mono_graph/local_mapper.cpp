@@ -32,7 +32,8 @@ class Neighbourhood {
     addFixed(map);
     for (std::size_t i = 0; i < keyframes_.size(); ++i) {
       const auto& keyframe = map.keyframe(keyframes_[i]);
-      const bool is_fixed = i >= moving || (i == 0 && keyframes_.size() == moving);
+      const bool is_origin = i == 0 && (keyframes_[i] == 0 || keyframes_.size() == moving);
+      const bool is_fixed = i >= moving || is_origin;
       bundle_.views.push_back({keyframe.pose, keyframe.features.camera(), is_fixed});
       view_of_[keyframes_[i]] = static_cast<int>(i);
     }

@@ -15,6 +15,7 @@
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/mono_graph/pose_chain.hpp"
+#include "slam_core/mono_graph/two_views.hpp"
 
 namespace slam::mono_graph {
 namespace {
@@ -115,6 +116,7 @@ void MonoGraph::relocate() {
 
 void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   anchor_.place(pose, covariance);
+  last_ = {};
   is_way_known_ = false;
   doubt_.settle();
   continuity_.settle();
@@ -168,16 +170,19 @@ Status MonoGraph::see(const CameraView& view) {
 Status MonoGraph::follow(const CameraView& view, const Features& features) {
   if (isLost()) lookForPlace(features);
   if (isLost()) return Status::ok();
-  const auto seen = tracked(features);
+  auto seen = tracked(features);
+  if (!showsRobot(seen) && correctStep(features)) seen = tracked(features);
   const auto of_map = viewOfMap(features, seen);
   seen_.tracked = seen;
-  is_tracked_ = seen.matches.size() >= static_cast<std::size_t>(config_.least_points);
+  is_tracked_ = showsRobot(seen);
   if (is_tracked_)
     believe(seen);
   else if (reference_)
     counters_.add("untracked");
   doubt_.judge(of_map, pose_, view.stamp);
   continuity_.judge(features, view.stamp);
+  last_ = features;
+  anchor_.beginStep();
   if (doubt_.isLost())
     return Status::alarm(
         "the robot is lost: the camera sees next to nothing of what the map has here; drive on "
@@ -188,6 +193,19 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
         "been carried; drive on slowly where the robot has been, or set an initial pose");
   if (!mayMap() || !wantsKeyframe(seen)) return Status::ok();
   return addKeyframe(view, features, seen);
+}
+
+bool MonoGraph::showsRobot(const TrackedView& tracked) const {
+  return tracked.matches.size() >= static_cast<std::size_t>(config_.least_points);
+}
+
+/// Odometry since the last image has the heading that both images agree on, if they do.
+bool MonoGraph::correctStep(const Features& features) {
+  const auto step = motionBetween(last_, features, anchor_.step());
+  if (!step) return false;
+  anchor_.correctStep(*step);
+  predict();
+  return true;
 }
 
 /// Several images in a row have to agree before the robot is put anywhere.
@@ -212,7 +230,7 @@ void MonoGraph::believe(const TrackedView& tracked) {
   for (const auto& match : tracked.matches) ++map_.point(match.point).found;
   reference_ = referenceOf(map_, tracked.matches);
   pose_ = tracked.pose;
-  covariance_ = tracked.covariance;
+  covariance_ = tracked.covariance + scaleCovariance(map_, *reference_, pose_);
   anchor_.place(pose_, symmetric(tracked.information.inverse()));
 }
 
@@ -260,12 +278,14 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
         "mono_graph.most_keyframes keyframes are remembered and no more: raise it to go on "
         "mapping");
   }
+  if (!is_tracked_) pose_ = poseByImages(features);
   Keyframe keyframe;
   keyframe.stamp = view.stamp;
   keyframe.pose = pose_;
   keyframe.features = features;
-  if (is_way_known_) keyframe.way = way_.since();
-  keyframe.way_covariance = way_.covarianceSince();
+  const auto way = way_.since();
+  if (is_way_known_) keyframe.way = way.pose;
+  keyframe.way_covariance = way.covariance;
   const int number = map_.add(std::move(keyframe));
   for (const auto& match : tracked.matches)
     map_.addSighting(match.point, {number, static_cast<int>(match.feature)});
@@ -281,6 +301,14 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   way_.place({}, Eigen::Matrix3d::Zero());
   is_way_known_ = true;
   return Status::ok();
+}
+
+/// Where points do not show the robot, what the last keyframe saw tells at least the heading.
+Pose2 MonoGraph::poseByImages(const Features& features) const {
+  if (!is_way_known_) return pose_;
+  const auto& before = map_.keyframes().back();
+  const auto motion = motionBetween(before.features, features, way_.since());
+  return motion ? before.pose * motion->pose : pose_;
 }
 
 /// Keyframes that a keyframe is joined with already: what they show is no news.

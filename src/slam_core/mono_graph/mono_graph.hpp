@@ -74,8 +74,8 @@ class MonoGraph final : public Backend,
   template <class Archive>
   void persist(Archive& archive) {
     archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_,
-            unrecognised_, doubt_, continuity_, agreement_, is_tracked_, pose_, covariance_, path_,
-            events_, inputs_, counters_);
+            unrecognised_, last_, doubt_, continuity_, agreement_, is_tracked_, pose_, covariance_,
+            path_, events_, inputs_, counters_);
   }
 
  private:
@@ -137,11 +137,14 @@ class MonoGraph final : public Backend,
   bool mayMap() const { return doubt_.admits() && continuity_.admits(); }
   void lookForPlace(const Features& features);
   TrackedView tracked(const Features& features) const;
+  bool showsRobot(const TrackedView& tracked) const;
+  bool correctStep(const Features& features);
   void believe(const TrackedView& tracked);
   ViewOfMap viewOfMap(const Features& features, const TrackedView& tracked) const;
   bool wantsKeyframe(const TrackedView& tracked) const;
   bool isFarFromKeyframes(double share) const;
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
+  Pose2 poseByImages(const Features& features) const;
   void recognise();
   void closeLoop(int keyframe);
   std::set<int> knownAround(int keyframe) const;
@@ -162,6 +165,7 @@ class MonoGraph final : public Backend,
   PlaceRecogniser recogniser_;
   LoopCloser closer_;
   OdometryAnchor anchor_;            ///< where points showed the robot last
+  Features last_;                    ///< of the image with which the anchor's step began
   OdometryAnchor way_;               ///< odometry since the newest keyframe
   bool is_way_known_ = false;        ///< there is one, and no jump came since
   std::optional<int> reference_;     ///< the keyframe that the robot is tracked by

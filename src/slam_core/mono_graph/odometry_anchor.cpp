@@ -9,12 +9,11 @@ namespace slam::mono_graph {
 namespace {
 
 /// Of a pose and an increment that is independent of it.
-PosePrior composed(const Pose2& pose, const Eigen::Matrix3d& covariance, const Pose2& increment,
-                   const Eigen::Matrix3d& of_increment) {
+PosePrior composed(const PosePrior& pose, const PosePrior& increment) {
   Eigen::Matrix3d J_pose, J_increment;
-  const Pose2 result = pose.compose(increment, &J_pose, &J_increment);
-  return {result, symmetric(J_pose * covariance * J_pose.transpose() +
-                            J_increment * of_increment * J_increment.transpose())};
+  const Pose2 result = pose.pose.compose(increment.pose, &J_pose, &J_increment);
+  return {result, symmetric(J_pose * pose.covariance * J_pose.transpose() +
+                            J_increment * increment.covariance * J_increment.transpose())};
 }
 
 }  // namespace
@@ -22,18 +21,20 @@ PosePrior composed(const Pose2& pose, const Eigen::Matrix3d& covariance, const P
 void OdometryAnchor::place(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   pose_ = pose;
   covariance_ = covariance;
-  since_ = {};
-  covariance_since_.setZero();
+  before_step_ = step_ = standing();
 }
 
 void OdometryAnchor::move(const Motion& motion) {
-  const auto next = composed(since_, covariance_since_, motion.increment, motion.covariance);
-  since_ = next.pose;
-  covariance_since_ = next.covariance;
+  step_ = composed(step_, {motion.increment, motion.covariance});
 }
 
-PosePrior OdometryAnchor::predicted() const {
-  return composed(pose_, covariance_, since_, covariance_since_);
+void OdometryAnchor::beginStep() {
+  before_step_ = since();
+  step_ = standing();
 }
+
+PosePrior OdometryAnchor::since() const { return composed(before_step_, step_); }
+
+PosePrior OdometryAnchor::predicted() const { return composed({pose_, covariance_}, since()); }
 
 }  // namespace slam::mono_graph

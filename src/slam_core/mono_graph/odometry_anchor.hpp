@@ -16,20 +16,28 @@ class OdometryAnchor {
   void move(const Motion& motion);
   /// The anchor itself lies elsewhere; odometry since then stays as it is.
   void moveAnchorTo(const Pose2& pose) { pose_ = pose; }
+  /// What odometry measures from here on may be corrected; it cannot any more up to here.
+  void beginStep();
+  /// The motion since the step began, or since the anchor was placed.
+  const PosePrior& step() const { return step_; }
+  void correctStep(const PosePrior& step) { step_ = step; }
+
   /// The anchor's pose with its covariance, and odometry since then with its own.
   PosePrior predicted() const;
-  const Pose2& since() const { return since_; }
-  const Eigen::Matrix3d& covarianceSince() const { return covariance_since_; }
+  PosePrior since() const;
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(pose_, covariance_, since_, covariance_since_);
+    archive(pose_, covariance_, before_step_.pose, before_step_.covariance, step_.pose,
+            step_.covariance);
   }
 
  private:
-  Pose2 pose_, since_;
+  static PosePrior standing() { return {Pose2(), Eigen::Matrix3d::Zero()}; }
+
+  Pose2 pose_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d covariance_since_ = Eigen::Matrix3d::Zero();
+  PosePrior before_step_ = standing(), step_ = standing();  ///< odometry
 };
 
 }  // namespace slam::mono_graph

@@ -37,21 +37,6 @@ Eigen::Matrix3d sharedInformation(const VisualMap& map, int number, int other) {
   return H;
 }
 
-/// How long the way between two keyframes is, one camera cannot tell: only odometry does. Its
-/// errors stay in the scale of the points for the length of some neighbourhoods, so that they add
-/// up to more than those of odometry itself.
-Eigen::Matrix3d scaleCovariance(const Keyframe& keyframe, const Keyframe& other) {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  const double length = keyframe.way ? keyframe.way->position().norm() : 0.0;
-  if (length < kLeastWay) return covariance;
-  const double per_metre = keyframe.way_covariance.topLeftCorner<2, 2>().trace() / length;
-  const Eigen::Vector2d apart = keyframe.pose.position() - other.pose.position();
-  if (apart.norm() > 0.0)
-    covariance.topLeftCorner<2, 2>() =
-        kPersistence * per_metre * apart * apart.transpose() / apart.norm();
-  return covariance;
-}
-
 /// Which of two chains leaves more; a radian counts as a metre.
 double sizeOf(const Eigen::Matrix3d& covariance) { return covariance.trace(); }
 
@@ -92,6 +77,20 @@ Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, c
   return symmetric(J * of_origin * J.transpose() + of_pose);
 }
 
+Eigen::Matrix3d scaleCovariance(const VisualMap& map, int number, const Pose2& pose) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  const bool is_last = number + 1 == static_cast<int>(map.keyframes().size());
+  const auto& keyframe = map.keyframe(number);
+  const auto& measured = keyframe.way || is_last ? keyframe : map.keyframe(number + 1);
+  const double length = measured.way ? measured.way->position().norm() : 0.0;
+  const Eigen::Vector2d apart = pose.position() - keyframe.pose.position();
+  if (length < kLeastWay || !(apart.norm() > 0.0)) return covariance;
+  const double per_metre = measured.way_covariance.topLeftCorner<2, 2>().trace() / length;
+  covariance.topLeftCorner<2, 2>() =
+      kPersistence * per_metre * apart * apart.transpose() / apart.norm();
+  return covariance;
+}
+
 std::vector<Link> linksOf(const VisualMap& map, int number, std::size_t most) {
   std::vector<std::pair<int, int>> ranked;  // by number of points, the newer one first
   for (const auto& [other, shared] : sharedPoints(map, number))
@@ -102,8 +101,7 @@ std::vector<Link> linksOf(const VisualMap& map, int number, std::size_t most) {
   for (const auto& each : ranked) {
     const Eigen::Matrix3d H = sharedInformation(map, number, each.second);
     const Eigen::Matrix3d covariance =
-        kDependence * H.inverse() +
-        scaleCovariance(map.keyframe(number), map.keyframe(each.second));
+        kDependence * H.inverse() + scaleCovariance(map, number, map.keyframe(each.second).pose);
     if (covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0)
       links.push_back({each.second, covariance, false});
   }

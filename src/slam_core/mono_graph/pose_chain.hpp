@@ -16,6 +16,13 @@ namespace slam::mono_graph {
 Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, const Pose2& pose,
                         const Eigen::Matrix3d& of_pose);
 
+/// How far a pose is from a keyframe, one camera cannot tell: only odometry around the keyframe
+/// does. Its errors stay in the scale of the points for the length of some neighbourhoods, so that
+/// they add up to more than those of odometry itself.
+/// @return what that adds to the covariance of the pose (x, y, theta) in the map, the keyframe
+/// taken as exact
+Eigen::Matrix3d scaleCovariance(const VisualMap& map, int keyframe, const Pose2& pose);
+
 /// What joins a keyframe with an earlier one.
 struct Link {
   int earlier = 0;

@@ -13,7 +13,7 @@
 namespace slam::mono_graph {
 namespace {
 
-constexpr double kNearRadius = 4.0, kLeastRadius = 8.0, kMostRadius = 40.0;  // [px]
+constexpr double kNearRadius = 4.0, kLeastRadius = 8.0, kMostRadius = 320.0;  // [px]
 constexpr double kTypicalDepth = 1.5;  // [m], at which an error of position moves points
 constexpr double kSigmas = 3.0;
 constexpr double kLargestNis = 16.27;  // chi-square: 0.999 with three degrees of freedom

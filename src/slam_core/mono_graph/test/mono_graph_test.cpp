@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "slam_core/common/archive.hpp"
@@ -55,6 +56,20 @@ TEST(MonoGraph, BridgesAGapByOdometry) {
   drive.steps(40);
   EXPECT_LT(drive.error(), 0.15);
   EXPECT_FALSE(drive.isLost());
+}
+
+TEST(MonoGraph, KnowsItsHeadingBeforeItKnowsAnyPoint) {
+  double squares = 0.0;
+  constexpr int kDrives = 4, kSteps = 12;
+  constexpr double kTurnSigma = 0.03;  // of the heading, by odometry, a step [rad]
+  for (std::uint64_t seed = 21; seed < 21 + kDrives; ++seed) {
+    PictureDrive drive(seed);
+    drive.round().errBy({0.002, 0.001, kTurnSigma});
+    drive.steps(kSteps);
+    squares += std::pow(drive.headingError(), 2) / kDrives;
+    EXPECT_LT(drive.nees(), 16.0) << "seed " << seed;
+  }
+  EXPECT_LT(std::sqrt(squares), 0.35 * kTurnSigma * std::sqrt(kSteps));
 }
 
 TEST(MonoGraph, TakesImagesThatComeSeldom) {

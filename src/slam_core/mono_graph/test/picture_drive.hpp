@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "slam_core/mono_graph/mono_graph.hpp"
 #include "slam_core/mono_graph/test/room_of_pictures.hpp"
@@ -42,6 +43,7 @@ class PictureDrive {
     return graph_.execute();
   }
   double error() const { return (graph_.pose().pose.position() - truth_.position()).norm(); }
+  double headingError() const { return std::abs(truth_.between(graph_.pose().pose).theta()); }
   double nees() const {
     const auto pose = graph_.pose();
     Eigen::Vector3d e = pose.pose.vector() - truth_.vector();

@@ -81,6 +81,8 @@ class RoundOfPictures final : public SimulatedDrive {
   const RoomOfPictures& room() const { return room_; }
   /// Where the robot is in the room.
   Pose2 place() const { return start() * truth_; }
+  /// The odometry errs by this from step to step, along (x, y, theta) [m, rad].
+  void errBy(const Eigen::Vector3d& sigmas) { covariance_ = sigmas.cwiseAbs2().asDiagonal(); }
   /// The robot is carried: its odometry notices nothing.
   void carry(const Pose2& by) { truth_ = truth_ * by; }
 

@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "slam_core/mono_graph/pose_chain.hpp"
 #include "slam_core/mono_graph/test/room_of_pictures.hpp"
 
 namespace slam::mono_graph {
@@ -61,6 +62,21 @@ TEST(VisualMap, MergesTwoPointsIntoOneWithTheSightingsOfBoth) {
   EXPECT_EQ(map.point(kept).sightings.size(), 2u);
   EXPECT_EQ(map.keyframe(1).points[2], kept);
   EXPECT_EQ(map.countOfPoints(), 1u);
+}
+
+TEST(PoseChain, KnowsDistancesAsWellAsOdometryAroundTheKeyframeDoes) {
+  auto map = twoKeyframes();
+  EXPECT_TRUE(scaleCovariance(map, 0, Pose2(1.0, 0.0, 0.0)).isZero()) << "there is no odometry yet";
+  map.keyframe(1).pose = Pose2(0.25, 0.0, 0.0);
+  map.keyframe(1).way = map.keyframe(1).pose;
+  map.keyframe(1).way_covariance.diagonal() << 9e-5, 1e-5, 4e-4;  // 4e-4 m^2 a metre
+  for (const int keyframe : {0, 1}) {
+    const Pose2 pose = map.keyframe(keyframe).pose * Pose2(0.0, 0.5, 1.0);
+    const auto covariance = scaleCovariance(map, keyframe, pose);
+    EXPECT_NEAR(covariance(1, 1), 4.0 * 4e-4 * 0.5, 1e-9) << "four times, along the way";
+    EXPECT_NEAR(covariance.trace(), covariance(1, 1), 1e-12);
+    EXPECT_TRUE(scaleCovariance(map, keyframe, map.keyframe(keyframe).pose).isZero());
+  }
 }
 
 }  // namespace
