@@ -63,8 +63,8 @@ class Menu(unittest.TestCase):
 
     def test_writes_the_product_that_was_chosen(self):
         terminal = Terminal("mine", self.home)
-        # the back-end, its strategy, the third choice; save to the proposed file; quit
-        terminal.press(ENTER, ENTER, DOWN, DOWN, " ", "S", ENTER, " ", "Q")
+        # the back-end, its strategy, the fourth choice; save to the proposed file; quit
+        terminal.press(ENTER, ENTER, DOWN, DOWN, DOWN, " ", "S", ENTER, " ", "Q")
         self.assertEqual(terminal.end(), 0, terminal.said)
         self.assertIn("backend: pf", self.product.read_text(encoding="utf-8"), terminal.said)
 
