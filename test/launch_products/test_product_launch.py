@@ -100,8 +100,8 @@ class BadInputTest(Refusals, ProductLaunch):
         self.assertIn(sentence, checked.stdout)
 
     def test_a_feature_that_does_not_exist_names_the_nearest(self):
-        self.assert_refused("backend=efk is not a feature; backend is one of: ekf, graph, pf, "
-                            "grid",
+        self.assert_refused("backend=efk is not a feature; backend is one of: ekf, seif, graph, "
+                            "pf, grid",
                             "backend:=efk", ROBOT)
         self.assert_refused("did you mean 'aruco'?", "detector:=aruko", ROBOT)
         self.assert_file_refused("odometry=visul is not a feature; odometry is one of: wheel, "
@@ -118,8 +118,8 @@ class BadInputTest(Refusals, ProductLaunch):
                                  "version: 1\nbackend: ekf\n")
 
     def test_two_of_a_one_of_group_are_named(self):
-        self.assert_file_refused("backend is ekf and pf; a product has exactly one of: ekf, graph, pf, "
-                                 "grid",
+        self.assert_file_refused("backend is ekf and pf; a product has exactly one of: ekf, "
+                                 "seif, graph, pf, grid",
                                  "version: 1\nbackend: [ekf, pf]\nodometry: wheel\n")
 
     def test_a_product_and_another_feature_contradict_each_other(self):
