@@ -56,12 +56,12 @@ TEST(SightingFusion, EqualsAKalmanUpdateInTheSecondSensor) {
   const auto b = observation(1.98, 0.8, covariance(0.03, 0, 0.004));
   const Eigen::Vector2d predicted = carriedOver(sensor_a, sensor_b, a.vector());
   Eigen::Matrix2d J;
-  constexpr double kStep = 1e-6;
+  constexpr double kDifference = 1e-6;
   for (int i = 0; i < 2; ++i) {
-    const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(i);
+    const Eigen::Vector2d step = kDifference * Eigen::Vector2d::Unit(i);
     J.col(i) = (carriedOver(sensor_a, sensor_b, a.vector() + step) -
                 carriedOver(sensor_a, sensor_b, a.vector() - step)) /
-               (2 * kStep);
+               (2 * kDifference);
   }
   const Eigen::Matrix2d P = J * a.covariance * J.transpose();
   const Eigen::Matrix2d K = P * (P + b.covariance).inverse();
