@@ -102,7 +102,8 @@ LinearFactor BasedMap::byBase(const Pose2& base, const std::vector<Pose2>& other
 FreeMap::FreeMap(std::vector<Key> keys, LocalMap map)
     : Factor(keys), based_(withoutBase(std::move(keys)), std::move(map)) {}
 
-/// By a pose where there is one, else by the rigid motion of the points (least squares).
+/// A pose shows where the base is. If there is none, the rigid motion of the points does (least
+/// squares).
 Pose2 FreeMap::firstBase(const std::vector<Pose2>& at) const {
   if (!map().poses.empty()) return at[0] * map().poses[0].inverse();
   const auto& points = map().points;

@@ -60,7 +60,7 @@ class FreeMap final : public Factor {
   FreeMap(std::vector<Key> keys, LocalMap map);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
   const LocalMap& map() const { return based_.map(); }
-  /// Where the base fits best.
+  /// @return the pose of the base at which the map fits best
   Pose2 base(const std::vector<Pose2>& at) const;
 
  private:

@@ -17,7 +17,7 @@
 
 namespace slam::landmark_graph {
 
-/// How observations are associated.
+/// This says how observations are associated.
 struct AssociationConfig {
   std::string policy = "known_ids";
   double gate_probability = 0.9999;  ///< that a right observation passes the gate

@@ -96,7 +96,7 @@ class LandmarkGraph {
   }
 
   void observe(const std::vector<Match>& matches, const Pose2& sensor);
-  /// Nothing that the last node has seen is in the graph any more.
+  /// To be called when the graph holds no observation of the last node any more.
   friend void startSightings(LandmarkGraph& landmarks) { landmarks.startNode(-1); }
   /// Observations that are to be decided on later, as if made from the last node.
   friend NodeObservations fromNode(LandmarkGraph& landmarks, const LandmarkObservationArray& array);

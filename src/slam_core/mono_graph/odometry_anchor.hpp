@@ -16,7 +16,7 @@ class OdometryAnchor {
   void move(const Motion& motion);
   /// The anchor itself lies elsewhere; odometry since then stays as it is.
   void moveAnchorTo(const Pose2& pose) { pose_ = pose; }
-  /// What odometry measures from here on may be corrected; it cannot any more up to here.
+  /// From here on odometry may be corrected. What it measured before this step stays as it is.
   void beginStep();
   /// The motion since the step began, or since the anchor was placed.
   const PosePrior& step() const { return step_; }

@@ -16,7 +16,7 @@ namespace slam::mono_graph {
 Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, const Pose2& pose,
                         const Eigen::Matrix3d& of_pose);
 
-/// How far a pose is from a keyframe, one camera cannot tell: only odometry around the keyframe
+/// One camera does not measure how far a pose is from a keyframe. Odometry around the keyframe
 /// does. Its errors stay in the scale of the points for the length of some neighbourhoods, so that
 /// they add up to more than those of odometry itself.
 /// @return what that adds to the covariance of the pose (x, y, theta) in the map, the keyframe

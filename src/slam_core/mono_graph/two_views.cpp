@@ -91,7 +91,7 @@ double chi2Of(const Features& earlier, const Feature& a, const Features& later, 
   return residual * residual / std::max(variance, kLeastVariance);
 }
 
-/// How well a motion explains some pairs.
+/// This says how well a motion explains some pairs.
 struct Agreement {
   double loss = 0.0;      ///< those that contradict it count alike (MSAC: Torr and Zisserman 2000)
   std::size_t count = 0;  ///< of those that agree

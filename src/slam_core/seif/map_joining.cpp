@@ -48,7 +48,7 @@ class Joint {
     constexpr int kSteps = 20;
     return graph_.optimize({first_base_}, kSteps);
   }
-  /// Of the second base relative to the first one [rad].
+  /// @return standard deviation of the second base's heading relative to the first one [rad]
   double headingSigma() const { return std::sqrt(graph_.covariance({second_base_})(2, 2)); }
   MappedPart without(const std::vector<graph::Key>& poses) const {
     const Pose2 T_base_map = graph_.pose(first_base_).inverse();

@@ -125,7 +125,8 @@ TEST(MonoState, UpdatesAsTheTextbookDoesWithInvariantErrors) {
   EXPECT_LT((state.covariance() - covariance).norm(), 1e-8);
 }
 
-/// As of features that are taken for others: linearisation says nothing so far away.
+/// Features that are taken for others call for such a correction, for which the linearisation does
+/// not hold.
 TEST(MonoState, IsNotMovedFartherThanItsCovarianceAllows) {
   auto state = someState();
   const auto before = state;

@@ -45,7 +45,7 @@ class Points {
     }
     return {std::move(features), camera, kFocal};
   }
-  /// What odometry says where the truth is this.
+  /// Returns what odometry measures of a true motion.
   PosePrior odometryOf(const Pose2& truth, const Eigen::Vector3d& sigmas) {
     const Eigen::Vector3d noise(random_.gaussian(), random_.gaussian(), random_.gaussian());
     return {Pose2::fromVector(truth.vector() + sigmas.cwiseProduct(noise)),
