@@ -22,9 +22,6 @@ const SectionRegistrar<CalibrationConfig> kCalibrationSection;
 const SectionRegistrar<grid_map::GridMapConfig> kGridMapRegistrar;
 const SectionRegistrar<scan_matching::MatcherConfig> kMatcherRegistrar;
 
-/// When this many observations at once are gated and none fits, they are no chance outliers.
-constexpr std::size_t kLost = 3;
-
 Eigen::Vector2d placeOf(const LandmarkObservation& z, const Pose2& robot, const Pose2& sensor) {
   return RangeBearingModel().invert(robot, sensor, z.vector());
 }
@@ -236,16 +233,9 @@ Status GraphSlam::takeScan() {
 
 Status GraphSlam::summary(const Association& association,
                           const std::vector<Status>& of_steps) const {
-  if (association.matches.empty() && association.gated.size() >= kLost)
-    return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mapIsFixed() && !graph_->scans && graph_->landmarks.ids().inMap() == 0)
-    return Status::warning("there is no map to localise in; load one");
-  if (!association.is_solved)
-    return Status::error("the innovations' covariance is not positive definite; update left out");
-  if (graph_->path.graph().cost().undetermined > 0)
-    return Status::warning(
-        "the graph does not determine all poses and landmarks, which are held where they are: are "
-        "there covariances that differ by too many orders of magnitude?");
+  const bool needs_map = config_.mapIsFixed() && !graph_->scans;
+  const auto of_graph = statusOf(association, graph_->path, graph_->landmarks, needs_map);
+  if (!of_graph.isOk()) return of_graph;
   const auto fault = std::find_if(of_steps.begin(), of_steps.end(),
                                   [](const Status& status) { return !status.isOk(); });
   return fault == of_steps.end() ? Status::ok() : *fault;
@@ -293,12 +283,8 @@ void GraphSlam::predict() {
 }
 
 Status GraphSlam::reconsider(const Association& association, const Pose2& sensor) {
-  std::vector<LandmarkId> fitting;
-  for (const auto& match : association.matches) fitting.push_back(match.z.id);
-  std::vector<LandmarkObservation> gated;
-  for (const auto& match : association.gated) gated.push_back(match.z);
   auto told = Status::ok();
-  for (const auto& verdict : sightings_.judge(fitting, gated))
+  for (const auto& verdict : judged(sightings_, association))
     told = moreUrgent(reinitialize(verdict, sensor), told);
   return told;
 }

@@ -12,6 +12,12 @@
 #include "slam_core/landmark_graph/prediction.hpp"
 
 namespace slam::landmark_graph {
+namespace {
+
+/// When this many observations at once are gated and none fits, they are no chance outliers.
+constexpr std::size_t kLost = 3;
+
+}  // namespace
 
 using association::Decision;
 
@@ -134,6 +140,30 @@ void Associator::gate(const std::vector<Match>& known, const Pose2& sensor,
     }
   }
   if (!used.empty()) association.is_solved = prediction.summarize(used, statistics);
+}
+
+Status statusOf(const Association& association, const PathGraph& path,
+                const LandmarkGraph& landmarks, bool needs_map) {
+  if (association.matches.empty() && association.gated.size() >= kLost)
+    return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
+  if (needs_map && landmarks.ids().inMap() == 0)
+    return Status::warning("there is no map to localise in; load one");
+  if (!association.is_solved)
+    return Status::error("the innovations' covariance is not positive definite; update left out");
+  if (path.graph().cost().undetermined > 0)
+    return Status::warning(
+        "the graph does not determine all poses and landmarks, which are held where they are: are "
+        "there covariances that differ by too many orders of magnitude?");
+  return Status::ok();
+}
+
+std::vector<association::Sightings::Verdict> judged(association::Sightings& sightings,
+                                                    const Association& association) {
+  std::vector<LandmarkId> fitting;
+  for (const auto& match : association.matches) fitting.push_back(match.z.id);
+  std::vector<LandmarkObservation> gated;
+  for (const auto& match : association.gated) gated.push_back(match.z);
+  return sightings.judge(fitting, gated);
 }
 
 }  // namespace slam::landmark_graph

@@ -14,6 +14,7 @@
 #include "slam_core/common/counters.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/landmark_graph/landmark_graph.hpp"
+#include "slam_core/landmark_graph/path_graph.hpp"
 
 namespace slam::landmark_graph {
 
@@ -34,6 +35,16 @@ struct Association {
   /// One for each observation, where places decide; those of new landmarks have no landmark yet.
   std::vector<AssociatedObservation> taken;
 };
+
+/// @return what went wrong when the observations of one stamp were associated, and the graph solved
+/// @param needs_map the back-end only localises, in a map of landmarks
+Status statusOf(const Association& association, const PathGraph& path,
+                const LandmarkGraph& landmarks, bool needs_map);
+
+/// @return the verdicts of `sightings` on the landmarks that were observed, by the observations
+/// that fit and those that are gated
+std::vector<association::Sightings::Verdict> judged(association::Sightings& sightings,
+                                                    const Association& association);
 
 /// Asks the policy once for all observations of a stamp, and gates those that it takes for known
 /// landmarks: each must pass the chi-square test on its own. Counted: "duplicate", "gated",

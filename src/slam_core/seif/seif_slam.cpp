@@ -17,9 +17,6 @@ namespace {
 const Registrar<Backend, SeifSlam> kRegistrar("seif");
 const SectionRegistrar<SeifConfig> kSectionRegistrar;
 
-/// When this many observations at once are gated and none fits, they are no chance outliers.
-constexpr std::size_t kLost = 3;
-
 std::size_t count(int number) { return static_cast<std::size_t>(number); }
 
 }  // namespace
@@ -148,34 +145,18 @@ Status SeifSlam::takeObservations() {
   filter_->solve(config_.iterations);
   removeGhosts(association, z.sensor_pose);
   statistics_.associations = std::move(association.taken);
-  return moreUrgent(summary(association), moreUrgent(augmented, reconsidered));
+  const auto status =
+      statusOf(association, filter_->path, filter_->landmarks, config_.mapIsFixed());
+  return moreUrgent(status, moreUrgent(augmented, reconsidered));
 }
 
 void SeifSlam::marginalise() {
   if (filter_->interval.endWhereFull()) filter_->solve(config_.iterations);
 }
 
-Status SeifSlam::summary(const landmark_graph::Association& association) const {
-  if (association.matches.empty() && association.gated.size() >= kLost)
-    return Status::alarm("no observation fits the map, all are gated: the pose may be lost");
-  if (config_.mapIsFixed() && filter_->landmarks.ids().inMap() == 0)
-    return Status::warning("there is no map to localise in; load one");
-  if (!association.is_solved)
-    return Status::error("the innovations' covariance is not positive definite; update left out");
-  if (filter_->path.graph().cost().undetermined > 0)
-    return Status::warning(
-        "the graph does not determine all poses and landmarks, which are held where they are: are "
-        "there covariances that differ by too many orders of magnitude?");
-  return Status::ok();
-}
-
 Status SeifSlam::reconsider(const landmark_graph::Association& association, const Pose2& sensor) {
-  std::vector<LandmarkId> fitting;
-  for (const auto& match : association.matches) fitting.push_back(match.z.id);
-  std::vector<LandmarkObservation> gated;
-  for (const auto& match : association.gated) gated.push_back(match.z);
   auto told = Status::ok();
-  for (const auto& verdict : sightings_.judge(fitting, gated))
+  for (const auto& verdict : judged(sightings_, association))
     told = moreUrgent(reinitialize(verdict, sensor), told);
   return told;
 }

@@ -92,7 +92,6 @@ class SeifSlam final : public Backend,
   Status augment(landmark_graph::Association& association, const Pose2& sensor);
   bool append(LandmarkId id, const LandmarkObservation& z, const Pose2& sensor);
   void removeGhosts(const landmark_graph::Association& association, const Pose2& sensor);
-  Status summary(const landmark_graph::Association& association) const;
 
   std::string association_ = "known_ids";
   SeifConfig config_;
