@@ -3,6 +3,10 @@
 
 #include "slam_core/camera/camera_gate.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
 #include <utility>
 
 #include "slam_core/contract/known_sections.hpp"
@@ -20,8 +24,25 @@ const SectionRegistrar<CeilingCameraConfig> kCeilingCameraSection;
 /// Images that wait longer than this are worth a word: the first ones come before the calibration.
 constexpr Duration kPatience = std::chrono::seconds(1);
 
+/// Cameras with an automatic focus calibrate each image anew, within less than this share of the
+/// focal length.
+constexpr double kSameFocal = 0.02;
+
 std::string sizeText(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height) + " px";
+}
+
+/// Not one of a single gray, as behind a lens cap: then the next one may well be the same.
+bool isRepeated(const cv::Mat& gray, const cv::Mat& last) {
+  if (gray.size() != last.size() || cv::norm(gray, last, cv::NORM_INF) > 0.0) return false;
+  double least = 0.0, largest = 0.0;
+  cv::minMaxLoc(gray, &least, &largest);
+  return least < largest;
+}
+
+bool isZoomed(const CameraCalibration& before, const CameraCalibration& after) {
+  return before.width == after.width && before.height == after.height &&
+         std::abs(after.fx - before.fx) > kSameFocal * before.fx;
 }
 
 }  // namespace
@@ -46,6 +67,7 @@ void CameraGate::configure(const CameraConfig& config) {
 void CameraGate::reset() {
   held_.clear();
   last_.reset();
+  last_gray_ = cv::Mat();
   view_.reset();
   input_status_ = Status::ok();
   counters_.clear();
@@ -53,6 +75,13 @@ void CameraGate::reset() {
 
 void CameraGate::set(const CameraCalibration& calibration) {
   if (calibration_ && *calibration_ == calibration) return;
+  if (calibration_ && isZoomed(*calibration_, calibration)) {
+    counters_.add("calibration_changed");
+    input_status_ = Status::warning(fmt::format(
+        "the camera's calibration changes its focal length from {:g} to {:g} px; what was seen "
+        "before does not fit any more: leave the zoom alone, and look for two publishers",
+        calibration_->fx, calibration.fx));
+  }
   calibration_ = calibration;
   calibration_fault_ = slam::faultOf(calibration);
   if (calibration_fault_.empty()) camera_ = std::make_shared<CameraModel>(calibration);
@@ -84,12 +113,27 @@ Status CameraGate::execute() {
   }
   auto image = std::move(held_.front());
   held_.pop_front();
+  const auto of_image = letOut(std::move(image));
+  return of_image.isOk() ? status : of_image;
+}
+
+Status CameraGate::letOut(Image image) {
   const auto fault = faultOf(image);
-  view_ = {image.stamp, std::move(image), mount_.value_or(CameraMount()),
-           fault ? nullptr : camera_};
-  if (!fault) return status;
-  counters_.add(fault->reason);
-  return Status::warning(fault->sentence);
+  view_ = {image.stamp, std::move(image), mount_.value_or(CameraMount()), fault ? nullptr : camera_,
+           false};
+  if (fault) {
+    counters_.add(fault->reason);
+    return Status::warning(fault->sentence);
+  }
+  const auto& gray = view_->image.gray;
+  view_->is_repeated = isRepeated(gray, last_gray_);
+  last_gray_ = gray;
+  if (!view_->is_repeated) return Status::ok();
+  counters_.add("repeated");
+  return Status::warning(
+      "the camera sent the same image again, to the bit, which tells nothing new and is left out: "
+      "look whether its driver hangs (a simulated camera without noise does this while the robot "
+      "stands)");
 }
 
 Counters CameraGate::held() const {

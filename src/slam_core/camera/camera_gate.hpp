@@ -19,9 +19,13 @@ namespace slam {
 /// calibration and mount are known. Until then it holds them; when it holds too many, the oldest
 /// comes out as unusable. Neither an ideal lens nor an identity mount is ever assumed.
 ///
+/// A camera whose driver hangs sends the same image with new stamps. Its noise makes each true
+/// image another one, so an image that is the one before it, to the bit, comes out as repeated.
+///
 /// Call order: configure(), set(...) of what has come, execute() until view() is empty.
 /// Counted: "late" (dropped), and of images that came out as unusable "unreadable", "image_size",
-/// "bad_calibration", "bad_mount", "no_calibration", "no_mount".
+/// "bad_calibration", "bad_mount", "no_calibration", "no_mount", "repeated". Calibrations that
+/// differ from the one before at the same size of the image count as "calibration_changed".
 class CameraGate : public Gate {
  public:
   static constexpr std::size_t kCapacity = 30;
@@ -65,6 +69,7 @@ class CameraGate : public Gate {
   void persist(Archive& archive) {
     archive(mount_, calibration_, calibration_fault_, mount_fault_, camera_, held_, last_,
             input_status_, counters_);
+    persistMat(archive, last_gray_);
   }
 
  private:
@@ -74,6 +79,7 @@ class CameraGate : public Gate {
 
   std::optional<Fault> missing(const Image& image) const;
   std::optional<Fault> faultOf(const Image& image) const;
+  Status letOut(Image image);
 
   std::string section_, sentence_;
   std::optional<Eigen::Isometry3d> configured_mount_;
@@ -83,6 +89,7 @@ class CameraGate : public Gate {
   std::shared_ptr<const CameraModel> camera_;
   std::deque<Image> held_;
   std::optional<Stamp> last_;
+  cv::Mat last_gray_;  ///< of the usable image that came out last
   std::optional<CameraView> view_;
   Status input_status_;  ///< of the images since the last execute()
   Counters counters_;

@@ -18,13 +18,14 @@ struct CameraView {
   Image image;
   CameraMount mount;
   std::shared_ptr<const CameraModel> camera;  ///< null where the image cannot be used
+  bool is_repeated = false;                   ///< the image before it, to the bit
 
   /// Else the image only moves time on.
-  bool isUsable() const { return camera != nullptr; }
+  bool isUsable() const { return camera != nullptr && !is_repeated; }
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(stamp, image, mount, camera);
+    archive(stamp, image, mount, camera, is_repeated);
   }
 };
 

@@ -52,7 +52,7 @@ Status FiducialDetector::execute() {
   if (!view_) return Status::ok();
   detections_.clear();
   observations_ = emptyArray();
-  if (!view_->isUsable()) return Status::ok();  // its gate has said why
+  if (view_->camera == nullptr) return Status::ok();  // its gate has said why
 
   const auto& gray = view_->image.gray;
   corner_detector_->detect(gray, detections_);
@@ -60,6 +60,7 @@ Status FiducialDetector::execute() {
   rejectByImage(config_, gray.size(), detections_);
   estimatePoses();
   rejectByPose(config_, detections_);
+  if (view_->is_repeated) return Status::ok();  // it is drawn, but tells nothing new
   observe();
   count();
   return warningOf(detections_);

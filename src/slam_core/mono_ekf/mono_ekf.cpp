@@ -36,22 +36,6 @@ std::size_t countOf(const std::vector<Search>& searches, Search::Outcome outcome
       searches.begin(), searches.end(), [&](const auto& each) { return each.outcome == outcome; }));
 }
 
-bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
-  return a.size() == b.size() && a.type() == b.type() && !a.empty() &&
-         cv::norm(a, b, cv::NORM_INF) == 0.0;
-}
-
-/// Whether it is of one gray, as behind a lens cap: then the next one may well be the same.
-bool isUniform(const cv::Mat& gray) {
-  double least = 0.0, largest = 0.0;
-  cv::minMaxLoc(gray, &least, &largest);
-  return least == largest;
-}
-
-bool isRepeated(const cv::Mat& gray, const cv::Mat& last) {
-  return isSameImage(gray, last) && !isUniform(gray);
-}
-
 Status lost() {
   return Status::alarm(
       "the robot is lost: the features are not where they are predicted, as after the robot or "
@@ -91,7 +75,6 @@ void MonoEkf::reset() {
   place_search_.reset();
   inputs_ = {};
   next_id_ = 0;
-  last_gray_ = cv::Mat();
   nis_ = 0.0;
   seen_ = {};
   counters_.clear();
@@ -124,8 +107,10 @@ Status MonoEkf::look(const CameraView& view) {
   seen_ = {};
   nis_ = 0.0;
   const auto& gray = view.image.gray;
-  if (!view.isUsable() || gray.empty() || isRepeated(gray, last_gray_)) return unusable(view);
-  last_gray_ = gray;
+  if (!view.isUsable() || gray.empty()) {
+    counters_.add("unusable");
+    return Status::ok();  // the camera's gate has said why
+  }
   const PlanarCamera camera(view.camera, view.mount.T_base_camera);
   seen_.gray = gray;
   if (doubt_.isLost() && !findItself(camera, gray)) return lost();
@@ -150,17 +135,6 @@ bool MonoEkf::findItself(const PlanarCamera& camera, const cv::Mat& gray) {
   putAt(anywhereNear(place->pose));
   take(place->searches, camera);
   return true;
-}
-
-Status MonoEkf::unusable(const CameraView& view) {
-  if (!view.isUsable() || view.image.gray.empty()) {
-    counters_.add("unusable");
-    return Status::ok();  // the camera's gate has said why
-  }
-  counters_.add("repeated");
-  return Status::warning(
-      "the camera sent the same image again, so that it is left out and the pose goes on by "
-      "odometry: look whether its driver hangs");
 }
 
 /// Updates the state with what the image agrees on; those become matched.

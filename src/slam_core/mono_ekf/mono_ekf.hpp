@@ -26,8 +26,8 @@ namespace slam::mono_ekf {
 /// natural corners that its camera sees. Odometry predicts the pose and gives the scale.
 ///
 /// An image that shows nothing leaves the pose to odometry, which is counted and reported:
-/// "unusable" (without calibration, mount or pixels), "repeated" (the very same image again),
-/// "blank" (nothing to track), "contradicted" (features are not where they are predicted).
+/// "unusable" (without calibration, mount or pixels, or repeated), "blank" (nothing to track),
+/// "contradicted" (features are not where they are predicted).
 /// Further counted: features "matched", "rejected" (found, but the others do not agree),
 /// "not_found", "added", "given_up"; "tracking_lost" (times).
 class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
@@ -55,7 +55,6 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   void persist(Archive& archive) {
     archive(state_, errors_, noise_, doubt_, agreement_, before_, inputs_, next_id_, counters_);
     if constexpr (Archive::kReads) place_search_.reset();
-    persistMat(archive, last_gray_);
   }
 
  private:
@@ -89,7 +88,6 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   void relocate();
   Status look(const CameraView& view);
-  Status unusable(const CameraView& view);
   void take(std::vector<Search> searches, const PlanarCamera& camera);
   void measure(std::vector<Search>& searches, const PlanarCamera& camera);
   void judgeExistence();
@@ -113,7 +111,6 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   std::optional<PlaceSearch> place_search_;  ///< in the map of a lost robot
   Inputs inputs_;
   std::uint64_t next_id_ = 0;
-  cv::Mat last_gray_;
   double nis_ = 0.0;  ///< of the last update, per degree of freedom
   Seen seen_;
   Counters counters_;

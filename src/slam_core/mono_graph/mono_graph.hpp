@@ -42,8 +42,8 @@ namespace slam::mono_graph {
 /// is found.
 ///
 /// Counted: "untracked" (images that show too few points of the map), "blank" (too few features),
-/// "unusable" (without calibration, mount or pixels), "keyframes_full", "loops" (that were
-/// believed), "loops_rejected" (that the map contradicts, or that wait for another one).
+/// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full", "loops" (that
+/// were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
 class MonoGraph final : public Backend,
                         CorrectionReporter,
                         EventReporter,

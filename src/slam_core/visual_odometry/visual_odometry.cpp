@@ -86,10 +86,16 @@ Status VisualOdometry::execute() {
   return explain(fault);
 }
 
+/// An image that comes again is one of a camera that hangs, or stands still without noise: the
+/// wheels know which. Where there are none, it stands still.
+bool VisualOdometry::tells(const CameraView& view) const {
+  return view.isUsable() || (view.is_repeated && !increments_.hasGapSource());
+}
+
 /// Empty, or why the image tells nothing.
 std::string VisualOdometry::look(View& now) {
   matcher_.beginImage();
-  if (!view_->isUsable()) return "unusable";  // its gate has said why
+  if (!tells(*view_)) return "unusable";  // its gate has said why
   auto fault = matcher_.take(*view_, now);
   if (fault.empty()) fault = locate(now);
   if (!fault.empty()) counters_.add(fault);
@@ -170,7 +176,7 @@ bool VisualOdometry::makeKeyframe(View view) {
 }
 
 Status VisualOdometry::explain(const std::string& fault) const {
-  if (!view_->isUsable()) return Status::ok();
+  if (!tells(*view_)) return Status::ok();
   if (fault.empty() && matcher_.ceiling().tilt() > kWorthAWord)
     return Status::warning(sentenceOf("camera_direction"));
   if (fault.empty()) return Status::ok();

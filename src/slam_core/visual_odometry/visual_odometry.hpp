@@ -75,6 +75,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
     }
   };
 
+  bool tells(const CameraView& view) const;
   std::string look(View& now);
   std::string locate(View& now);
   std::string alignWith(const View& reference, View& now);

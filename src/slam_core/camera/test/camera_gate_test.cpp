@@ -20,6 +20,7 @@ class CameraGateTest : public testing::Test {
   static CameraMount mount() {
     return {"camera", Eigen::Isometry3d(Eigen::Translation3d(1, 0, 0))};
   }
+  /// Of one gray.
   static Image imageAt(double s, int width = 8, int height = 6, int type = CV_8UC1) {
     return {Stamp(durationFromSeconds(s)), "camera", cv::Mat::zeros(height, width, type), ""};
   }
@@ -151,6 +152,57 @@ TEST_F(CameraGateTest, UsesNoCalibrationOrMountThatCannotBeRight) {
   send(imageAt(3));
   EXPECT_TRUE(next().isOk()) << "a corrected calibration counts at once";
   EXPECT_TRUE(isUsable());
+}
+
+TEST_F(CameraGateTest, LetsAnImageThatComesAgainOutAsRepeated) {
+  calibrate();
+  auto image = imageAt(1);
+  image.gray.at<std::uint8_t>(2, 3) = 9;
+  send(image);
+  EXPECT_TRUE(next().isOk());
+  image.gray = image.gray.clone();
+  for (const double s : {1.1, 1.2}) {
+    image.stamp = Stamp(durationFromSeconds(s));
+    send(image);
+    EXPECT_TRUE(says(next(), "same image again"));
+    EXPECT_FALSE(isUsable());
+    EXPECT_TRUE(gate_.view()->is_repeated);
+    EXPECT_TRUE(gate_.view()->camera) << "who trusts it can use it";
+  }
+  image.gray = image.gray.clone();
+  image.gray.at<std::uint8_t>(2, 3) = 10;
+  image.stamp = Stamp(durationFromSeconds(1.3));
+  send(image);
+  EXPECT_TRUE(next().isOk());
+  EXPECT_TRUE(isUsable()) << "its noise makes each image another one";
+  EXPECT_EQ(count("repeated"), 2U);
+}
+
+TEST_F(CameraGateTest, TakesImagesOfOneGrayForALensCap) {
+  calibrate();
+  for (const double s : {1.0, 1.1}) send(imageAt(s));
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(next().isOk());
+    EXPECT_TRUE(isUsable());
+  }
+}
+
+TEST_F(CameraGateTest, SaysThatTheFocalLengthChanges) {
+  calibrate();
+  auto focused = calibration();
+  focused.fx *= 1.01;
+  gate_.set(focused);
+  EXPECT_TRUE(next().isOk()) << "as of an automatic focus";
+  auto zoomed = focused;
+  zoomed.fx *= 1.3;
+  gate_.set(zoomed);
+  EXPECT_TRUE(says(next(), "changes its focal length"));
+  auto larger = zoomed;
+  larger.width *= 2;
+  larger.fx *= 2.0;
+  gate_.set(larger);
+  EXPECT_TRUE(next().isOk()) << "another resolution has another focal length";
+  EXPECT_EQ(count("calibration_changed"), 1U);
 }
 
 TEST_F(CameraGateTest, PrefersTheConfiguredMount) {

@@ -45,7 +45,12 @@ class FiducialDetectorTest : public testing::TestWithParam<const char*> {
     camera_.gate.set(mountAhead());
   }
 
+  /// The image may be the one before it.
   Status look(const cv::Mat& image) {
+    camera_.gate.reset();
+    return lookAfterwards(image);
+  }
+  Status lookAfterwards(const cv::Mat& image) {
     stamp_ += std::chrono::milliseconds(100);
     return camera_.show({stamp_, "camera", image, ""}, [&](const CameraView& view) {
       inputs_->set(view);
@@ -103,6 +108,20 @@ TEST_P(FiducialDetectorTest, GivesAnArrayForEveryImage) {
   EXPECT_FALSE(look(cv::Mat::zeros(240, 320, CV_8UC1)).isOk()) << "another resolution";
   ASSERT_TRUE(detector_->observations());
   EXPECT_TRUE(observations().empty());
+}
+
+TEST_P(FiducialDetectorTest, ObservesNothingNewInAnImageThatTheCameraRepeats) {
+  configure();
+  MarkerPicture picture(kVgaCamera);
+  picture.add(printedMarker(3), facing({0.0, 0.0, 1.5}));
+  const auto image = picture.exposed(2.0);
+  EXPECT_TRUE(look(image).isOk());
+  EXPECT_EQ(observations().size(), 1U);
+  EXPECT_FALSE(lookAfterwards(image.clone()).isOk());
+  EXPECT_TRUE(observations().empty());
+  const auto* drawer = capabilitiesOf(*detector_).find<ViewDrawer>();
+  ASSERT_NE(drawer, nullptr);
+  EXPECT_FALSE(drawer->drawing().empty());
 }
 
 TEST_P(FiducialDetectorTest, UsesTheSizesOfMarkersById) {

@@ -134,20 +134,6 @@ TEST_F(MonoEkfInARoom, GoesOnByOdometryInADarkRoomBeforeABlankWallAndBehindACap)
   EXPECT_GT(figure("features_in_view"), 8.0) << "it finds the features again";
 }
 
-TEST_F(MonoEkfInARoom, LeavesOutTheSameImageThatComesAgain) {
-  drive(8);
-  const auto view = seen();
-  move();
-  auto again = view;
-  take(view);
-  const auto before = filter_.pose();
-  again.stamp = at(time_);
-  const auto status = take(again);
-  EXPECT_NE(status.message.find("same image again"), std::string::npos) << status.message;
-  EXPECT_EQ(filter_.counters()["repeated"], 1U);
-  EXPECT_EQ(filter_.pose().pose.vector(), before.pose.vector());
-}
-
 TEST_F(MonoEkfInARoom, TakesAnotherResolutionInTheMiddle) {
   drive(12);
   room_.setSize({480, 360});

@@ -51,7 +51,9 @@ class VisualWheelTest : public testing::Test {
     static const ceilings::Ceiling kCeiling;
     const auto light = kCeiling.seenBy(ceilings::mountUp(), Pose2(0.5 * t, 0.0, 0.0));
     const ceilings::Exposure exposure{dark ? 0.0 : 1.0, 0.0, 2.0};
-    const Image image{at(t), "ceiling_camera", ceilings::exposed(light, exposure, ++images_), ""};
+    show({at(t), "ceiling_camera", ceilings::exposed(light, exposure, ++images_), ""});
+  }
+  void show(const Image& image) {
     camera_.show(image, [&](const CameraView& view) {
       inputs_->set(view);
       execute();
@@ -82,6 +84,22 @@ TEST_F(VisualWheelTest, TakesTheWheelsWhereTheImagesTellNothing) {
   }
   EXPECT_NEAR(motions_.back().odometry_end.x(), 0.55, 0.004);
   EXPECT_NE(message_.find("the wheels' motion is used meanwhile"), std::string::npos) << message_;
+}
+
+TEST_F(VisualWheelTest, TakesTheWheelsWhereTheCameraRepeatsAnImage) {
+  static const ceilings::Ceiling kCeiling;
+  const auto light = kCeiling.seenBy(ceilings::mountUp(), Pose2(0.2, 0.0, 0.0));
+  const auto hung = ceilings::exposed(light, {1.0, 0.0, 2.0}, 7);
+  for (int i = 0; i < 12; ++i) {
+    turnWheels(0.1 * i + 0.05);
+    if (i < 4)
+      look(0.1 * i + 0.02);
+    else
+      show({at(0.1 * i + 0.02), "ceiling_camera", hung, ""});
+  }
+  ASSERT_EQ(motions_.size(), 11U);
+  for (std::size_t i = 4; i < motions_.size(); ++i)
+    EXPECT_NEAR(motions_[i].increment.x(), 0.0525, 0.0015) << i;
 }
 
 TEST_F(VisualWheelTest, DoesNotDependOnTheOrderOfArrival) {
