@@ -5,10 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
+#include "slam_core/camera/camera_model.hpp"
 #include "slam_core/common/nearest_name.hpp"
 #include "slam_core/geometry/mount.hpp"
 
@@ -23,6 +26,28 @@ const std::map<std::string, std::vector<std::size_t>> kDistortionModels = {
 /// images; a region of interest is a small part of its image. Beyond these shares of the longer
 /// side are normalised units, and other numbers that are no pixels.
 constexpr double kLeastShare = 0.01, kLargestShare = 1000.0;
+
+/// Half-way to the nearest border an ideal lens sees a direction by this factor more or less far
+/// from the axis than one with distortion, at most. Wide lenses reach 1.2 there.
+constexpr double kMostBent = 3.0;
+
+/// Coefficients of another scale, or of another model, bend the image beyond that, or fold it.
+bool bendsAsNoLens(const CameraCalibration& calibration) {
+  const CameraModel camera(calibration);
+  const double way = std::min(calibration.width, calibration.height) / 4.0;
+  const std::array<Eigen::Vector2d, 4> ways{{{way, 0.0}, {-way, 0.0}, {0.0, way}, {0.0, -way}}};
+  return !std::all_of(ways.begin(), ways.end(), [&](const Eigen::Vector2d& from_centre) {
+    const auto seen =
+        camera.unproject(from_centre + Eigen::Vector2d(calibration.cx, calibration.cy));
+    if (!seen) return false;
+    const double radius =
+        Eigen::Vector2d(from_centre.x() / calibration.fx, from_centre.y() / calibration.fy).norm();
+    const double straight =
+        calibration.distortion_model == "equidistant" ? radius : std::atan(radius);
+    const double bent = std::atan(seen->norm());
+    return bent < kMostBent * straight && straight < kMostBent * bent;
+  });
+}
 
 std::string faultOfDistortion(const CameraCalibration& calibration) {
   const auto& name = calibration.distortion_model;
@@ -42,6 +67,8 @@ std::string faultOfDistortion(const CameraCalibration& calibration) {
   const auto finite = [](double value) { return std::isfinite(value); };
   if (!std::all_of(calibration.distortion.begin(), calibration.distortion.end(), finite))
     return "a distortion coefficient is not a number";
+  if (count > 0 && bendsAsNoLens(calibration))
+    return "its distortion coefficients bend the image as no lens does";
   return "";
 }
 

@@ -27,7 +27,8 @@ struct CameraCalibration {
 };
 
 /// Empty, or what makes the calibration unusable (K all zero, NaN, a focal length or a principal
-/// point of no camera, a distortion model that is not known, a wrong number of coefficients). No distortion: no coefficients, with or without a model.
+/// point of no camera, a distortion model that is not known, a wrong number of coefficients or ones
+/// of no lens). No distortion: no coefficients, with or without a model.
 std::string faultOf(const CameraCalibration& calibration);
 
 /// Where a camera is mounted: its optical frame (x right, y down, z forward, REP-103) in the

@@ -133,5 +133,21 @@ TEST(CameraCalibration, IsRefusedWithTheReason) {
   EXPECT_TRUE(says(faultWith([](auto& c) { c.distortion[2] = NAN; }), "not a number"));
 }
 
+TEST(CameraCalibration, IsRefusedWithADistortionOfNoLens) {
+  for (const auto& good : cameras()) EXPECT_EQ(faultOf(good), "") << good.distortion_model;
+  EXPECT_EQ(faultOf(camera("plumb_bob", {-0.5, 0, 0, 0, 0})), "") << "it folds near the corners";
+  EXPECT_EQ(faultOf({640, 480, "equidistant", 130.0, 130.0, 320.0, 240.0, {0, 0, 0, 0}}), "")
+      << "it sees more than a half space";
+  const std::string reason = "its distortion coefficients bend the image as no lens does";
+  for (const double wild : {1e6, -1e6, 300.0, -300.0})
+    for (const std::size_t which : {0, 1, 2, 3}) {
+      std::vector<double> coefficients(4, 0.0);
+      coefficients[which] = wild;
+      if (which == 1 && std::abs(wild) < 1e3) continue;  // r^4 is small near the middle
+      EXPECT_EQ(faultOf(camera("plumb_bob", coefficients)), reason) << which << ' ' << wild;
+      if (which < 2) EXPECT_EQ(faultOf(camera("equidistant", coefficients)), reason);
+    }
+}
+
 }  // namespace
 }  // namespace slam
