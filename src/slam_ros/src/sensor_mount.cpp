@@ -57,8 +57,13 @@ std::string SensorMount::missing() const {
   return base_frame_ + " -> " + (frame_->empty() ? "(no frame)" : *frame_);
 }
 
-std::string lackOfTransform(const std::string& missing) {
-  return missing.empty() ? "" : "the bag's /tf_static does not tell the transform " + missing;
+std::string SensorMount::lackInBag() const {
+  if (!told_)
+    return missing().empty() ? "" : "the bag's /tf_static does not tell the transform " + missing();
+  const auto fault = slam::faultOfMount(*told_);
+  return fault.empty() ? ""
+                       : "the transform " + base_frame_ + " -> " + told_frame_ +
+                             " of the bag's /tf_static cannot be used: " + fault;
 }
 
 }  // namespace slam_ros

@@ -39,12 +39,13 @@ class CameraInput {
 
   bool hasImage() const { return mount_.hasFrame(); }
   bool hasCalibration() const { return calibration_.has_value(); }
-  bool hasMount() const { return mount_.isKnown(); }
   /// Why none of the images that have come can be used; empty if some can.
   std::string fault() const;
   /// "base_link -> camera_optical_frame" if images have come and that transform has not; otherwise
   /// empty.
   std::string missingTransform() const { return mount_.missing(); }
+  /// Why a bag gives no mount that could be used, as a clause; empty if it does.
+  std::string lackOfMount() const { return mount_.lackInBag(); }
 
  private:
   void pass(const slam::Image& image);

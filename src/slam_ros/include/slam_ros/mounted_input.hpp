@@ -44,9 +44,10 @@ class MountedInput {
   void take(const tf2_msgs::TFMessage& static_transforms) { mount_.take(static_transforms); }
 
   bool hasData() const { return mount_.hasFrame(); }
-  bool hasMount() const { return mount_.isKnown(); }
   /// "base_link -> laser" if data have come and that transform has not; otherwise empty.
   std::string missingTransform() const { return mount_.missing(); }
+  /// Why a bag gives no mount that could be used, as a clause; empty if it does.
+  std::string lackOfMount() const { return mount_.lackInBag(); }
 
  private:
   Sinks sinks_;

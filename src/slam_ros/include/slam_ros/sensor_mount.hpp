@@ -29,8 +29,9 @@ class SensorMount {
   void takeFrame(const std::string& sensor_frame);
 
   bool hasFrame() const { return frame_.has_value(); }
-  /// Whether a mount was reported, even if only for data of another frame.
-  bool isKnown() const { return told_.has_value(); }
+  /// Why the static transforms of a bag give no mount that could be used, as a clause; empty if
+  /// they give one, even if only for data of another frame.
+  std::string lackInBag() const;
   /// "base_link -> laser" if data have come and that transform has not; otherwise empty.
   std::string missing() const;
 
@@ -49,9 +50,5 @@ class SensorMount {
   std::string told_frame_;
   std::optional<Eigen::Isometry3d> told_;
 };
-
-/// "the bag's /tf_static does not tell the transform base_link -> laser"; empty where none is
-/// missing.
-std::string lackOfTransform(const std::string& missing);
 
 }  // namespace slam_ros

@@ -129,8 +129,7 @@ class CameraInBag final : public BagInput {
     if (!input_->hasCalibration()) return images_ + " came without the camera's calibration";
     if (const auto fault = input_->fault(); !fault.empty())
       return images_ + " cannot be used: " + fault;
-    const bool has_mount = robot_file_has_mount_ || input_->hasMount();
-    return has_mount ? "" : lackOfTransform(input_->missingTransform());
+    return robot_file_has_mount_ ? "" : input_->lackOfMount();
   }
 
   BagPlay play() const override { return {kImagesInFlight, kImagesHeld, true}; }

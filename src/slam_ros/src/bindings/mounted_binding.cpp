@@ -90,8 +90,7 @@ class MountedInBag final : public TopicInBag {
     return {{topic_, onMessage<typename Sensor::Message>(take)}};
   }
   std::string lacking() const override {
-    const bool has_mount = robot_file_has_mount_ || sensor_->hasMount();
-    return has_mount ? "" : lackOfTransform(sensor_->missingTransform());
+    return robot_file_has_mount_ ? "" : sensor_->lackOfMount();
   }
 
   BagPlay play() const override { return {Sensor::kSent, 0, true}; }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "bag_maker.hpp"
 #include "found_inputs.hpp"
 #include "slam_core/camera/image.hpp"
@@ -145,6 +147,21 @@ TEST_F(ScanBags, FailsWhereNoScanHasAMountAlthoughThereIsOdometry) {
   });
   EXPECT_NE(runOnScans(folder, path), 0);
   EXPECT_TRUE(contains(folder.read("stdout"), "does not tell the transform base_link -> nowhere"))
+      << folder.read("stdout");
+}
+
+TEST_F(ScanBags, FailsWhereTheMountOfAllScansCannotBeUsed) {
+  auto mount = test::transform("base_link", "laser", 0);
+  mount.transforms[0].transform.rotation.w = NAN;
+  const auto path = bag([&](auto& maker) {
+    maker.add("/tf_static", 0, mount);
+    for (int i = 0; i < 10; ++i) addScan(maker, 0.1 * i, "laser");
+  });
+  EXPECT_NE(runOnScans(folder, path), 0);
+  EXPECT_TRUE(
+      contains(folder.read("stdout"),
+               "the transform base_link -> laser of the bag's /tf_static cannot be used: it "
+               "holds a value that is not a number"))
       << folder.read("stdout");
 }
 
