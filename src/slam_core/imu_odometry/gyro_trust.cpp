@@ -25,6 +25,9 @@ constexpr double kLeastRatio = 0.2, kMostRatio = 5.0;
 constexpr double kProves = 0.5, kRefutesUnproven = 1.0;
 constexpr std::array<double, 3> kRefutesProven = {1.0, 1.0, 10.0};
 
+/// Nothing spins a robot faster than this unless its wheels do [rad/s].
+constexpr double kFastestSpin = 10.0;
+
 enum Kind : std::size_t { kTooLargeKind, kOppositeKind, kUnrelatedKind };
 constexpr std::array<GyroTrust::Verdict, 3> kVerdicts = {
     GyroTrust::Verdict::kTooLarge, GyroTrust::Verdict::kOpposite, GyroTrust::Verdict::kUnrelated};
@@ -32,6 +35,12 @@ constexpr std::array<GyroTrust::Verdict, 3> kVerdicts = {
 bool isRatioOfWheels(double gyro, double wheels) {
   return gyro * wheels > 0.0 && std::abs(gyro) >= kLeastRatio * std::abs(wheels) &&
          std::abs(gyro) <= kMostRatio * std::abs(wheels);
+}
+
+/// As where a cable is loose, or a driver sends what is no reading.
+bool isBurst(double gyro, const Motion& wheels) {
+  return std::abs(gyro) > kFastestSpin * seconds(wheels.end - wheels.start) &&
+         !isRatioOfWheels(gyro, wheels.increment.theta());
 }
 
 }  // namespace
@@ -96,7 +105,7 @@ void GyroTrust::voteAgainst(std::size_t kind, double weight) {
 }
 
 bool GyroTrust::believes(double gyro, const Motion& wheels, double bias_sigma) const {
-  if (verdict_ == Verdict::kProven) return true;
+  if (verdict_ == Verdict::kProven) return !isBurst(gyro, wheels);
   if (verdict_ != Verdict::kUnproven) return false;
   auto turns = block_;
   turns.add(gyro, wheels);

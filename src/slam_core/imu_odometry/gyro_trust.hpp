@@ -28,7 +28,8 @@ class GyroTrust {
   /// @param bias_sigma [rad/s]
   void add(double gyro, const Motion& wheels, double bias_sigma);
   Verdict verdict() const { return verdict_; }
-  /// Whether the gyro is to be believed for this motion, before add().
+  /// Whether the gyro is to be believed for this motion, before add(): not if the robot would have
+  /// spun faster than robots do, either.
   bool believes(double gyro, const Motion& wheels, double bias_sigma) const;
   void reset() { *this = {}; }
 

@@ -130,9 +130,10 @@ void WheelImuOdometry::learn(const Motion& wheels, const std::optional<GyroTurn>
   calibration_.predict(secondsOf(wheels), motion_->increment.theta(), heading == Heading::kGyro);
   if (!turn || heading == Heading::kStuck) return calibration_.pause();
   trust_.add(calibration_.angle(*turn), wheels, std::sqrt(calibration_.biasVariance()));
-  if (standstill_.isResting())
+  const bool is_plausible = heading != Heading::kImplausible;
+  if (is_plausible && standstill_.isResting())
     calibration_.learnAtRest(*turn);
-  else if (trust_.verdict() == GyroTrust::Verdict::kProven)
+  else if (is_plausible && trust_.verdict() == GyroTrust::Verdict::kProven)
     calibration_.learnBesideWheels(*turn, wheels);
   else
     calibration_.pause();
@@ -159,6 +160,9 @@ std::string WheelImuOdometry::sentenceOf(Heading heading) const {
     return "the IMU repeats one angular velocity, which the wheels contradict; start its driver "
            "again";
   if (heading != Heading::kImplausible) return "";
+  if (trust_.verdict() == Verdict::kProven)
+    return "the IMU measures a turn that is faster than robots spin, and the wheels did not turn; "
+           "see whether its cable is loose";
   if (trust_.verdict() == Verdict::kTooLarge)
     return "the IMU measures turns several times as large as the wheels, as one that counts in "
            "degrees; set imu.units in the robot file";

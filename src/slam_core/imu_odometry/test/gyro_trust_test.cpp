@@ -82,6 +82,14 @@ TEST_F(GyroTrustTest, BelievesAProvenGyroWhereWheelsSpin) {
   EXPECT_EQ(trust.verdict(), Verdict::kProven);
 }
 
+TEST_F(GyroTrustTest, BelievesNoProvenGyroThatSpinsFasterThanRobots) {
+  turn(3.0, 1.0);
+  EXPECT_FALSE(believes(60.0)) << "30 rad/s";
+  EXPECT_FALSE(believes(-60.0));
+  EXPECT_TRUE(believes(12.0)) << "somebody may turn the robot by hand";
+  EXPECT_TRUE(believes(1.2, 12.0)) << "the wheels turned as fast";
+}
+
 TEST_F(GyroTrustTest, IsNotRefutedByUnequalWheelsOnAStraightWay) {
   for (int i = 0; i < 2000; ++i) trust.add(0.0, wheelsThat(0.1, 1.0), 0.01);
   EXPECT_EQ(trust.verdict(), Verdict::kUnproven);

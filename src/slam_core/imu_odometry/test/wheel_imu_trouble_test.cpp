@@ -127,6 +127,16 @@ TEST_F(WheelImuTrouble, AValueThatIsStuckIsNotBelieved) {
   EXPECT_GT(counted("gyro_stuck"), 100u);
 }
 
+TEST_F(WheelImuTrouble, ABurstIsNotBelieved) {
+  change(14.0, 14.5, [](auto& sample) { sample.angular_velocity.z() += 30.0; });
+  change(20.0, 20.2, [](auto& sample) { sample.angular_velocity.z() -= 200.0; });
+  expectRightHeading();
+  ASSERT_FALSE(driven.messages.empty());
+  EXPECT_TRUE(driven.said("faster than robots spin")) << driven.messages[0];
+  EXPECT_LE(driven.messages.size(), 2U);
+  EXPECT_GE(counted("gyro_implausible"), 20U);
+}
+
 TEST_F(WheelImuTrouble, AGyroOfZerosIsNotBelieved) {
   change(0, 1e9, [](auto& sample) { sample.angular_velocity.setZero(); });
   expectRightHeading(0.15);
