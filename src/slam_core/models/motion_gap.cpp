@@ -31,6 +31,19 @@ bool isGap(const Motion& before, const Motion& after) {
   return after.start > before.end + kRounding && after.base_frame == before.base_frame;
 }
 
+/// Motion that came more often is missing. @param usual duration of a motion
+bool isLong(const Motion& motion, Duration usual) {
+  constexpr Duration kLongestGuess = std::chrono::seconds(1);
+  const auto interval = motion.end - motion.start;
+  return interval > kLongestGuess && interval > 3 * usual;
+}
+
+bool hasMoved(const Motion& motion) {
+  constexpr double kStands = 0.05;  // [m], [rad]
+  return motion.increment.position().norm() > kStands ||
+         std::abs(motion.increment.theta()) > kStands;
+}
+
 bool mayCoast(Duration pause) { return pause > Duration() && pause <= kLongestCoasting; }
 
 /// What is missing between the two, but for what it was.
@@ -79,6 +92,7 @@ Eigen::Matrix3d worse(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
 }  // namespace
 
 MotionGap::Bridge MotionGap::bridge(Motion& motion) {
+  unknown_way_ = std::nullopt;
   if (last_ && isLate(*last_, motion)) return Bridge::kNone;
   went_on_ = std::nullopt;
   const auto resumed_after = std::exchange(resumed_after_, std::nullopt);
@@ -90,12 +104,17 @@ MotionGap::Bridge MotionGap::bridge(Motion& motion) {
     return Bridge::kUnknown;
   }
   const auto before = predecessorOf(motion);
+  const auto usual = last_ ? last_->end - last_->start : motion.end - motion.start;
   last_ = motion;
   learnRate(motion);
   learnScales(motion);
   const bool is_gap = before && isGap(*before, motion);
   const bool tells = is_gap && !is_unknown && posesTell(*before, motion);
+  const auto own_end = is_gap ? motion.start : motion.end;
+  if (isLong(motion, usual))
+    motion.covariance = worse(motion.covariance, onAnyWay(motion).covariance);
   if (is_gap) motion = joined(tells ? across(*before, motion) : coasted(*before, motion), motion);
+  if (isLong(motion, usual) && hasMoved(motion)) unknown_way_ = {motion.start, own_end};
   coasting_.add(last_->increment, last_->end - last_->start);
   if (!is_gap) return Bridge::kNone;
   return tells ? Bridge::kByPoses : Bridge::kByVelocity;
@@ -173,6 +192,11 @@ Pose2 MotionGap::scaled(const Pose2& measured) const {
 Motion MotionGap::across(const Motion& before, const Motion& after) const {
   Motion rest = between(before, after);
   rest.increment = scaled(rest.odometry_start.between(rest.odometry_end));
+  return onAnyWay(std::move(rest));
+}
+
+/// The motion with the covariance of one of which only both ends are known.
+Motion MotionGap::onAnyWay(Motion rest) const {
   const double time = seconds(rest.end - rest.start);
   rest.covariance = time * worst_rate_;
   const double detour =

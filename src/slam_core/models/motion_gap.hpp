@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "slam_core/models/coasting.hpp"
 #include "slam_core/models/motion.hpp"
@@ -17,13 +18,14 @@ enum class Interruption {
 };
 
 /// Bridges the gaps between an odometry's motions, whatever made them: messages lost, a source that
-/// was restarted. Each motion carries the odometry's poses, whose difference is the motion in the
-/// gap. They are as the wheels measured them, and are scaled as the increments were so far. They
-/// have no covariance: the noise is assumed to have been, all the while, that of the odometry's
-/// worst tenth of a second so far. They do not tell the way between them either: the robot may have
-/// driven a detour at its largest speed so far, on which an error of the heading leads further
-/// away. Where the poses do not belong together, as of an odometry that
-/// was restarted as well, the robot is assumed to have gone on at its last velocity.
+/// was restarted, an odometry that was silent and tells the motion since then as one. Each motion
+/// carries the odometry's poses, whose difference is the motion in the gap. They are as the wheels
+/// measured them, and are scaled as the increments were so far. They have no covariance: the noise
+/// is assumed to have been, all the while, that of the odometry's worst tenth of a second so far.
+/// They do not tell the way between them either: the robot may have driven a detour at its largest
+/// speed so far, on which an error of the heading leads further away. Where the poses do not belong
+/// together, as of an odometry that was restarted as well, the robot is assumed to have gone on at
+/// its last velocity.
 class MotionGap {
  public:
   enum class Bridge {
@@ -36,6 +38,10 @@ class MotionGap {
   /// @return how what is missing before this motion was made up for: it now begins where the last
   /// one ended; one that is older than the last one is left alone
   Bridge bridge(Motion& motion);
+
+  /// From when to when nobody knows which way the robot took, of the motion that bridge() had last:
+  /// motion that came more often is missing, and the robot has moved meanwhile.
+  const std::optional<std::pair<Stamp, Stamp>>& unknownWay() const { return unknown_way_; }
 
   /// The motions so far are those of a saved state, and the next one comes from a process that runs
   /// now. Unless the odometry has evidently gone on meanwhile, its poses tell nothing: a pause of
@@ -80,6 +86,7 @@ class MotionGap {
   void learnScales(const Motion& motion);
   Pose2 scaled(const Pose2& measured) const;
   Motion across(const Motion& before, const Motion& after) const;
+  Motion onAnyWay(Motion motion) const;
   Motion coasted(const Motion& before, const Motion& after) const;
   bool posesTell(const Motion& before, const Motion& after) const;
   bool wentOn(const Motion& before, const Motion& after, Interruption interruption) const;
@@ -93,8 +100,9 @@ class MotionGap {
   bool knows_rate_ = false;
   Scale way_scale_, turn_scale_;
   Coasting coasting_;
-  std::optional<Interruption> resumed_after_;  ///< and no motion has come since
-  std::optional<bool> went_on_;                ///< not part of the state
+  std::optional<Interruption> resumed_after_;           ///< and no motion has come since
+  std::optional<bool> went_on_;                         ///< not part of the state
+  std::optional<std::pair<Stamp, Stamp>> unknown_way_;  ///< neither is this
 };
 
 }  // namespace slam

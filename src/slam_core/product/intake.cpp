@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "slam_core/common/config_error.hpp"
@@ -14,17 +13,6 @@
 
 namespace slam {
 namespace {
-
-/// Whether nobody knows which way the robot took: motion that came more often is missing, and the
-/// robot has moved meanwhile. @param usual duration of a motion
-bool hidesWay(const Motion& motion, Duration usual) {
-  constexpr Duration kLongestGuess = std::chrono::seconds(1);
-  constexpr double kStands = 0.05;  // [m], [rad]
-  const auto interval = motion.end - motion.start;
-  const bool has_moved =
-      motion.increment.position().norm() > kStands || std::abs(motion.increment.theta()) > kStands;
-  return interval > kLongestGuess && interval > 3 * usual && has_moved;
-}
 
 constexpr const char* kCoasted =
     "motion is missing and the odometry's poses do not tell it: the robot is taken to have gone on "
@@ -91,7 +79,6 @@ void Intake::reset() {
       collator_.expectNothing(source);
   screen_.reset();
   gap_.reset();
-  last_interval_.reset();
   moved_frame_.clear();
   fault_.clear();
   counters_.clear();
@@ -140,7 +127,6 @@ void Intake::takeMotion(Motion motion) {
   warnOfBaseFrame(motion.base_frame);
   const auto fault = faultOf(motion);
   if (fault.empty()) {
-    const auto start = motion.start, end = motion.end;
     const auto bridge = gap_.bridge(motion);
     if (gap_.wentOn()) continuity_ = may_go_on_ && *gap_.wentOn();
     if (bridge == MotionGap::Bridge::kUnknown) return collator_.skip(motion.sequence);
@@ -149,9 +135,8 @@ void Intake::takeMotion(Motion motion) {
       counters_.add("coasted");
       fault_ = kCoasted;
     }
-    if (last_interval_ && hidesWay(motion, *last_interval_))
-      skipBetween(collator_, motion.start, bridge == MotionGap::Bridge::kNone ? end : start);
-    last_interval_ = end - start;
+    if (const auto& unknown = gap_.unknownWay())
+      skipBetween(collator_, unknown->first, unknown->second);
     collator_.push(std::move(motion));
     return;
   }

@@ -108,7 +108,7 @@ class Intake {
     std::vector<Trigger> alike;
     for (const auto* port : triggers_) alike.push_back({port, nullptr});
     collator_.persist(archive, alike);
-    archive(screen_, gap_, last_interval_, moved_frame_, fault_, counters_);
+    archive(screen_, gap_, moved_frame_, fault_, counters_);
   }
 
  private:
@@ -127,7 +127,6 @@ class Intake {
   std::vector<std::string> not_expected_;   ///< inputs without data
   InputScreen screen_;
   MotionGap gap_;
-  std::optional<Duration> last_interval_;  ///< that a motion has measured
   Collator<Motion, Trigger> collator_;
   std::string moved_frame_;  ///< the base frame of the last motion
   std::string fault_;        ///< of an input since it was asked for

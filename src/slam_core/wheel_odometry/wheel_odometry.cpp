@@ -139,11 +139,13 @@ Status WheelOdometry::crossJump() {
 }
 
 Status WheelOdometry::followTwist() {
+  constexpr Duration kLongestHold = std::chrono::seconds(1);  // of a twist that is not in doubt
   const bool is_possible = limit_.allows(last_->twist);
   const auto interval = input_.stamp - last_->stamp;
   auto motion = is_possible
                     ? motionBetween(*last_, input_, Pose2::exp(seconds(interval) * last_->twist))
                     : unmeasuredTo(input_);
+  if (is_possible && interval > kLongestHold) motion.covariance += coasting_.covariance(interval);
   motion.odometry_start = odometry_pose_;
   take(motion);
   if (is_possible) return Status::ok();

@@ -84,6 +84,15 @@ TEST_F(WheelOdometryTest, HoldsATwistUntilTheNextMessage) {
   expectSame(motion().odometry_end, Pose2::exp({2, 0, 1}));  // it integrates the pose itself
 }
 
+TEST_F(WheelOdometryTest, IsUncertainWhereATwistIsHeldForLong) {
+  for (int i = 0; i < 10; ++i) take(twistSample(0.1 * i, {1, 0, 0.5}));
+  const double usual = motion().covariance(0, 0);
+  take(twistSample(4.9, {1, 0, 0.5}));
+  expectSame(motion().increment, Pose2::exp({4, 0, 2}));
+  EXPECT_GT(motion().covariance(0, 0), 4.0 * 4.0) << "it may have turned back at once";
+  EXPECT_LT(usual, 1e-2);
+}
+
 TEST_F(WheelOdometryTest, UsesTheTwistBesideAPoseWhenToldSo) {
   config.increment = WheelOdometryConfig::Increment::kTwist;
   odometry.configure(config);
