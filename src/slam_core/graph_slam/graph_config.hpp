@@ -4,28 +4,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 
-#include "slam_core/association/place_config.hpp"
+#include "slam_core/association/joint_map_config.hpp"
 #include "slam_core/common/config_fields.hpp"
-#include "slam_core/contract/backend_mode.hpp"
 #include "slam_core/landmark_graph/associator.hpp"
 #include "slam_core/models/calibration.hpp"
 
 namespace slam::graph_slam {
 
-struct GraphConfig {
+struct GraphConfig : association::JointMapConfig {
   static constexpr const char* kSection = "graph";
 
-  BackendMode mode = BackendMode::kSlam;
-  std::string association = "known_ids";  ///< the product's, see AssociationChooser
-  association::PlaceConfig places;
   CalibrationConfig calibration;  ///< a section of its own
-  double gate_probability = 0.9999;
-  double initial_sigma_position = 1e-4;
-  double initial_sigma_heading = 1e-4;
-  double load_inflation = 2.0;
-  int joint_limit = 2000;
   double node_distance = 0.05;
   double node_angle = 0.05;
   int nodes_per_place = 40;
@@ -37,7 +27,6 @@ struct GraphConfig {
   double drift_heading = 0.002;
   double lost_share = 0.5;
 
-  bool mapIsFixed() const { return mode == BackendMode::kLocalization; }
   landmark_graph::AssociationConfig ofAssociation() const {
     return {association, gate_probability, places, mapIsFixed()};
   }
