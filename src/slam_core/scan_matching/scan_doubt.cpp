@@ -47,8 +47,9 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   agreement_ = match.agreement;
   is_determined_ = match.is_determined;
   jumped_ = match.jumped;
-  evidence_ = evidenceOf(match);
-  add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
+  is_astray_ = match.is_astray;
+  evidence_ = is_astray_ ? std::max(kMostOfAScan, threshold_ - sum_) : evidenceOf(match);
+  add(is_astray_ ? evidence_ : weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
   if (statistic() < kRight) usual_.learn(agreement_, weight);
   pose_ = match.pose;
   stamp_ = stamp;
@@ -79,6 +80,10 @@ bool ScanDoubt::admits() const {
 
 Status ScanDoubt::status() const {
   constexpr double kDegrees = 180.0 / M_PI;
+  if (lost_since_ && is_astray_)
+    return Status::alarm(
+        "the robot is lost: motion was missing for so long that it may be anywhere around; drive "
+        "on where the robot has been, or set an initial pose");
   if (lost_since_)
     return Status::alarm(
         fmt::format("scans have not fitted the map since {:.1f} s: the pose may be lost, or the "
@@ -98,6 +103,7 @@ void ScanDoubt::forget() {
   lost_since_.reset();
   pose_.reset();
   jumped_.reset();
+  is_astray_ = false;
   is_determined_ = false;
   agreement_ = {};
 }
