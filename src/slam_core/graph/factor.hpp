@@ -4,9 +4,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "slam_core/geometry/angle.hpp"
 #include "slam_core/graph/variables.hpp"
 
 namespace slam::graph {
@@ -27,6 +31,17 @@ class Factor {
   const std::vector<Key>& keys() const { return keys_; }
   /// @param at its variables, in the order of the keys
   virtual LinearFactor linearized(const std::vector<Pose2>& at) const = 0;
+  /// How far its variables are from where it was linearised, as far as that makes its linearisation
+  /// wrong: here the largest change of a coordinate [m, rad].
+  /// @param then, now its variables, in the order of the keys
+  virtual double moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < then.size(); ++i) {
+      most = std::max(most, (now[i].position() - then[i].position()).cwiseAbs().maxCoeff());
+      most = std::max(most, std::abs(wrapAngle(now[i].theta() - then[i].theta())));
+    }
+    return most;
+  }
 
  private:
   std::vector<Key> keys_;

@@ -151,4 +151,15 @@ LinearFactor FreeMap::linearized(const std::vector<Pose2>& at) const {
   return projected;
 }
 
+double FreeMap::moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const {
+  if (!map().poses.empty()) return Factor::moved(then, now);
+  Eigen::Vector2d common = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < now.size(); ++i) common += now[i].position() - then[i].position();
+  common /= static_cast<double>(now.size());
+  double most = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    most = std::max(most, (now[i].position() - then[i].position() - common).cwiseAbs().maxCoeff());
+  return most;
+}
+
 }  // namespace slam::graph

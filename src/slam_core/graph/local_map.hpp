@@ -59,6 +59,8 @@ class FreeMap final : public Factor {
   /// @param keys of the poses and the points, which are two at least where there is no pose
   FreeMap(std::vector<Key> keys, LocalMap map);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
+  /// A motion that all points have in common does not count: neither residual nor Jacobian change.
+  double moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const override;
   const LocalMap& map() const { return based_.map(); }
   /// @return the pose of the base at which the map fits best
   Pose2 base(const std::vector<Pose2>& at) const;

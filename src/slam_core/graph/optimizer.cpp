@@ -15,6 +15,12 @@ Eigen::MatrixXd hessian(const LinearFactor& linear) { return linear.J.transpose(
 
 Eigen::VectorXd gradient(const LinearFactor& linear) { return -linear.J.transpose() * linear.r; }
 
+std::vector<FactorId> withoutRepeats(std::vector<FactorId> factors) {
+  std::sort(factors.begin(), factors.end());
+  factors.erase(std::unique(factors.begin(), factors.end()), factors.end());
+  return factors;
+}
+
 }  // namespace
 
 template <class Value>
@@ -36,11 +42,11 @@ void removeVariable(Optimizer& graph, Key key) {
 }
 
 FactorId Optimizer::add(std::shared_ptr<const Factor> factor) {
-  const auto linear = factor->linearized(origins(*factor));
-  const auto id = tree_.addFactor({factor->keys(), hessian(linear), gradient(linear)});
+  Term term{std::move(factor), 1.0, {}};
+  const auto id = tree_.addFactor(linearize(term));
   if (index(id) >= terms_.size()) terms_.resize(index(id) + 1);
-  for (const Key key : factor->keys()) terms_of_[index(key)].push_back(id);
-  terms_[index(id)] = {std::move(factor), 1.0};
+  for (const Key key : term.factor->keys()) terms_of_[index(key)].push_back(id);
+  terms_[index(id)] = std::move(term);
   return id;
 }
 
@@ -65,14 +71,17 @@ void Optimizer::set(Key key, const Eigen::Vector2d& point) {
 }
 
 void visitFactors(const Optimizer& graph, const FactorVisitor& look) {
-  for (const auto& [factor, weight] : graph.terms_)
-    if (factor) look(*factor, weight);
+  for (const auto& term : graph.terms_)
+    if (term.factor) look(*term.factor, term.weight);
 }
 
-std::vector<Pose2> Optimizer::origins(const Factor& factor) const {
-  std::vector<Pose2> origins;
-  for (const Key key : factor.keys()) origins.push_back(variables_.pose(key));
-  return origins;
+/// Where a factor would be linearised now: at the origins of poses, whose corrections cannot be
+/// added, and at the estimates of points.
+std::vector<Pose2> Optimizer::linearizationOf(const Factor& factor) const {
+  std::vector<Pose2> at;
+  for (const Key key : factor.keys())
+    at.push_back(variables_.rows(key) == 2 ? pose(key) : variables_.pose(key));
+  return at;
 }
 
 LinearFactor Optimizer::atEstimate(const Factor& factor) const {
@@ -81,35 +90,72 @@ LinearFactor Optimizer::atEstimate(const Factor& factor) const {
   return factor.linearized(estimates);
 }
 
-void Optimizer::refresh(FactorId id) {
-  const auto& term = terms_[index(id)];
-  auto linear = term.factor->linearized(origins(*term.factor));
+/// Linearises a factor. @return its quadratic by corrections from the origins
+QuadraticFactor Optimizer::linearize(Term& term) const {
+  const auto& keys = term.factor->keys();
+  term.at = linearizationOf(*term.factor);
+  auto linear = term.factor->linearized(term.at);
   linear.r *= std::sqrt(term.weight);
   linear.J *= std::sqrt(term.weight);
-  tree_.replace(id, hessian(linear), gradient(linear));
+  Eigen::Index column = 0;
+  for (const Key key : keys) {
+    const auto rows = variables_.rows(key);
+    if (rows == 2) linear.r.noalias() -= linear.J.middleCols<2>(column) * tree_.solution(key);
+    column += rows;
+  }
+  return {keys, hessian(linear), gradient(linear)};
 }
 
-/// Factors of variables that are further from where they were linearised are linearised again.
-void Optimizer::relinearize(const std::vector<Key>& keys, double limit) {
-  std::vector<FactorId> changed;
-  for (const Key key : keys) {
-    if (!isFurther(key, limit)) continue;
-    variables_.set(key, pose(key));
-    tree_.moveOrigin(key);
+void Optimizer::refresh(FactorId id) {
+  const auto quadratic = linearize(terms_[index(id)]);
+  tree_.replace(id, quadratic.H, quadratic.g);
+}
+
+/// @return the factors of the moved variables that are to be linearised again
+std::vector<FactorId> Optimizer::outdated() const {
+  std::vector<FactorId> factors, candidates;
+  for (const Key key : moved_) {
     const auto& terms = terms_of_[index(key)];
-    changed.insert(changed.end(), terms.begin(), terms.end());
+    auto& to = isFarPose(key) ? factors : candidates;
+    to.insert(to.end(), terms.begin(), terms.end());
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  for (const FactorId id : changed) refresh(id);
+  for (const FactorId id : withoutRepeats(std::move(candidates))) {
+    const auto& [factor, weight, at] = terms_[index(id)];
+    if (factor->moved(at, linearizationOf(*factor)) > limits_.correction) factors.push_back(id);
+  }
+  return withoutRepeats(std::move(factors));
+}
+
+/// Factors of variables that are too far from where they were linearised are linearised again.
+void Optimizer::relinearize() {
+  const auto factors = outdated();
+  for (const Key key : moved_)
+    if (isFarPose(key)) moveOrigin(key);
+  for (const FactorId id : factors) refresh(id);
+}
+
+/// Factors of variables that have moved at all are linearised again.
+void Optimizer::relinearizeAll() {
+  std::vector<FactorId> factors;
+  for (Key key = 0; key < static_cast<Key>(variables_.size()); ++key) {
+    if (!isFurther(key, 0.0)) continue;
+    moveOrigin(key);
+    const auto& terms = terms_of_[index(key)];
+    factors.insert(factors.end(), terms.begin(), terms.end());
+  }
+  for (const FactorId id : withoutRepeats(std::move(factors))) refresh(id);
+}
+
+void Optimizer::moveOrigin(Key key) {
+  variables_.set(key, pose(key));
+  tree_.moveOrigin(key);
 }
 
 bool Optimizer::update(const std::vector<Key>& last) {
-  relinearize(moved_, limits_.correction);
+  relinearize();
   tree_.update(last);
   moved_ = tree_.solve(limits_.change);
-  return std::any_of(moved_.begin(), moved_.end(),
-                     [this](Key key) { return isFurther(key, limits_.correction); });
+  return !outdated().empty();
 }
 
 bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
@@ -117,7 +163,7 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
   std::vector<Key> all(variables_.size());
   std::iota(all.begin(), all.end(), 0);
   for (int i = 0; i < most_steps; ++i) {
-    relinearize(all, 0.0);
+    relinearizeAll();
     tree_.update(last);
     tree_.solve();
     const auto has_moved = [this](Key key) { return isFurther(key, kConverged); };

@@ -16,8 +16,8 @@
 namespace slam::graph {
 
 struct OptimizerLimits {
-  /// If a variable is further than this [m, rad] from where its factors were linearised, they are
-  /// linearised again.
+  /// If the variables of a factor are further than this [m, rad] from where it was linearised
+  /// (Factor::moved()), it is linearised again; so are all factors of a pose that is.
   double correction = 2e-2;
   /// A smaller change of a variable [m, rad] is not passed on to other variables.
   double change = 1e-3;
@@ -97,23 +97,31 @@ class Optimizer {
   struct Term {
     std::shared_ptr<const Factor> factor;
     double weight = 1.0;
+    std::vector<Pose2> at;  ///< where it was linearised, in the order of its keys
 
     template <class Archive>
     void persist(Archive& archive) {
       persistFactor(archive, factor);
-      archive(weight);
+      archive(weight, at);
     }
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  void relinearize(const std::vector<Key>& keys, double limit);
+  std::vector<FactorId> outdated() const;
+  void relinearize();
+  void relinearizeAll();
+  void moveOrigin(Key key);
+  bool isFarPose(Key key) const {
+    return variables_.rows(key) == 3 && isFurther(key, limits_.correction);
+  }
   bool isFurther(Key key, double limit) const {
     return tree_.solution(key).cwiseAbs().maxCoeff() > limit;
   }
   template <class Value>
   Key addVariable(const Value& value, int rows);
+  QuadraticFactor linearize(Term& term) const;
   void refresh(FactorId id);
-  std::vector<Pose2> origins(const Factor& factor) const;
+  std::vector<Pose2> linearizationOf(const Factor& factor) const;
   LinearFactor atEstimate(const Factor& factor) const;
 
   OptimizerLimits limits_;

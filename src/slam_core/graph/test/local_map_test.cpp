@@ -142,5 +142,20 @@ TEST(LocalMap, KeepsTheCovarianceOfThePointsThatStay) {
   EXPECT_EQ(part.covariance(6, 0), map.covariance(8, 0));
 }
 
+TEST(FreeMap, IsLinearizedWhereItsPointsHaveMovedTogether) {
+  RandomStream random(7, 0);
+  const auto map = randomMap(0, 4, random);
+  const auto then = placed(map, Pose2(1, 2, 0.5), random);
+  const FreeMap factor(keys(then.size()), map);
+  std::vector<Pose2> now;
+  for (const auto& point : then) now.emplace_back(point.x() + 30.0, point.y() - 20.0, 0.0);
+  EXPECT_LT(factor.moved(then, now), 1e-9);
+  const auto before = factor.linearized(then), after = factor.linearized(now);
+  EXPECT_LT((before.J - after.J).norm(), 1e-6 * before.J.norm());
+  EXPECT_LT((before.r - after.r).norm(), 1e-6 * (1.0 + before.r.norm()));
+  now[0] = Pose2(now[0].x() + 0.4, now[0].y(), 0.0);
+  EXPECT_NEAR(factor.moved(then, now), 0.3, 1e-9);
+}
+
 }  // namespace
 }  // namespace slam::graph
