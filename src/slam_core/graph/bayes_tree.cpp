@@ -135,9 +135,10 @@ void BayesTree::giveMemoryBack() {
   }
 }
 
-void BayesTree::update(const std::vector<Key>& last) {
+void BayesTree::update(const std::vector<Key>& last, const Vicinity& vicinity) {
+  touched_.insert(touched_.end(), vicinity.gathered.begin(), vicinity.gathered.end());
   openAll();
-  if (!open_.empty()) Elimination(*this, last).run();
+  if (!open_.empty()) Elimination(*this, last, vicinity).run();
   open_.clear();
   open_factors_.clear();
   orphans_.clear();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "slam_core/graph/quadratic_factor.hpp"
+#include "slam_core/graph/vicinity.hpp"
 
 namespace slam::graph {
 
@@ -32,9 +33,10 @@ class BayesTree {
 
   /// Brings the tree up to date with all changes.
   /// @param last variables to eliminate last, since the next factors will touch them
+  /// @param vicinity decides on the order of the others
   /// @throw std::domain_error if factors hold values that are not finite; then the tree cannot be
   /// used any more
-  void update(const std::vector<Key>& last);
+  void update(const std::vector<Key>& last, const Vicinity& vicinity = {});
 
   /// Computes the minimum again where it has changed.
   /// @param threshold a variable that has moved by less does not move those that depend on it

@@ -31,12 +31,14 @@ double largestRow(const Eigen::MatrixXd& lower) {
 
 }  // namespace
 
-Elimination::Elimination(BayesTree& tree, const std::vector<Key>& last)
+Elimination::Elimination(BayesTree& tree, const std::vector<Key>& last, const Vicinity& vicinity)
     : tree_(tree),
       places_(tree.rows_.size(), -1),
       columns_(tree.open_.size()),
       members_(tree.open_.size()) {
-  order(last);
+  const auto& open = tree_.open_;
+  for (std::size_t i = 0; i < open.size(); ++i) places_[at(open[i])] = static_cast<int>(i);
+  order(groupsOf(last, vicinity));
 }
 
 void Elimination::run() {
@@ -48,9 +50,25 @@ void Elimination::run() {
     if (!members_[j].empty()) eliminate(j);
 }
 
-void Elimination::order(const std::vector<Key>& last) {
+/// The group of each open variable: shells from the outermost one to the innermost one, then the
+/// variables that come last.
+std::vector<int> Elimination::groupsOf(const std::vector<Key>& last,
+                                       const Vicinity& vicinity) const {
+  std::vector<int> groups;
+  for (const Key key : tree_.open_) groups.push_back(vicinity.shell ? -vicinity.shell(key) : 0);
+  for (const Key key : last)
+    if (placeOf(key) >= 0) groups[at(placeOf(key))] = 1;
+  auto present = groups;
+  std::sort(present.begin(), present.end());
+  present.erase(std::unique(present.begin(), present.end()), present.end());
+  for (auto& group : groups)
+    group =
+        static_cast<int>(std::lower_bound(present.begin(), present.end(), group) - present.begin());
+  return groups;
+}
+
+void Elimination::order(const std::vector<int>& groups) {
   const auto& open = tree_.open_;
-  for (std::size_t i = 0; i < open.size(); ++i) places_[at(open[i])] = static_cast<int>(i);
   std::vector<std::vector<int>> sets;
   sets.reserve(tree_.open_factors_.size() + tree_.orphans_.size());
   for (const FactorId id : tree_.open_factors_) {
@@ -63,10 +81,7 @@ void Elimination::order(const std::vector<Key>& last) {
     for (auto i = at(clique.frontals); i < clique.keys.size(); ++i)
       sets.back().push_back(placeOf(clique.keys[i]));
   }
-  std::vector<char> is_last(open.size(), 0);
-  for (const Key key : last)
-    if (placeOf(key) >= 0) is_last[at(placeOf(key))] = 1;
-  const auto order = eliminationOrder(static_cast<int>(open.size()), sets, is_last);
+  const auto order = eliminationOrder(static_cast<int>(open.size()), sets, groups);
   for (std::size_t i = 0; i < order.size(); ++i) {
     columns_[i].key = open[at(order[i])];
     places_[at(columns_[i].key)] = static_cast<int>(i);

@@ -13,7 +13,7 @@ namespace slam::graph {
 /// clique (multifrontal: Liu 1992).
 class Elimination {
  public:
-  Elimination(BayesTree& tree, const std::vector<Key>& last);
+  Elimination(BayesTree& tree, const std::vector<Key>& last, const Vicinity& vicinity);
   /// @throw std::domain_error if factors hold values that are not finite
   void run();
 
@@ -28,7 +28,8 @@ class Elimination {
     int clique = -1;            ///< that it is a frontal variable of
   };
 
-  void order(const std::vector<Key>& last);
+  void order(const std::vector<int>& groups);
+  std::vector<int> groupsOf(const std::vector<Key>& last, const Vicinity& vicinity) const;
   void assign();
   void findStructure();
   void formCliques();

@@ -11,11 +11,11 @@
 namespace slam::graph {
 
 std::vector<int> eliminationOrder(int variables, const std::vector<std::vector<int>>& sets,
-                                  const std::vector<char>& is_last) {
+                                  const std::vector<int>& groups) {
   std::vector<int> order(static_cast<std::size_t>(variables));
   std::iota(order.begin(), order.end(), 0);
   if (variables < 3) {
-    if (variables == 2 && is_last[0] && !is_last[1]) order = {1, 0};
+    if (variables == 2 && groups[0] > groups[1]) order = {1, 0};
     return order;
   }
   // columns of variables, in them the rows of the sets
@@ -31,12 +31,13 @@ std::vector<int> eliminationOrder(int variables, const std::vector<std::vector<i
     for (const int variable : sets[row])
       of_columns[static_cast<std::size_t>(next[static_cast<std::size_t>(variable)]++)] =
           static_cast<int>(row);
-  std::vector<int> groups(is_last.begin(), is_last.end());
+  auto members = groups;
   double knobs[CCOLAMD_KNOBS];
   int stats[CCOLAMD_STATS];
   ccolamd_set_defaults(knobs);
+  knobs[CCOLAMD_DENSE_ROW] = -1.0;  // a large separator counts as well
   if (ccolamd(rows, variables, static_cast<int>(length), of_columns.data(), starts.data(), knobs,
-              stats, groups.data()) == 0)
+              stats, members.data()) == 0)
     throw std::logic_error("the sets of variables are no matrix");
   starts.pop_back();
   return starts;

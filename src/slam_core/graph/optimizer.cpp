@@ -151,9 +151,9 @@ void Optimizer::moveOrigin(Key key) {
   tree_.moveOrigin(key);
 }
 
-bool Optimizer::update(const std::vector<Key>& last) {
+bool Optimizer::update(const std::vector<Key>& last, const Vicinity& vicinity) {
   relinearize();
-  tree_.update(last);
+  tree_.update(last, vicinity);
   moved_ = tree_.solve(limits_.change);
   return !outdated().empty();
 }

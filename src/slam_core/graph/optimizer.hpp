@@ -58,10 +58,11 @@ class Optimizer {
   void set(Key key, const Eigen::Vector2d& point);
 
   /// One step. @param last variables that the next factors will touch
+  /// @param vicinity of these
   /// @return whether a variable is so far from where its factors were linearised that another step
   /// would linearise them again
   /// @throw std::domain_error if factors hold values that are not finite
-  bool update(const std::vector<Key>& last);
+  bool update(const std::vector<Key>& last, const Vicinity& vicinity = {});
   /// Steps in which nothing is left out, until they are over.
   /// @return whether the last of so many steps has moved no variable by more than 0.1 mm or 0.1
   /// mrad

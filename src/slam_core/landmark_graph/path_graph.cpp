@@ -150,12 +150,15 @@ graph::Key PathGraph::addNode() {
   return key;
 }
 
-void PathGraph::optimize(int most_iterations, const std::vector<graph::Key>& others) {
+void PathGraph::optimize(int most_iterations, const std::vector<graph::Key>& others,
+                         graph::Vicinity vicinity) {
   std::vector<graph::Key> last = others;
   if (tail_.node) last.push_back(*tail_.node);
   if (parameters_) last.insert(last.end(), parameters_->keys().begin(), parameters_->keys().end());
-  for (int i = 0; i < most_iterations; ++i)
-    if (!graph_.update(last)) break;
+  for (int i = 0; i < most_iterations; ++i) {
+    if (!graph_.update(last, vicinity)) break;
+    vicinity.gathered.clear();
+  }
   renewTail();
 }
 

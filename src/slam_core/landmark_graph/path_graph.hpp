@@ -86,7 +86,9 @@ class PathGraph {
 
   /// @param most_iterations at most so many
   /// @param others variables that the next factors will touch, beside the last node
-  void optimize(int most_iterations, const std::vector<graph::Key>& others = {});
+  /// @param vicinity of all these
+  void optimize(int most_iterations, const std::vector<graph::Key>& others = {},
+                graph::Vicinity vicinity = {});
 
   graph::Optimizer& graph() { return graph_; }
   const graph::Optimizer& graph() const { return graph_; }

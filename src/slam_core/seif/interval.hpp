@@ -41,6 +41,8 @@ class Interval {
   void follow();
   /// @return the variables of the landmarks that are near the robot, to be eliminated last
   std::vector<graph::Key> active() const;
+  /// @return the landmarks that were observed in it, in the order of their first observation
+  const std::vector<std::size_t>& observed() const { return observed_; }
   /// Ends the interval if it is full. To be called when the graph is solved, and before what is
   /// observed after a motion is added: a motion that is too uncertain belongs to no interval that
   /// has observations on both of its sides.
@@ -71,8 +73,8 @@ class Interval {
   landmark_graph::PathGraph& path_;
   landmark_graph::LandmarkGraph& landmarks_;
   LocalMaps& maps_;
-  std::vector<graph::Key> nodes_;      ///< of this interval
-  std::vector<std::size_t> observed_;  ///< landmarks, in the order of their first observation
+  std::vector<graph::Key> nodes_;  ///< of this interval
+  std::vector<std::size_t> observed_;
   /// The local map of the interval before, while its last pose is there, and its factor.
   std::optional<MappedPart> previous_;
   graph::FactorId factor_ = -1;

@@ -12,6 +12,11 @@ namespace {
 
 std::size_t sizeOf(const MappedPart& part) { return part.landmarks.size() + part.poses.size(); }
 
+void sortOut(std::vector<std::size_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 /// The poses that both have are marginalised.
 std::size_t sizeTogether(const MappedPart& a, const MappedPart& b) {
   const SharedPart shared(a, b);
@@ -38,14 +43,23 @@ std::size_t LocalMaps::largest() const {
   return most;
 }
 
-std::vector<std::size_t> LocalMaps::around(const MappedPart& part) const {
+std::vector<std::size_t> LocalMaps::partsWith(const std::vector<std::size_t>& landmarks) const {
   std::vector<std::size_t> places;
-  for (const auto landmark : part.landmarks)
+  for (const auto landmark : landmarks)
     if (landmark < of_landmark_.size())
       places.insert(places.end(), of_landmark_[landmark].begin(), of_landmark_[landmark].end());
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sortOut(places);
   return places;
+}
+
+std::vector<std::size_t> LocalMaps::around(const std::vector<std::size_t>& landmarks) const {
+  auto all = landmarks;
+  for (const auto place : partsWith(landmarks)) {
+    const auto& others = parts_[place].part.landmarks;
+    all.insert(all.end(), others.begin(), others.end());
+  }
+  sortOut(all);
+  return all;
 }
 
 void LocalMaps::add(MappedPart part) {
@@ -66,7 +80,7 @@ std::vector<graph::Key> LocalMaps::jointsOf(const MappedPart& a, const MappedPar
 /// @return whether there is one
 bool LocalMaps::join(MappedPart& part) {
   std::vector<std::pair<std::size_t, std::size_t>> options;  // size together, place
-  for (const auto place : around(part)) {
+  for (const auto place : partsWith(part.landmarks)) {
     const auto& other = parts_[place].part;
     const auto size = sizeTogether(other, part);
     if (size <= limits_.landmarks) options.emplace_back(size, place);

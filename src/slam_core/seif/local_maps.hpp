@@ -37,6 +37,8 @@ class LocalMaps {
                                    const std::vector<graph::Key>& marginalised) const;
   /// Whether the map says something of the landmark that the way now does not.
   bool knows(std::size_t landmark) const;
+  /// @return these landmarks and those of the local maps that hold one of them, in increasing order
+  std::vector<std::size_t> around(const std::vector<std::size_t>& landmarks) const;
   std::size_t size() const { return size_; }
   /// The most landmarks that one of them joins.
   std::size_t largest() const;
@@ -58,7 +60,7 @@ class LocalMaps {
     }
   };
   /// @return the places of those that share a landmark, rising
-  std::vector<std::size_t> around(const MappedPart& part) const;
+  std::vector<std::size_t> partsWith(const std::vector<std::size_t>& landmarks) const;
   std::vector<graph::Key> jointsOf(const MappedPart& a, const MappedPart& b) const;
   bool join(MappedPart& part);
   void store(MappedPart part);

@@ -27,7 +27,8 @@ SeifSlam::Filter::Filter(const SeifConfig& config, const PoseEstimate& start)
            path, landmarks),
       interval(
           {count(config.active_landmarks), count(config.interval_nodes), config.interval_heading},
-          path, landmarks, maps) {}
+          path, landmarks, maps),
+      surroundings(3 * count(config.active_landmarks), path, landmarks, maps) {}
 
 void SeifSlam::configure(const SeifConfig& config) {
   validate(config);

@@ -17,6 +17,7 @@
 #include "slam_core/seif/interval.hpp"
 #include "slam_core/seif/local_maps.hpp"
 #include "slam_core/seif/seif_config.hpp"
+#include "slam_core/seif/surroundings.hpp"
 
 namespace slam::seif {
 
@@ -69,16 +70,19 @@ class SeifSlam final : public Backend,
   /// The information filter: the poses of the interval, the landmarks, and what joins them.
   struct Filter {
     Filter(const SeifConfig& config, const PoseEstimate& start);
-    void solve(int iterations) { path.optimize(iterations, interval.active()); }
+    void solve(int iterations) {
+      path.optimize(iterations, interval.active(), surroundings.follow(interval.observed()));
+    }
 
     landmark_graph::PathGraph path;
     landmark_graph::LandmarkGraph landmarks{path};
     LocalMaps maps;
     Interval interval;
+    Surroundings surroundings;
 
     template <class Archive>
     void persist(Archive& archive) {
-      archive(path, landmarks, maps, interval);
+      archive(path, landmarks, maps, interval, surroundings);
     }
   };
 

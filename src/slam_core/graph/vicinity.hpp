@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "slam_core/graph/quadratic_factor.hpp"
+
+namespace slam::graph {
+
+/// How near variables are to those that the next factors will touch. What is near is eliminated
+/// late, so that the next factors change few cliques; what is far is eliminated first.
+struct Vicinity {
+  std::vector<Key> gathered;  ///< are eliminated again even if nothing of theirs has changed
+  /// A variable of a larger shell is eliminated before those of smaller ones, which are counted
+  /// from 0. Without this all are in one shell.
+  std::function<int(Key)> shell;
+};
+
+}  // namespace slam::graph
