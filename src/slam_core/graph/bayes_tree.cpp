@@ -28,7 +28,6 @@ Key BayesTree::addVariable(int rows) {
   offsets_.push_back(static_cast<int>(solution_.size()));
   rows_.push_back(rows);
   clique_of_.push_back(-1);
-  has_moved_.push_back(0);
   row_of_.push_back(-1);
   open_.push_back(key);
   const auto size = solution_.size() + rows;
@@ -176,45 +175,91 @@ void BayesTree::substitute(Clique& c) {
   c.is_due = true;
 }
 
-const std::vector<Key>& BayesTree::solve(double threshold) {
-  for (const Key key : moved_) has_moved_[index(key)] = 0;
+const std::vector<Key>& BayesTree::solve(double threshold, std::size_t most) {
   moved_.clear();
-  std::vector<int> next = roots_;
-  while (!next.empty()) {
-    auto& c = clique(next.back());
-    next.pop_back();
-    if (solve(c, threshold)) next.insert(next.end(), c.children.begin(), c.children.end());
-  }
+  std::vector<int> below;
+  solveNew(below, threshold);
+  std::size_t left = most / 2;
+  solveBelow(below, threshold, left);
+  left += most - most / 2;
+  auto waiting = std::exchange(waiting_, {});
+  for (const int i : waiting) clique(i).is_waiting = false;
+  solveBelow(waiting, threshold, left);
+  wait(waiting);
+  wait(below);
   return moved_;
 }
 
-/// A solution that no graph can mean holds variables where they are.
-void BayesTree::holdWhereAbsurd(Eigen::VectorXd& x) {
-  constexpr double kFarthest = 1e9;  // [m], [rad]
-  if ((x.array().abs() <= kFarthest).all()) return;
-  x.setZero();
-  ++undetermined_;
+/// Solves the cliques that were eliminated since the last time, which are at the top.
+/// @param below the cliques below them
+void BayesTree::solveNew(std::vector<int>& below, double threshold) {
+  std::vector<int> next = roots_;
+  while (!next.empty()) {
+    const int i = next.back();
+    next.pop_back();
+    if (!std::exchange(clique(i).is_due, false)) {
+      below.push_back(i);
+      continue;
+    }
+    solve(clique(i), threshold);
+    next.insert(next.end(), clique(i).children.begin(), clique(i).children.end());
+  }
 }
 
-/// @return whether what the clique depends on has moved
-bool BayesTree::solve(Clique& c, double threshold) {
-  bool is_due = std::exchange(c.is_due, false);
-  for (auto i = index(c.frontals); i < c.keys.size() && !is_due; ++i)
-    is_due = has_moved_[index(c.keys[i])] != 0;
-  if (!is_due) return false;
-  const int f = c.frontal_rows;
-  Eigen::VectorXd separator(c.rows - f);
+/// Solves outdated cliques and those below them, the uppermost ones first.
+/// @param cliques those that are left when so many numbers have been read
+void BayesTree::solveBelow(std::vector<int>& cliques, double threshold, std::size_t& left) {
+  std::size_t done = 0;
+  for (; done < cliques.size() && left > 0; ++done) {
+    auto& c = clique(cliques[done]);
+    if (!isOutdated(c)) continue;
+    solve(c, threshold);
+    left -= std::min(left, index(c.frontal_rows) * index(c.rows));
+    cliques.insert(cliques.end(), c.children.begin(), c.children.end());
+  }
+  cliques.erase(cliques.begin(), cliques.begin() + static_cast<std::ptrdiff_t>(done));
+}
+
+void BayesTree::wait(const std::vector<int>& cliques) {
+  for (const int i : cliques) {
+    if (clique(i).is_waiting || !isOutdated(clique(i))) continue;
+    clique(i).is_waiting = true;
+    waiting_.push_back(i);
+  }
+}
+
+/// Whether what the clique depends on has moved since its part of the solution was computed.
+bool BayesTree::isOutdated(const Clique& c) const {
+  return !c.is_open && c.separator != onSeparator(c, spread_);
+}
+
+Eigen::VectorXd BayesTree::onSeparator(const Clique& c, const Eigen::VectorXd& x) const {
+  Eigen::VectorXd separator(c.rows - c.frontal_rows);
   int row = 0;
   for (auto i = index(c.frontals); i < c.keys.size(); ++i) {
     const auto k = index(c.keys[i]);
-    separator.segment(row, rows_[k]) = spread_.segment(offsets_[k], rows_[k]);
+    separator.segment(row, rows_[k]) = x.segment(offsets_[k], rows_[k]);
     row += rows_[k];
   }
+  return separator;
+}
+
+/// A solution that no graph can mean holds variables where they are.
+Eigen::VectorXd BayesTree::onFrontals(const Clique& c, const Eigen::VectorXd& separator) const {
+  constexpr double kFarthest = 1e9;  // [m], [rad]
+  const int f = c.frontal_rows;
   Eigen::VectorXd x = c.rhs;
   x.noalias() -= c.columns.bottomRows(c.rows - f).transpose() * separator;
   c.columns.topRows(f).triangularView<Eigen::Lower>().transpose().solveInPlace(x);
-  holdWhereAbsurd(x);
-  row = 0;
+  if (!(x.array().abs() <= kFarthest).all()) x.setZero();
+  return x;
+}
+
+void BayesTree::solve(Clique& c, double threshold) {
+  c.separator = onSeparator(c, spread_);
+  const Eigen::VectorXd x = onFrontals(c, c.separator);
+  if (x.isZero(0.0) && !c.rhs.isZero(0.0)) ++undetermined_;
+  int row = 0;
   for (std::size_t i = 0; i < index(c.frontals); ++i) {
     const auto k = index(c.keys[i]);
     const auto now = x.segment(row, rows_[k]);
@@ -223,10 +268,26 @@ bool BayesTree::solve(Clique& c, double threshold) {
     auto spread = spread_.segment(offsets_[k], rows_[k]);
     if ((now - spread).cwiseAbs().maxCoeff() <= threshold) continue;
     spread = now;
-    has_moved_[k] = 1;
     moved_.push_back(c.keys[i]);
   }
-  return true;
+}
+
+Eigen::VectorXd BayesTree::solved() const {
+  Eigen::VectorXd x = solution_;
+  std::vector<int> next = roots_;
+  while (!next.empty()) {
+    const auto& c = clique(next.back());
+    next.pop_back();
+    const Eigen::VectorXd part = onFrontals(c, onSeparator(c, x));
+    int row = 0;
+    for (std::size_t i = 0; i < index(c.frontals); ++i) {
+      const auto k = index(c.keys[i]);
+      x.segment(offsets_[k], rows_[k]) = part.segment(row, rows_[k]);
+      row += rows_[k];
+    }
+    next.insert(next.end(), c.children.begin(), c.children.end());
+  }
+  return x;
 }
 
 void BayesTree::moveOrigin(Key key) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "slam_core/graph/quadratic_factor.hpp"
@@ -38,14 +39,19 @@ class BayesTree {
   /// used any more
   void update(const std::vector<Key>& last, const Vicinity& vicinity = {});
 
-  /// Computes the minimum again where it has changed.
+  /// Computes the minimum again where it has changed: first in cliques that were eliminated since
+  /// the last time, then in those near the root, then in those that have waited longest.
   /// @param threshold a variable that has moved by less does not move those that depend on it
+  /// @param most numbers of the Cholesky factor that are read of cliques that were not eliminated
+  /// since; the others wait for the next time
   /// @return the variables that moved by more than the threshold
-  const std::vector<Key>& solve(double threshold = 0.0);
+  const std::vector<Key>& solve(double threshold = 0.0, std::size_t most = kAll);
   Eigen::VectorBlock<const Eigen::VectorXd> solution(Key key) const {
     return static_cast<const Eigen::VectorXd&>(solution_).segment(offsets_[index(key)],
                                                                   rows_[index(key)]);
   }
+  /// The minimum of all variables, one after the other, where nothing waits.
+  Eigen::VectorXd solved() const;
   /// Makes the solution of a variable its new origin, so that the solution becomes 0. The gradients
   /// of all its factors have to be replaced before the next update().
   void moveOrigin(Key key);
@@ -66,7 +72,7 @@ class BayesTree {
   void persist(Archive& archive) {
     archive(rows_, offsets_, clique_of_, cliques_, free_, roots_, factors_, free_factors_,
             free_keys_, open_, open_factors_, orphans_, changed_, touched_, removed_,
-            eliminated_rows_, undetermined_, solution_, spread_, has_moved_, moved_, row_of_);
+            eliminated_rows_, undetermined_, solution_, spread_, waiting_, moved_, row_of_);
   }
 
  private:
@@ -85,13 +91,15 @@ class BayesTree {
     std::vector<FactorId> factors;  ///< of which a frontal variable is the first one eliminated
     std::vector<int> children;
     int parent = -1;
-    bool is_open = false;  ///< it was taken out of the tree
-    bool is_due = false;   ///< its part of the solution has to be computed
+    bool is_open = false;       ///< it was taken out of the tree
+    bool is_due = false;        ///< its part of the solution was never computed
+    bool is_waiting = false;    ///< to be computed again
+    Eigen::VectorXd separator;  ///< the solution there by which its own part was computed
 
     template <class Archive>
     void persist(Archive& archive) {
       archive(keys, frontals, frontal_rows, rows, columns, schur, rhs, schur_rhs, factors, children,
-              parent, is_open, is_due);
+              parent, is_open, is_due, is_waiting, separator);
     }
   };
   struct StoredFactor {
@@ -109,6 +117,7 @@ class BayesTree {
     Eigen::MatrixXd rows;
   };
 
+  static constexpr auto kAll = std::numeric_limits<std::size_t>::max();
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   int rows(Key key) const { return rows_[index(key)]; }
   Clique& clique(int i) { return cliques_[index(i)]; }
@@ -119,8 +128,13 @@ class BayesTree {
   void freeRemoved();
   void giveMemoryBack();
   void substitute(Clique& clique);
-  bool solve(Clique& clique, double threshold);
-  void holdWhereAbsurd(Eigen::VectorXd& x);
+  Eigen::VectorXd onSeparator(const Clique& clique, const Eigen::VectorXd& x) const;
+  Eigen::VectorXd onFrontals(const Clique& clique, const Eigen::VectorXd& separator) const;
+  bool isOutdated(const Clique& clique) const;
+  void solve(Clique& clique, double threshold);
+  void solveNew(std::vector<int>& below, double threshold);
+  void solveBelow(std::vector<int>& cliques, double threshold, std::size_t& left);
+  void wait(const std::vector<int>& cliques);
   std::vector<ForwardRows> forward(Key key) const;
 
   std::vector<int> rows_, offsets_;  ///< of each variable
@@ -141,8 +155,8 @@ class BayesTree {
   int eliminated_rows_ = 0, undetermined_ = 0;
 
   Eigen::VectorXd solution_;
-  Eigen::VectorXd spread_;  ///< the part of the solution that the cliques below know of
-  std::vector<char> has_moved_;
+  Eigen::VectorXd spread_;    ///< the part of the solution that the cliques below know of
+  std::vector<int> waiting_;  ///< cliques whose parts of the solution are outdated, or were
   std::vector<Key> moved_;
   mutable std::vector<int> row_of_;  ///< of each variable in the clique at work
 };

@@ -111,27 +111,42 @@ void Optimizer::refresh(FactorId id) {
   tree_.replace(id, quadratic.H, quadratic.g);
 }
 
-/// @return the factors of the moved variables that are to be linearised again
-std::vector<FactorId> Optimizer::outdated() const {
-  std::vector<FactorId> factors, candidates;
+/// Whether a factor is so many times too far from where it was linearised.
+bool Optimizer::isOutdated(FactorId id, double times) const {
+  const auto& [factor, weight, at] = terms_[index(id)];
+  return factor && factor->moved(at, linearizationOf(*factor)) > times * limits_.correction;
+}
+
+/// The factors of the variables that the last step has moved.
+Optimizer::Outdated Optimizer::outdated(double patience) const {
+  Outdated outdated;
+  std::vector<FactorId> candidates = postponed_;
   for (const Key key : moved_) {
     const auto& terms = terms_of_[index(key)];
-    auto& to = isFarPose(key) ? factors : candidates;
+    auto& to = isFarPose(key) ? outdated.now : candidates;
     to.insert(to.end(), terms.begin(), terms.end());
   }
   for (const FactorId id : withoutRepeats(std::move(candidates))) {
-    const auto& [factor, weight, at] = terms_[index(id)];
-    if (factor->moved(at, linearizationOf(*factor)) > limits_.correction) factors.push_back(id);
+    if (!isOutdated(id, 1.0)) continue;
+    const bool waits = joinsPointsAlone(*terms_[index(id)].factor) && !isOutdated(id, patience);
+    (waits ? outdated.later : outdated.now).push_back(id);
   }
-  return withoutRepeats(std::move(factors));
+  outdated.now = withoutRepeats(std::move(outdated.now));
+  return outdated;
+}
+
+bool Optimizer::joinsPointsAlone(const Factor& factor) const {
+  const auto is_point = [this](Key key) { return variables_.rows(key) == 2; };
+  return std::all_of(factor.keys().begin(), factor.keys().end(), is_point);
 }
 
 /// Factors of variables that are too far from where they were linearised are linearised again.
-void Optimizer::relinearize() {
-  const auto factors = outdated();
+void Optimizer::relinearize(double patience) {
+  auto [now, later] = outdated(patience);
   for (const Key key : moved_)
     if (isFarPose(key)) moveOrigin(key);
-  for (const FactorId id : factors) refresh(id);
+  for (const FactorId id : now) refresh(id);
+  postponed_ = std::move(later);
 }
 
 /// Factors of variables that have moved at all are linearised again.
@@ -152,10 +167,10 @@ void Optimizer::moveOrigin(Key key) {
 }
 
 bool Optimizer::update(const std::vector<Key>& last, const Vicinity& vicinity) {
-  relinearize();
+  relinearize(vicinity.gathered.empty() ? limits_.patience : 1.0);
   tree_.update(last, vicinity);
-  moved_ = tree_.solve(limits_.change);
-  return !outdated().empty();
+  moved_ = tree_.solve(limits_.change, limits_.passed_on);
+  return !outdated(limits_.patience).now.empty();
 }
 
 bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
@@ -170,6 +185,18 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
     if (std::none_of(all.begin(), all.end(), has_moved)) return true;
   }
   return false;
+}
+
+std::vector<Pose2> settled(const Optimizer& graph) {
+  const Eigen::VectorXd x = graph.tree_.solved();
+  std::vector<Pose2> estimates;
+  Eigen::Index row = 0;
+  for (Key key = 0; key < static_cast<Key>(graph.variables_.size()); ++key) {
+    const auto rows = graph.variables_.rows(key);
+    estimates.push_back(graph.variables_.corrected(key, x.segment(row, rows)));
+    row += rows;
+  }
+  return estimates;
 }
 
 GraphContents contentsOf(const Optimizer& graph) {

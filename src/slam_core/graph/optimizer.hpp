@@ -5,7 +5,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,6 +23,12 @@ struct OptimizerLimits {
   double correction = 2e-2;
   /// A smaller change of a variable [m, rad] is not passed on to other variables.
   double change = 1e-3;
+  /// Factors between points alone wait until variables are gathered (Vicinity), unless they are so
+  /// many times further than `correction` from where they were linearised [1].
+  double patience = 1.0;
+  /// So many numbers of the Cholesky factor at most are read in a step to pass changes on to parts
+  /// of the graph that are otherwise as they were; the rest waits for the next steps.
+  std::size_t passed_on = std::numeric_limits<std::size_t>::max();
 };
 
 /// The residuals of some factors, one after the other, with their joint covariance: the sum of
@@ -70,6 +78,8 @@ class Optimizer {
 
   /// The estimate of a variable. A point is returned as a pose of which only the position is valid.
   Pose2 pose(Key key) const { return variables_.corrected(key, tree_.solution(key)); }
+  /// The estimates of all variables as they are when all changes have been passed on.
+  friend std::vector<Pose2> settled(const Optimizer& graph);
   /// The covariance describes corrections of these variables (Variables), rows in the order of the
   /// keys.
   Eigen::MatrixXd covariance(const std::vector<Key>& keys) const { return tree_.covariance(keys); }
@@ -88,7 +98,7 @@ class Optimizer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(variables_, terms_, terms_of_, tree_, moved_);
+    archive(variables_, terms_, terms_of_, tree_, moved_, postponed_);
   }
 
  private:
@@ -108,8 +118,13 @@ class Optimizer {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  std::vector<FactorId> outdated() const;
-  void relinearize();
+  struct Outdated {
+    std::vector<FactorId> now, later;
+  };
+  Outdated outdated(double patience) const;
+  bool isOutdated(FactorId id, double times) const;
+  bool joinsPointsAlone(const Factor& factor) const;
+  void relinearize(double patience);
   void relinearizeAll();
   void moveOrigin(Key key);
   bool isFarPose(Key key) const {
@@ -131,6 +146,8 @@ class Optimizer {
   std::vector<std::vector<FactorId>> terms_of_;  ///< by variable
   BayesTree tree_;
   std::vector<Key> moved_;  ///< by the last step
+  std::vector<FactorId>
+      postponed_;  ///< factors that were to be linearised again, in increasing order
 };
 
 GraphContents contentsOf(const Optimizer& graph);

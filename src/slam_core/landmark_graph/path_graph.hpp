@@ -44,7 +44,9 @@ struct Tail {
 /// then put it. Maps add what they need to the same graph.
 class PathGraph {
  public:
-  PathGraph(const NodeLimits& limits, const PoseEstimate& start) : limits_(limits), start_(start) {}
+  PathGraph(const NodeLimits& limits, const PoseEstimate& start,
+            const graph::OptimizerLimits& optimizer = {})
+      : limits_(limits), graph_(optimizer), start_(start) {}
   PathGraph(const PathGraph&) = delete;  // its chain holds its graph
   PathGraph& operator=(const PathGraph&) = delete;
 

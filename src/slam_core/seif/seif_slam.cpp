@@ -19,10 +19,18 @@ const SectionRegistrar<SeifConfig> kSectionRegistrar;
 
 std::size_t count(int number) { return static_cast<std::size_t>(number); }
 
+/// What is far from the robot may wait, so that a step hardly depends on the size of the map.
+graph::OptimizerLimits optimizerLimits() {
+  graph::OptimizerLimits limits;
+  limits.passed_on = 100000;
+  limits.patience = 10.0;
+  return limits;
+}
+
 }  // namespace
 
 SeifSlam::Filter::Filter(const SeifConfig& config, const PoseEstimate& start)
-    : path({config.node_distance, config.node_angle}, start),
+    : path({config.node_distance, config.node_angle}, start, optimizerLimits()),
       maps({count(config.active_landmarks + config.active_landmarks / 2), config.interval_heading},
            path, landmarks),
       interval(
@@ -83,15 +91,29 @@ Component::Figures SeifSlam::figures() const {
 }
 
 LandmarkMap SeifSlam::landmarks() const {
-  auto map = config_.mapIsFixed() ? fixed_map_ : filter_->landmarks.map();
+  auto map = fixed_map_;
+  if (!config_.mapIsFixed()) {
+    map = filter_->landmarks.map();
+    settle(map);
+  }
   associator_.descriptors().describe(map);
   return map;
+}
+
+/// Puts landmarks where they are when changes that wait have come to them.
+void SeifSlam::settle(LandmarkMap& map) const {
+  const auto& landmarks = filter_->landmarks;
+  const auto estimates = settled(filter_->path.graph());
+  for (auto& landmark : map)
+    if (const auto number = landmarks.ids().find(landmark.id))
+      landmark.position = estimates[static_cast<std::size_t>(keyOf(landmarks, *number))].position();
 }
 
 MapState SeifSlam::state() const {
   if (config_.mapIsFixed() || filter_->landmarks.ids().inMap() > count(config_.joint_limit))
     return {pose(), landmarks(), {}};
   auto state = filter_->landmarks.state();
+  settle(state.landmarks);
   associator_.descriptors().describe(state.landmarks);
   return state;
 }

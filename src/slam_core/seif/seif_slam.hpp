@@ -86,6 +86,7 @@ class SeifSlam final : public Backend,
     }
   };
 
+  void settle(LandmarkMap& map) const;
   void replaceMap();
   void relocate();
   void predict();

@@ -135,6 +135,45 @@ TEST(BayesTree, SolvesAGraphThatGrowsAsADenseSolverDoes) {
   }
 }
 
+/// Changes that wait come to all variables in the end; solved() has them at once.
+TEST(BayesTree, PassesChangesOnInSeveralSteps) {
+  constexpr int kVariables = 200, kMostSteps = 2000;
+  constexpr std::size_t kNumbers = 40;
+  Systems systems;
+  systems.addFactor({systems.addVariable(3)});
+  for (int i = 1; i < kVariables; ++i) systems.addFactor({i - 1, systems.addVariable(3)});
+  systems.expectSameSolution(kVariables - 1);
+  systems.addFactor({kVariables - 1});
+  systems.tree.update({kVariables - 1});
+  const Eigen::VectorXd x = systems.dense.H().ldlt().solve(systems.dense.g());
+  systems.tree.solve(0.0, kNumbers);
+  EXPECT_TRUE(systems.tree.solution(kVariables - 1).isApprox(x.tail<3>(), 1e-8));
+  EXPECT_TRUE(systems.tree.solved().isApprox(x, 1e-8));
+  int steps = 1;
+  while (!systems.tree.solve(0.0, kNumbers).empty() && steps < kMostSteps) ++steps;
+  EXPECT_GT(steps, 1);
+  for (Key key = 0; key < kVariables; ++key)
+    EXPECT_TRUE(systems.tree.solution(key).isApprox(x.segment<3>(3 * key), 1e-8)) << key;
+}
+
+/// What is gathered is eliminated again, and what is near comes last.
+TEST(BayesTree, BringsWhatIsGatheredToTheTop) {
+  Systems systems;
+  systems.addFactor({systems.addVariable(3)});
+  for (int i = 1; i < 200; ++i) systems.addFactor({i - 1, systems.addVariable(3)});
+  systems.expectSameSolution(199);
+  Vicinity vicinity{{50, 51, 52}, [](Key key) { return key >= 50 && key <= 52 ? 0 : 1; }};
+  systems.tree.update({199}, vicinity);
+  systems.expectSameSolution(199);
+  vicinity.gathered.clear();
+  for (const Key key : {51, 50, 52}) {
+    systems.addFactor({key, 199});
+    systems.tree.update({199}, vicinity);
+    EXPECT_LE(systems.tree.cost().eliminated_rows, 15);
+  }
+  systems.expectSameSolution(199);
+}
+
 TEST(BayesTree, HasTheCovariancesOfTheDenseInverse) {
   Systems systems;
   systems.addFactor({systems.addVariable(3)});
