@@ -24,6 +24,8 @@ const SectionRegistrar<CeilingCameraConfig> kCeilingCameraSection;
 /// Images that wait longer than this are worth a word: the first ones come before the calibration.
 constexpr Duration kPatience = std::chrono::seconds(1);
 
+/// Some drivers repeat single images; from so many in a row on a camera hangs.
+constexpr int kHangs = 3;
 /// Cameras with an automatic focus calibrate each image anew, within less than this share of the
 /// focal length.
 constexpr double kSameFocal = 0.02;
@@ -68,6 +70,7 @@ void CameraGate::reset() {
   held_.clear();
   last_.reset();
   last_gray_ = cv::Mat();
+  repeats_ = 0;
   view_.reset();
   input_status_ = Status::ok();
   counters_.clear();
@@ -75,7 +78,9 @@ void CameraGate::reset() {
 
 void CameraGate::set(const CameraCalibration& calibration) {
   if (calibration_ && *calibration_ == calibration) return;
-  if (calibration_ && isZoomed(*calibration_, calibration)) {
+  auto fault = slam::faultOf(calibration);
+  const bool were_good = calibration_ && calibration_fault_.empty() && fault.empty();
+  if (were_good && isZoomed(*calibration_, calibration)) {
     counters_.add("calibration_changed");
     input_status_ = Status::warning(fmt::format(
         "the camera's calibration changes its focal length from {:g} to {:g} px; what was seen "
@@ -83,7 +88,7 @@ void CameraGate::set(const CameraCalibration& calibration) {
         calibration_->fx, calibration.fx));
   }
   calibration_ = calibration;
-  calibration_fault_ = slam::faultOf(calibration);
+  calibration_fault_ = std::move(fault);
   if (calibration_fault_.empty()) camera_ = std::make_shared<CameraModel>(calibration);
 }
 
@@ -128,8 +133,10 @@ Status CameraGate::letOut(Image image) {
   const auto& gray = view_->image.gray;
   view_->is_repeated = isRepeated(gray, last_gray_);
   last_gray_ = gray;
-  if (!view_->is_repeated) return Status::ok();
+  repeats_ = view_->is_repeated ? repeats_ + 1 : 0;
+  if (repeats_ == 0) return Status::ok();
   counters_.add("repeated");
+  if (repeats_ < kHangs) return Status::ok();
   return Status::warning(
       "the camera sent the same image again, to the bit, which tells nothing new and is left out: "
       "look whether its driver hangs (a simulated camera without noise does this while the robot "

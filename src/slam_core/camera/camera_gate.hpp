@@ -20,12 +20,13 @@ namespace slam {
 /// comes out as unusable. Neither an ideal lens nor an identity mount is ever assumed.
 ///
 /// A camera whose driver hangs sends the same image with new stamps. Its noise makes each true
-/// image another one, so an image that is the one before it, to the bit, comes out as repeated.
+/// image another one, so an image that is the one before it, to the bit, comes out as repeated,
+/// unless it is of a single gray, as behind a lens cap.
 ///
 /// Call order: configure(), set(...) of what has come, execute() until view() is empty.
 /// Counted: "late" (dropped), and of images that came out as unusable "unreadable", "image_size",
-/// "bad_calibration", "bad_mount", "no_calibration", "no_mount", "repeated". Calibrations that
-/// differ from the one before at the same size of the image count as "calibration_changed".
+/// "bad_calibration", "bad_mount", "no_calibration", "no_mount", "repeated". Calibrations
+/// whose focal length differs by 2 % at the same size of the image count as "calibration_changed".
 class CameraGate : public Gate {
  public:
   static constexpr std::size_t kCapacity = 30;
@@ -68,7 +69,7 @@ class CameraGate : public Gate {
   template <class Archive>
   void persist(Archive& archive) {
     archive(mount_, calibration_, calibration_fault_, mount_fault_, camera_, held_, last_,
-            input_status_, counters_);
+            input_status_, repeats_, counters_);
     persistMat(archive, last_gray_);
   }
 
@@ -90,6 +91,7 @@ class CameraGate : public Gate {
   std::deque<Image> held_;
   std::optional<Stamp> last_;
   cv::Mat last_gray_;  ///< of the usable image that came out last
+  int repeats_ = 0;    ///< images in a row that repeat it
   std::optional<CameraView> view_;
   Status input_status_;  ///< of the images since the last execute()
   Counters counters_;

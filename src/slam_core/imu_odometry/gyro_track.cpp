@@ -87,6 +87,8 @@ std::optional<GyroTurn> GyroTrack::between(Stamp start, Stamp end) const {
     turn.seconds += dt;
     turn.angle += turn.pieces.back().angle;
     turn.given_variance += dt * seconds(b.stamp - a.stamp) * b.variance;
+    for (const double rate : {a.rate, b.rate})
+      if (std::abs(rate) > std::abs(turn.fastest)) turn.fastest = rate;
     turn.is_repeated = a.repeats >= kRepeatsOfStuck && a.same_since <= start;
     reached = until;
   }

@@ -23,6 +23,7 @@ struct GyroTurn {
   double seconds = 0.0;         ///< of all pieces
   double angle = 0.0;           ///< of all pieces [rad]
   double given_variance = 0.0;  ///< of the angle, by the messages' covariances [rad^2]; 0: none
+  double fastest = 0.0;         ///< the largest rate of the samples, with its sign [rad/s]
   bool is_repeated = false;     ///< of one value that came again and again, since before the turn
 };
 

@@ -37,12 +37,6 @@ bool isRatioOfWheels(double gyro, double wheels) {
          std::abs(gyro) <= kMostRatio * std::abs(wheels);
 }
 
-/// As where a cable is loose, or a driver sends what is no reading.
-bool isBurst(double gyro, const Motion& wheels) {
-  return std::abs(gyro) > kFastestSpin * seconds(wheels.end - wheels.start) &&
-         !isRatioOfWheels(gyro, wheels.increment.theta());
-}
-
 }  // namespace
 
 void GyroTrust::Turns::add(double turned, const Motion& motion) {
@@ -65,6 +59,11 @@ bool GyroTrust::Turns::isTurn() const {
 bool GyroTrust::Turns::contradict(double bias_sigma) const {
   const double slack = straight() + noise() + kNoiseSigmas * bias_sigma * seconds;
   return std::abs(gyro - wheels) > slack && !isRatioOfWheels(gyro, wheels);
+}
+
+bool GyroTrust::isBurst(double rate, const Motion& wheels) {
+  const double turn = rate * slam::seconds(wheels.end - wheels.start);
+  return std::abs(rate) > kFastestSpin && !isRatioOfWheels(turn, wheels.increment.theta());
 }
 
 void GyroTrust::add(double gyro, const Motion& wheels, double bias_sigma) {
@@ -105,7 +104,7 @@ void GyroTrust::voteAgainst(std::size_t kind, double weight) {
 }
 
 bool GyroTrust::believes(double gyro, const Motion& wheels, double bias_sigma) const {
-  if (verdict_ == Verdict::kProven) return !isBurst(gyro, wheels);
+  if (verdict_ == Verdict::kProven) return true;
   if (verdict_ != Verdict::kUnproven) return false;
   auto turns = block_;
   turns.add(gyro, wheels);

@@ -28,8 +28,11 @@ class GyroTrust {
   /// @param bias_sigma [rad/s]
   void add(double gyro, const Motion& wheels, double bias_sigma);
   Verdict verdict() const { return verdict_; }
-  /// Whether the gyro is to be believed for this motion, before add(): not if the robot would have
-  /// spun faster than robots do, either.
+  /// Whether the gyro reports a spin that no robot makes unless its wheels do: such a motion tells
+  /// nothing of the gyro, and is not to be added.
+  /// @param rate of the gyro [rad/s]
+  static bool isBurst(double rate, const Motion& wheels);
+  /// Whether the gyro is to be believed for this motion, before add().
   bool believes(double gyro, const Motion& wheels, double bias_sigma) const;
   void reset() { *this = {}; }
 

@@ -110,6 +110,8 @@ WheelImuOdometry::Heading WheelImuOdometry::headingOf(const Motion& wheels,
   if (turn->is_repeated && contradicts) return Heading::kStuck;
   const bool is_proven = trust_.verdict() == GyroTrust::Verdict::kProven;
   if (standstill_.isResting() && (!is_proven || calibration_.rests(*turn))) return Heading::kRest;
+  if (trust_.verdict() == GyroTrust::Verdict::kProven && GyroTrust::isBurst(turn->fastest, wheels))
+    return Heading::kBurst;
   const bool is_believed = trust_.believes(angle, wheels, std::sqrt(calibration_.biasVariance()));
   return is_believed ? Heading::kGyro : Heading::kImplausible;
 }
@@ -128,12 +130,12 @@ Motion WheelImuOdometry::turned(const Motion& wheels, const GyroTurn& turn) cons
 void WheelImuOdometry::learn(const Motion& wheels, const std::optional<GyroTurn>& turn,
                              Heading heading) {
   calibration_.predict(secondsOf(wheels), motion_->increment.theta(), heading == Heading::kGyro);
-  if (!turn || heading == Heading::kStuck) return calibration_.pause();
+  if (!turn || heading == Heading::kStuck || heading == Heading::kBurst)
+    return calibration_.pause();
   trust_.add(calibration_.angle(*turn), wheels, std::sqrt(calibration_.biasVariance()));
-  const bool is_plausible = heading != Heading::kImplausible;
-  if (is_plausible && standstill_.isResting())
+  if (standstill_.isResting())
     calibration_.learnAtRest(*turn);
-  else if (is_plausible && trust_.verdict() == GyroTrust::Verdict::kProven)
+  else if (trust_.verdict() == GyroTrust::Verdict::kProven)
     calibration_.learnBesideWheels(*turn, wheels);
   else
     calibration_.pause();
@@ -144,7 +146,8 @@ Status WheelImuOdometry::explain(Duration interval, Heading heading, bool has_me
   if (has_measured_turn) said_ = Heading::kGyro;
   if (heading == Heading::kSilent) counters_.add("gyro_silent");
   if (heading == Heading::kStuck) counters_.add("gyro_stuck");
-  if (heading == Heading::kImplausible) counters_.add("gyro_implausible");
+  if (heading == Heading::kImplausible || heading == Heading::kBurst)
+    counters_.add("gyro_implausible");
   silent_for_ = heading == Heading::kSilent ? silent_for_ + interval : Duration{};
   const auto sentence = sentenceOf(heading);
   if (sentence.empty() || said_ == heading) return Status::ok();
@@ -159,10 +162,10 @@ std::string WheelImuOdometry::sentenceOf(Heading heading) const {
   if (heading == Heading::kStuck)
     return "the IMU repeats one angular velocity, which the wheels contradict; start its driver "
            "again";
+  if (heading == Heading::kBurst)
+    return "the IMU measures a turn that is faster than robots spin, and the wheels do not confirm "
+           "it; see whether its cable is loose";
   if (heading != Heading::kImplausible) return "";
-  if (trust_.verdict() == Verdict::kProven)
-    return "the IMU measures a turn that is faster than robots spin, and the wheels did not turn; "
-           "see whether its cable is loose";
   if (trust_.verdict() == Verdict::kTooLarge)
     return "the IMU measures turns several times as large as the wheels, as one that counts in "
            "degrees; set imu.units in the robot file";

@@ -59,7 +59,7 @@ class WheelImuOdometry final : public OdometrySource {
 
  private:
   /// Who says how the robot turned.
-  enum class Heading { kGyro, kRest, kSilent, kStuck, kImplausible };
+  enum class Heading { kGyro, kRest, kSilent, kStuck, kBurst, kImplausible };
 
   Status takeWheels();
   bool isDue(const Motion& wheels) const;

@@ -31,11 +31,10 @@ bool isGap(const Motion& before, const Motion& after) {
   return after.start > before.end + kRounding && after.base_frame == before.base_frame;
 }
 
-/// Motion that came more often is missing. @param usual duration of a motion
-bool isLong(const Motion& motion, Duration usual) {
+/// Whether motion that usually comes more often is missing in this one.
+bool isSilence(const Motion& motion, const UsualInterval& usual) {
   constexpr Duration kLongestGuess = std::chrono::seconds(1);
-  const auto interval = motion.end - motion.start;
-  return interval > kLongestGuess && interval > 3 * usual;
+  return usual.isExceededBy(motion.end - motion.start, kLongestGuess);
 }
 
 bool hasMoved(const Motion& motion) {
@@ -104,17 +103,18 @@ MotionGap::Bridge MotionGap::bridge(Motion& motion) {
     return Bridge::kUnknown;
   }
   const auto before = predecessorOf(motion);
-  const auto usual = last_ ? last_->end - last_->start : motion.end - motion.start;
+  const auto usual = usual_;
+  const bool is_silence = isSilence(motion, usual);
+  usual_.note(motion.end - motion.start);
   last_ = motion;
-  learnRate(motion);
+  if (!is_silence || worst_rate_.isZero()) learnRate(motion);
   learnScales(motion);
   const bool is_gap = before && isGap(*before, motion);
   const bool tells = is_gap && !is_unknown && posesTell(*before, motion);
   const auto own_end = is_gap ? motion.start : motion.end;
-  if (isLong(motion, usual))
-    motion.covariance = worse(motion.covariance, onAnyWay(motion).covariance);
+  if (is_silence) motion.covariance = worse(motion.covariance, onAnyWay(motion).covariance);
   if (is_gap) motion = joined(tells ? across(*before, motion) : coasted(*before, motion), motion);
-  if (isLong(motion, usual) && hasMoved(motion)) unknown_way_ = {motion.start, own_end};
+  if (isSilence(motion, usual) && hasMoved(motion)) unknown_way_ = {motion.start, own_end};
   coasting_.add(last_->increment, last_->end - last_->start);
   if (!is_gap) return Bridge::kNone;
   return tells ? Bridge::kByPoses : Bridge::kByVelocity;

@@ -8,6 +8,7 @@
 
 #include "slam_core/models/coasting.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/usual_interval.hpp"
 
 namespace slam {
 
@@ -18,7 +19,7 @@ enum class Interruption {
 };
 
 /// Bridges the gaps between an odometry's motions, whatever made them: messages lost, a source that
-/// was restarted, an odometry that was silent and tells the motion since then as one. Each motion
+/// was restarted, an odometry that was silent and reports the motion since then as one. Each motion
 /// carries the odometry's poses, whose difference is the motion in the gap. They are as the wheels
 /// measured them, and are scaled as the increments were so far. They have no covariance: the noise
 /// is assumed to have been, all the while, that of the odometry's worst tenth of a second so far.
@@ -55,8 +56,8 @@ class MotionGap {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(last_, before_jump_, since_jump_, span_, span_covariance_, worst_rate_, knows_rate_,
-            way_scale_, turn_scale_, coasting_);
+    archive(last_, before_jump_, since_jump_, usual_, span_, span_covariance_, worst_rate_,
+            knows_rate_, way_scale_, turn_scale_, coasting_);
   }
 
  private:
@@ -94,6 +95,7 @@ class MotionGap {
   std::optional<Motion> last_;
   std::optional<Motion> before_jump_;  ///< of the stamps, ahead or back
   int since_jump_ = 0;                 ///< motions
+  UsualInterval usual_;                ///< of the motions
   Duration span_{};                    ///< of increments since the last rate
   Eigen::Matrix3d span_covariance_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d worst_rate_ = Eigen::Matrix3d::Zero();  ///< covariance in a second

@@ -35,7 +35,13 @@ GridRecogniser::GridRecogniser(const RelocalisationConfig& config,
       trials_(config.odds) {}
 
 void GridRecogniser::see(const LaserScan& scan) {
-  if (local_.take(scan) && map_) {
+  const bool is_kept = local_.take(scan);
+  if (local_.hasBegunAnew()) {
+    trials_.forget();
+    confirmed_at_.reset();
+    searched_ = 0.0;
+  }
+  if (is_kept && map_) {
     trials_.see(local_.kept().back(), map_->view(), matcher_);
     if (!confirmed_at_ && trials_.hasEnough()) is_due_ = true;
   }

@@ -58,8 +58,12 @@ bool LocalScans::take(const LaserScan& scan) {
   const auto points = scan_matching::pointsOf(scan, models_, spacing_);
   const auto motion = std::exchange(carried_, std::nullopt);
   const auto before = robot();
-  tracker_.track(map_->view(), points, scan.stamp, motion);
-  gone_ += (robot().position() - before.position()).norm();
+  const auto found = tracker_.track(map_->view(), points, scan.stamp, motion);
+  has_begun_anew_ = found.is_anywhere;
+  if (has_begun_anew_)
+    forget();
+  else
+    gone_ += (robot().position() - before.position()).norm();
   const bool is_kept = !points[0].ends.empty() && (kept_.empty() || trigger_.isDue(robot()));
   if (is_kept) keep(points);
   return is_kept;

@@ -39,6 +39,10 @@ class LocalScans {
   bool take(const LaserScan& scan);
   void forget();
 
+  /// Whether take() has forgotten all scans but the last one, since motion before it was missing
+  /// for so long that nobody knows how they lie to it.
+  bool hasBegunAnew() const { return has_begun_anew_; }
+
   bool isEmpty() const { return kept_.empty(); }
   /// The scans that are kept, the latest last.
   const std::deque<LocalScan>& kept() const { return kept_; }
@@ -52,7 +56,7 @@ class LocalScans {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(tracker_, trigger_, drawn_, kept_, carried_, gone_);
+    archive(tracker_, trigger_, drawn_, kept_, carried_, gone_, has_begun_anew_);
     archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(config_); });
   }
 
@@ -70,6 +74,7 @@ class LocalScans {
   std::deque<LocalScan> kept_;
   std::optional<Motion> carried_;
   double gone_ = 0.0;
+  bool has_begun_anew_ = false;
 };
 
 }  // namespace slam::relocalisation

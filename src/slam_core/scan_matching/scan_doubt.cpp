@@ -47,9 +47,12 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   agreement_ = match.agreement;
   is_determined_ = match.is_determined;
   jumped_ = match.jumped;
-  is_astray_ = match.is_astray;
-  evidence_ = is_astray_ ? std::max(kMostOfAScan, threshold_ - sum_) : evidenceOf(match);
-  add(is_astray_ ? evidence_ : weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
+  is_anywhere_ = match.is_anywhere;
+  evidence_ = is_anywhere_ ? kMostOfAScan : evidenceOf(match);
+  if (is_anywhere_)
+    beLost(stamp);
+  else
+    add(weight * evidence_ + (jumped_ ? kOfAJump : 0.0), stamp);
   if (statistic() < kRight) usual_.learn(agreement_, weight);
   pose_ = match.pose;
   stamp_ = stamp;
@@ -73,6 +76,12 @@ void ScanDoubt::add(double evidence, Stamp stamp) {
   if (sum_ >= threshold_ && !lost_since_) lost_since_ = began_;
 }
 
+void ScanDoubt::beLost(Stamp stamp) {
+  add(evidence_, stamp);
+  sum_ = std::max(sum_, threshold_);
+  if (!lost_since_) lost_since_ = stamp;
+}
+
 bool ScanDoubt::admits() const {
   if (agreement_.contradictingShare() > lost_share_) return false;
   return (!isLost() && statistic() < kDoubtful) || evidence_ <= 0.0;
@@ -80,7 +89,7 @@ bool ScanDoubt::admits() const {
 
 Status ScanDoubt::status() const {
   constexpr double kDegrees = 180.0 / M_PI;
-  if (lost_since_ && is_astray_)
+  if (lost_since_ && is_anywhere_)
     return Status::alarm(
         "the robot is lost: motion was missing for so long that it may be anywhere around; drive "
         "on where the robot has been, or set an initial pose");
@@ -103,7 +112,7 @@ void ScanDoubt::forget() {
   lost_since_.reset();
   pose_.reset();
   jumped_.reset();
-  is_astray_ = false;
+  is_anywhere_ = false;
   is_determined_ = false;
   agreement_ = {};
 }

@@ -21,7 +21,7 @@ namespace slam::scan_matching {
 ///
 /// Scans in quick succession see the same and have the same errors. So the weight of a scan grows
 /// with the distance, the turn and the time since the last one, up to 1. The sum never exceeds 2 h.
-/// A robot that is astray, since motion was missing for too long, is lost at once.
+/// A robot that may be anywhere, since motion was missing for too long, is lost at once.
 /// An alarm ends when the sum is back at zero, or when the robot is put at a new place.
 class ScanDoubt {
  public:
@@ -61,7 +61,7 @@ class ScanDoubt {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(usual_, sum_, evidence_, began_, lost_since_, pose_, jumped_, is_astray_,
+    archive(usual_, sum_, evidence_, began_, lost_since_, pose_, jumped_, is_anywhere_,
             is_determined_, stamp_, agreement_);
   }
 
@@ -70,6 +70,7 @@ class ScanDoubt {
   double weightOf(const Pose2& pose, Stamp stamp) const;
   double evidenceOf(const Match& match) const;
   void add(double evidence, Stamp stamp);
+  void beLost(Stamp stamp);
 
   double lost_share_, threshold_;
   bool map_is_fixed_;
@@ -80,7 +81,7 @@ class ScanDoubt {
   std::optional<Stamp> lost_since_;
   std::optional<Pose2> pose_;    ///< of the last scan
   std::optional<Pose2> jumped_;  ///< of the last scan, relative to the predicted pose
-  bool is_astray_ = false;       ///< motion has told no place for the last scan
+  bool is_anywhere_ = false;     ///< by the last scan
   bool is_determined_ = false;   ///< the pose, by the last scan
   Stamp stamp_;
   Agreement agreement_;

@@ -34,8 +34,7 @@ constexpr SearchWindow kAround{10.0, M_PI};  // [m], [rad]
 /// Two poses that are further from each other are two places.
 constexpr SearchWindow kOtherPlace{0.5, 0.3};  // [m], [rad]
 /// Without odometry, the windows grow until they cover the sigma of the guess, or this where it is
-/// smaller. They are doubled, so that the last one may be up to twice as large. With odometry a
-/// pose that is less certain tells no place.
+/// smaller. They are doubled, so that the last one may be up to twice as large.
 constexpr SearchWindow kWidestGuess{2.0, 1.6};  // [m], [rad]
 
 /// The scan with fewer ends, that are as far apart as about two cells: they show as well where
@@ -77,26 +76,6 @@ bool showsOnePlace(const Match& match) {
          kSigmas * std::sqrt(P(2, 2)) <= kOtherPlace.heading;
 }
 
-/// Of a prior that knows something of all three.
-SearchWindow sigmasOf(const PosePrior& prior) {
-  const Eigen::Matrix3d P = prior.information.inverse();
-  return {std::sqrt(largestEigenvalue(P.topLeftCorner<2, 2>())), std::sqrt(P(2, 2))};
-}
-
-/// As after a gap in odometry.
-bool tellsNoPlace(const PosePrior& prior) {
-  if (!prior.is_measured || prior.information.determinant() <= 0.0) return false;
-  const auto sigmas = sigmasOf(prior);
-  return sigmas.position > kWidestGuess.position || sigmas.heading > kWidestGuess.heading;
-}
-
-Match astrayAt(const PosePrior& prior) {
-  Match match;
-  match.pose = prior.pose;
-  match.is_astray = true;
-  return match;
-}
-
 double endsOf(const ScanLevels& scan) { return static_cast<double>(scan[0].ends.size()); }
 
 bool isBetter(const Match& found, const Match& best, double surplus) {
@@ -107,7 +86,6 @@ bool isBetter(const Match& found, const Match& best, double surplus) {
 
 Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                               bool may_use_wide_window) const {
-  if (tellsNoPlace(prior)) return astrayAt(prior);
   auto best = matchNearby(map, scan, prior);
   for (const auto& window : windowsAround(prior)) {
     if (!isDoubtful(best)) break;
@@ -125,9 +103,10 @@ Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const 
 std::vector<SearchWindow> ScanToMapMatcher::windowsAround(const PosePrior& prior) const {
   std::vector<SearchWindow> windows = {{config_.window_position, config_.window_heading}};
   if (prior.is_measured || prior.information.determinant() <= 0.0) return windows;
-  const auto sigmas = sigmasOf(prior);
-  const SearchWindow widest{std::min(kWidestGuess.position, sigmas.position),
-                            std::min(kWidestGuess.heading, sigmas.heading)};
+  const Eigen::Matrix3d P = prior.information.inverse();
+  const double position = std::sqrt(largestEigenvalue(P.topLeftCorner<2, 2>()));
+  const SearchWindow widest{std::min(kWidestGuess.position, position),
+                            std::min(kWidestGuess.heading, std::sqrt(P(2, 2)))};
   const auto is_narrower = [&](const SearchWindow& window) {
     return window.position < widest.position || window.heading < widest.heading;
   };

@@ -24,7 +24,9 @@ struct Match {
   bool is_determined = false;     ///< enough ends fit the map
   bool was_searched = false;      ///< nothing fitted at the prior
   bool wide_search_done = false;  ///< it may have found nothing
-  bool is_astray = false;         ///< the prior tells no place
+  /// Motion was missing for so long that the robot may be anywhere around; the scan was not
+  /// matched.
+  bool is_anywhere = false;
   /// The pose that a wide search found, relative to the prior's.
   std::optional<Pose2> jumped;
 };
@@ -35,10 +37,6 @@ struct Match {
 /// better place (Olson 2009); without odometry this window grows until it covers the sigma of the
 /// guess. If necessary it searches a wide window, so that the robot is found again after its wheels
 /// slipped or stood still.
-///
-/// After a gap in odometry the prior may be wider than any of this. The place where a scan fits
-/// next to it is then one of several, so that the scan counts where it fits only one place in a
-/// window of two sigmas.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}

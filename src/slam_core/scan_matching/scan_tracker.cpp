@@ -3,6 +3,7 @@
 
 #include "slam_core/scan_matching/scan_tracker.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,16 @@ Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
   return of_robot.diagonal().cwiseMax(0.0).cwiseMin(1.0);
 }
 
+/// The motion is less certain than any window in which a scan is searched.
+bool leadsAnywhere(const Motion& motion) {
+  constexpr double kPosition = 2.0, kHeading = 1.6;  // [m], [rad]
+  const Eigen::Matrix3d& P = motion.covariance;
+  const double widest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P.topLeftCorner<2, 2>(),
+                                                                       Eigen::EigenvaluesOnly)
+                            .eigenvalues()(1);
+  return widest > kPosition * kPosition || P(2, 2) > kHeading * kHeading;
+}
+
 }  // namespace
 
 void SweepInterval::note(Duration interval) {
@@ -75,6 +86,7 @@ void ScanTracker::restart(const PoseEstimate& place) {
   shares_.setZero();
   was_known_.setConstant(true);
   unconfirmed_.setZero();
+  is_anywhere_ = false;
 }
 
 /// By the last velocity. Where no scan has confirmed it for a time, what it is off by makes an
@@ -101,19 +113,22 @@ Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp
   if (told) unconfirmed_.setZero();
   const auto motion = told ? *told : motionOf(interval);
   const Pose2 before = robot_.pose;
-  const auto found =
-      map.isEmpty() ? move(motion) : match(map, scan, stamp, motion, told.has_value());
+  is_anywhere_ = is_anywhere_ || (told && !map.isEmpty() && leadsAnywhere(*told));
+  const auto found = map.isEmpty() || is_anywhere_
+                         ? move(motion)
+                         : match(map, scan, stamp, motion, told.has_value());
   if (gap > Duration::zero())
     learnVelocity(before.between(found.pose), gap, found.jumped.has_value());
   stamp_ = stamp;
   return found;
 }
 
-/// Where there is nothing to match with.
+/// Where there is nothing to match with, or nothing that could be believed.
 Match ScanTracker::move(const Motion& motion) {
   Eigen::Matrix3d J_pose, J_u;
   Match found;
   found.pose = robot_.pose.compose(motion.increment, &J_pose, &J_u);
+  found.is_anywhere = is_anywhere_;
   shares_.setZero();
   step_ = {motion.increment, motion.covariance, Eigen::Matrix3d::Identity()};
   robot_ = {found.pose, clampedHeading(symmetric(J_pose * robot_.covariance * J_pose.transpose() +

@@ -53,6 +53,11 @@ struct MotionLimits {
 
 /// Tracks a robot through a map from scan to scan. Each scan is searched at the pose predicted from
 /// the last pose and the motion since then, or from the last velocity if no motion is known.
+///
+/// A single motion that is less certain than 2 m or 1.6 rad, as that of a gap in odometry, leaves
+/// the robot anywhere around. Then the place where a scan fits next to the prediction is one of
+/// several, and the true one need not be in the map yet. So no scan is matched any more, until the
+/// robot is put somewhere (restart()), or the map is drawn from its pose (anchor()).
 class ScanTracker {
  public:
   explicit ScanTracker(const MatcherConfig& config = {}, const MotionLimits& limits = {})
@@ -69,7 +74,10 @@ class ScanTracker {
   void moveTo(const Pose2& pose) { robot_.pose = pose; }
   /// The part of the map around the robot has just been drawn from its pose: relative to this part,
   /// the covariance of the pose becomes zero.
-  void anchor() { robot_.covariance.setZero(); }
+  void anchor() {
+    robot_.covariance.setZero();
+    is_anywhere_ = false;
+  }
 
   /// The motion to the last scan. Errors that both poses share, since they were found in the same
   /// map, cancel. In directions that the scan does not determine, such as along a corridor, its
@@ -82,7 +90,7 @@ class ScanTracker {
   template <class Archive>
   void persist(Archive& archive) {
     archive(robot_, step_, slip_, stamp_, wide_search_, sweeps_, velocity_, shares_, was_known_,
-            unconfirmed_);
+            unconfirmed_, is_anywhere_);
   }
 
  private:
@@ -114,6 +122,7 @@ class ScanTracker {
   Eigen::Array<bool, 3, 1> was_known_ = Eigen::Array<bool, 3, 1>::Constant(true);
   /// Time since a scan confirmed each component of the velocity [s].
   Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();
+  bool is_anywhere_ = false;  ///< since a motion of which little is known
 };
 
 /// Tells when the robot has moved or turned far enough for a scan to show something new.

@@ -19,7 +19,7 @@ std::vector<graph::Key> Surroundings::gather(const std::vector<std::size_t>& obs
     by_distance.emplace_back((landmarks_.point(landmark) - robot).norm(), landmark);
   std::sort(by_distance.begin(), by_distance.end());
   by_distance.resize(std::min(by_distance.size(), most_));
-  radius_ = std::max(kLeastRadius, by_distance.back().first);
+  radius_ = by_distance.empty() ? kLeastRadius : std::max(kLeastRadius, by_distance.back().first);
   near_ = observed;
   std::vector<graph::Key> gathered;
   for (const auto& [distance, landmark] : by_distance) {

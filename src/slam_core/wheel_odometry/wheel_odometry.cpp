@@ -65,6 +65,7 @@ void WheelOdometry::beginAnew() {
   last_.reset();
   suspect_.reset();
   coasting_ = {};
+  usual_ = {};
   has_twist_ = false;
 }
 
@@ -139,13 +140,14 @@ Status WheelOdometry::crossJump() {
 }
 
 Status WheelOdometry::followTwist() {
-  constexpr Duration kLongestHold = std::chrono::seconds(1);  // of a twist that is not in doubt
+  constexpr Duration kLongestHold = std::chrono::seconds(2);  // of a twist that is not in doubt
   const bool is_possible = limit_.allows(last_->twist);
   const auto interval = input_.stamp - last_->stamp;
   auto motion = is_possible
                     ? motionBetween(*last_, input_, Pose2::exp(seconds(interval) * last_->twist))
                     : unmeasuredTo(input_);
-  if (is_possible && interval > kLongestHold) motion.covariance += coasting_.covariance(interval);
+  if (is_possible && usual_.isExceededBy(interval, kLongestHold))
+    motion.covariance += coasting_.covariance(interval);
   motion.odometry_start = odometry_pose_;
   take(motion);
   if (is_possible) return Status::ok();
@@ -159,6 +161,7 @@ void WheelOdometry::take(const Motion& motion) {
   motion_->sequence = next_sequence_++;
   odometry_pose_ = motion_->odometry_end;
   coasting_.add(motion.increment, motion.end - motion.start);
+  usual_.note(motion.end - motion.start);
   has_twist_ = has_twist_ || (!input_.twist.isZero(0.0) && limit_.allows(input_.twist));
   last_ = input_;
   suspect_.reset();

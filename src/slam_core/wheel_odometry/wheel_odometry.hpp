@@ -10,6 +10,7 @@
 #include "slam_core/models/coasting.hpp"
 #include "slam_core/models/motion_model.hpp"
 #include "slam_core/models/odometry_sample.hpp"
+#include "slam_core/models/usual_interval.hpp"
 #include "slam_core/wheel_odometry/speed_limit.hpp"
 
 namespace slam::wheel_odometry {
@@ -72,7 +73,7 @@ class WheelOdometry final : public OdometrySource {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(input_, last_, ahead_, suspect_, coasting_, has_twist_, odometry_pose_, motion_,
+    archive(input_, last_, ahead_, suspect_, coasting_, usual_, has_twist_, odometry_pose_, motion_,
             next_sequence_, counters_);
   }
 
@@ -107,6 +108,7 @@ class WheelOdometry final : public OdometrySource {
   std::optional<OdometrySample> ahead_;    ///< whose stamp jumped ahead and waits for another
   std::optional<OdometrySample> suspect_;  ///< whose pose waits for the next one
   Coasting coasting_;
+  UsualInterval usual_;
   bool has_twist_ = false;  ///< the driver tells them
   Pose2 odometry_pose_;     ///< T_odom_base at last_
   std::optional<Motion> motion_;

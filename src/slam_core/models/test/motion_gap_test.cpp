@@ -7,7 +7,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <utility>
 
 #include "slam_core/models/test/simulated_world.hpp"
 
@@ -75,39 +74,6 @@ TEST(MotionGap, IsAsUncertainAsALongerWayMayHaveMadeIt) {
       << next.covariance << "\n\n"
       << expected.covariance;
   EXPECT_EQ(faultOf(next), "");
-}
-
-/// An odometry that was silent tells of the motion since then as if it were one arc.
-TEST(MotionGap, MayBeWithinOneMotion) {
-  constexpr int kFirst = 4, kNext = kFirst + 9 * test::SimulatedWorld::kLap / 10;
-  const auto all = drive(kNext + 1);
-  auto lost = gapBehind(all, kFirst + 1), silent = lost;
-  auto next = all[kNext];
-  ASSERT_EQ(lost.bridge(next), Bridge::kByPoses);
-  Motion one = next;
-  one.covariance = all[kNext].covariance;
-  EXPECT_EQ(silent.bridge(one), Bridge::kNone);
-  EXPECT_EQ(one.start, next.start);
-  EXPECT_EQ(one.increment.vector(), next.increment.vector());
-  EXPECT_TRUE(one.covariance.isApprox(next.covariance, 0.05)) << one.covariance;
-  ASSERT_TRUE(silent.unknownWay());
-  EXPECT_EQ(silent.unknownWay()->first, one.start);
-  EXPECT_EQ(silent.unknownWay()->second, one.end);
-}
-
-TEST(MotionGap, HidesNoWayOfAnOdometryThatIsAlwaysSlow) {
-  MotionGap gap;
-  auto motion = drive(1)[0];
-  motion.end = motion.start + std::chrono::seconds(2);
-  for (int i = 0; i < 5; ++i) {
-    const auto covariance = motion.covariance;
-    EXPECT_EQ(gap.bridge(motion), Bridge::kNone);
-    EXPECT_EQ(motion.covariance, covariance);
-    EXPECT_FALSE(gap.unknownWay());
-    motion.odometry_start =
-        std::exchange(motion.odometry_end, motion.odometry_end * motion.increment);
-    motion.start = std::exchange(motion.end, motion.end + std::chrono::seconds(2));
-  }
 }
 
 TEST(MotionGap, OfWheelsThatHaveNotTurnedHidesNoWay) {

@@ -99,16 +99,6 @@ TEST_F(MatchingInARoom, ARobotCarriedAwayHardlyEverFitsAPlaceThatLooksAlike) {
   EXPECT_LT(wrong, 10) << "of 841; 17 where a jump does not have to beat its rivals";
 }
 
-/// It might look like the true one, which the map need not have yet.
-TEST_F(MatchingInARoom, AfterAGapInOdometryBelievesNoPlaceThatTheScanFits) {
-  EXPECT_FALSE(matched(priorAt(truth, 1.5)).is_astray);
-  const auto match = matched(priorAt(truth, 3.0));
-  EXPECT_TRUE(match.is_astray);
-  EXPECT_FALSE(match.is_determined);
-  EXPECT_TRUE(match.information.isZero());
-  EXPECT_EQ(match.pose.vector(), truth.vector());
-}
-
 TEST_F(MatchingInARoom, ErrsByAsMuchAsItSays) {
   double squares = 0.0;
   constexpr int kScans = 100;

@@ -54,6 +54,27 @@ TEST_F(TrackedRobot, WhatAScanCorrectsAfterBlindOnesIsNotTakenForSpeed) {
   EXPECT_LT(before.between(tracker.robot().pose).position().norm(), 0.02) << "it stands again";
 }
 
+TEST_F(TrackedRobot, MayBeAnywhereAfterAGapInOdometry) {
+  const auto after = [&](double sigma) {
+    Motion gap;
+    gap.increment = Pose2(0.1, 0.1, 0.0);
+    gap.covariance = sigma * sigma * Eigen::Matrix3d::Identity();
+    stamp += std::chrono::seconds(12);
+    return tracker.track(map.view(), pointsOf(last.scan, models, kTrackedSpacing), stamp, gap);
+  };
+  EXPECT_TRUE(after(0.5).is_determined);
+  EXPECT_LT(error(), 0.03);
+  const auto lost = after(3.0);
+  EXPECT_TRUE(lost.is_anywhere);
+  EXPECT_FALSE(lost.is_determined);
+  EXPECT_GT(tracker.robot().covariance(0, 0), 9.0);
+  EXPECT_TRUE(after(0.01).is_anywhere) << "another place might look like the true one";
+  EXPECT_GT(tracker.robot().covariance(0, 0), 9.0);
+  tracker.restart({last.truth, 9.0 * Eigen::Matrix3d::Identity()});
+  EXPECT_TRUE(after(0.01).is_determined) << "somebody has put it there, however uncertain";
+  EXPECT_LT(error(), 0.03);
+}
+
 TEST_F(TrackedRobot, AVelocityStaysBelowWhatTheRobotCanDo) {
   MotionLimits limits;
   limits.speed = 0.3;

@@ -112,9 +112,7 @@ TEST_P(VisualOdometryTest, DoesNotDriftWhileTheRobotStands) {
 
 TEST_P(VisualOdometryTest, TakesTheSameImageTwiceForStanding) {
   const auto image = picture(Pose2());
-  EXPECT_TRUE(show(image).isOk());
-  for (int i = 0; i < 2; ++i)
-    EXPECT_NE(show(image).message.find("the same image again"), std::string::npos);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(show(image).isOk());
   expectNear(motion().increment, Pose2(), 1e-6, 1e-6);
   EXPECT_EQ(faultOf(motion()), "");
 }

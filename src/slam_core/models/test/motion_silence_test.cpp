@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "slam_core/models/motion_gap.hpp"
+#include "slam_core/models/test/simulated_world.hpp"
+
+// An odometry that was silent may report the motion since then as if it were one arc.
+
+namespace slam {
+namespace {
+
+using Bridge = MotionGap::Bridge;
+
+/// Most of a lap in a circle.
+constexpr int kSilence = 9 * test::SimulatedWorld::kLap / 10;
+
+/// A robot that drives in a circle, and its odometry.
+class SilentOdometry : public testing::Test {
+ protected:
+  void drive(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      auto motion = world_.next().motion;
+      EXPECT_EQ(gap_.bridge(motion), Bridge::kNone);
+      EXPECT_FALSE(gap_.unknownWay());
+    }
+  }
+  /// @return the motion that is reported after a silence of so many steps
+  Motion silent(int steps) {
+    auto motion = world_.next().motion;
+    for (int i = 1; i < steps; ++i) motion = joined(motion, world_.next().motion);
+    EXPECT_EQ(gap_.bridge(motion), Bridge::kNone);
+    return motion;
+  }
+  /// @return the motion after as many steps whose motions were lost
+  Motion lost(int steps) {
+    for (int i = 1; i < steps; ++i) world_.next();
+    auto motion = world_.next().motion;
+    EXPECT_EQ(gap_.bridge(motion), Bridge::kByPoses);
+    return motion;
+  }
+
+  test::SimulatedWorld world_{1};
+  MotionGap gap_;
+};
+
+TEST_F(SilentOdometry, IsAsUncertainAsAGap) {
+  drive(5);
+  auto other = gap_;
+  auto world = world_;
+  const auto after_silence = silent(kSilence);
+  ASSERT_TRUE(gap_.unknownWay());
+  EXPECT_EQ(gap_.unknownWay()->first, after_silence.start);
+  EXPECT_EQ(gap_.unknownWay()->second, after_silence.end);
+  std::swap(gap_, other);
+  std::swap(world_, world);
+  const auto after_loss = lost(kSilence);
+  EXPECT_LT((after_silence.increment.vector() - after_loss.increment.vector()).norm(), 1e-9);
+  EXPECT_TRUE(after_silence.covariance.isApprox(after_loss.covariance, 0.1))
+      << after_silence.covariance << "\n\n"
+      << after_loss.covariance;
+}
+
+TEST_F(SilentOdometry, IsSoTheSecondTimeAsWell) {
+  drive(5);
+  silent(kSilence);
+  silent(kSilence);
+  EXPECT_TRUE(gap_.unknownWay());
+  drive(5);
+}
+
+TEST_F(SilentOdometry, DoesNotSpoilWhatIsKnownOfItsNoise) {
+  drive(5);
+  auto other = gap_;
+  auto doubtful = world_.next().motion;
+  for (int i = 1; i < kSilence; ++i) doubtful = joined(doubtful, world_.next().motion);
+  doubtful.covariance = Eigen::Matrix3d::Identity();  // as of a twist that was held
+  EXPECT_EQ(gap_.bridge(doubtful), Bridge::kNone);
+  drive(5);
+  const auto after = lost(5);
+  gap_ = other;
+  world_ = test::SimulatedWorld(1);
+  for (int i = 0; i < 5; ++i) world_.next();
+  drive(kSilence + 5);
+  const auto without = lost(5);
+  EXPECT_TRUE(after.covariance.isApprox(without.covariance, 0.1)) << after.covariance;
+}
+
+TEST_F(SilentOdometry, IsNotMeantByOneThatIsAlwaysSlow) {
+  auto motion = world_.next().motion;
+  motion.end = motion.start + std::chrono::seconds(2);
+  for (int i = 0; i < 5; ++i) {
+    const auto covariance = motion.covariance;
+    EXPECT_EQ(gap_.bridge(motion), Bridge::kNone);
+    EXPECT_EQ(motion.covariance, covariance);
+    EXPECT_FALSE(gap_.unknownWay());
+    motion.odometry_start =
+        std::exchange(motion.odometry_end, motion.odometry_end * motion.increment);
+    motion.start = std::exchange(motion.end, motion.end + std::chrono::seconds(2));
+  }
+}
+
+}  // namespace
+}  // namespace slam
