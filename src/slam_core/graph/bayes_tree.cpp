@@ -272,18 +272,18 @@ void BayesTree::solve(Clique& c, double threshold) {
   }
 }
 
-Eigen::VectorXd BayesTree::solved() const {
-  Eigen::VectorXd x = solution_;
-  std::vector<int> next = roots_;
+Eigen::VectorXd solved(const BayesTree& tree) {
+  Eigen::VectorXd x = tree.solution_;
+  std::vector<int> next = tree.roots_;
   while (!next.empty()) {
-    const auto& c = clique(next.back());
+    const auto& c = tree.clique(next.back());
     next.pop_back();
-    const Eigen::VectorXd part = onFrontals(c, onSeparator(c, x));
+    const Eigen::VectorXd part = tree.onFrontals(c, tree.onSeparator(c, x));
     int row = 0;
-    for (std::size_t i = 0; i < index(c.frontals); ++i) {
-      const auto k = index(c.keys[i]);
-      x.segment(offsets_[k], rows_[k]) = part.segment(row, rows_[k]);
-      row += rows_[k];
+    for (std::size_t i = 0; i < BayesTree::index(c.frontals); ++i) {
+      const auto k = BayesTree::index(c.keys[i]);
+      x.segment(tree.offsets_[k], tree.rows_[k]) = part.segment(row, tree.rows_[k]);
+      row += tree.rows_[k];
     }
     next.insert(next.end(), c.children.begin(), c.children.end());
   }

@@ -51,7 +51,7 @@ class BayesTree {
                                                                   rows_[index(key)]);
   }
   /// The minimum of all variables, one after the other, where nothing waits.
-  Eigen::VectorXd solved() const;
+  friend Eigen::VectorXd solved(const BayesTree& tree);
   /// Makes the solution of a variable its new origin, so that the solution becomes 0. The gradients
   /// of all its factors have to be replaced before the next update().
   void moveOrigin(Key key);
@@ -162,5 +162,6 @@ class BayesTree {
 };
 
 void removeVariable(BayesTree& tree, Key key);
+Eigen::VectorXd solved(const BayesTree& tree);
 
 }  // namespace slam::graph

@@ -188,7 +188,7 @@ bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {
 }
 
 std::vector<Pose2> settled(const Optimizer& graph) {
-  const Eigen::VectorXd x = graph.tree_.solved();
+  const Eigen::VectorXd x = solved(graph.tree_);
   std::vector<Pose2> estimates;
   Eigen::Index row = 0;
   for (Key key = 0; key < static_cast<Key>(graph.variables_.size()); ++key) {

@@ -148,7 +148,7 @@ TEST(BayesTree, PassesChangesOnInSeveralSteps) {
   const Eigen::VectorXd x = systems.dense.H().ldlt().solve(systems.dense.g());
   systems.tree.solve(0.0, kNumbers);
   EXPECT_TRUE(systems.tree.solution(kVariables - 1).isApprox(x.tail<3>(), 1e-8));
-  EXPECT_TRUE(systems.tree.solved().isApprox(x, 1e-8));
+  EXPECT_TRUE(solved(systems.tree).isApprox(x, 1e-8));
   int steps = 1;
   while (!systems.tree.solve(0.0, kNumbers).empty() && steps < kMostSteps) ++steps;
   EXPECT_GT(steps, 1);
