@@ -145,7 +145,8 @@ TEST(CameraCalibration, IsRefusedWithADistortionOfNoLens) {
       coefficients[which] = wild;
       if (which == 1 && std::abs(wild) < 1e3) continue;  // r^4 is small near the middle
       EXPECT_EQ(faultOf(camera("plumb_bob", coefficients)), reason) << which << ' ' << wild;
-      if (which < 2) EXPECT_EQ(faultOf(camera("equidistant", coefficients)), reason);
+      if (which >= 2) continue;
+      EXPECT_EQ(faultOf(camera("equidistant", coefficients)), reason);
     }
 }
 
