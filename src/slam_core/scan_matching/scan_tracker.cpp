@@ -45,9 +45,9 @@ Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
   return of_robot.diagonal().cwiseMax(0.0).cwiseMin(1.0);
 }
 
-/// The motion is less certain than any window in which a scan is searched.
+/// The motion is by far less certain than the window in which a scan is searched around it.
 bool leadsAnywhere(const Motion& motion) {
-  constexpr double kPosition = 2.0, kHeading = 1.6;  // [m], [rad]
+  constexpr double kPosition = 1.0, kHeading = 0.5;  // [m], [rad]
   const Eigen::Matrix3d& P = motion.covariance;
   const double widest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P.topLeftCorner<2, 2>(),
                                                                        Eigen::EigenvaluesOnly)

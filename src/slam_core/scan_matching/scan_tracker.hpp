@@ -54,7 +54,7 @@ struct MotionLimits {
 /// Tracks a robot through a map from scan to scan. Each scan is searched at the pose predicted from
 /// the last pose and the motion since then, or from the last velocity if no motion is known.
 ///
-/// A single motion that is less certain than 2 m or 1.6 rad, as that of a gap in odometry, leaves
+/// A single motion that is less certain than 1 m or 0.5 rad, as that of a gap in odometry, leaves
 /// the robot anywhere around. Then the place where a scan fits next to the prediction is one of
 /// several, and the true one need not be in the map yet. So no scan is matched any more, until the
 /// robot is put somewhere (restart()), or the map is drawn from its pose (anchor()).

@@ -62,14 +62,14 @@ TEST_F(TrackedRobot, MayBeAnywhereAfterAGapInOdometry) {
     stamp += std::chrono::seconds(12);
     return tracker.track(map.view(), pointsOf(last.scan, models, kTrackedSpacing), stamp, gap);
   };
-  EXPECT_TRUE(after(0.5).is_determined);
+  EXPECT_TRUE(after(0.3).is_determined);
   EXPECT_LT(error(), 0.03);
-  const auto lost = after(3.0);
+  const auto lost = after(1.5);
   EXPECT_TRUE(lost.is_anywhere);
   EXPECT_FALSE(lost.is_determined);
-  EXPECT_GT(tracker.robot().covariance(0, 0), 9.0);
+  EXPECT_GT(tracker.robot().covariance(0, 0), 2.0);
   EXPECT_TRUE(after(0.01).is_anywhere) << "another place might look like the true one";
-  EXPECT_GT(tracker.robot().covariance(0, 0), 9.0);
+  EXPECT_GT(tracker.robot().covariance(0, 0), 2.0);
   tracker.restart({last.truth, 9.0 * Eigen::Matrix3d::Identity()});
   EXPECT_TRUE(after(0.01).is_determined) << "somebody has put it there, however uncertain";
   EXPECT_LT(error(), 0.03);
