@@ -160,8 +160,8 @@ TEST_F(ScanBags, FailsWhereTheMountOfAllScansCannotBeUsed) {
   EXPECT_NE(runOnScans(folder, path), 0);
   EXPECT_TRUE(
       contains(folder.read("stdout"),
-               "the transform base_link -> laser of the bag's /tf_static cannot be used: it "
-               "holds a value that is not a number"))
+               "the transform base_link -> laser of the bag's /tf_static cannot be used: its "
+               "rotation is no rotation"))
       << folder.read("stdout");
 }
 
