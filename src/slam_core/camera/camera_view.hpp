@@ -20,7 +20,7 @@ struct CameraView {
   std::shared_ptr<const CameraModel> camera;  ///< null where the image cannot be used
   bool is_repeated = false;                   ///< the image before it, to the bit
 
-  /// Else the image only moves time on.
+  /// Whether the image shows something new; otherwise most components only move time on.
   bool isUsable() const { return camera != nullptr && !is_repeated; }
 
   template <class Archive>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "slam_core/common/sorted_unique.hpp"
 #include "slam_core/graph/elimination_order.hpp"
 
 namespace slam::graph {
@@ -58,9 +59,7 @@ std::vector<int> Elimination::groupsOf(const std::vector<Key>& last,
   for (const Key key : tree_.open_) groups.push_back(vicinity.shell ? -vicinity.shell(key) : 0);
   for (const Key key : last)
     if (placeOf(key) >= 0) groups[at(placeOf(key))] = 1;
-  auto present = groups;
-  std::sort(present.begin(), present.end());
-  present.erase(std::unique(present.begin(), present.end()), present.end());
+  const auto present = sortedUnique(groups);
   for (auto& group : groups)
     group =
         static_cast<int>(std::lower_bound(present.begin(), present.end(), group) - present.begin());

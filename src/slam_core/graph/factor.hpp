@@ -31,8 +31,8 @@ class Factor {
   const std::vector<Key>& keys() const { return keys_; }
   /// @param at its variables, in the order of the keys
   virtual LinearFactor linearized(const std::vector<Pose2>& at) const = 0;
-  /// How far its variables are from where it was linearised, as far as that makes its linearisation
-  /// wrong: here the largest change of a coordinate [m, rad].
+  /// Measures how wrong its linearisation has become, now that its variables are elsewhere: in
+  /// general the largest change of a coordinate [m, rad].
   /// @param then, now its variables, in the order of the keys
   virtual double moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const {
     double most = 0.0;

@@ -8,18 +8,14 @@
 #include <numeric>
 #include <utility>
 
+#include "slam_core/common/sorted_unique.hpp"
+
 namespace slam::graph {
 namespace {
 
 Eigen::MatrixXd hessian(const LinearFactor& linear) { return linear.J.transpose() * linear.J; }
 
 Eigen::VectorXd gradient(const LinearFactor& linear) { return -linear.J.transpose() * linear.r; }
-
-std::vector<FactorId> withoutRepeats(std::vector<FactorId> factors) {
-  std::sort(factors.begin(), factors.end());
-  factors.erase(std::unique(factors.begin(), factors.end()), factors.end());
-  return factors;
-}
 
 }  // namespace
 
@@ -75,8 +71,8 @@ void visitFactors(const Optimizer& graph, const FactorVisitor& look) {
     if (term.factor) look(*term.factor, term.weight);
 }
 
-/// Where a factor would be linearised now: at the origins of poses, whose corrections cannot be
-/// added, and at the estimates of points.
+/// A factor would be linearised now at the origins of its poses, whose corrections cannot be added,
+/// and at the estimates of its points.
 std::vector<Pose2> Optimizer::linearizationOf(const Factor& factor) const {
   std::vector<Pose2> at;
   for (const Key key : factor.keys())
@@ -126,12 +122,12 @@ Optimizer::Outdated Optimizer::outdated(double patience) const {
     auto& to = isFarPose(key) ? outdated.now : candidates;
     to.insert(to.end(), terms.begin(), terms.end());
   }
-  for (const FactorId id : withoutRepeats(std::move(candidates))) {
+  for (const FactorId id : sortedUnique(std::move(candidates))) {
     if (!isOutdated(id, 1.0)) continue;
     const bool waits = joinsPointsAlone(*terms_[index(id)].factor) && !isOutdated(id, patience);
     (waits ? outdated.later : outdated.now).push_back(id);
   }
-  outdated.now = withoutRepeats(std::move(outdated.now));
+  outdated.now = sortedUnique(std::move(outdated.now));
   return outdated;
 }
 
@@ -158,7 +154,7 @@ void Optimizer::relinearizeAll() {
     const auto& terms = terms_of_[index(key)];
     factors.insert(factors.end(), terms.begin(), terms.end());
   }
-  for (const FactorId id : withoutRepeats(std::move(factors))) refresh(id);
+  for (const FactorId id : sortedUnique(std::move(factors))) refresh(id);
 }
 
 void Optimizer::moveOrigin(Key key) {

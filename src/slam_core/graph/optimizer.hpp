@@ -23,11 +23,12 @@ struct OptimizerLimits {
   double correction = 2e-2;
   /// A smaller change of a variable [m, rad] is not passed on to other variables.
   double change = 1e-3;
-  /// Factors between points alone wait until variables are gathered (Vicinity), unless they are so
-  /// many times further than `correction` from where they were linearised [1].
+  /// A factor that joins only points waits until variables are gathered (Vicinity). It does not
+  /// wait if its points are more than this many times `correction` from where it was linearised
+  /// [1].
   double patience = 1.0;
-  /// So many numbers of the Cholesky factor at most are read in a step to pass changes on to parts
-  /// of the graph that are otherwise as they were; the rest waits for the next steps.
+  /// A step passes changes on to parts of the graph that it has not eliminated, and reads at most
+  /// this many numbers of the Cholesky factor for it [1]. Other changes wait for the next steps.
   std::size_t passed_on = std::numeric_limits<std::size_t>::max();
 };
 
@@ -67,8 +68,7 @@ class Optimizer {
 
   /// One step. @param last variables that the next factors will touch
   /// @param vicinity of these
-  /// @return whether a variable is so far from where its factors were linearised that another step
-  /// would linearise them again
+  /// @return whether another step would linearise factors again, without those that wait
   /// @throw std::domain_error if factors hold values that are not finite
   bool update(const std::vector<Key>& last, const Vicinity& vicinity = {});
   /// Steps in which nothing is left out, until they are over.

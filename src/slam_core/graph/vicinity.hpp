@@ -10,10 +10,10 @@
 
 namespace slam::graph {
 
-/// How near variables are to those that the next factors will touch. What is near is eliminated
-/// late, so that the next factors change few cliques; what is far is eliminated first.
+/// Tells which variables are near those that the next factors will touch. The near ones are
+/// eliminated late, so that the next factors change few cliques; the far ones are eliminated first.
 struct Vicinity {
-  std::vector<Key> gathered;  ///< are eliminated again even if nothing of theirs has changed
+  std::vector<Key> gathered;  ///< these are eliminated again even if none of them has changed
   /// A variable of a larger shell is eliminated before those of smaller ones, which are counted
   /// from 0. Without this all are in one shell.
   std::function<int(Key)> shell;

@@ -25,7 +25,7 @@ constexpr double kLeastRatio = 0.2, kMostRatio = 5.0;
 constexpr double kProves = 0.5, kRefutesUnproven = 1.0;
 constexpr std::array<double, 3> kRefutesProven = {1.0, 1.0, 10.0};
 
-/// Nothing spins a robot faster than this unless its wheels do [rad/s].
+/// A robot spins no faster than this unless its wheels turn it [rad/s].
 constexpr double kFastestSpin = 10.0;
 
 enum Kind : std::size_t { kTooLargeKind, kOppositeKind, kUnrelatedKind };

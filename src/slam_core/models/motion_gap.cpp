@@ -195,7 +195,7 @@ Motion MotionGap::across(const Motion& before, const Motion& after) const {
   return onAnyWay(std::move(rest));
 }
 
-/// The motion with the covariance of one of which only both ends are known.
+/// @return the motion with the covariance that it has if only both of its ends are known
 Motion MotionGap::onAnyWay(Motion rest) const {
   const double time = seconds(rest.end - rest.start);
   rest.covariance = time * worst_rate_;

@@ -81,7 +81,7 @@ class ScanDoubt {
   std::optional<Stamp> lost_since_;
   std::optional<Pose2> pose_;    ///< of the last scan
   std::optional<Pose2> jumped_;  ///< of the last scan, relative to the predicted pose
-  bool is_anywhere_ = false;     ///< by the last scan
+  bool is_anywhere_ = false;     ///< at the last scan the robot might be anywhere around
   bool is_determined_ = false;   ///< the pose, by the last scan
   Stamp stamp_;
   Agreement agreement_;

@@ -123,7 +123,7 @@ Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp
   return found;
 }
 
-/// Where there is nothing to match with, or nothing that could be believed.
+/// The robot moves without a match, since there is no map or no match could be believed.
 Match ScanTracker::move(const Motion& motion) {
   Eigen::Matrix3d J_pose, J_u;
   Match found;

@@ -122,7 +122,7 @@ class ScanTracker {
   Eigen::Array<bool, 3, 1> was_known_ = Eigen::Array<bool, 3, 1>::Constant(true);
   /// Time since a scan confirmed each component of the velocity [s].
   Eigen::Array3d unconfirmed_ = Eigen::Array3d::Zero();
-  bool is_anywhere_ = false;  ///< since a motion of which little is known
+  bool is_anywhere_ = false;  ///< a motion of which little is known has led the robot anywhere
 };
 
 /// Tells when the robot has moved or turned far enough for a scan to show something new.

@@ -7,15 +7,12 @@
 #include <memory>
 #include <utility>
 
+#include "slam_core/common/sorted_unique.hpp"
+
 namespace slam::seif {
 namespace {
 
 std::size_t sizeOf(const MappedPart& part) { return part.landmarks.size() + part.poses.size(); }
-
-void sortOut(std::vector<std::size_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 /// The poses that both have are marginalised.
 std::size_t sizeTogether(const MappedPart& a, const MappedPart& b) {
@@ -48,8 +45,7 @@ std::vector<std::size_t> LocalMaps::partsWith(const std::vector<std::size_t>& la
   for (const auto landmark : landmarks)
     if (landmark < of_landmark_.size())
       places.insert(places.end(), of_landmark_[landmark].begin(), of_landmark_[landmark].end());
-  sortOut(places);
-  return places;
+  return sortedUnique(std::move(places));
 }
 
 std::vector<std::size_t> LocalMaps::around(const std::vector<std::size_t>& landmarks) const {
@@ -58,8 +54,7 @@ std::vector<std::size_t> LocalMaps::around(const std::vector<std::size_t>& landm
     const auto& others = parts_[place].part.landmarks;
     all.insert(all.end(), others.begin(), others.end());
   }
-  sortOut(all);
-  return all;
+  return sortedUnique(std::move(all));
 }
 
 void LocalMaps::add(MappedPart part) {

@@ -19,7 +19,7 @@ const SectionRegistrar<SeifConfig> kSectionRegistrar;
 
 std::size_t count(int number) { return static_cast<std::size_t>(number); }
 
-/// What is far from the robot may wait, so that a step hardly depends on the size of the map.
+/// Changes far from the robot may wait, so that a step hardly depends on the size of the map.
 graph::OptimizerLimits optimizerLimits() {
   graph::OptimizerLimits limits;
   limits.passed_on = 100000;

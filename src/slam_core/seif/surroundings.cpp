@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "slam_core/common/sorted_unique.hpp"
+
 namespace slam::seif {
 
 /// The landmarks of the local maps of what was observed that are nearest to the robot.
@@ -26,8 +28,7 @@ std::vector<graph::Key> Surroundings::gather(const std::vector<std::size_t>& obs
     near_.push_back(landmark);
     gathered.push_back(keyOf(landmarks_, landmark));
   }
-  std::sort(near_.begin(), near_.end());
-  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  near_ = sortedUnique(std::move(near_));
   return gathered;
 }
 

@@ -20,7 +20,7 @@ class CameraGateTest : public testing::Test {
   static CameraMount mount() {
     return {"camera", Eigen::Isometry3d(Eigen::Translation3d(1, 0, 0))};
   }
-  /// Of one gray.
+  /// The image is of one gray.
   static Image imageAt(double s, int width = 8, int height = 6, int type = CV_8UC1) {
     return {Stamp(durationFromSeconds(s)), "camera", cv::Mat::zeros(height, width, type), ""};
   }

@@ -156,7 +156,7 @@ TEST(BayesTree, PassesChangesOnInSeveralSteps) {
     EXPECT_TRUE(systems.tree.solution(key).isApprox(x.segment<3>(3 * key), 1e-8)) << key;
 }
 
-/// What is gathered is eliminated again, and what is near comes last.
+/// Gathered variables are eliminated again, and near ones come last.
 TEST(BayesTree, BringsWhatIsGatheredToTheTop) {
   Systems systems;
   systems.addFactor({systems.addVariable(3)});

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -24,7 +25,8 @@ const Eigen::Matrix3d kExact = 1e4 * Eigen::Matrix3d::Identity();
 /// round.
 class Square {
  public:
-  explicit Square(std::uint64_t seed) : random_(seed, 0) {
+  explicit Square(std::uint64_t seed, const OptimizerLimits& limits = {})
+      : optimizer(limits), random_(seed, 0) {
     truth.emplace_back();
     optimizer.add(Pose2());
     optimizer.add(std::make_unique<PosePrior>(0, Pose2(), kExact));
@@ -70,6 +72,32 @@ TEST(Optimizer, ComesToTheMinimumStepByStep) {
   const double chi2 = square.optimizer.chi2();
   square.optimizer.optimize({2 * Square::kRound}, 20);
   EXPECT_NEAR(chi2, square.optimizer.chi2(), 1e-3 * chi2);
+}
+
+TEST(Optimizer, PassesChangesOnOverManyStepsWhereFewMayBePassedOn) {
+  OptimizerLimits limits;
+  limits.correction = 0.005;
+  limits.change = 0.0;
+  Square whole(1, limits);
+  limits.passed_on = 1;
+  Square slow(1, limits);
+  double waits = 0.0, apart = 0.0;
+  for (int i = 0; i < 2 * Square::kRound; ++i) {
+    slow.step();
+    whole.step();
+    const auto estimates = settled(slow.optimizer);
+    const auto far = [](const Pose2& a, const Pose2& b) { return a.between(b).vector().norm(); };
+    for (Key key = 0; key < static_cast<Key>(estimates.size()); ++key) {
+      const auto& estimate = estimates[static_cast<std::size_t>(key)];
+      waits = std::max(waits, far(slow.optimizer.pose(key), estimate));
+      apart = std::max(apart, far(whole.optimizer.pose(key), estimate));
+    }
+    ASSERT_LT(far(slow.optimizer.pose(i + 1), whole.optimizer.pose(i + 1)), 0.02)
+        << "what is new does not wait";
+  }
+  EXPECT_GT(waits, 0.005);
+  EXPECT_LT(apart, 0.25 * waits)
+      << "all changes are known, whether or not they have been passed on";
 }
 
 TEST(Optimizer, KnowsHowLargeItsErrorsAre) {
