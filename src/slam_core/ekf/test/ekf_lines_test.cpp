@@ -134,7 +134,7 @@ void expectWalls(const RoomOfWalls& room, const LandmarkMap& map) {
 
 TEST(EkfLines, WallsHoldTheRobotWhereItIs) {
   RoomOfWalls room(1);
-  auto ekf = configured({});
+  auto ekf = configured(EkfConfig());
   drive(room, ekf, 400);
   EXPECT_GT((room.reckoned().position() - room.truth().position()).norm(), 0.3);
   EXPECT_LT((ekf.pose().pose.position() - room.truth().position()).norm(), 0.05);
@@ -178,7 +178,7 @@ TEST(EkfLines, ANeighbourhoodOfTwoLandmarksTellsNearlyTheSame) {
 TEST(EkfLines, AreToldApartByPlace) {
   for (const std::string association : {"jcbb", "nearest"}) {
     RoomOfWalls room(3), same_room(3);
-    auto by_ids = configured({}), by_place = configured(byPlace(association));
+    auto by_ids = configured(EkfConfig()), by_place = configured(byPlace(association));
     drive(room, by_ids, 300);
     drive(same_room, by_place, 300);
     EXPECT_EQ(as<LandmarkMapper>(by_place).landmarks().size(), 4u) << association;
@@ -201,7 +201,7 @@ TEST(EkfLines, PointsAndLinesAreMappedTogether) {
 
 TEST(EkfLines, ALandmarkOfAnotherKindThanSeenIsGated) {
   RoomOfWalls room(5, true);
-  auto ekf = configured({});
+  auto ekf = configured(EkfConfig());
   drive(room, ekf, 20);
   auto step = room.next();
   auto& z = step.observations.observations;
