@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
+#include "slam_core/common/sorted_unique.hpp"
 #include "slam_core/geometry/angle.hpp"
 
 namespace slam::mono_graph {
@@ -115,9 +117,7 @@ std::vector<int> keyframesAround(const VisualMap& map, int keyframe) {
   const int last = static_cast<int>(map.keyframes().size()) - 1;
   for (int i = keyframe - kBeforeAndAfter; i <= keyframe + kBeforeAndAfter; ++i)
     if (i >= 0 && i <= last) around.push_back(i);
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
-  return around;
+  return sortedUnique(std::move(around));
 }
 
 }  // namespace slam::mono_graph

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "slam_core/common/sorted_unique.hpp"
+
 namespace slam::mono_graph {
 namespace {
 
@@ -101,9 +103,7 @@ std::vector<int> pointsSeenBy(const VisualMap& map, const std::vector<int>& keyf
   for (const int keyframe : keyframes)
     for (const int point : map.keyframe(keyframe).points)
       if (point != kNoPoint) points.push_back(point);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+  return sortedUnique(std::move(points));
 }
 
 void moveKeyframes(VisualMap& map, const std::vector<Pose2>& poses) {

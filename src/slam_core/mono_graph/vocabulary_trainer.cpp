@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/common/sorted_unique.hpp"
 #include "slam_core/mono_graph/vocabulary.hpp"
 
 namespace slam::mono_graph {
@@ -122,9 +123,7 @@ class VocabularyTrainer {
     for (const auto& image : images) {
       std::vector<std::uint32_t> words;
       for (const auto& descriptor : image) words.push_back(vocabulary_.wordOf(descriptor));
-      std::sort(words.begin(), words.end());
-      words.erase(std::unique(words.begin(), words.end()), words.end());
-      for (const auto word : words) ++shown[word];
+      for (const auto word : sortedUnique(std::move(words))) ++shown[word];
     }
     for (auto& node : vocabulary_.nodes_)
       if (node.children == 0)

@@ -3,9 +3,10 @@
 
 #include "slam_ros/input_bindings.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "slam_core/common/config_error.hpp"
+#include "slam_core/common/sorted_unique.hpp"
 
 namespace slam_ros {
 
@@ -17,9 +18,7 @@ InputBindings& InputBindings::instance() {
 std::vector<std::string> InputBindings::kinds() const {
   std::vector<std::string> kinds;
   for (const auto& entry : bindings_) kinds.push_back(slam::nameOf(entry.first));
-  std::sort(kinds.begin(), kinds.end());
-  kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
-  return kinds;
+  return slam::sortedUnique(std::move(kinds));
 }
 
 std::unique_ptr<InputBinding> InputBindings::create(const InputContext& context,

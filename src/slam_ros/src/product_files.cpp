@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 #include <ros/package.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "slam_core/common/nearest_name.hpp"
+#include "slam_core/common/sorted_unique.hpp"
 
 namespace slam_ros {
 namespace {
@@ -72,8 +73,7 @@ std::string findConfigFile(const std::vector<std::string>& folders, const std::s
     if (fs::exists(file)) return file;
     addNamesIn(folder, names);
   }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  names = slam::sortedUnique(std::move(names));
   throw UnknownName(fmt::format("there is no {} '{}'{}; there are: {}", kind, name_or_path,
                                 slam::didYouMean(name_or_path, names), slam::join(names)));
 }
