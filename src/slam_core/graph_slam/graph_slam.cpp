@@ -133,7 +133,8 @@ void GraphSlam::reset() {
   events_.clear();
   is_corrected_ = false;
   counters_.clear();
-  waiting_.reset();
+  waiting_.clear();
+  refused_.clear();
   resumed_.reset();
   last_motion_.reset();
   has_moved_ = true;

@@ -75,8 +75,8 @@ class GraphSlam final : public Backend,
   Figures figures() const override;
 
   void reset() override;
-  /// Not while a session waits to be merged.
-  bool canResume() const override { return waiting_ == nullptr && !resumed_; }
+  /// A session that was loaded has to be in force first.
+  bool canResume() const override { return !resumed_; }
   void saveState(ArchiveWriter& archive) const override { archive(*this); }
   void restoreState(ArchiveReader& archive) override { archive(*this); }
 
@@ -86,6 +86,10 @@ class GraphSlam final : public Backend,
     archive(*graph_, associator_, revision_, sightings_, statistics_, events_, counters_,
             is_corrected_, fixed_map_, last_motion_, has_moved_, map_, initial_pose_, motion_,
             J_wheels_, observations_, scan_);
+    auto sessions = waitingSessions();
+    archive(sessions, refused_);
+    if constexpr (Archive::kReads) waitFor(sessions);
+    for (auto& session : waiting_) archive(*session);
   }
 
  private:
@@ -99,6 +103,8 @@ class GraphSlam final : public Backend,
   SavedSession session() const override;
   void set(const SavedSession& session) override;
   void merge(const SavedSession& session) override;
+  std::vector<SavedSession> unmerged() const override;
+  std::unique_ptr<Backend> makeAlike() const override;
   std::vector<StampedPose> path() const override {
     return graph_->record.poses(graph_->path.graph());
   }
@@ -156,7 +162,12 @@ class GraphSlam final : public Backend,
   void predict();
   Status takeObservations();
   Status takeScan();
+  void requireMergeable(const Session& session) const;
+  std::vector<SharedScan> scansToLookFor() const;
+  std::vector<SavedSession> waitingSessions() const;
+  void waitFor(const std::vector<SavedSession>& sessions);
   Status mergeWaiting();
+  Status mergeBy(std::unique_ptr<WaitingSession>& waiting);
   Status reconsider(const Association& association, const Pose2& sensor);
   Status reinitialize(const association::Sightings::Verdict& verdict, const Pose2& sensor);
   Status augment(Association& association, const Pose2& sensor);
@@ -178,7 +189,8 @@ class GraphSlam final : public Backend,
   Counters counters_;
   LandmarkMap fixed_map_;  ///< as it was loaded, to localise in
 
-  std::unique_ptr<WaitingSession> waiting_;  ///< to be merged
+  std::vector<std::unique_ptr<WaitingSession>> waiting_;  ///< to be merged
+  std::vector<SavedSession> refused_;                     ///< the last that could not be merged
   std::optional<Resumed> resumed_;
   std::optional<Motion> last_motion_;  ///< for a session that goes on; not of this run at first
   bool has_moved_ = false;             ///< since a session was taken up

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "slam_core/graph_slam/graph_slam.hpp"
+#include "slam_core/graph_slam/landmark_meeting.hpp"
 #include "slam_core/graph_slam/session_file.hpp"
 #include "slam_core/graph_slam/session_parts.hpp"
 #include "slam_core/models/motion_gap.hpp"
@@ -141,6 +143,16 @@ void GraphSlam::set(const SavedSession& saved) {
 }
 
 void GraphSlam::merge(const SavedSession& saved) {
+  constexpr std::size_t kMostWaiting = 5;
+  auto session = sessionOf(saved.bytes);
+  requireMergeable(session);
+  if (waiting_.size() >= kMostWaiting)
+    throw std::runtime_error("five sessions wait to be merged already: drive where they were made");
+  waiting_.push_back(std::make_unique<WaitingSession>(
+      std::move(session), ScanSettings{config_, grid_config_, matcher_config_}, scansToLookFor()));
+}
+
+void GraphSlam::requireMergeable(const Session& session) const {
   if (config_.mapIsFixed())
     throw std::runtime_error(
         "with graph.mode: localization nothing is added to the map: merge while mapping");
@@ -148,7 +160,6 @@ void GraphSlam::merge(const SavedSession& saved) {
     throw std::runtime_error(
         "while parameters are calibrated no session is merged: put what was calibrated into the "
         "robot file, and leave calibration.estimate empty");
-  auto session = sessionOf(saved.bytes);
   requireSameKind(session.kind, uses_grid_, grid_config_.resolution);
   requireUsableIds(session.kind, associator_.goesByPlace());
   if (!session.kind.has_own_ids && associator_.goesByPlace())
@@ -158,21 +169,73 @@ void GraphSlam::merge(const SavedSession& saved) {
   if (hasLoadedMap(session))
     throw std::runtime_error(
         "it began with a map that was loaded: load it and merge the other one");
-  waiting_ = std::make_unique<WaitingSession>(std::move(session),
-                                              ScanSettings{config_, grid_config_, matcher_config_});
 }
 
-/// The robot stays where it is: the other map comes to it.
+/// @return the last scans, and some of all earlier ones, in their order
+std::vector<SharedScan> GraphSlam::scansToLookFor() const {
+  constexpr std::size_t kLast = 20, kSome = 20;
+  if (!graph_->scans) return {};
+  const auto all = snapshot().scans;
+  const std::size_t earlier = all.size() - std::min(kLast, all.size());
+  std::vector<SharedScan> scans;
+  for (const auto i : evenlyChosen(kSome, earlier)) scans.push_back(all[i].scan);
+  for (std::size_t i = earlier; i < all.size(); ++i) scans.push_back(all[i].scan);
+  return scans;
+}
+
+std::vector<SavedSession> GraphSlam::waitingSessions() const {
+  std::vector<SavedSession> sessions;
+  for (const auto& waiting : waiting_) sessions.push_back({bytesOf(waiting->session())});
+  return sessions;
+}
+
+std::vector<SavedSession> GraphSlam::unmerged() const {
+  auto sessions = waitingSessions();
+  sessions.insert(sessions.end(), refused_.begin(), refused_.end());
+  return sessions;
+}
+
+void GraphSlam::waitFor(const std::vector<SavedSession>& sessions) {
+  waiting_.clear();
+  for (const auto& session : sessions)
+    waiting_.push_back(std::make_unique<WaitingSession>(
+        sessionOf(session.bytes), ScanSettings{config_, grid_config_, matcher_config_},
+        std::vector<SharedScan>()));
+}
+
+std::unique_ptr<Backend> GraphSlam::makeAlike() const {
+  if (config_.mapIsFixed() || config_.calibration.isOn()) return nullptr;
+  auto other = std::make_unique<GraphSlam>();
+  other->uses_grid_ = uses_grid_;
+  other->association_ = association_;
+  other->configure(config_, grid_config_, matcher_config_);
+  return other;
+}
+
+/// Searches for at most one scan from before. A robot that is lost by its scans is not to be moved,
+/// since the merged graph would take it for found.
 Status GraphSlam::mergeWaiting() {
-  if (!waiting_) return Status::ok();
-  const auto& scans = graph_->scans;
-  if (scans && insertedBy(*scans)) waiting_->see(insertedBy(*scans));
-  if (!waiting_->isDue(graph_->landmarks.ids())) return Status::ok();
+  Status status;
+  if (lostSince()) return status;
+  bool has_searched = false;
+  for (auto& waiting : waiting_) {
+    const auto& scans = graph_->scans;
+    if (scans && insertedBy(*scans)) waiting->see(insertedBy(*scans));
+    if (!has_searched) has_searched = waiting->catchUp();
+    if (waiting->isDue(graph_->landmarks.ids())) status = moreUrgent(status, mergeBy(waiting));
+  }
+  waiting_.erase(std::remove(waiting_.begin(), waiting_.end(), nullptr), waiting_.end());
+  return status;
+}
+
+/// The robot stays where it is: the other map comes to it. A session that has been merged, or
+/// cannot be, waits no longer.
+Status GraphSlam::mergeBy(std::unique_ptr<WaitingSession>& waiting) {
   try {
     const Pose2 before = pose().pose;
-    const auto merged = waiting_->merged(snapshot());
+    const auto merged = waiting->merged(snapshot());
     if (!merged) return Status::ok();
-    if (scans) revision_ = gridRevision();
+    if (graph_->scans) revision_ = gridRevision();
     auto both = resumed(merged->session);
     graph_ = std::move(both.graph);
     sightings_ = std::move(both.sightings);
@@ -185,10 +248,13 @@ Status GraphSlam::mergeWaiting() {
                        fmt::format("{} landmarks and {} scans of the session that waited",
                                    merged->landmarks, merged->scans),
                        {}});
-    waiting_.reset();
+    waiting.reset();
     return Status::ok();
   } catch (const std::exception& error) {
-    waiting_.reset();
+    constexpr std::size_t kMostKept = 5;
+    if (refused_.size() >= kMostKept) refused_.erase(refused_.begin());
+    refused_.push_back({bytesOf(waiting->session())});
+    waiting.reset();
     return Status::warning(std::string("the session that waited is not merged: ") + error.what());
   }
 }

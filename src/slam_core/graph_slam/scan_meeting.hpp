@@ -30,6 +30,11 @@ struct RecognisedScan {
   std::size_t seen = 0;        ///< the number that the scan was given
   Pose2 known_seen;            ///< T_known_seen
   Eigen::Matrix3d covariance;  ///< of a twist of the node that was seen
+
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(known, seen, known_seen, covariance);
+  }
 };
 
 /// Recognises the scans of a drive in the map of a session, until enough of them agree on how the
@@ -54,6 +59,12 @@ class ScanMeeting {
   /// many agree as contradict
   std::optional<Agreed> agreed(const std::vector<std::optional<Pose2>>& poses) const;
   const std::vector<RecognisedScan>& recognised() const { return recognised_; }
+
+  /// The map is saved with the session.
+  template <class Archive>
+  void persist(Archive& archive) {
+    archive(recognised_);
+  }
 
  private:
   std::optional<Session::Index> nearestNode(const Pose2& place) const;

@@ -20,8 +20,9 @@ std::size_t inMap(const Session& session) {
 
 }  // namespace
 
-WaitingSession::WaitingSession(Session session, const ScanSettings& settings)
-    : session_(std::move(session)) {
+WaitingSession::WaitingSession(Session session, const ScanSettings& settings,
+                               std::vector<SharedScan> before)
+    : session_(std::move(session)), before_(std::move(before)) {
   for (const auto& landmark : session_.landmarks)
     if (!landmark.is_retired) ids_.insert(landmark.id);
   if (!session_.scans.empty()) meeting_.emplace(session_, settings);
@@ -29,8 +30,18 @@ WaitingSession::WaitingSession(Session session, const ScanSettings& settings)
 
 void WaitingSession::see(const SharedScan& scan) {
   constexpr std::size_t kEvery = 5;
-  if (!meeting_ || scans_++ % kEvery != 0) return;
-  if (meeting_->look(seen_.size(), *scan)) seen_.push_back(scan);
+  if (scans_++ % kEvery == 0) look(scan);
+}
+
+bool WaitingSession::catchUp() {
+  if (before_.empty()) return false;
+  look(before_.back());
+  before_.pop_back();
+  return true;
+}
+
+void WaitingSession::look(const SharedScan& scan) {
+  if (meeting_ && meeting_->look(seen_.size(), *scan)) seen_.push_back(scan);
 }
 
 std::size_t WaitingSession::sharedWith(const LandmarkIds& running) const {

@@ -11,13 +11,10 @@
 #include "slam_core/contract/association_chooser.hpp"
 #include "slam_core/contract/calibrator.hpp"
 #include "slam_core/contract/correction_reporter.hpp"
-#include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/without_covariance.hpp"
 #include "slam_core/product/calibration_check.hpp"
 
 namespace slam {
-
-using relocalisation::Belief;
 
 namespace {
 
@@ -89,6 +86,8 @@ void Estimator::configure(Settings& settings) {
   });
   carrier_ = carrier == inputs.end() ? nullptr : &*carrier;
   capabilities_ = capabilitiesOf(*backend_);
+  fragment_.use(capabilities_.find<SessionMerger>());
+  capabilities_.offer<MapFragment>(fragment_);
   faults.attempt([&] { backend_->configure(settings); });
   faults.attempt(
       [&] { checkCalibration(settings.read<ProductConfig>(), capabilities_, settings); });
@@ -123,6 +122,7 @@ Status Estimator::resetBackend() {
   consistency_ = ConsistencyMonitor(consistency_config_);
   events_ = EventWatch(events_config_);
   relocaliser_.reset();
+  fragment_.reset();
   noise_ = NoiseAdaptation();
   dead_reckoning_.correct();
   doubt_.restart();
@@ -149,6 +149,7 @@ Status Estimator::restart() {
 Status Estimator::judgePause() {
   const auto is_bridged = takeContinuity(intake_);
   if (is_bridged.value_or(true)) return Status::ok();
+  fragment_.end();
   return SavedMap(capabilities_).doubt(relocaliser_);
 }
 
@@ -179,12 +180,16 @@ Status Estimator::execute() {
   const bool was_lost = isLostByBackend();
   const auto step_status = backend_->execute();
   if (const auto of_state = faultOfState(); !of_state.isOk()) return of_state;
+  learnMerged();
   judgeCorrection(step->stamp);
   const auto consistency_status = watchConsistency();
   judgeWay(was_lost);
   const auto place_status = relocate(step->stamp);
+  const auto fragment_status =
+      fragment_.judge({isLost(), isTested(relocaliser_), backend_->pose().pose, step->stamp});
   // what the monitor finds is said once only
-  for (const auto& other : {step_status, place_status, consistency_status, watchCalibration()})
+  for (const auto& other :
+       {step_status, place_status, fragment_status, consistency_status, watchCalibration()})
     status = moreUrgent(status, other);
   reportStep(*step);
   return status;
@@ -202,6 +207,7 @@ void Estimator::give(const Intake::Step& step) {
   for (const auto& measured : step.motions) {
     const auto scaled = noise_.scaled(measured);
     carrier_->set(&scaled);
+    fragment_.predict(scaled);
     const auto reported = known ? calibrated(measured, known->parameters) : measured;
     const auto motion = noise_.scaled(reported);
     if (!known) dead_reckoning_.predict(motion);
@@ -213,20 +219,41 @@ void Estimator::give(const Intake::Step& step) {
   if (!step.trigger) return;
   if (paused_) {
     counters_.add("paused");
-  } else if (isAdmitted(*step.trigger)) {
+    return;
+  }
+  fragment_.see(step.trigger->port->kind, scaled(*step.trigger).value.get());
+  if (isAdmitted(*step.trigger)) {
     intake_.admit(*step.trigger);
     give(*step.trigger);
   }
 }
 
+/// The same with the noise that the innovations have shown.
+Intake::Trigger Estimator::scaled(const Intake::Trigger& trigger) const {
+  if (trigger.port->kind != kindOf<LandmarkObservationArray>() || noise_.isNeutral())
+    return trigger;
+  const auto& array = *static_cast<const LandmarkObservationArray*>(trigger.value.get());
+  return {trigger.port, std::make_shared<LandmarkObservationArray>(noise_.scaled(array))};
+}
+
 void Estimator::give(const Intake::Trigger& trigger) {
-  const auto* const value = trigger.value.get();
   const bool has_landmarks = trigger.port->kind == kindOf<LandmarkObservationArray>();
   if (!has_landmarks && capabilities_.find<CorrectionReporter>() == nullptr)
     dead_reckoning_.correct();
-  if (!has_landmarks || noise_.isNeutral()) return trigger.port->set(value);
-  const auto scaled = noise_.scaled(*static_cast<const LandmarkObservationArray*>(value));
-  trigger.port->set(&scaled);
+  trigger.port->set(scaled(trigger).value.get());
+}
+
+/// The landmarks of a session that the last step has merged are known from now on.
+void Estimator::learnMerged() {
+  const auto* reporter = capabilities_.find<EventReporter>();
+  const auto* mapper = capabilities_.find<LandmarkMapper>();
+  const auto events = reporter == nullptr ? std::vector<Event>() : reporter->events();
+  const auto is_merge = [](const Event& event) { return event.kind == Event::Kind::kMerged; };
+  if (mapper == nullptr || std::none_of(events.begin(), events.end(), is_merge)) return;
+  const auto landmarks = mapper->landmarks();
+  intake_.knowOnly(landmarks);
+  dead_reckoning_.know(landmarks);
+  searchBy(relocaliser_, landmarks);
 }
 
 void Estimator::judgeCorrection(Stamp stamp) {
@@ -276,31 +303,10 @@ UpdateStatistics Estimator::statistics() const {
   return mapper == nullptr ? UpdateStatistics() : mapper->statistics();
 }
 
-Status Estimator::watchConsistency() {
-  using Fault = ConsistencyMonitor::Fault;
-  const auto before = consistency_.fault();
-  const auto update = statistics();
-  consistency_.add(update);
-  dead_reckoning_.correct(update.innovations, backend_->pose().pose);
-  const auto now = consistency_.fault();
-  const auto finding = consistency_.finding();
-  adaptNoise();
-  if (now == Fault::kNone || now == before) return Status::ok();
-  return now == Fault::kLost ? Status::alarm(finding) : Status::warning(finding);
-}
-
 Status Estimator::watchCalibration() const {
   const auto known = calibration();
   if (!known) return Status::ok();
   return statusOf(capabilities_.find<Calibrator>()->calibrationConfig().faultOf(*known));
-}
-
-PoseEstimate Estimator::reportedPose() const {
-  auto pose = backend_->pose();
-  const bool contradicts_odometry = noise_.scale(ConsistencyMonitor::kMotion) > 1.0;
-  pose.covariance += dead_reckoning_.covarianceAt(pose.pose);
-  pose.covariance += doubt_.covarianceAt(pose.pose, contradicts_odometry);
-  return relocaliser_.told(pose);
 }
 
 Component::Figures Estimator::figures() const {
@@ -317,12 +323,6 @@ Component::Figures Estimator::figures() const {
     figures.emplace_back(parameter.name + "_sigma", parameter.sigma);
   }
   return figures;
-}
-
-/// What the monitor has judged so far was of the noise as it was.
-void Estimator::adaptNoise() {
-  if (consistency_config_.adapt && noise_.learn(consistency_, statistics()))
-    consistency_ = ConsistencyMonitor(consistency_config_);
 }
 
 void Estimator::reportStep(const Intake::Step& step) {
@@ -349,49 +349,12 @@ void Estimator::reportStep(const Intake::Step& step) {
   report_ = std::move(report);
 }
 
-bool Estimator::isLostByBackend() const {
-  const auto* reporter = capabilities_.find<LostReporter>();
-  return reporter != nullptr && reporter->lostSince().has_value();
-}
-
-/// Where the back-end has found the robot by itself, it jumped there: that is no way.
-void Estimator::judgeWay(bool was_lost) {
-  const auto* reporter = capabilities_.find<LostReporter>();
-  const bool has_jumped =
-      was_lost && reporter != nullptr && reporter->findsItself() && !isLostByBackend();
-  if (has_jumped)
-    doubt_.relocate(backend_->pose().pose);
-  else if (consistency_config_.adapt)
-    doubt_.compare(backend_->pose().pose);
-}
-
-bool Estimator::isLost() const {
-  const auto belief = relocaliser_.belief();
-  return isLostByBackend() || belief == Belief::kLost || belief == Belief::kAnywhere;
-}
-
-std::string Estimator::doubt() const {
-  using Fault = ConsistencyMonitor::Fault;
-  if (isLost()) return "what is seen contradicts the map";
-  if (relocaliser_.belief() == Belief::kUnconfirmed)
-    return "the place in the loaded map has not been recognised yet";
-  const auto fault = consistency_.fault();
-  if (fault == Fault::kLost || fault == Fault::kBias) return consistency_.finding();
-  // A pose without covariance cannot contradict what it claims.
-  return isWithoutCovariance(capabilities_) ? "" : doubt_.reason();
-}
-
-Trust Estimator::trust(const std::string& doubt) const {
-  if (isLost()) return Trust::kLost;
-  if (!doubt.empty()) return Trust::kDoubtful;
-  return isWithoutCovariance(capabilities_) ? Trust::kUnknown : Trust::kConfident;
-}
-
 Counters Estimator::counters() const {
   Counters all = intake_.counters();
   all.add(counters_);
   all.add(backend_->counters());
   all.add(relocaliser_.counters());
+  all.add(fragment_.counters());
   return all;
 }
 

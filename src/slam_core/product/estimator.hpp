@@ -21,6 +21,7 @@
 #include "slam_core/product/expected_landmarks.hpp"
 #include "slam_core/product/intake.hpp"
 #include "slam_core/product/map_choice.hpp"
+#include "slam_core/product/map_fragment.hpp"
 #include "slam_core/product/saved_map.hpp"
 #include "slam_core/product/step_report.hpp"
 #include "slam_core/relocalisation/relocaliser.hpp"
@@ -30,9 +31,10 @@ namespace slam {
 /// A back-end with its inputs in order, one step at a time. It takes in what the back-end takes;
 /// its output `pose` is that of the last step. Both compositions share it, which is why they give
 /// the same result. A pose that came with a loaded map, and one that what is seen contradicts, is
-/// not believed until the robot's place has been recognised in the map (Relocaliser). Counted
-/// beyond the intake's, the back-end's and the relocaliser's reasons: "paused", "not_finite_pose"
-/// (a step that left no finite pose).
+/// not believed until the robot's place has been recognised in the map (Relocaliser). Where the
+/// back-end merges sessions, a lost robot maps a fragment of its own meanwhile (MapFragment).
+/// Counted beyond the intake's, the back-end's and the relocaliser's reasons: "paused",
+/// "not_finite_pose" (a step that left no finite pose).
 class Estimator final : public Component {
  public:
   /// To be called before everything else. The back-end is configured with this.
@@ -107,7 +109,7 @@ class Estimator final : public Component {
   template <class Archive>
   void persist(Archive& archive) {
     archive(intake_, consistency_, noise_, dead_reckoning_, doubt_, events_, relocaliser_,
-            start_map_, start_session_, last_motion_, fault_, paused_, counters_);
+            fragment_, start_map_, start_session_, last_motion_, fault_, paused_, counters_);
   }
 
  private:
@@ -121,6 +123,8 @@ class Estimator final : public Component {
   Status judgePause();
   void give(const Intake::Step& step);
   void give(const Intake::Trigger& trigger);
+  Intake::Trigger scaled(const Intake::Trigger& trigger) const;
+  void learnMerged();
   /// Has the dead reckoning know what the back-end's last step corrected.
   void judgeCorrection(Stamp stamp);
   void adaptNoise();
@@ -161,6 +165,7 @@ class Estimator final : public Component {
   EventsConfig events_config_;
   EventWatch events_;
   relocalisation::Relocaliser relocaliser_;
+  MapFragment fragment_;  ///< while the robot is lost
   std::optional<MapState> start_map_;
   std::optional<SavedSession> start_session_;
   std::optional<SavedMap> saved_map_;  ///< of a resumed product, until its first step

@@ -21,6 +21,7 @@ Status Estimator::set(const PoseEstimate& initial_pose) {
   backend_->set(bounded(initial_pose, largestSigmas()));
   const auto status = backend_->execute();
   relocaliser_.assume(Belief::kSure);
+  fragment_.setAside();
   events_.relocate("the robot was put there");
   dead_reckoning_.correct();
   doubt_.put(backend_->pose().pose);
@@ -42,6 +43,7 @@ Status Estimator::set(const MapState& map) {
     status = together(status, Status::warning("the map's lines are left out, since this back-end "
                                               "maps points only: use backend=ekf"));
   status = together(status, expected_.judge(used.landmarks));
+  fragment_.setAside();
   events_.relocate("a map was loaded");
   dead_reckoning_.correct();
   dead_reckoning_.know(map.landmarks);
@@ -65,6 +67,7 @@ Status Estimator::set(const SavedSession& session) {
   dead_reckoning_.correct();
   doubt_.load(backend_->pose().pose);
   relocaliser_.reset();
+  fragment_.setAside();
   consistency_ = ConsistencyMonitor(consistency_config_);
   const auto* mapper = capabilities_.find<LandmarkMapper>();
   const auto landmarks = mapper == nullptr ? LandmarkMap() : mapper->landmarks();

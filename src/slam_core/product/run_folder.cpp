@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <stdexcept>
 #include <vector>
 
@@ -20,6 +21,7 @@ constexpr const char* kResults[] = {"trajectory.tum",   "trajectory_final.tum",
                                     "odometry.tum",     "wheel_odometry.tum",
                                     "updates.csv",      "events.csv",
                                     "graph.csv",        "places.csv",
+                                    "associations.csv", "features.csv",
                                     "ground_truth.tum", "ground_truth_landmarks.yaml",
                                     "stamps.csv",       "landmarks.yaml",
                                     "map.pgm",          "map.yaml",
@@ -37,6 +39,12 @@ std::vector<std::string> namesIn(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     names.push_back(entry.path().filename().string());
   return names;
+}
+
+/// @return whether it is the name of a session that was not merged, such as unmerged_2.session
+bool isUnmerged(const std::string& name) {
+  static const std::regex kName(std::string(RunFolder::kUnmerged) + R"(\d+\.session)");
+  return std::regex_match(name, kName);
 }
 
 const std::string& made(const std::string& folder) {
@@ -58,8 +66,9 @@ RunFolder::RunFolder(const std::string& path, Start start)
     if (fs::exists(fs::symlink_status(file))) former_[file] = versionOf(file);
   }
   for (const auto& entry : fs::directory_iterator(path_)) {
-    const auto file = path_ + "/" + entry.path().filename().string();
-    if (file.find(kKept, path_.size()) != std::string::npos) former_[file] = versionOf(file);
+    const auto name = entry.path().filename().string();
+    const auto file = path_ + "/" + name;
+    if (isUnmerged(name) || name.find(kKept) != std::string::npos) former_[file] = versionOf(file);
   }
   if (start == Start::kAnew)
     clear();

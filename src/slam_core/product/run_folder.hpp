@@ -24,6 +24,8 @@ class RunFolder {
   };
   /// In unfinished(): what a run is resumed from. It does not stay in the folder.
   static constexpr const char* kCheckpoint = "checkpoint";
+  /// The names of sessions that were not merged begin with this and a number.
+  static constexpr const char* kUnmerged = "unmerged_";
 
   /// Makes the folder. @throw std::runtime_error naming the folder and the cause, as that there is
   /// nothing to resume

@@ -25,6 +25,7 @@
 #include "slam_core/product/feature_file.hpp"
 #include "slam_core/product/graph_file.hpp"
 #include "slam_core/product/map_files.hpp"
+#include "slam_core/product/map_fragment.hpp"
 #include "slam_core/product/place_file.hpp"
 #include "slam_core/product/stamp_text.hpp"
 
@@ -66,6 +67,12 @@ std::string updateLine(const StepReport& report) {
       "{},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{},{},{},{},{},{}\n",
       stampText(report.stamp), P(0, 0), P(0, 1), P(0, 2), P(1, 1), P(1, 2), P(2, 2), s.nis,
       s.nis_dof, s.used, s.gated, s.added, s.unknown, s.landmarks);
+}
+
+/// Writes `NAME1.session`, `NAME2.session`, ...
+void writeSessions(const std::vector<SavedSession>& sessions, const std::string& name) {
+  for (std::size_t i = 0; i < sessions.size(); ++i)
+    writeFileAtomically(fmt::format("{}{}.session", name, i + 1), sessions[i].bytes);
 }
 
 void addCounts(const UpdateStatistics& from, UpdateStatistics& to) {
@@ -284,6 +291,8 @@ void RunWriter::finish(const Capabilities& backend, const std::string& map_frame
     writeFileAtomically(unfinished() + "/places.csv", placeTable(places->visits()));
   if (const auto* mapper = backend.find<FeatureMapper>())
     writeFileAtomically(unfinished() + "/features.csv", featureTable(mapper->features()));
+  if (const auto* fragment = backend.find<MapFragment>())
+    writeSessions(fragment->unmerged(), unfinished() + "/" + RunFolder::kUnmerged);
   writeFileAtomically(unfinished() + "/config.yaml", config);
   folder_.complete();
 }

@@ -26,9 +26,9 @@ std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position);
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
 /// updates.csv, events.csv, associations.csv where observations are associated by place;
 /// landmarks.yaml, of a grid map.yaml and map.pgm, of a graph graph.csv, of recognised places
-/// places.csv, and config.yaml at the end. Every driver of an Estimator uses this one, so that
-/// offline and online runs can be compared byte for byte. Until finish() they stand in
-/// unfinished(), beside what an earlier run has left.
+/// places.csv, of sessions that were not merged unmerged_1.session, ..., and config.yaml at the
+/// end. Every driver of an Estimator uses this one, so that offline and online runs can be compared
+/// byte for byte. Until finish() they stand in unfinished(), beside what an earlier run has left.
 class RunWriter {
  public:
   using Start = RunFolder::Start;

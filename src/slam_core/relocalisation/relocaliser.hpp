@@ -66,6 +66,14 @@ class Relocaliser {
   /// warning if the pose is trusted although nothing that the robot sees can confirm it.
   Status status() const;
   const Counters& counters() const { return counters_; }
+  /// Has the robot be searched for by these landmarks of the back-end's map, too.
+  friend void searchBy(Relocaliser& relocaliser, const LandmarkMap& landmarks) {
+    relocaliser.doubt_.know(pointsOf(landmarks));
+  }
+  /// Whether the place where the robot was found may still be withdrawn.
+  friend bool isTested(const Relocaliser& relocaliser) {
+    return relocaliser.grid_ && isTesting(*relocaliser.grid_);
+  }
 
   template <class Archive>
   void persist(Archive& archive) {

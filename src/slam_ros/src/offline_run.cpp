@@ -16,6 +16,7 @@
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
+#include "slam_core/product/map_fragment.hpp"
 #include "slam_core/tuning/calibrated_robot.hpp"
 #include "slam_ros/bag_transforms.hpp"
 #include "slam_ros/conversions.hpp"
@@ -287,6 +288,10 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
     counters.add("never_stepped", count);
   printCounts(counters);
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
+  if (const auto* fragment = coordinator_.estimator().capabilities().find<slam::MapFragment>())
+    if (const auto unmerged = fragment->unmerged().size(); unmerged > 0)
+      fmt::print("not merged, and no part of the map: {}/{}1.session{}\n", writer.folder(),
+                 slam::RunFolder::kUnmerged, unmerged > 1 ? fmt::format(" to {}", unmerged) : "");
   if (const auto* calibrator = coordinator_.estimator().capabilities().find<slam::Calibrator>())
     if (const auto known = calibrator->calibration())
       for (const auto& line : calibrator->calibrationConfig().sentencesOn(*known))

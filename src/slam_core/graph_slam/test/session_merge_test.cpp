@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "slam_core/common/archive.hpp"
 #include "slam_core/common/random.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
@@ -370,6 +371,63 @@ TEST(DrivesThroughARoom, AreMergedWhileOneDrives) {
   EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
   expectNear(running.backend->pose().pose, start.between(running.truth), 0.06, 0.03);
   EXPECT_GT(running.session().scans.size(), first.session().scans.size());
+}
+
+TEST(DrivesThroughARoom, AreMergedByWhatTheRunningOneSawBefore) {
+  RoomDrive room(3), again(4);
+  MergedDrive first{true}, running{true};
+  first.take(room, RoomDrive::kLap);
+  const Pose2 start = skip(again, 60);
+  running.take(again, RoomDrive::kLap);
+  as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
+  running.take(again, 40);
+  EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
+  EXPECT_TRUE(as<SessionMerger>(*running.backend).unmerged().empty());
+  expectNear(running.backend->pose().pose, start.between(running.truth), 0.06, 0.03);
+}
+
+TEST(DrivesThroughARoom, WaitOnAfterACheckpoint) {
+  RoomDrive room(3), again(4);
+  MergedDrive first{true}, running{true}, restored{true};
+  first.take(room, RoomDrive::kLap);
+  running.take(again, 30);
+  as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
+  running.take(again, 3);
+  ArchiveWriter writer;
+  running.backend->saveState(writer);
+  const auto state = writer.take();
+  ArchiveReader reader(state);
+  restored.backend->restoreState(reader);
+  ASSERT_EQ(as<SessionMerger>(*restored.backend).unmerged().size(), 1u);
+  auto rest = again;
+  running.take(again, RoomDrive::kLap);
+  restored.take(rest, RoomDrive::kLap);
+  EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
+  EXPECT_EQ(as<SessionKeeper>(*restored.backend).session().bytes,
+            as<SessionKeeper>(*running.backend).session().bytes);
+}
+
+TEST_F(DrivesPastLandmarks, AreRefusedWhereTooManyWait) {
+  auto& merger = as<SessionMerger>(*second.backend);
+  for (int i = 0; i < 5; ++i) merger.merge({bytesOf(first.session())});
+  EXPECT_NE(sentenceOf([&] { merger.merge({bytesOf(first.session())}); }).find("five sessions"),
+            std::string::npos);
+  EXPECT_EQ(merger.unmerged().size(), 5u);
+}
+
+TEST_F(DrivesPastLandmarks, AreMergedWithThoseOfABackEndMadeAlike) {
+  const auto made = as<SessionMerger>(*first.backend).makeAlike();
+  ASSERT_NE(made, nullptr);
+  EXPECT_TRUE(as<LandmarkMapper>(*made).landmarks().empty());
+  as<SessionMerger>(*first.backend).merge(as<SessionKeeper>(*made).session());
+}
+
+TEST(Session, IsMergedByNoBackEndWithAFixedMap) {
+  GraphSlam fixed;
+  GraphConfig config;
+  config.mode = BackendMode::kLocalization;
+  fixed.configure(config);
+  EXPECT_EQ(as<SessionMerger>(fixed).makeAlike(), nullptr);
 }
 
 }  // namespace

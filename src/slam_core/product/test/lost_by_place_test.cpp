@@ -3,71 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <tuple>
 
-#include "slam_core/common/random.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/product/estimator.hpp"
+#include "slam_core/product/test/grove.hpp"
 
 namespace slam {
 namespace {
 
 using relocalisation::Belief;
-
-/// A robot that drives in a circle among landmarks that nobody can tell apart but by their places.
-class Grove {
- public:
-  explicit Grove(std::uint64_t seed) : random_(seed, 0) {
-    constexpr int kTrees = 60;
-    constexpr double kEdge = 30.0;  // [m]
-    for (int i = 0; i < kTrees; ++i)
-      trees_.emplace_back(kEdge * random_.uniform(), kEdge * random_.uniform());
-  }
-
-  Motion drive() {
-    Motion motion;
-    motion.sequence = count_;
-    motion.start = stamp();
-    ++count_;
-    motion.end = stamp();
-    motion.increment = Pose2::exp({0.2, 0.0, 0.025});  // a circle of 8 m radius
-    motion.covariance = Eigen::Vector3d(4e-5, 1e-5, 2e-5).asDiagonal();
-    motion.odometry_start = odometry_;
-    odometry_ = motion.odometry_end = odometry_ * motion.increment;
-    truth = truth * motion.increment;
-    return motion;
-  }
-  LandmarkObservationArray look() {
-    LandmarkObservationArray array;
-    array.sequence = count_;
-    array.stamp = stamp();
-    for (const auto& tree : trees_) {
-      const auto place = truth.inverse().transform(tree);
-      constexpr double kReach = 7.0, kSigma = 0.03, kSigmaBearing = 0.01;  // [m], [m], [rad]
-      if (place.norm() > kReach || place.norm() < 0.5 || random_.uniform() < 0.05) continue;
-      LandmarkObservation z;
-      z.range = place.norm() + kSigma * random_.gaussian();
-      z.bearing = std::atan2(place.y(), place.x()) + kSigmaBearing * random_.gaussian();
-      z.covariance << kSigma * kSigma, 0.0, 0.0, kSigmaBearing * kSigmaBearing;
-      array.observations.push_back(z);
-    }
-    return array;
-  }
-
-  Pose2 truth{15.0, 7.0, 0.0};
-
- private:
-  Stamp stamp() const {
-    return stampFromNanoseconds(1000000000000) + count_ * std::chrono::milliseconds(100);
-  }
-
-  RandomStream random_;
-  std::vector<Eigen::Vector2d> trees_;
-  Pose2 odometry_;
-  std::uint64_t count_ = 0;
-};
+using test::Grove;
 
 class LostByPlace : public testing::TestWithParam<std::tuple<std::string, std::string>> {
  protected:

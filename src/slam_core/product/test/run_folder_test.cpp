@@ -41,7 +41,9 @@ bool refusedInAnotherProcess(Action&& action) {
 }
 
 TEST_F(RunFolderTest, TakesThePlaceOfAnEarlierRun) {
-  const auto trajectory = old("trajectory.tum"), grid = old("map.yaml"), own = old("notes.txt");
+  const auto trajectory = old("trajectory.tum"), grid = old("map.yaml");
+  const auto session = old("unmerged_2.session"), associations = old("associations.csv");
+  const auto own = old("notes.txt"), renamed = old("unmerged_hall.session");
   RunFolder run(folder / "run");
   add(run, "trajectory.tum");
   add(run, "config.yaml");
@@ -50,8 +52,9 @@ TEST_F(RunFolderTest, TakesThePlaceOfAnEarlierRun) {
   run.complete();
   EXPECT_EQ(contentOf(trajectory), "new");
   EXPECT_EQ(contentOf(folder / "run/config.yaml"), "new");
-  EXPECT_FALSE(std::filesystem::exists(grid));
-  EXPECT_EQ(contentOf(own), "old");
+  for (const auto& former : {grid, session, associations})
+    EXPECT_FALSE(std::filesystem::exists(former)) << former;
+  for (const auto& kept : {own, renamed}) EXPECT_EQ(contentOf(kept), "old");
   EXPECT_FALSE(std::filesystem::exists(run.unfinished()));
 }
 
