@@ -55,6 +55,7 @@ Stamp when(int milliseconds) {
 Image beacon(const std::string& camera, int number, int milliseconds) {
   Image image{when(milliseconds), camera, cv::Mat::zeros(24, 32, CV_8UC1), ""};
   image.gray.at<std::uint8_t>(12, 16) = static_cast<std::uint8_t>(number);
+  image.gray.at<std::uint8_t>(0, 0) = static_cast<std::uint8_t>(milliseconds / 10 % 3);  // noise
   return image;
 }
 
