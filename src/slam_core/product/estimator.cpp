@@ -95,6 +95,7 @@ void Estimator::configure(Settings& settings) {
   faults.attempt([&] { events_config_ = settings.read<EventsConfig>(); });
   faults.attempt([&] { frames_ = settings.read<FramesConfig>(); });
   faults.attempt([&] { relocaliser_.configure(settings, capabilities_, idsOf(settings)); });
+  faults.attempt([&] { fragment_.goBy(idsOf(settings)); });
   faults.attempt([&] { intake_.configure(settings, ports_, takesLines()); });
   faults.raise();
   reset();

@@ -31,6 +31,10 @@ class MapFragment {
   /// @param merger of the product's back-end, which outlives this; null where it merges nothing:
   /// then there never is a fragment
   void use(SessionMerger* merger);
+  /// @param ids whether observations and map share their ids
+  void goBy(relocalisation::LocalLandmarks::Ids ids) {
+    doubt_ = relocalisation::LandmarkDoubt(ids);
+  }
   /// Forgets all fragments.
   void reset();
 

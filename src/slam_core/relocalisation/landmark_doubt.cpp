@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
@@ -34,12 +35,13 @@ constexpr double kOfNothingExpected = 0.2;
 constexpr double kMostDoubt = 2.0;     ///< bound of the sum, relative to the threshold
 constexpr double kRemembered = 200.0;  ///< expected landmarks that the learnt probability goes by
 
-/// The landmarks of the map that observations were taken for.
-std::set<LandmarkId> landmarksOf(const std::vector<AssociatedObservation>& associations) {
-  std::set<LandmarkId> seen;
+/// The landmarks of the map that observations were taken for, or that they have begun.
+std::set<LandmarkId> landmarksOf(const std::vector<AssociatedObservation>& associations,
+                                 TakenFor what) {
+  std::set<LandmarkId> landmarks;
   for (const auto& observation : associations)
-    if (observation.taken_for == TakenFor::kLandmark) seen.insert(observation.landmark);
-  return seen;
+    if (observation.taken_for == what) landmarks.insert(observation.landmark);
+  return landmarks;
 }
 
 int countOfBoth(const std::set<LandmarkId>& a, const std::set<LandmarkId>& b) {
@@ -59,13 +61,16 @@ void LandmarkDoubt::move(const Motion& motion) {
 }
 
 void LandmarkDoubt::see(const LandmarkObservationArray& array) {
-  change_ += sensors_[array.sensor_frame].judge(array, isRight());
+  change_ += sensors_[array.sensor_frame].judge(array, isRight(), ids_);
+  if (ids_ == LocalLandmarks::Ids::kKnown)
+    for (const auto& z : array.observations) seen_.insert(z.id);
 }
 
 void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot, Stamp stamp) {
+  if (ids_ == LocalLandmarks::Ids::kKnown) return judgeByIds(statistics, robot, stamp);
   const double change = std::exchange(change_, 0.0);
   if (statistics.associations.empty()) return;
-  const auto seen = landmarksOf(statistics.associations);
+  const auto seen = landmarksOf(statistics.associations, TakenFor::kLandmark);
   const auto expected = expectedAt(robot, seen);
   const double weight = weightOf(robot, stamp);
   const auto fitting = static_cast<std::size_t>(countOfBoth(seen, trusted_));
@@ -81,6 +86,25 @@ void LandmarkDoubt::judge(const UpdateStatistics& statistics, const Pose2& robot
     learn(expected, seen, weight);
     views_[cellOf(robot)].insert(seen.begin(), seen.end());
   }
+  auto mapped = landmarksOf(statistics.associations, TakenFor::kNew);
+  mapped.insert(seen.begin(), seen.end());
+  note(mapped);
+  robot_ = robot;
+  stamp_ = stamp;
+}
+
+void LandmarkDoubt::judgeByIds(const UpdateStatistics& statistics, const Pose2& robot,
+                               Stamp stamp) {
+  const double change = std::exchange(change_, 0.0);
+  const auto seen = std::exchange(seen_, {});
+  if (seen.empty()) return;
+  const auto& innovations = statistics.innovations;
+  const auto fitting = std::count_if(innovations.begin(), innovations.end(), [&](const auto& each) {
+    return each.used && isTrusted(each.id);
+  });
+  const bool fits = 2 * static_cast<std::size_t>(fitting) >= seen.size();
+  sum_ += change - weightOf(robot, stamp) * (fits ? kOfWhatFits : kOfNothingExpected);
+  sum_ = std::clamp(sum_, 0.0, kMostDoubt * kThreshold);
   note(seen);
   robot_ = robot;
   stamp_ = stamp;
@@ -128,13 +152,28 @@ void LandmarkDoubt::learn(const Ids& expected, const Ids& seen, double weight) {
   misses_ /= excess;
 }
 
-/// Landmarks that were mapped in doubt are trusted as soon as the robot counts as right again.
-void LandmarkDoubt::note(const Ids& seen) {
-  since_doubt_.insert(seen.begin(), seen.end());
+/// Landmarks that were mapped in doubt are trusted when the robot counts as right again. A change
+/// of the view is evident three views after it, and those with ids that came with it must not be
+/// trusted until then.
+void LandmarkDoubt::note(const Ids& mapped) {
+  constexpr int kViewsOfAChange = 6;
+  const int last =
+      ids_ == LocalLandmarks::Ids::kKnown ? kViewsOfAChange * static_cast<int>(sensors_.size()) : 0;
+  for (const auto id : mapped)
+    if (!isTrusted(id)) young_.emplace(id, 0);
   if (sum_ <= 0.0) missing_.clear();
   if (!isRight()) return;
-  trusted_.merge(since_doubt_);
-  since_doubt_.clear();
+  for (auto young = young_.begin(); young != young_.end();) {
+    const bool is_trusted = young->second++ >= last;
+    if (is_trusted) trusted_.insert(young->first);
+    young = is_trusted ? young_.erase(young) : std::next(young);
+  }
+}
+
+std::vector<LandmarkId> LandmarkDoubt::doubtful() const {
+  std::vector<LandmarkId> ids;
+  for (const auto& [id, steps] : young_) ids.push_back(id);
+  return ids;
 }
 
 void LandmarkDoubt::know(const LandmarkMap& map) {
@@ -144,11 +183,12 @@ void LandmarkDoubt::know(const LandmarkMap& map) {
 void LandmarkDoubt::relocate() {
   sum_ = change_ = 0.0;
   missing_.clear();
-  since_doubt_.clear();
+  seen_.clear();
+  young_.clear();
   robot_.reset();
   for (auto& [frame, sensor] : sensors_) sensor.forgetBefore();
 }
 
-void LandmarkDoubt::forget() { *this = LandmarkDoubt(); }
+void LandmarkDoubt::forget() { *this = LandmarkDoubt(ids_); }
 
 }  // namespace slam::relocalisation

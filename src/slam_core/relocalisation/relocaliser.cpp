@@ -12,6 +12,7 @@
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/geometry/angle.hpp"
 
@@ -69,6 +70,7 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
   faults.raise();
   ids_ = ids;
   landmarks_ = LandmarkRecogniser(config_, ids);
+  doubt_ = LandmarkDoubt(ids);
   grid_.reset();
   if (has_grid) grid_.emplace(config_, grid, matcher);
   reset();
@@ -171,7 +173,7 @@ bool Relocaliser::see(const LandmarkObservationArray& array) {
     sees_only_lines_ = true;
   }
   if (searches_landmarks_) landmarks_.see(array);
-  if (belief_ == Belief::kSure && ids_ == LocalLandmarks::Ids::kIgnored) doubt_.see(array);
+  if (belief_ == Belief::kSure) doubt_.see(array);
   if (!searches_landmarks_ || is_lost_by_scans_) return true;
   counters_.add("withheld", array.observations.size());
   return false;
@@ -217,9 +219,18 @@ void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
 /// Looks for the robot, or reports that it is lost where its map is not searched.
 void Relocaliser::lose(const Pose2& believed) {
   const bool by_landmarks = gating_.isExcessive() || doubt_.isLost();
+  const auto doubtful = doubt_.isLost() ? doubt_.doubtful() : std::vector<LandmarkId>();
   assume(Belief::kLost);
+  removeLandmarks(doubtful);
   is_lost_by_scans_ = !by_landmarks;
   if (belief_ == Belief::kSure) unsearched_radius_ = radiusOfMap(believed);
+}
+
+/// They were mapped since the doubt began, so that they are not where the map has them.
+void Relocaliser::removeLandmarks(const std::vector<LandmarkId>& doubtful) {
+  auto* remover = capabilities_.find<LandmarkRemover>();
+  if (remover == nullptr) return;
+  for (const auto id : doubtful) remover->remove(id);
 }
 
 /// @return the radius of a circle that holds the landmarks, the grid and the robot, from which the

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "slam_core/common/counters.hpp"
 #include "slam_core/common/settings.hpp"
@@ -90,6 +91,7 @@ class Relocaliser {
   bool isContradicted() const;
   bool isAgreedAgain() const;
   void lose(const Pose2& believed);
+  void removeLandmarks(const std::vector<LandmarkId>& doubtful);
   bool isLostByScans() const;
   double radiusOfMap(const Pose2& believed) const;
   bool usesScans() const;
@@ -118,7 +120,7 @@ class Relocaliser {
   std::optional<double> unsearched_radius_;
   GatingRate gating_{kWindow};  ///< of observations that are associated by id
   LocalLandmarks::Ids ids_ = LocalLandmarks::Ids::kKnown;
-  LandmarkDoubt doubt_;  ///< of observations that are associated by place
+  LandmarkDoubt doubt_;
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

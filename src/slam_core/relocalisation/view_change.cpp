@@ -19,10 +19,12 @@ constexpr double kRightPasses = 0.999;  ///< of the descriptors of one landmark
 /// Of views that are compared [m], [1] of the mean range, [rad].
 constexpr double kNear = 0.3, kNearOfRange = 0.15, kNearTurn = 0.5;
 constexpr double kVague = 2.0;  ///< a landmark that is less certain is left out [m]
-/// Probability that a lost robot sees, by chance, a landmark where there was one before.
-constexpr double kByChance = 0.25;
-/// Bound of the learnt rates, since errors of a view are not independent.
-constexpr double kMostSure = 0.95;
+/// What a view says of landmarks that are told apart by their ids, or by their places.
+struct Odds {
+  double by_chance;  ///< probability that a lost robot sees one that was there before
+  double most_sure;  ///< bound of the learnt rates, since errors of a view are not independent
+};
+constexpr Odds kOfIds{0.002, 0.98}, kOfPlaces{0.25, 0.95};
 /// Landmarks of a view are not independent: they count as so many at most.
 constexpr double kMostIndependent = 8.0;
 /// What is gone and what is new have to say the same: the sum of both is so many times the lesser
@@ -31,15 +33,16 @@ constexpr double kMostOfLesser = 3.0;
 constexpr double kRemembered = 500.0;  ///< landmarks that a learnt rate goes by
 
 /// The log-likelihood ratio of "lost" to "right" of a binomial number of hits.
-double ratioOf(double hits, double misses, double learnt) {
-  const double right = std::min(learnt, kMostSure);
-  const double lost = std::min(kByChance, 0.5 * right);
+double ratioOf(double hits, double misses, double learnt, const Odds& odds) {
+  const double right = std::min(learnt, odds.most_sure);
+  const double lost = std::min(odds.by_chance, 0.5 * right);
   const double ratio =
       hits * std::log(lost / right) + misses * std::log((1.0 - lost) / (1.0 - right));
   return ratio * std::min(1.0, kMostIndependent / std::max(1.0, hits + misses));
 }
 
 bool isSame(const LocalLandmark& a, const LocalLandmark& b) {
+  if (a.id != kUnknownId || b.id != kUnknownId) return a.id == b.id;
   const Eigen::Vector2d d = a.position - b.position;
   const Eigen::Matrix2d S = a.covariance + b.covariance;
   return d.squaredNorm() < kSamePlace * S.trace() && d.dot(S.inverse() * d) < kSamePlace &&
@@ -75,12 +78,31 @@ void ViewChange::forgetBefore() {
   after_.clear();
 }
 
-void ViewChange::add(const LandmarkObservationArray& array) {
+/// The range follows the 0.95 quantile by stochastic approximation (Robbins and Monro 1951).
+void ViewChange::Reach::add(const LandmarkObservation& z) {
+  constexpr double kNearer = 0.95, kStep = 0.1;  // [1], [m]
+  least = std::min(least, z.bearing);
+  most = std::max(most, z.bearing);
+  far += kStep * (z.range > far ? kNearer : kNearer - 1.0);
+}
+
+bool ViewChange::Reach::covers(const Eigen::Vector2d& place) const {
+  constexpr double kEdge = 0.15;      // of all bearings, and of the range
+  constexpr double kAllAround = 5.5;  // [rad]
+  if (place.norm() > (1.0 - kEdge) * far) return false;
+  const double width = most - least, bearing = std::atan2(place.y(), place.x());
+  if (width > kAllAround) return true;
+  return bearing > least + kEdge * width && bearing < most - kEdge * width;
+}
+
+void ViewChange::add(const LandmarkObservationArray& array, LocalLandmarks::Ids ids) {
   View view;
   view.sensor = array.sensor_pose;
   for (const auto& z : array.observations) {
     if (z.isLine()) continue;
-    const auto seen = localised(z, array.sensor_pose);
+    auto seen = localised(z, array.sensor_pose);
+    if (ids == LocalLandmarks::Ids::kKnown) seen.id = z.id;
+    reach_.add(z);
     if (seen.position.allFinite() && seen.covariance.trace() < kVague * kVague)
       view.seen.push_back(seen);
   }
@@ -103,26 +125,38 @@ bool ViewChange::areNear() const {
          std::abs(step.theta()) < kNearTurn;
 }
 
+/// Whether all views of a block would show a landmark that is told apart by its id.
+bool ViewChange::isInView(const LocalLandmark& landmark, const Views& block) const {
+  if (landmark.id == kUnknownId) return true;
+  return std::all_of(block.begin(), block.end(), [&](const View& view) {
+    return reach_.covers(view.sensor.inverse().transform(landmark.position));
+  });
+}
+
 /// How many landmarks of a view the other block shows as well, and how many not, of those that
-/// all views of their own block show.
+/// all views of their own block show (with ids most of them) and the other one's would.
 ViewChange::Rate ViewChange::seenAlso(const Views& block, std::size_t reference,
-                                      const Views& other) {
+                                      const Views& other) const {
   Rate rate{0.0, 0.0};
   for (const auto& landmark : block[reference].seen) {
     const auto shows = [&](const View& view) { return isIn(landmark, view.seen); };
-    if (!std::all_of(block.begin(), block.end(), shows)) continue;
+    const auto needed = landmark.id == kUnknownId ? kBlock : kBlock - 1;
+    const auto shown = static_cast<std::size_t>(std::count_if(block.begin(), block.end(), shows));
+    if (shown < needed || !isInView(landmark, other)) continue;
     ++(std::any_of(other.begin(), other.end(), shows) ? rate.yes : rate.no);
   }
   return rate;
 }
 
-double ViewChange::judge(const LandmarkObservationArray& array, bool is_right) {
-  add(array);
+double ViewChange::judge(const LandmarkObservationArray& array, bool is_right,
+                         LocalLandmarks::Ids ids) {
+  add(array, ids);
   if (before_.size() < kBlock || !areNear()) return 0.0;
   const Rate kept = seenAlso(before_, kBlock - 1, after_);
   const Rate known = seenAlso(after_, 0, before_);
-  const double gone = ratioOf(kept.yes, kept.no, kept_.share());
-  const double other = ratioOf(known.yes, known.no, known_.share());
+  const auto& odds = ids == LocalLandmarks::Ids::kKnown ? kOfIds : kOfPlaces;
+  const double gone = ratioOf(kept.yes, kept.no, kept_.share(), odds);
+  const double other = ratioOf(known.yes, known.no, known_.share(), odds);
   if (is_right) {
     kept_.learn(kept);
     known_.learn(known);

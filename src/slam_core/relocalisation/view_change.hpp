@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,10 +19,12 @@ namespace slam::relocalisation {
 /// sensor was turned. An object in front of the sensor hides landmarks as well, but shows no
 /// others; and while a robot explores, landmarks come and go one by one.
 ///
-/// Views are compared by their landmarks' places, which odometry moves into the robot's current
-/// frame. Neither a map nor a pose is needed, so that wrong associations of the back-end have no
-/// influence. Three views are compared with the three before, since a single image may be blurred,
-/// and a detector misses a landmark now and then.
+/// Views are compared by their landmarks' ids or, where these say nothing, by their places, which
+/// odometry moves into the robot's current frame. Neither a map nor a pose is needed, so that wrong
+/// associations of the back-end have no influence. Three views are compared with the three before,
+/// since a single image may be blurred, and a detector misses a landmark now and then. With ids a
+/// few landmarks suffice; those at the edge of the sensor's view do not count then, since they come
+/// and go as the robot turns.
 ///
 /// How often a landmark is still seen, and how often it was seen before, is learnt.
 class ViewChange {
@@ -31,14 +34,14 @@ class ViewChange {
   /// The log-likelihood ratio of "lost" to "right" of these observations, 0 or above: both lost and
   /// new landmarks have to be evidence for it.
   /// @param array with covariances @param is_right whether the robot counts as being at its
-  /// estimated pose, so that its view is learnt from
-  double judge(const LandmarkObservationArray& array, bool is_right);
+  /// estimated pose, so that its view is learnt from @param ids the same for each array
+  double judge(const LandmarkObservationArray& array, bool is_right, LocalLandmarks::Ids ids);
   /// Later views are compared with none before them.
   void forgetBefore();
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(before_, after_, kept_, known_);
+    archive(before_, after_, kept_, known_, reach_);
   }
 
  private:
@@ -66,14 +69,31 @@ class ViewChange {
     }
   };
 
-  void add(const LandmarkObservationArray& array);
+  /// Where the sensor has seen anything.
+  struct Reach {
+    double least = INFINITY, most = -INFINITY;  ///< bearing [rad]
+    double far = 0.0;                           ///< most sightings are nearer [m]
+
+    void add(const LandmarkObservation& z);
+    /// Whether a place in the sensor's frame is not at the edge of its view.
+    bool covers(const Eigen::Vector2d& place) const;
+
+    template <class Archive>
+    void persist(Archive& archive) {
+      archive(least, most, far);
+    }
+  };
+
+  void add(const LandmarkObservationArray& array, LocalLandmarks::Ids ids);
   bool areNear() const;
-  static Rate seenAlso(const Views& block, std::size_t reference, const Views& other);
+  bool isInView(const LocalLandmark& landmark, const Views& block) const;
+  Rate seenAlso(const Views& block, std::size_t reference, const Views& other) const;
 
   Views before_, after_;  ///< two blocks of successive views, the newest last
   /// Counts of landmarks that later views show as well, and of landmarks that earlier views show as
   /// well. The counts begin with a guess.
   Rate kept_{7.0, 3.0}, known_{7.0, 3.0};
+  Reach reach_;
 };
 
 }  // namespace slam::relocalisation

@@ -35,15 +35,17 @@ class Grove {
     truth = truth * motion.increment;
     return motion;
   }
-  LandmarkObservationArray look() {
+  /// @param tells_ids whether the trees are told apart by ids, which are their numbers
+  LandmarkObservationArray look(bool tells_ids = false) {
     LandmarkObservationArray array;
     array.sequence = count_;
     array.stamp = stamp();
-    for (const auto& tree : trees_) {
-      const auto place = truth.inverse().transform(tree);
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
+      const auto place = truth.inverse().transform(trees_[i]);
       constexpr double kReach = 7.0, kSigma = 0.03, kSigmaBearing = 0.01;  // [m], [m], [rad]
       if (place.norm() > kReach || place.norm() < 0.5 || random_.uniform() < 0.05) continue;
       LandmarkObservation z;
+      if (tells_ids) z.id = static_cast<LandmarkId>(i);
       z.range = place.norm() + kSigma * random_.gaussian();
       z.bearing = std::atan2(place.y(), place.x()) + kSigmaBearing * random_.gaussian();
       z.covariance << kSigma * kSigma, 0.0, 0.0, kSigmaBearing * kSigmaBearing;

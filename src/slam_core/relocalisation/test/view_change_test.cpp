@@ -14,6 +14,7 @@
 namespace slam::relocalisation {
 namespace {
 
+using Ids = LocalLandmarks::Ids;
 using Places = std::vector<Eigen::Vector2d>;
 
 /// Places around a robot, 1 m to 5 m away and no two alike.
@@ -51,7 +52,7 @@ Motion motionBy(double way) {
 /// Lets a robot that stands see the same several times. @return the sum of the evidence
 double evidenceOf(ViewChange& change, const Places& places, int views) {
   double sum = 0.0;
-  for (int i = 0; i < views; ++i) sum += change.judge(viewOf(places), true);
+  for (int i = 0; i < views; ++i) sum += change.judge(viewOf(places), true, Ids::kIgnored);
   return sum;
 }
 
@@ -93,7 +94,8 @@ TEST(ViewChange, IsEvidentWhileTheRobotDrivesFast) {
     const auto motion = motionBy(0.05);
     change.move(motion);
     robot = robot * motion.increment;
-    (i < 10 ? before : after) += change.judge(viewOf(i < 10 ? here : there, robot), true);
+    (i < 10 ? before : after) +=
+        change.judge(viewOf(i < 10 ? here : there, robot), true, Ids::kIgnored);
   }
   EXPECT_EQ(before, 0.0);
   EXPECT_GT(after, 10.0);
@@ -119,7 +121,7 @@ TEST(ViewChange, IsNotJudgedWhereTheRobotHasMovedFar) {
   evidenceOf(change, kHere, 100);
   for (int i = 0; i < 10; ++i) {
     change.move(motionBy(2.0));
-    EXPECT_EQ(change.judge(viewOf(kThere), true), 0.0);
+    EXPECT_EQ(change.judge(viewOf(kThere), true, Ids::kIgnored), 0.0);
   }
 }
 
@@ -135,7 +137,54 @@ TEST(ViewChange, IsOfPointsOnly) {
   auto here = viewOf(kHere), there = viewOf(kThere);
   for (auto* const view : {&here, &there})
     for (auto& z : view->observations) z.kind = LandmarkKind::kLine;
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(change.judge(i < 10 ? here : there, true), 0.0);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(change.judge(i < 10 ? here : there, true, Ids::kIgnored), 0.0);
+}
+
+/// The same places with ids from `first` on.
+LandmarkObservationArray withIds(LandmarkObservationArray array, LandmarkId first) {
+  for (auto& z : array.observations) z.id = first++;
+  return array;
+}
+
+double evidenceById(ViewChange& change, const LandmarkObservationArray& array, int views) {
+  double sum = 0.0;
+  for (int i = 0; i < views; ++i) sum += change.judge(array, true, Ids::kKnown);
+  return sum;
+}
+
+/// It shows other ids at the same places.
+TEST(ViewChange, IsEvidentByTwoIds) {
+  ViewChange change;
+  const auto places = viewOf({{2.0, 0.5}, {2.0, -0.5}, {3.0, 3.0}, {3.0, -3.0}});
+  EXPECT_EQ(evidenceById(change, withIds(places, 1), 200), 0.0);
+  EXPECT_GT(evidenceById(change, withIds(places, 11), 3), 15.0);
+}
+
+TEST(ViewChange, IsRefutedByAnIdThatStays) {
+  ViewChange change;
+  auto here = withIds(viewOf(somePlaces(1, 4)), 1), there = withIds(viewOf(somePlaces(1, 4)), 11);
+  there.observations[0].id = here.observations[0].id;
+  EXPECT_EQ(evidenceById(change, here, 200), 0.0);
+  EXPECT_LT(evidenceById(change, there, 10), 12.0);
+}
+
+/// A camera that sees a third of a full turn turns past a ring of markers.
+TEST(ViewChange, OfIdsAtTheEdgeWhileTheRobotTurnsIsNoSign) {
+  ViewChange change;
+  double evidence = 0.0;
+  Pose2 robot;
+  for (int i = 0; i < 500; ++i) {
+    Motion motion = motionBy(0.0);
+    motion.increment = Pose2(0.0, 0.0, 0.12);
+    change.move(motion);
+    robot = robot * motion.increment;
+    LandmarkObservationArray seen;
+    for (auto& z : withIds(viewOf(somePlaces(3, 12), robot), 1).observations)
+      if (std::abs(z.bearing) < M_PI / 3.0) seen.observations.push_back(z);
+    evidence += change.judge(seen, true, Ids::kKnown);
+  }
+  EXPECT_EQ(evidence, 0.0);
 }
 
 TEST(ViewChange, GoesOnInTheMiddleOfAChange) {
