@@ -71,12 +71,12 @@ void visitFactors(const Optimizer& graph, const FactorVisitor& look) {
     if (term.factor) look(*term.factor, term.weight);
 }
 
-/// A factor would be linearised now at the origins of its poses, whose corrections cannot be added,
-/// and at the estimates of its points.
+/// A factor would be linearised now at the origins of its variables; of points that go by the
+/// factor at their estimates, to which corrections can be added.
 std::vector<Pose2> Optimizer::linearizationOf(const Factor& factor) const {
   std::vector<Pose2> at;
   for (const Key key : factor.keys())
-    at.push_back(variables_.rows(key) == 2 ? pose(key) : variables_.pose(key));
+    at.push_back(goesByFactor(key) ? pose(key) : variables_.pose(key));
   return at;
 }
 
@@ -96,7 +96,8 @@ QuadraticFactor Optimizer::linearize(Term& term) const {
   Eigen::Index column = 0;
   for (const Key key : keys) {
     const auto rows = variables_.rows(key);
-    if (rows == 2) linear.r.noalias() -= linear.J.middleCols<2>(column) * tree_.solution(key);
+    if (goesByFactor(key))
+      linear.r.noalias() -= linear.J.middleCols<2>(column) * tree_.solution(key);
     column += rows;
   }
   return {keys, hessian(linear), gradient(linear)};
@@ -119,7 +120,7 @@ Optimizer::Outdated Optimizer::outdated(double patience) const {
   std::vector<FactorId> candidates = postponed_;
   for (const Key key : moved_) {
     const auto& terms = terms_of_[index(key)];
-    auto& to = isFarPose(key) ? outdated.now : candidates;
+    auto& to = isFarAsAWhole(key) ? outdated.now : candidates;
     to.insert(to.end(), terms.begin(), terms.end());
   }
   for (const FactorId id : sortedUnique(std::move(candidates))) {
@@ -140,7 +141,7 @@ bool Optimizer::joinsPointsAlone(const Factor& factor) const {
 void Optimizer::relinearize(double patience) {
   auto [now, later] = outdated(patience);
   for (const Key key : moved_)
-    if (isFarPose(key)) moveOrigin(key);
+    if (isFarAsAWhole(key)) moveOrigin(key);
   for (const FactorId id : now) refresh(id);
   postponed_ = std::move(later);
 }

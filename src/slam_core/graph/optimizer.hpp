@@ -18,9 +18,15 @@
 namespace slam::graph {
 
 struct OptimizerLimits {
-  /// If the variables of a factor are further than this [m, rad] from where it was linearised
-  /// (Factor::moved()), it is linearised again; so are all factors of a pose that is.
+  /// If a variable is further than this [m, rad] from where its factors were linearised, all of
+  /// them are linearised again, at one place.
   double correction = 2e-2;
+  /// Points are excepted: each of their factors is linearised again by itself, when its own
+  /// variables are further than `correction` from where it was (Factor::moved()). So local maps
+  /// that are carried along as a whole stay as they are. It must not be so where points stand for
+  /// parameters that many factors share: linearised at several places, these would seem to tell
+  /// what none of them does (Huang et al. 2010).
+  bool points_by_factor = true;
   /// A smaller change of a variable [m, rad] is not passed on to other variables.
   double change = 1e-3;
   /// A factor that joins only points waits until variables are gathered (Vicinity). It does not
@@ -127,8 +133,9 @@ class Optimizer {
   void relinearize(double patience);
   void relinearizeAll();
   void moveOrigin(Key key);
-  bool isFarPose(Key key) const {
-    return variables_.rows(key) == 3 && isFurther(key, limits_.correction);
+  bool goesByFactor(Key key) const { return limits_.points_by_factor && variables_.rows(key) == 2; }
+  bool isFarAsAWhole(Key key) const {
+    return !goesByFactor(key) && isFurther(key, limits_.correction);
   }
   bool isFurther(Key key, double limit) const {
     return tree_.solution(key).cwiseAbs().maxCoeff() > limit;

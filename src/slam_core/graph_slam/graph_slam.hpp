@@ -122,10 +122,12 @@ class GraphSlam final : public Backend,
   LandmarkObservationArray corrected(const LandmarkObservationArray& array) const override;
 
   static std::size_t nodesPerPlace(const GraphConfig& config);
+  /// Parameters that are calibrated are points in the graph.
+  static graph::OptimizerLimits optimizerLimits(const GraphConfig& config);
   /// The path and what hangs on it.
   struct Graph {
     Graph(const GraphConfig& config, const PoseEstimate& start)
-        : path({config.node_distance, config.node_angle}, start),
+        : path({config.node_distance, config.node_angle}, start, optimizerLimits(config)),
           delayed(config),
           reduction({nodesPerPlace(config), config.mapIsFixed()}, path, landmarks, record) {}
     PathGraph path;

@@ -3,11 +3,18 @@
 
 #include <cmath>
 
+#include "slam_core/common/config_error.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
 
 // This file holds how the back-end calibrates wheels and landmark sensor.
 
 namespace slam::graph_slam {
+
+graph::OptimizerLimits GraphSlam::optimizerLimits(const GraphConfig& config) {
+  graph::OptimizerLimits limits;
+  limits.points_by_factor = !config.calibration.isOn();
+  return limits;
+}
 
 void GraphSlam::checkCalibration(const GraphConfig& config) const {
   const auto& calibration = config.calibration;
