@@ -222,10 +222,11 @@ void Estimator::give(const Intake::Step& step) {
     counters_.add("paused");
     return;
   }
-  fragment_.see(step.trigger->port->kind, scaled(*step.trigger).value.get());
+  const auto trigger = scaled(*step.trigger);
+  fragment_.see(trigger.port->kind, trigger.value.get());
   if (isAdmitted(*step.trigger)) {
     intake_.admit(*step.trigger);
-    give(*step.trigger);
+    give(trigger);
   }
 }
 
@@ -241,7 +242,7 @@ void Estimator::give(const Intake::Trigger& trigger) {
   const bool has_landmarks = trigger.port->kind == kindOf<LandmarkObservationArray>();
   if (!has_landmarks && capabilities_.find<CorrectionReporter>() == nullptr)
     dead_reckoning_.correct();
-  trigger.port->set(scaled(trigger).value.get());
+  trigger.port->set(trigger.value.get());
 }
 
 /// The landmarks of a session that the last step has merged are known from now on.

@@ -73,6 +73,7 @@ Status Estimator::set(const SavedSession& session) {
   const auto landmarks = mapper == nullptr ? LandmarkMap() : mapper->landmarks();
   intake_.knowOnly(landmarks);
   dead_reckoning_.know(landmarks);
+  searchBy(relocaliser_, landmarks);
   return status;
 }
 

@@ -24,7 +24,7 @@ Status Estimator::watchConsistency() {
   return now == Fault::kLost ? Status::alarm(finding) : Status::warning(finding);
 }
 
-/// What the monitor has judged so far was of the noise as it was.
+/// The monitor has judged the noise as it was, and begins anew with the noise as it is now.
 void Estimator::adaptNoise() {
   if (consistency_config_.adapt && noise_.learn(consistency_, statistics()))
     consistency_ = ConsistencyMonitor(consistency_config_);
@@ -43,7 +43,7 @@ bool Estimator::isLostByBackend() const {
   return reporter != nullptr && reporter->lostSince().has_value();
 }
 
-/// Where the back-end has found the robot by itself, it jumped there: that is no way.
+/// A back-end that has found the robot by itself has jumped there, which is no way that it drove.
 void Estimator::judgeWay(bool was_lost) {
   const auto* reporter = capabilities_.find<LostReporter>();
   const bool has_jumped =

@@ -19,7 +19,8 @@ constexpr double kRightPasses = 0.999;  ///< of the descriptors of one landmark
 /// Of views that are compared [m], [1] of the mean range, [rad].
 constexpr double kNear = 0.3, kNearOfRange = 0.15, kNearTurn = 0.5;
 constexpr double kVague = 2.0;  ///< a landmark that is less certain is left out [m]
-/// What a view says of landmarks that are told apart by their ids, or by their places.
+/// The two kinds of odds are those of landmarks that are told apart by their ids, or by their
+/// places.
 struct Odds {
   double by_chance;  ///< probability that a lost robot sees one that was there before
   double most_sure;  ///< bound of the learnt rates, since errors of a view are not independent

@@ -69,7 +69,7 @@ class ViewChange {
     }
   };
 
-  /// Where the sensor has seen anything.
+  /// The sensor has seen landmarks at these bearings, and up to this range.
   struct Reach {
     double least = INFINITY, most = -INFINITY;  ///< bearing [rad]
     double far = 0.0;                           ///< most sightings are nearer [m]

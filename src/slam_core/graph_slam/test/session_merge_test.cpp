@@ -11,11 +11,11 @@
 #include <set>
 #include <string>
 
-#include "slam_core/common/archive.hpp"
 #include "slam_core/common/random.hpp"
 #include "slam_core/common/test/faults.hpp"
 #include "slam_core/graph_slam/graph_slam.hpp"
 #include "slam_core/graph_slam/session_file.hpp"
+#include "slam_core/graph_slam/test/merged_drive.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
 #include "slam_core/product/test/component_driver.hpp"
@@ -23,60 +23,14 @@
 namespace slam::graph_slam {
 namespace {
 
+using test::DrivesPastLandmarks;
+using test::expectNear;
+using test::expectTruth;
+using test::MergedDrive;
 using test::RoomDrive;
 using test::sentenceOf;
 using test::SimulatedWorld;
-
-/// A back-end that drives from where its world is now, which is the origin of its map.
-struct MergedDrive {
-  explicit MergedDrive(bool has_grid) {
-    as<MapChooser>(*backend).useMap(has_grid ? MapKind::kGrid : MapKind::kLandmarks);
-    backend->configure(GraphConfig());
-  }
-  void take(SimulatedWorld& world, int steps) {
-    for (int i = 0; i < steps; ++i) {
-      const auto step = world.next();
-      backend->set(step.motion);
-      backend->set(step.observations);
-      const auto status = backend->execute();
-      EXPECT_TRUE(status.isOk()) << status.message;
-      truth = step.truth;
-    }
-  }
-  void take(RoomDrive& room, int steps) {
-    for (int i = 0; i < steps; ++i) {
-      const auto step = room.next();
-      give(step.motion, *backend);
-      give(step.scan, *backend);
-      backend->execute();
-      truth = step.truth;
-    }
-  }
-  Session session() const { return sessionOf(as<SessionKeeper>(*backend).session().bytes); }
-
-  std::unique_ptr<GraphSlam> backend = std::make_unique<GraphSlam>();
-  Pose2 truth;  ///< in the frame of the world
-};
-
-/// Leaves out steps of a drive. @return where it then is
-template <class World>
-Pose2 skip(World& world, int steps) {
-  Pose2 truth;
-  for (int i = 0; i < steps; ++i) truth = world.next().truth;
-  return truth;
-}
-
-void expectNear(const Pose2& a, const Pose2& b, double distance, double angle) {
-  const Pose2 error = a.between(b);
-  EXPECT_LT(error.position().norm(), distance);
-  EXPECT_LT(std::abs(error.theta()), angle);
-}
-
-void expectTruth(const Session& session, const SimulatedWorld& world) {
-  EXPECT_EQ(session.landmarks.size(), world.landmarks().size());
-  for (const auto& landmark : session.landmarks)
-    EXPECT_LT((landmark.position - world.landmarks().at(landmark.id)).norm(), 0.15) << landmark.id;
-}
+using test::skip;
 
 /// Two nodes that lie a metre apart for sure, at headings that hardly anything tells, and a third
 /// factor that sees the second one from the first, `seen` metres ahead.
@@ -104,19 +58,6 @@ TEST(Settle, RefusesAGraphThatDoesNotComeToRest) {
   EXPECT_TRUE(test::oneSays({sentence}, {"does not come to rest", "the same place is none"}))
       << sentence;
 }
-
-/// Two drives past the same landmarks, the second one from elsewhere.
-class DrivesPastLandmarks : public testing::Test {
- protected:
-  DrivesPastLandmarks() {
-    first.take(world, SimulatedWorld::kLap + 20);
-    start = skip(again, 40);
-    second.take(again, SimulatedWorld::kLap);
-  }
-  SimulatedWorld world{1}, again{2};
-  MergedDrive first{false}, second{false};
-  Pose2 start;  ///< of the second one
-};
 
 TEST_F(DrivesPastLandmarks, BecomeOneMapInTheFrameOfTheFirst) {
   const auto a = first.session(), b = second.session();
@@ -182,17 +123,6 @@ TEST_F(DrivesPastLandmarks, KeepALoadedMapAsTheFirst) {
               graph_slam::merged(first.session(), loaded.session(), {}, GoesOn::kFirst);
             }).find("give it as the first one"),
             std::string::npos);
-}
-
-TEST_F(DrivesPastLandmarks, AreMergedWhileTheFirstDrivesOn) {
-  as<SessionMerger>(*first.backend).merge({bytesOf(second.session())});
-  first.take(world, 3);
-  EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
-  expectTruth(first.session(), world);
-  EXPECT_GT(first.session().nodes.size(), second.session().nodes.size() + SimulatedWorld::kLap / 2);
-  first.take(world, SimulatedWorld::kLap);
-  EXPECT_EQ(first.backend->counters()["merged_sessions"], 1u);
-  expectNear(first.backend->pose().pose, first.truth, 0.2, 0.06);
 }
 
 /// Two drives past trees that are told apart by their places alone.
@@ -358,76 +288,6 @@ TEST(DrivesThroughARoom, KeepTheSecondMotionsToTheirNodes) {
   goes_on.take(again, 30);
   EXPECT_EQ(goes_on.session().chords.size(), both.chords.size());
   expectNear(goes_on.backend->pose().pose, goes_on.truth, 0.05, 0.02);
-}
-
-TEST(DrivesThroughARoom, AreMergedWhileOneDrives) {
-  RoomDrive room(3), again(4);
-  MergedDrive first{true}, running{true};
-  first.take(room, RoomDrive::kLap);
-  const Pose2 start = skip(again, 60);
-  running.take(again, 5);
-  as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
-  running.take(again, RoomDrive::kLap);
-  EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
-  expectNear(running.backend->pose().pose, start.between(running.truth), 0.06, 0.03);
-  EXPECT_GT(running.session().scans.size(), first.session().scans.size());
-}
-
-TEST(DrivesThroughARoom, AreMergedByWhatTheRunningOneSawBefore) {
-  RoomDrive room(3), again(4);
-  MergedDrive first{true}, running{true};
-  first.take(room, RoomDrive::kLap);
-  const Pose2 start = skip(again, 60);
-  running.take(again, RoomDrive::kLap);
-  as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
-  running.take(again, 40);
-  EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
-  EXPECT_TRUE(as<SessionMerger>(*running.backend).unmerged().empty());
-  expectNear(running.backend->pose().pose, start.between(running.truth), 0.06, 0.03);
-}
-
-TEST(DrivesThroughARoom, WaitOnAfterACheckpoint) {
-  RoomDrive room(3), again(4);
-  MergedDrive first{true}, running{true}, restored{true};
-  first.take(room, RoomDrive::kLap);
-  running.take(again, 30);
-  as<SessionMerger>(*running.backend).merge(as<SessionKeeper>(*first.backend).session());
-  running.take(again, 3);
-  ArchiveWriter writer;
-  running.backend->saveState(writer);
-  const auto state = writer.take();
-  ArchiveReader reader(state);
-  restored.backend->restoreState(reader);
-  ASSERT_EQ(as<SessionMerger>(*restored.backend).unmerged().size(), 1u);
-  auto rest = again;
-  running.take(again, RoomDrive::kLap);
-  restored.take(rest, RoomDrive::kLap);
-  EXPECT_EQ(running.backend->counters()["merged_sessions"], 1u);
-  EXPECT_EQ(as<SessionKeeper>(*restored.backend).session().bytes,
-            as<SessionKeeper>(*running.backend).session().bytes);
-}
-
-TEST_F(DrivesPastLandmarks, AreRefusedWhereTooManyWait) {
-  auto& merger = as<SessionMerger>(*second.backend);
-  for (int i = 0; i < 5; ++i) merger.merge({bytesOf(first.session())});
-  EXPECT_NE(sentenceOf([&] { merger.merge({bytesOf(first.session())}); }).find("five sessions"),
-            std::string::npos);
-  EXPECT_EQ(merger.unmerged().size(), 5u);
-}
-
-TEST_F(DrivesPastLandmarks, AreMergedWithThoseOfABackEndMadeAlike) {
-  const auto made = as<SessionMerger>(*first.backend).makeAlike();
-  ASSERT_NE(made, nullptr);
-  EXPECT_TRUE(as<LandmarkMapper>(*made).landmarks().empty());
-  as<SessionMerger>(*first.backend).merge(as<SessionKeeper>(*made).session());
-}
-
-TEST(Session, IsMergedByNoBackEndWithAFixedMap) {
-  GraphSlam fixed;
-  GraphConfig config;
-  config.mode = BackendMode::kLocalization;
-  fixed.configure(config);
-  EXPECT_EQ(as<SessionMerger>(fixed).makeAlike(), nullptr);
 }
 
 }  // namespace

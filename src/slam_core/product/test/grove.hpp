@@ -4,11 +4,14 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/contract/registry.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/product/estimator.hpp"
 
 namespace slam::test {
 
@@ -67,6 +70,43 @@ class Grove {
   std::vector<Eigen::Vector2d> trees_;
   Pose2 odometry_;
   std::uint64_t count_ = 0;
+};
+
+/// A robot that maps a grove with one of the back-ends.
+struct GroveRobot {
+  /// @param association by which the trees are told apart; their ids are known to "known_ids" only
+  void configure(const std::string& backend, const std::string& association) {
+    tells_ids = association == "known_ids";
+    Settings settings({}, {}, {"association=" + association});
+    estimator.use(Registry<Backend>::instance().create(backend));
+    estimator.configure(settings);
+  }
+  void step() {
+    estimator.set(grove.drive());
+    estimator.set(grove.look(tells_ids));
+    for (estimator.execute(); estimator.report(); estimator.execute()) report = *estimator.report();
+  }
+  void drive(int steps) {
+    for (int i = 0; i < steps; ++i) step();
+  }
+  /// Lifts the robot, and puts it down elsewhere on its way.
+  void carry(int steps) {
+    grove.truth = grove.truth * Pose2::exp(steps * Eigen::Vector3d(0.2, 0.0, 0.025));
+  }
+  Pose2 inMap(const Pose2& pose) const { return start.inverse() * pose; }
+  double error() const {
+    return (report.pose.pose.position() - inMap(grove.truth).position()).norm();
+  }
+  LandmarkMap landmarks() const {
+    return estimator.capabilities().find<LandmarkMapper>()->landmarks();
+  }
+
+  static constexpr int kLap = 252;  // steps
+  Grove grove{1};
+  const Pose2 start = grove.truth;
+  Estimator estimator;
+  StepReport report;
+  bool tells_ids = false;
 };
 
 }  // namespace slam::test

@@ -6,50 +6,32 @@
 #include <functional>
 #include <tuple>
 
-#include "slam_core/contract/registry.hpp"
-#include "slam_core/product/estimator.hpp"
 #include "slam_core/product/test/grove.hpp"
 
 namespace slam {
 namespace {
 
 using relocalisation::Belief;
-using test::Grove;
+using test::GroveRobot;
 
+/// A robot that drives in a circle among trees that nobody can tell apart but by their places.
 class LostByPlace : public testing::TestWithParam<std::tuple<std::string, std::string>> {
  protected:
   void SetUp() override {
     const auto& [backend, policy] = GetParam();
-    Settings settings({}, {}, {"association=" + policy});
-    estimator.use(Registry<Backend>::instance().create(backend));
-    estimator.configure(settings);
+    robot.configure(backend, policy);
   }
   void drive(int steps) {
     for (int i = 0; i < steps; ++i) {
-      estimator.set(grove.drive());
-      estimator.set(grove.look());
-      while (true) {
-        estimator.execute();
-        if (!estimator.report()) break;
-        report = *estimator.report();
-      }
+      robot.step();
       on_step();
     }
   }
-  /// Lifts the robot, and puts it down elsewhere on its way.
-  void carry(int steps) { grove.truth = grove.truth * Pose2::exp(steps * kStep); }
-  bool isSure() { return relocaliserOf(estimator).belief() == Belief::kSure; }
-  double error() const {
-    const Pose2 in_map = kStart.inverse() * grove.truth;
-    return (report.pose.pose.position() - in_map.position()).norm();
-  }
+  bool isSure() { return relocaliserOf(robot.estimator).belief() == Belief::kSure; }
+  double error() const { return robot.error(); }
 
-  const Eigen::Vector3d kStep{0.2, 0.0, 0.025};
-  const Pose2 kStart{15.0, 7.0, 0.0};
-  static constexpr int kLap = 252;  // steps
-  Grove grove{1};
-  Estimator estimator;
-  StepReport report;
+  static constexpr int kLap = GroveRobot::kLap;
+  GroveRobot robot;
   std::function<void()> on_step = [] {};
 };
 
@@ -57,7 +39,7 @@ TEST_P(LostByPlace, NoticesThatItWasCarriedAwayAndFindsItselfAgain) {
   drive(kLap + 40);
   ASSERT_TRUE(isSure());
   ASSERT_LT(error(), 0.3);
-  carry(100);
+  robot.carry(100);
   int since = 0, lost = 0, wrong = 0;
   on_step = [&] {
     constexpr int kNoticed = 30;  // steps, 6 m

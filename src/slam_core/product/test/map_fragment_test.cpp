@@ -10,58 +10,30 @@
 #include <string>
 #include <vector>
 
-#include "slam_core/contract/registry.hpp"
-#include "slam_core/product/estimator.hpp"
 #include "slam_core/product/test/grove.hpp"
 
 namespace slam {
 namespace {
 
-constexpr int kLap = 252, kMapped = 100;                       // steps
+constexpr int kLap = test::GroveRobot::kLap, kMapped = 100;    // steps
 constexpr int kCarried = 40, kLost = 80;                       // steps
 constexpr int kBack = kLap - kMapped - kCarried - kLost + 95;  // until shortly before the carry
 
 /// A robot that maps the beginning of a circle, is carried on to where it has never been, and
 /// drives back to the beginning.
-struct CarriedRobot {
-  explicit CarriedRobot(const std::string& backend) {
-    Settings settings({}, {}, {"association=jcbb"});
-    estimator.use(Registry<Backend>::instance().create(backend));
-    estimator.configure(settings);
-  }
-  void drive(int steps) {
-    for (int i = 0; i < steps; ++i) {
-      estimator.set(grove.drive());
-      estimator.set(grove.look());
-      while (true) {
-        estimator.execute();
-        if (!estimator.report()) break;
-        report = *estimator.report();
-      }
-    }
-  }
-  void carry(int steps) {
-    grove.truth = grove.truth * Pose2::exp(steps * Eigen::Vector3d(0.2, 0.0, 0.025));
-  }
-  /// Until it is lost where it has mapped nothing.
+struct CarriedRobot : test::GroveRobot {
+  explicit CarriedRobot(const std::string& backend) { configure(backend, "jcbb"); }
+  /// Drives until it is lost where it has mapped nothing.
   void loseItself() {
     drive(kMapped);
     carry(kCarried);
     drive(kLost);
     ASSERT_EQ(report.trust, Trust::kLost);
   }
-  LandmarkMap landmarks() const {
-    return estimator.capabilities().find<LandmarkMapper>()->landmarks();
-  }
   std::vector<SavedSession> unmerged() const {
     return estimator.capabilities().find<MapFragment>()->unmerged();
   }
   std::uint64_t count(const std::string& name) const { return estimator.counters()[name]; }
-
-  const Pose2 start{15.0, 7.0, 0.0};
-  test::Grove grove{1};
-  Estimator estimator;
-  StepReport report;
 };
 
 /// @return how far the map's worst landmark is from the nearest tree [m]
@@ -123,7 +95,7 @@ TEST(MapFragment, IsNotMergedWhereSomebodyPutsTheRobotElsewhere) {
   CarriedRobot robot("graph");
   robot.loseItself();
   PoseEstimate place;
-  place.pose = robot.start.inverse() * robot.grove.truth;
+  place.pose = robot.inMap(robot.grove.truth);
   place.covariance = 0.01 * Eigen::Matrix3d::Identity();
   robot.estimator.set(place);
   robot.drive(kBack);
