@@ -60,6 +60,24 @@ TEST_P(LostByPlace, IsNotLostOnLapsThatNothingDisturbs) {
   EXPECT_EQ(lost, 0);
 }
 
+/// Where it is carried it has seen nothing since the session was loaded.
+TEST(LostByPlace, FindsItselfWhereOnlyALoadedSessionHasBeen) {
+  GroveRobot first, second;
+  for (auto* robot : {&first, &second}) robot->configure("graph", "jcbb");
+  first.drive(GroveRobot::kLap + 40);
+  second.grove = first.grove;
+  const auto session = first.estimator.capabilities().find<SessionKeeper>()->session();
+  ASSERT_TRUE(second.estimator.startWith(session).isOk());
+  second.drive(40);
+  ASSERT_EQ(second.report.trust, Trust::kConfident);
+  second.carry(100);
+  second.drive(10);
+  EXPECT_EQ(second.report.trust, Trust::kLost);
+  second.drive(60);
+  EXPECT_EQ(second.report.trust, Trust::kConfident);
+  EXPECT_LT(second.error(), 0.5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Policies, LostByPlace,
                          testing::Combine(testing::Values("ekf", "graph"),
                                           testing::Values("nearest", "jcbb")));
