@@ -79,6 +79,7 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
 void Relocaliser::reset() {
   assume(Belief::kSure);
   doubt_.forget();
+  scan_change_.forget();
   counters_.clear();
 }
 
@@ -87,6 +88,7 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   belief_ = belief;
   gating_ = GatingRate(kWindow);
   is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = sees_only_lines_ = false;
+  was_carried_ = false;
   unsearched_radius_.reset();
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
@@ -164,6 +166,7 @@ bool Relocaliser::usesScans() const { return searches_grid_ || (grid_ && isTesti
 void Relocaliser::predict(const Motion& motion) {
   if (searches_landmarks_) landmarks_.move(motion);
   doubt_.move(motion);
+  scan_change_.move(motion);
   if (usesScans()) grid_->move(motion);
 }
 
@@ -174,15 +177,20 @@ bool Relocaliser::see(const LandmarkObservationArray& array) {
   }
   if (searches_landmarks_) landmarks_.see(array);
   if (belief_ == Belief::kSure) doubt_.see(array);
-  if (!searches_landmarks_ || is_lost_by_scans_) return true;
+  if (!was_carried_ && (!searches_landmarks_ || is_lost_by_scans_)) return true;
   counters_.add("withheld", array.observations.size());
   return false;
 }
 
 bool Relocaliser::see(const LaserScan& scan) {
+  const auto change =
+      grid_ && config_.enabled ? scan_change_.judge(scan) : ScanChange::Verdict::kGoesOn;
+  if (change != ScanChange::Verdict::kGoesOn) counters_.add("unlike_last");
+  if (change == ScanChange::Verdict::kChanged && belief_ != Belief::kAnywhere) loseByChange();
   if (usesScans()) grid_->see(scan);
   has_new_scan_ = true;
-  return belief_ != Belief::kAnywhere;
+  const bool is_at_pose = belief_ != Belief::kAnywhere && !was_carried_;
+  return is_at_pose && change == ScanChange::Verdict::kGoesOn;
 }
 
 bool Relocaliser::isLostByScans() const {
@@ -224,6 +232,13 @@ void Relocaliser::lose(const Pose2& believed) {
   removeLandmarks(doubtful);
   is_lost_by_scans_ = !by_landmarks;
   if (belief_ == Belief::kSure) unsearched_radius_ = radiusOfMap(believed);
+}
+
+/// Nothing that the laser sees from here on says anything of the back-end's pose, at which it would
+/// be drawn. A map that cannot be searched leaves the robot where it is believed to be.
+void Relocaliser::loseByChange() {
+  assume(Belief::kLost);
+  was_carried_ = belief_ == Belief::kLost;
 }
 
 /// They were mapped since the doubt began, so that they are not where the map has them.
@@ -291,7 +306,7 @@ std::optional<PoseEstimate> Relocaliser::settleByScans(const Recognition& found,
 void Relocaliser::believePlaceOfScans() {
   belief_ = Belief::kSure;
   gating_ = GatingRate(kWindow);
-  is_lost_by_scans_ = is_ambiguous_ = false;
+  is_lost_by_scans_ = is_ambiguous_ = was_carried_ = false;
   searches_landmarks_ = searches_grid_ = false;
   landmarks_.end();
   landmarks_.forget();
@@ -331,9 +346,10 @@ Status Relocaliser::status() const {
   const std::string ways = is_ambiguous_ ? "several places of the map look alike; " : "";
   if (belief_ == Belief::kLost)
     return Status::alarm(
-        "the robot is lost: what is seen contradicts the map around it; it is "
-        "looked for in the whole map; " +
-        ways + how + ", or set an initial pose");
+        std::string("the robot is lost: ") +
+        (was_carried_ ? "what its laser sees has changed at once, as if it had been carried"
+                      : "what is seen contradicts the map around it") +
+        "; it is looked for in the whole map; " + ways + how + ", or set an initial pose");
   const std::string what = belief_ == Belief::kAnywhere
                                ? "the robot is looked for in the whole map: "
                                : "the place in the loaded map has not been recognised yet: ";

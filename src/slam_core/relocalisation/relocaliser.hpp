@@ -15,6 +15,7 @@
 #include "slam_core/relocalisation/grid_recogniser.hpp"
 #include "slam_core/relocalisation/landmark_doubt.hpp"
 #include "slam_core/relocalisation/landmark_recogniser.hpp"
+#include "slam_core/relocalisation/scan_change.hpp"
 
 namespace slam::relocalisation {
 
@@ -32,8 +33,8 @@ enum class Belief {
 ///
 /// The Estimator calls configure() once; then, for each step, predict() with the motions, see()
 /// with what was seen and, after the back-end's own step, judge(). Counted: "withheld"
-/// (observations that the back-end did not get), "relocalised", "withdrawn" (places that later data
-/// have refuted).
+/// (observations that the back-end did not get), "unlike_last" (scans that are unlike the last one,
+/// which it does not get either), "relocalised", "withdrawn" (places that later data have refuted).
 class Relocaliser {
  public:
   /// @param capabilities of the back-end, which outlives this object @param ids whether
@@ -80,7 +81,7 @@ class Relocaliser {
   void persist(Archive& archive) {
     archive(belief_, landmarks_, searches_landmarks_, searches_grid_, has_new_scan_,
             is_lost_by_scans_, is_grid_too_large_, sees_only_lines_, is_ambiguous_,
-            unsearched_radius_, gating_, doubt_, counters_);
+            unsearched_radius_, gating_, doubt_, scan_change_, was_carried_, counters_);
     if (grid_) archive(*grid_);
   }
 
@@ -91,6 +92,7 @@ class Relocaliser {
   bool isContradicted() const;
   bool isAgreedAgain() const;
   void lose(const Pose2& believed);
+  void loseByChange();
   void removeLandmarks(const std::vector<LandmarkId>& doubtful);
   bool isLostByScans() const;
   double radiusOfMap(const Pose2& believed) const;
@@ -121,6 +123,8 @@ class Relocaliser {
   GatingRate gating_{kWindow};  ///< of observations that are associated by id
   LocalLandmarks::Ids ids_ = LocalLandmarks::Ids::kKnown;
   LandmarkDoubt doubt_;
+  ScanChange scan_change_;
+  bool was_carried_ = false;  ///< since the robot was believed last, by scans that changed suddenly
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 #include "slam_core/product/estimator.hpp"
 #include "slam_core/relocalisation/test/map_alike.hpp"
+#include "slam_core/relocalisation/test/scan_of_room.hpp"
 
 namespace slam {
 namespace {
@@ -66,6 +68,53 @@ TEST_F(RelocalisationInGrid, WithdrawsAPlaceThatTheNextScansRefute) {
   EXPECT_EQ(belief(), Belief::kLost);
   EXPECT_EQ(count("withdrawn"), 1u);
 }
+
+/// A robot that maps a hall, and goes on in a passage, where the map has nothing to contradict.
+class CarriedWithALaser : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    Settings settings({}, {}, {"backend=" + GetParam(), "map=grid", "odometry=wheel"});
+    estimator.use(Registry<Backend>::instance().create(GetParam()));
+    estimator.configure(settings);
+  }
+  void drive(const test::EmptyRoom& room, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      Motion motion;
+      motion.start = stamp;
+      motion.end = stamp += std::chrono::milliseconds(100);
+      motion.increment = Pose2(0.05, 0.0, 0.01);
+      motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+      motion.odometry_start = odometry;
+      motion.odometry_end = odometry = odometry * motion.increment;
+      estimator.set(motion);
+      estimator.set(room.scanFrom(odometry, stamp));
+      for (estimator.execute(); estimator.report(); estimator.execute())
+        trust = estimator.report()->trust;
+    }
+  }
+  std::vector<std::int8_t> cells() {
+    return estimator.capabilities().find<GridMapper>()->grid()->cells;
+  }
+
+  Estimator estimator;
+  Stamp stamp = stampFromNanoseconds(1000000000000);
+  Pose2 odometry;
+  Trust trust = Trust::kUnknown;
+};
+
+TEST_P(CarriedWithALaser, IsLostAtOnceAndDrawsNothing) {
+  drive({10.0, 8.0}, 40);
+  EXPECT_EQ(trust, Trust::kConfident);
+  const auto before = cells();
+  drive({16.0, 3.0}, 3);
+  EXPECT_EQ(trust, Trust::kLost);
+  drive({16.0, 3.0}, 40);
+  EXPECT_EQ(trust, Trust::kLost);
+  EXPECT_TRUE(cells() == before);
+  EXPECT_EQ(estimator.counters()["unlike_last"], 3u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, CarriedWithALaser, testing::Values("grid", "pf", "graph"));
 
 }  // namespace
 }  // namespace slam
