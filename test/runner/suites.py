@@ -14,7 +14,7 @@ from runner.results import list_tests, read_catkin, read_junit
 JOBS = f"-j{os.cpu_count() or 1}"
 TIMEOUT = 900  # [s], a test that takes longer hangs
 PART_SIZE = 60  # cases of a sanitized program that run together
-LIVE = r"_rostest_|_nosetests_(test\.)?(launch|two_machines|docs)"  # run by the wall clock
+LIVE = r"_rostest_|_nosetests_(test\.)?(launch|two_machines|docs\.test_commands)"  # by the wall clock
 # Long drives and many runs, for the sake of what comes of them in the mean: minutes under
 # sanitizers, which other tests of the same code serve as well.
 STATISTICS = ("*FindsTheNoiseOfASimulatedLog*:*TellsUncertaintiesThatHoldTheTruth*:"

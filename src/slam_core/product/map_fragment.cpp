@@ -55,11 +55,14 @@ void MapFragment::drop() {
   last_.reset();
   gating_ = GatingRate(kWindow);
   doubt_.forget();
+  scan_change_.forget();
+  was_carried_ = false;
 }
 
 void MapFragment::predict(const Motion& motion) {
   if (!backend_) return;
   doubt_.move(motion);
+  scan_change_.move(motion);
   see(kindOf<Motion>(), &motion);
 }
 
@@ -67,11 +70,20 @@ void MapFragment::see(Kind kind, const void* value) {
   if (!backend_) return;
   if (kind == kindOf<LandmarkObservationArray>())
     doubt_.see(*static_cast<const LandmarkObservationArray*>(value));
+  if (kind == kindOf<LaserScan>() && !goesOn(*static_cast<const LaserScan*>(value))) return;
   for (const auto& input : ports_.inputs()) {
     if (input.kind != kind) continue;
     input.set(value);
     return;
   }
+}
+
+/// @return whether the scan may be mapped
+bool MapFragment::goesOn(const LaserScan& scan) {
+  using Verdict = relocalisation::ScanChange::Verdict;
+  const auto verdict = scan_change_.judge(scan);
+  was_carried_ = was_carried_ || verdict == Verdict::kChanged;
+  return verdict == Verdict::kGoesOn;
 }
 
 Status MapFragment::judge(const Situation& now) {
@@ -113,7 +125,7 @@ bool MapFragment::isLostItself(Stamp stamp) {
   }
   const auto* reporter = capabilities.find<LostReporter>();
   const bool is_lost_by_scans = reporter != nullptr && reporter->lostSince().has_value();
-  return is_lost_by_scans || gating_.isExcessive() || doubt_.isLost();
+  return was_carried_ || is_lost_by_scans || gating_.isExcessive() || doubt_.isLost();
 }
 
 /// @return what has been mapped, if it is worth keeping

@@ -16,6 +16,7 @@
 #include "slam_core/contract/session_merger.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/relocalisation/landmark_doubt.hpp"
+#include "slam_core/relocalisation/scan_change.hpp"
 
 namespace slam {
 
@@ -65,7 +66,8 @@ class MapFragment {
     bool is_growing = backend_ != nullptr;
     archive(is_growing);
     if constexpr (Archive::kReads) restart(is_growing);
-    archive(ended_, aside_, way_, last_, since_found_, robot_, gating_, doubt_, counters_);
+    archive(ended_, aside_, way_, last_, since_found_, robot_, gating_, doubt_, scan_change_,
+            was_carried_, counters_);
     if (!backend_) return;
     if constexpr (Archive::kReads)
       backend_->restoreState(archive);
@@ -80,6 +82,7 @@ class MapFragment {
   void begin();
   void drop();
   void map(Stamp stamp);
+  bool goesOn(const LaserScan& scan);
   bool isLostItself(Stamp stamp);
   std::optional<SavedSession> session() const;
   void keep(SavedSession session, Sessions& sessions);
@@ -92,6 +95,8 @@ class MapFragment {
   std::optional<Pose2> last_;         ///< pose in the fragment
   GatingRate gating_{kWindow};        ///< of landmarks that the fragment knows
   relocalisation::LandmarkDoubt doubt_;
+  relocalisation::ScanChange scan_change_;
+  bool was_carried_ = false;    ///< by what the laser has seen since the fragment began
   Sessions ended_;              ///< to be merged
   Sessions aside_;              ///< not to be merged
   double since_found_ = 0.0;    ///< way by the product's back-end [m]

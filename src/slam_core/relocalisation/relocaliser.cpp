@@ -15,6 +15,7 @@
 #include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/geometry/angle.hpp"
+#include "slam_core/relocalisation/grid_fit.hpp"
 
 namespace slam::relocalisation {
 namespace {
@@ -79,7 +80,6 @@ void Relocaliser::configure(Settings& settings, const Capabilities& capabilities
 void Relocaliser::reset() {
   assume(Belief::kSure);
   doubt_.forget();
-  scan_change_.forget();
   counters_.clear();
 }
 
@@ -90,6 +90,9 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   is_lost_by_scans_ = is_ambiguous_ = is_grid_too_large_ = sees_only_lines_ = false;
   was_carried_ = false;
   unsearched_radius_.reset();
+  scan_change_.forget();
+  change_ = ScanChange::Verdict::kGoesOn;
+  changed_.reset();
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
   doubt_.relocate();
@@ -177,20 +180,22 @@ bool Relocaliser::see(const LandmarkObservationArray& array) {
   }
   if (searches_landmarks_) landmarks_.see(array);
   if (belief_ == Belief::kSure) doubt_.see(array);
-  if (!was_carried_ && (!searches_landmarks_ || is_lost_by_scans_)) return true;
+  const bool may_be_right = change_ == ScanChange::Verdict::kGoesOn && !isKnownWrong();
+  if (may_be_right && (!searches_landmarks_ || is_lost_by_scans_)) return true;
   counters_.add("withheld", array.observations.size());
   return false;
 }
 
 bool Relocaliser::see(const LaserScan& scan) {
-  const auto change =
-      grid_ && config_.enabled ? scan_change_.judge(scan) : ScanChange::Verdict::kGoesOn;
-  if (change != ScanChange::Verdict::kGoesOn) counters_.add("unlike_last");
-  if (change == ScanChange::Verdict::kChanged && belief_ != Belief::kAnywhere) loseByChange();
-  if (usesScans()) grid_->see(scan);
+  if (grid_ && config_.enabled) change_ = scan_change_.judge(scan);
   has_new_scan_ = true;
-  const bool is_at_pose = belief_ != Belief::kAnywhere && !was_carried_;
-  return is_at_pose && change == ScanChange::Verdict::kGoesOn;
+  if (change_ != ScanChange::Verdict::kGoesOn) {
+    counters_.add("unlike_last");
+    if (change_ == ScanChange::Verdict::kChanged) changed_ = scan;
+    return false;
+  }
+  if (usesScans()) grid_->see(scan);
+  return belief_ != Belief::kAnywhere && !isKnownWrong();
 }
 
 bool Relocaliser::isLostByScans() const {
@@ -211,6 +216,7 @@ bool Relocaliser::isContradicted() const {
 
 void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
   if (is_lost_by_scans_ && !isLostByScans()) assume(Belief::kSure);
+  if (const auto changed = std::exchange(changed_, std::nullopt)) heedChange(*changed, believed);
   if (belief_ != Belief::kSure) return;
   if (const auto* mapper = capabilities_.find<LandmarkMapper>()) {
     const auto statistics = mapper->statistics();
@@ -218,27 +224,39 @@ void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
     doubt_.judge(statistics, believed, stamp);
   }
   if (!unsearched_radius_) {
-    if (isContradicted()) lose(believed);
+    const bool by_landmarks = gating_.isExcessive() || doubt_.isLost();
+    if (isContradicted()) lose(believed, by_landmarks ? Sign::kLandmarks : Sign::kScans);
   } else if (isAgreedAgain()) {
     assume(Belief::kSure);
   }
 }
 
 /// Looks for the robot, or reports that it is lost where its map is not searched.
-void Relocaliser::lose(const Pose2& believed) {
-  const bool by_landmarks = gating_.isExcessive() || doubt_.isLost();
+void Relocaliser::lose(const Pose2& believed, Sign sign) {
   const auto doubtful = doubt_.isLost() ? doubt_.doubtful() : std::vector<LandmarkId>();
   assume(Belief::kLost);
   removeLandmarks(doubtful);
-  is_lost_by_scans_ = !by_landmarks;
+  is_lost_by_scans_ = sign == Sign::kScans;
+  was_carried_ = sign == Sign::kChange;
   if (belief_ == Belief::kSure) unsearched_radius_ = radiusOfMap(believed);
 }
 
-/// Nothing that the laser sees from here on says anything of the back-end's pose, at which it would
-/// be drawn. A map that cannot be searched leaves the robot where it is believed to be.
-void Relocaliser::loseByChange() {
-  assume(Belief::kLost);
-  was_carried_ = belief_ == Belief::kLost;
+/// A robot that is searched for anywhere stays so: what it has seen until now is of another place.
+void Relocaliser::heedChange(const LaserScan& changed, const Pose2& believed) {
+  if (unsearched_radius_) return;
+  if (belief_ == Belief::kAnywhere)
+    assume(Belief::kAnywhere);
+  else if (belief_ == Belief::kLost || isElsewhere(changed, believed))
+    lose(believed, Sign::kChange);
+}
+
+/// A scan of the same place fits the grid, though people have come or gone. A grid that cannot be
+/// searched leaves the robot where it is believed to be.
+bool Relocaliser::isElsewhere(const LaserScan& changed, const Pose2& believed) const {
+  constexpr double kFits = 0.5;
+  const auto grid = capabilities_.find<GridMapper>()->grid();
+  return grid && GridRecogniser::canSearch(*grid) &&
+         shareOnSurfaces(*grid, changed, believed) < kFits;
 }
 
 /// They were mapped since the doubt began, so that they are not where the map has them.
@@ -283,10 +301,15 @@ std::optional<PoseEstimate> Relocaliser::judge(const PoseEstimate& believed, Sta
 void Relocaliser::testPlace(const Pose2& believed) {
   if (!grid_ || !isTesting(*grid_)) return;
   const auto test = grid_->test(believed);
-  if (test == GridRecogniser::Test::kPassed) grid_->end();
+  if (test == GridRecogniser::Test::kPassed) {
+    grid_->end();
+    was_carried_ = false;
+  }
   if (test != GridRecogniser::Test::kRefuted) return;
   counters_.add("withdrawn");
+  const bool was_carried = was_carried_;
   assume(Belief::kLost);
+  was_carried_ = was_carried;
 }
 
 /// The back-end may have been led to its pose by the same scans, so that its agreement confirms
@@ -306,7 +329,7 @@ std::optional<PoseEstimate> Relocaliser::settleByScans(const Recognition& found,
 void Relocaliser::believePlaceOfScans() {
   belief_ = Belief::kSure;
   gating_ = GatingRate(kWindow);
-  is_lost_by_scans_ = is_ambiguous_ = was_carried_ = false;
+  is_lost_by_scans_ = is_ambiguous_ = false;
   searches_landmarks_ = searches_grid_ = false;
   landmarks_.end();
   landmarks_.forget();

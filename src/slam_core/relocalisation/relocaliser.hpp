@@ -23,7 +23,7 @@ namespace slam::relocalisation {
 enum class Belief {
   kSure,         ///< there is no evidence against it
   kUnconfirmed,  ///< it came with a loaded map, in which no place has been recognised yet
-  kLost,         ///< what is seen contradicts the map around it
+  kLost,         ///< what is seen contradicts the map around it, or changed at once
   kAnywhere      ///< global localisation was requested: the robot may be anywhere in the map
 };
 
@@ -33,8 +33,9 @@ enum class Belief {
 ///
 /// The Estimator calls configure() once; then, for each step, predict() with the motions, see()
 /// with what was seen and, after the back-end's own step, judge(). Counted: "withheld"
-/// (observations that the back-end did not get), "unlike_last" (scans that are unlike the last one,
-/// which it does not get either), "relocalised", "withdrawn" (places that later data have refuted).
+/// (observations that the back-end did not get), "unlike_last" (scans that are unlike the last one;
+/// the back-end does not get them either), "relocalised", "withdrawn" (places that later data have
+/// refuted).
 class Relocaliser {
  public:
   /// @param capabilities of the back-end, which outlives this object @param ids whether
@@ -77,11 +78,15 @@ class Relocaliser {
     return relocaliser.grid_ && isTesting(*relocaliser.grid_);
   }
 
+  /// Whether the robot is lost since what its laser saw changed at once.
+  friend bool wasCarried(const Relocaliser& relocaliser) { return relocaliser.isKnownWrong(); }
+
   template <class Archive>
   void persist(Archive& archive) {
     archive(belief_, landmarks_, searches_landmarks_, searches_grid_, has_new_scan_,
             is_lost_by_scans_, is_grid_too_large_, sees_only_lines_, is_ambiguous_,
-            unsearched_radius_, gating_, doubt_, scan_change_, was_carried_, counters_);
+            unsearched_radius_, gating_, doubt_, scan_change_, change_, changed_, was_carried_,
+            counters_);
     if (grid_) archive(*grid_);
   }
 
@@ -91,10 +96,15 @@ class Relocaliser {
   void watch(const Pose2& believed, Stamp stamp);
   bool isContradicted() const;
   bool isAgreedAgain() const;
-  void lose(const Pose2& believed);
-  void loseByChange();
+  /// What a loss is noticed by.
+  enum class Sign { kLandmarks, kScans, kChange };
+  void lose(const Pose2& believed, Sign sign);
+  void heedChange(const LaserScan& changed, const Pose2& believed);
+  bool isElsewhere(const LaserScan& changed, const Pose2& believed) const;
   void removeLandmarks(const std::vector<LandmarkId>& doubtful);
   bool isLostByScans() const;
+  /// Whether the back-end is at a pose where the robot is not, so that it gets nothing.
+  bool isKnownWrong() const { return was_carried_ && belief_ != Belief::kSure; }
   double radiusOfMap(const Pose2& believed) const;
   bool usesScans() const;
   bool begin(const MapState* loaded);
@@ -124,7 +134,12 @@ class Relocaliser {
   LocalLandmarks::Ids ids_ = LocalLandmarks::Ids::kKnown;
   LandmarkDoubt doubt_;
   ScanChange scan_change_;
-  bool was_carried_ = false;  ///< since the robot was believed last, by scans that changed suddenly
+  /// What the last scan was judged to be.
+  ScanChange::Verdict change_ = ScanChange::Verdict::kGoesOn;
+  std::optional<LaserScan>
+      changed_;  ///< the scan of this step, if it shows that the robot was carried
+  bool was_carried_ =
+      false;  ///< the scans changed at once, and no place was found and tested since
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

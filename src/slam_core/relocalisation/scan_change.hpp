@@ -4,29 +4,27 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "slam_core/models/landmark_map.hpp"
-#include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/relocalisation/scan_profile.hpp"
 
 namespace slam::relocalisation {
 
-/// Judges whether what a laser sees changes suddenly: the robot was carried away, as ViewChange
-/// does for landmarks. No map is needed, so that it is noticed where the map has nothing to
-/// contradict, too.
+/// Judges by what a laser sees whether the robot was carried away a moment before. ViewChange does
+/// the same with landmarks. No map is needed, so that it is noticed beyond the map, too.
 ///
-/// Each scan is compared with the last one, moved on by odometry. Two that were taken a moment
-/// apart see the same surfaces, but for a few beams. In another place many beams end before the
-/// surfaces of the last scan, and others pass through them. Somebody who steps before the laser
-/// only hides surfaces, and shows none behind them. A damaged scan is unlike those after it, too:
-/// three scans in a row have to be alike, and unlike the last one before them. Without odometry,
-/// and where it is uncertain, nothing is judged.
+/// Each scan is compared with the last one, which odometry moves on. In another place most scans
+/// are unlike it (areUnlike()). A damaged scan is unlike those after it, too. So the last scan has
+/// to be like the one before it, and three later scans in at least 0.3 s have to be unlike it and
+/// like each other. Nothing is judged without odometry, where odometry is uncertain, and where no
+/// scan has come for 5 s: in that time, doors open and people come.
 class ScanChange {
  public:
   enum class Verdict {
     kGoesOn,  ///< it is like the last scan, or cannot be compared with it
     kUnlike,  ///< it is unlike the last scan, which may mean nothing yet
-    kChanged  ///< the robot has been carried away
+    kChanged  ///< the robot was carried away
   };
 
   void move(const Motion& motion);
@@ -36,29 +34,35 @@ class ScanChange {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(last_, unlike_, count_);
+    archive(last_, is_confirmed_, unlike_, count_, unlike_since_);
   }
 
  private:
-  /// A scan that others are compared with.
-  struct Seen {
-    LaserScan scan;
-    PoseEstimate place;     ///< of the robot then, in its frame now
-    bool is_moved = false;  ///< a motion has come since
+  /// A scan that later ones are compared with.
+  struct Reference {
+    ScanProfile profile;
+    Pose2 sensor_pose;  ///< T_base_sensor
+    std::string sensor_frame;
+    Stamp stamp;
+    std::optional<Motion> since;  ///< from this scan to now
 
     template <class Archive>
     void persist(Archive& archive) {
-      archive(scan, place.pose, place.covariance, is_moved);
+      archive(profile, sensor_pose, sensor_frame, stamp, since);
     }
   };
 
-  static void move(const Motion& motion, std::optional<Seen>& seen);
-  static bool isComparable(const Seen& seen);
-  static bool areUnlike(const Seen& seen, const LaserScan& scan);
+  static bool isComparable(const Reference& before, const Reference& now);
+  static bool isUnlike(const Reference& before, const Reference& now);
+  void restartFrom(Reference now);
+  /// @return whether as many scans in a row as suffice are unlike the last one
+  bool addUnlike(Reference now);
 
-  std::optional<Seen> last_;    ///< the last one that was like that before it
-  std::optional<Seen> unlike_;  ///< the last one that was not
-  int count_ = 0;               ///< how many in a row were unlike it, but like each other
+  std::optional<Reference> last_;    ///< the last scan that was not unlike the one before it
+  bool is_confirmed_ = false;        ///< whether last_ is like the one before it
+  std::optional<Reference> unlike_;  ///< the newest scan, if it is unlike last_
+  int count_ = 0;                    ///< scans that are unlike last_, and each like the one before
+  Stamp unlike_since_;               ///< stamp of the first of them
 };
 
 }  // namespace slam::relocalisation

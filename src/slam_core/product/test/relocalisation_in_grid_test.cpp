@@ -69,27 +69,34 @@ TEST_F(RelocalisationInGrid, WithdrawsAPlaceThatTheNextScansRefute) {
   EXPECT_EQ(count("withdrawn"), 1u);
 }
 
-/// A robot that maps a hall, and goes on in a passage, where the map has nothing to contradict.
+/// A robot maps a room with a laser, and finds itself in a passage.
 class CarriedWithALaser : public testing::TestWithParam<std::string> {
  protected:
+  static constexpr test::EmptyRoom kPassage{16.0, 3.0};
+
   void SetUp() override {
     Settings settings({}, {}, {"backend=" + GetParam(), "map=grid", "odometry=wheel"});
     estimator.use(Registry<Backend>::instance().create(GetParam()));
     estimator.configure(settings);
   }
-  void drive(const test::EmptyRoom& room, int steps) {
+  void take(const RoomDrive::Step& step) {
+    estimator.set(step.motion);
+    estimator.set(step.scan);
+    for (estimator.execute(); estimator.report(); estimator.execute())
+      trust = estimator.report()->trust;
+  }
+  void driveInRoom(int steps) {
+    for (int i = 0; i < steps; ++i) take(robot.next());
+  }
+  /// @param moved how far the robot is along the passage at first [m]
+  void driveInPassage(int steps, double moved = 0.0) {
     for (int i = 0; i < steps; ++i) {
-      Motion motion;
-      motion.start = stamp;
-      motion.end = stamp += std::chrono::milliseconds(100);
-      motion.increment = Pose2(0.05, 0.0, 0.01);
-      motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
-      motion.odometry_start = odometry;
-      motion.odometry_end = odometry = odometry * motion.increment;
-      estimator.set(motion);
-      estimator.set(room.scanFrom(odometry, stamp));
-      for (estimator.execute(); estimator.report(); estimator.execute())
-        trust = estimator.report()->trust;
+      auto step = robot.next();
+      step.motion.increment = Pose2(0.05, 0.0, 0.0);
+      const Pose2 in_passage(moved + 0.05 * i - 4.0, 0.2, 0.0);
+      const auto seen = kPassage.scanFrom(in_passage * step.scan.sensor_pose);
+      step.scan.beams = seen.beams;
+      take(step);
     }
   }
   std::vector<std::int8_t> cells() {
@@ -97,21 +104,41 @@ class CarriedWithALaser : public testing::TestWithParam<std::string> {
   }
 
   Estimator estimator;
-  Stamp stamp = stampFromNanoseconds(1000000000000);
-  Pose2 odometry;
+  RoomDrive robot{3};
   Trust trust = Trust::kUnknown;
 };
 
-TEST_P(CarriedWithALaser, IsLostAtOnceAndDrawsNothing) {
-  drive({10.0, 8.0}, 40);
+TEST_P(CarriedWithALaser, IsLostAtTheFourthScanThereAndDrawsNothing) {
+  driveInRoom(80);
   EXPECT_EQ(trust, Trust::kConfident);
   const auto before = cells();
-  drive({16.0, 3.0}, 3);
+  driveInPassage(3);
+  EXPECT_NE(trust, Trust::kLost);
+  driveInPassage(1, 0.15);
   EXPECT_EQ(trust, Trust::kLost);
-  drive({16.0, 3.0}, 40);
+  driveInPassage(40, 0.2);
   EXPECT_EQ(trust, Trust::kLost);
   EXPECT_TRUE(cells() == before);
-  EXPECT_EQ(estimator.counters()["unlike_last"], 3u);
+  EXPECT_EQ(estimator.counters()["unlike_last"], 4u);
+}
+
+TEST_P(CarriedWithALaser, IsFoundWhereItsMapIs) {
+  driveInRoom(RoomDrive::kLap);
+  driveInPassage(20);
+  ASSERT_EQ(trust, Trust::kLost);
+  driveInRoom(2 * RoomDrive::kLap);
+  EXPECT_EQ(trust, Trust::kConfident);
+}
+
+TEST_P(CarriedWithALaser, IsWhereSomebodyPutsIt) {
+  driveInRoom(RoomDrive::kLap);
+  const PoseEstimate elsewhere{{}, 0.01 * Eigen::Matrix3d::Identity()};
+  estimator.set(elsewhere);
+  robot = RoomDrive(4);
+  for (int i = 0; i < 20; ++i) {
+    driveInRoom(1);
+    EXPECT_NE(trust, Trust::kLost) << i;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, CarriedWithALaser, testing::Values("grid", "pf", "graph"));

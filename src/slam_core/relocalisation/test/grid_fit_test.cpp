@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/relocalisation/grid_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slam_core/relocalisation/test/scan_of_room.hpp"
+
+namespace slam::relocalisation {
+namespace {
+
+const test::EmptyRoom kHall{10.0, 8.0};
+
+/// The hall's walls, a cell thick, in a grid that extends a metre beyond them.
+OccupancyGrid gridOfHall() {
+  OccupancyGrid grid;
+  grid.resolution = 0.05;
+  grid.origin = {-6.0, -5.0};
+  grid.width = 240;
+  grid.height = 200;
+  grid.cells.assign(240 * 200, OccupancyGrid::kUnknown);
+  for (std::uint32_t y = 20; y <= 180; ++y)
+    for (std::uint32_t x = 20; x <= 220; ++x)
+      grid.cells[y * 240 + x] = x == 20 || x == 220 || y == 20 || y == 180 ? 100 : 0;
+  return grid;
+}
+
+TEST(GridFit, IsWholeAtThePoseOfTheScan) {
+  const Pose2 robot(1.0, 2.0, 0.5);
+  EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom(robot), robot), 1.0);
+}
+
+TEST(GridFit, RegardsTheMountOfTheLaser) {
+  const Pose2 robot(1.0, 2.0, 0.5), mount(0.3, 0.1, M_PI / 2.0);
+  auto scan = kHall.scanFrom(robot * mount);
+  scan.sensor_pose = mount;
+  EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), scan, robot), 1.0);
+}
+
+TEST(GridFit, IsTheShareThatNobodyHides) {
+  auto scan = kHall.scanFrom({});
+  for (std::size_t i = 0; i < 45; ++i) scan.beams[i].range = 0.5F;
+  EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), scan, {}), 0.75);
+}
+
+TEST(GridFit, IsSmallElsewhereAndBeyondTheGrid) {
+  EXPECT_LT(shareOnSurfaces(gridOfHall(), test::EmptyRoom{16.0, 3.0}.scanFrom({}), {}), 0.2);
+  EXPECT_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom({}), {100.0, 0.0, 0.0}), 0.0);
+}
+
+TEST(GridFit, IsZeroIfNothingWasMet) {
+  EXPECT_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom({}, {}, -M_PI, 180, 0.1), {}), 0.0);
+}
+
+}  // namespace
+}  // namespace slam::relocalisation
