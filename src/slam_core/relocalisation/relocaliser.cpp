@@ -28,6 +28,12 @@ constexpr const char* kTooLarge =
 constexpr const char* kTooFewPoints =
     "the map has fewer than two landmarks that are points, by which the robot is searched for, so "
     "that its pose is believed as it is: set an initial pose where the robot is elsewhere";
+constexpr const char* kContradicted =
+    "the robot is lost: what is seen contradicts the map around it; it is looked for in the whole "
+    "map; ";
+constexpr const char* kCarried =
+    "the robot is lost: what its laser sees has changed at once, as if it had been carried; it is "
+    "looked for in the whole map; ";
 constexpr const char* kLostUnsearched =
     "the robot is lost: what is seen contradicts the map around it; it is not looked for, since ";
 constexpr const char* kOnlyLines =
@@ -368,11 +374,8 @@ Status Relocaliser::status() const {
                                          : "drive on until several of its landmarks are seen";
   const std::string ways = is_ambiguous_ ? "several places of the map look alike; " : "";
   if (belief_ == Belief::kLost)
-    return Status::alarm(
-        std::string("the robot is lost: ") +
-        (was_carried_ ? "what its laser sees has changed at once, as if it had been carried"
-                      : "what is seen contradicts the map around it") +
-        "; it is looked for in the whole map; " + ways + how + ", or set an initial pose");
+    return Status::alarm((was_carried_ ? kCarried : kContradicted) + ways + how +
+                         ", or set an initial pose");
   const std::string what = belief_ == Belief::kAnywhere
                                ? "the robot is looked for in the whole map: "
                                : "the place in the loaded map has not been recognised yet: ";

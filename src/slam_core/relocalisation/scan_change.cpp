@@ -12,7 +12,8 @@ namespace slam::relocalisation {
 namespace {
 
 constexpr double kFurthest = 1.0, kLargestTurn = 0.7;  // between scans that are compared [m], [rad]
-constexpr double kVague = 0.3, kVagueHeading = 0.1;  // sigma of the motion between them [m], [rad]
+constexpr double kVaguePosition = 0.3,
+                 kVagueHeading = 0.1;  // sigma of the motion between them [m], [rad]
 constexpr Duration kLongest = std::chrono::seconds(5);  // between them
 constexpr int kInARow = 3;
 constexpr Duration kShortestChange = std::chrono::milliseconds(300);
@@ -39,7 +40,7 @@ bool ScanChange::isComparable(const Reference& before, const Reference& now) {
   if (now.stamp - before.stamp > kLongest) return false;
   const auto& [way, covariance] = std::tie(before.since->increment, before.since->covariance);
   return way.position().norm() < kFurthest && std::abs(way.theta()) < kLargestTurn &&
-         covariance.topLeftCorner<2, 2>().trace() < kVague * kVague &&
+         covariance.topLeftCorner<2, 2>().trace() < kVaguePosition * kVaguePosition &&
          covariance(2, 2) < kVagueHeading * kVagueHeading;
 }
 
