@@ -165,12 +165,6 @@ fresh() { # STAMP FINGERPRINT
   [[ -e $workspace/devel/setup.bash && $(cat "$1" 2>/dev/null) == "$2" ]]
 }
 
-batch_size() { # how many files are compiled as one: 16 save a third against 8, and take 2 GB for each job
-  local free
-  free=$(sed -n 's/^MemAvailable: *\([0-9]*\) kB/\1/p' /proc/meminfo 2>/dev/null)
-  echo $((${free:-0} / $(nproc) > 3000000 ? 16 : 8))
-}
-
 build() { # TARGET
   local stamp=$home/built.$1 now flags
   now=$(fingerprint)
@@ -186,8 +180,7 @@ build() { # TARGET
   fi
   mapfile -t flags < <(build_flags)
   # A first build takes a third less where several files are compiled as one; it stays so.
-  [[ $workspace != "$home" || -e $home/build/CMakeCache.txt ]] ||
-    flags+=(-DCMAKE_UNITY_BUILD=ON "-DCMAKE_UNITY_BUILD_BATCH_SIZE=$(batch_size)")
+  [[ $workspace != "$home" || -e $home/build/CMakeCache.txt ]] || flags+=(-DCMAKE_UNITY_BUILD=ON)
   # catkin writes down the tests' environment before the first build, and leaves out what is not there
   mkdir -p "$workspace/devel/lib/python3/dist-packages"
   PATH=$(outside "$PATH") PYTHONPATH=$(outside "${PYTHONPATH:-}") \

@@ -5,18 +5,17 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::active_path {
 namespace {
 
 /// The standard deviation of the position in its most uncertain direction [m].
 double sigmaOf(const PoseEstimate& pose) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(pose.covariance.topLeftCorner<2, 2>(),
-                                                            Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(axes.eigenvalues()[1], 0.0));
+  return std::sqrt(std::max(largestVariance(pose.covariance.topLeftCorner<2, 2>()), 0.0));
 }
 
 std::string faultOf(const PoseEstimate& pose) {

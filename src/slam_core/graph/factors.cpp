@@ -4,9 +4,9 @@
 #include "slam_core/graph/factors.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <utility>
 
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_core/models/observation_model.hpp"
 
 // Symbols: e the error of a measurement, W its weight, r = W e; J by corrections of poses, which
@@ -24,9 +24,9 @@ Eigen::MatrixXd weightOfCovariance(const Eigen::MatrixXd& covariance) {
   const Eigen::LLT<Eigen::MatrixXd> llt(P);
   if (llt.info() == Eigen::Success)
     return llt.matrixL().solve(Eigen::MatrixXd::Identity(size, size));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(P);
-  return axes.eigenvalues().cwiseMax(kLeastVariance).cwiseSqrt().cwiseInverse().asDiagonal() *
-         axes.eigenvectors().transpose();
+  const auto axes = principalAxes(P);
+  return axes.values.cwiseMax(kLeastVariance).cwiseSqrt().cwiseInverse().asDiagonal() *
+         axes.directions.transpose();
 }
 
 PosePrior::PosePrior(Key pose, const Pose2& known, const Eigen::Matrix3d& W)

@@ -3,10 +3,11 @@
 
 #include "slam_core/graph_slam/loop_search.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::graph_slam {
 namespace {
@@ -18,8 +19,7 @@ constexpr double kSigmas = 3.0;
 constexpr std::size_t kMostCandidates = 4;
 
 double largestSigma(const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues()(1));
+  return std::sqrt(largestVariance(covariance.topLeftCorner<2, 2>()));
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include "slam_core/landmark_graph/landmark_graph.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "slam_core/geometry/covariance.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_core/graph/factors.hpp"
 #include "slam_core/landmark_graph/sighting_fusion.hpp"
 #include "slam_core/models/observation_model.hpp"
@@ -39,9 +39,9 @@ bool isContradicting(const graph::Optimizer& graph, const graph::Factor& factor,
   const auto innovation = graph.innovation({&factor});
   const auto size = innovation.S.rows();
   const Eigen::MatrixXd S = 2.0 * Eigen::MatrixXd::Identity(size, size) - innovation.S;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(S);
-  const Eigen::ArrayXd along = axes.eigenvectors().transpose() * innovation.r;
-  return (along.square() / axes.eigenvalues().array().max(kLeastShare)).sum() > gate;
+  const auto axes = principalAxes(S);
+  const Eigen::ArrayXd along = axes.directions.transpose() * innovation.r;
+  return (along.square() / axes.values.array().max(kLeastShare)).sum() > gate;
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 
 #include "slam_core/mono_ekf/drawing.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "slam_core/camera/drawn_point.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::mono_ekf {
 namespace {
@@ -23,9 +23,9 @@ cv::Scalar colourOf(const Search& search, bool has_depth) {
 
 void drawEllipse(const Search& search, const cv::Scalar& colour, cv::Mat& picture) {
   constexpr double kSigmas = 3.03;  // 99 % lie within
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(search.S);
-  const Eigen::Vector2d axes = kSigmas * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const Eigen::Vector2d direction = eigen.eigenvectors().col(1);
+  const auto [variances, directions] = principalAxes(search.S);
+  const Eigen::Vector2d axes = kSigmas * variances.cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d direction = directions.col(1);
   const double angle = std::atan2(direction.y(), direction.x()) * 180.0 / M_PI;
   const cv::Point size = drawnAt({axes(1), axes(0)});
   cv::ellipse(picture, drawnAt(search.predicted), cv::Size(size), angle, 0.0, 360.0, colour, 1,

@@ -3,9 +3,10 @@
 
 #include "slam_core/mono_ekf/odometry_errors.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::mono_ekf {
 namespace {
@@ -15,10 +16,13 @@ constexpr double kShareOfNew = 0.1;  // in the mean turn
 /// Variances of a metre and of a radian; the smallest ones where the motions do not tell them
 /// apart.
 Eigen::Vector2d ratesOf(const Eigen::Matrix2d& products, const Eigen::Vector2d& variances) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d> decomposition;
-  decomposition.setThreshold(1e-6);
-  decomposition.compute(products);
-  return decomposition.solve(variances).cwiseMax(0.0);
+  constexpr double kLeast = 1e-6;  // of the larger eigenvalue: a smaller one tells nothing
+  const auto [values, directions] = principalAxes(products);
+  Eigen::Vector2d rates = Eigen::Vector2d::Zero();
+  for (int axis = 0; axis < 2; ++axis)
+    if (values(axis) > kLeast * values(1))
+      rates += directions.col(axis) * (directions.col(axis).dot(variances) / values(axis));
+  return rates.cwiseMax(0.0);
 }
 
 }  // namespace

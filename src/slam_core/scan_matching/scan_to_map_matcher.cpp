@@ -3,11 +3,12 @@
 
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::scan_matching {
 namespace {
@@ -62,17 +63,12 @@ std::pair<Pose2, SearchWindow> wholeOf(const Eigen::AlignedBox2d& places) {
           {0.5 * places.sizes().maxCoeff() + kBeyond, M_PI}};
 }
 
-double largestEigenvalue(const Eigen::Matrix2d& covariance) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance, Eigen::EigenvaluesOnly)
-      .eigenvalues()(1);
-}
-
 /// Whether the scan tells the place in every direction. Where it does not, as along a wall, a
 /// search has found the best of many cells by chance.
 bool showsOnePlace(const Match& match) {
   constexpr double kSigmas = 2.0;
   const Eigen::Matrix3d P = match.information.inverse();
-  return kSigmas * std::sqrt(largestEigenvalue(P.topLeftCorner<2, 2>())) <= kOtherPlace.position &&
+  return kSigmas * std::sqrt(largestVariance(P.topLeftCorner<2, 2>())) <= kOtherPlace.position &&
          kSigmas * std::sqrt(P(2, 2)) <= kOtherPlace.heading;
 }
 
@@ -104,7 +100,7 @@ std::vector<SearchWindow> ScanToMapMatcher::windowsAround(const PosePrior& prior
   std::vector<SearchWindow> windows = {{config_.window_position, config_.window_heading}};
   if (prior.is_measured || prior.information.determinant() <= 0.0) return windows;
   const Eigen::Matrix3d P = prior.information.inverse();
-  const double position = std::sqrt(largestEigenvalue(P.topLeftCorner<2, 2>()));
+  const double position = std::sqrt(largestVariance(P.topLeftCorner<2, 2>()));
   const SearchWindow widest{std::min(kWidestGuess.position, position),
                             std::min(kWidestGuess.heading, std::sqrt(P(2, 2)))};
   const auto is_narrower = [&](const SearchWindow& window) {

@@ -3,12 +3,12 @@
 
 #include "slam_core/scan_matching/scan_tracker.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "slam_core/geometry/covariance.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_core/scan_matching/motion_prior.hpp"
 
 namespace slam::scan_matching {
@@ -49,9 +49,7 @@ Eigen::Vector3d sharesOf(const Match& found, const PosePrior& prior) {
 bool leadsAnywhere(const Motion& motion) {
   constexpr double kPosition = 1.0, kHeading = 0.5;  // [m], [rad]
   const Eigen::Matrix3d& P = motion.covariance;
-  const double widest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P.topLeftCorner<2, 2>(),
-                                                                       Eigen::EigenvaluesOnly)
-                            .eigenvalues()(1);
+  const double widest = largestVariance(P.topLeftCorner<2, 2>());
   return widest > kPosition * kPosition || P(2, 2) > kHeading * kHeading;
 }
 

@@ -4,10 +4,11 @@
 #include "slam_core/tuning/maximum_likelihood.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 // Symbols: x logarithms of the parameters, G the slopes of the steps (a row each), g their sum, H
 // the curvature of the sum, downwards.
@@ -71,11 +72,11 @@ MatrixXd curvatureAt(const LogLikelihoods& f, const VectorXd& x, double value) {
 /// Along a direction in which kinks hide the curvature the outer products stand for it.
 MatrixXd mended(const MatrixXd& H, const MatrixXd& squares) {
   constexpr double kHidden = 0.05;  // of the outer products: no outliers make so much of them
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(H);
-  const MatrixXd& V = solver.eigenvectors();
+  const auto axes = principalAxes(H);
+  const MatrixXd& V = axes.directions;
   const VectorXd instead = (V.transpose() * squares * V).diagonal();
-  const VectorXd values = (solver.eigenvalues().array() < kHidden * instead.array())
-                              .select(instead, solver.eigenvalues());
+  const VectorXd values =
+      (axes.values.array() < kHidden * instead.array()).select(instead, axes.values);
   return V * values.asDiagonal() * V.transpose();
 }
 
@@ -104,11 +105,11 @@ MatrixXd clusteredSquares(const MatrixXd& G) {
 }
 
 MatrixXd inverseOf(const MatrixXd& information) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
+  const auto axes = principalAxes(information);
   // A direction in which the likelihood does not fall is not determined at all.
   const VectorXd inverse =
-      solver.eigenvalues().unaryExpr([](double value) { return value > 1e-6 ? 1.0 / value : 1e6; });
-  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+      axes.values.unaryExpr([](double value) { return value > 1e-6 ? 1.0 / value : 1e6; });
+  return axes.directions * inverse.asDiagonal() * axes.directions.transpose();
 }
 
 VectorXd sigmasOf(const MatrixXd& H, const MatrixXd& G) {

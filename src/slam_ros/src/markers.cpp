@@ -3,10 +3,10 @@
 
 #include "slam_ros/markers.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_ros/conversions.hpp"
 
 namespace slam_ros {
@@ -43,12 +43,12 @@ Marker marker(const std_msgs::Header& header, const std::string& kind,
 
 Marker ellipse(const std_msgs::Header& header, const slam::Landmark& landmark) {
   auto message = marker(header, "ellipse", landmark, Marker::CYLINDER);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(landmark.covariance);
+  const auto axes = slam::principalAxes(landmark.covariance);
   const auto diameter = [&](int axis) {
-    const double variance = std::max(axes.eigenvalues()[axis], 0.0);
+    const double variance = std::max(axes.values[axis], 0.0);
     return std::max(2.0 * std::sqrt(kChiSquare95 * variance), kSmallestAxis);
   };
-  const Eigen::Vector2d major = axes.eigenvectors().col(1);
+  const Eigen::Vector2d major = axes.directions.col(1);
   message.pose = toSpatialMsg(
       {landmark.position.x(), landmark.position.y(), std::atan2(major.y(), major.x())});
   message.scale.x = diameter(1);
