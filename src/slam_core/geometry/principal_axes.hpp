@@ -7,9 +7,9 @@
 
 namespace slam {
 
-/// The eigenvalues of a symmetric matrix, in increasing order, and the directions that belong to
-/// them, of length 1, in the columns. One file computes them, since the compiler takes ten seconds
-/// for Eigen's solver in each file that uses it.
+/// It holds the eigenvalues of a symmetric matrix, in increasing order, and the directions that
+/// belong to them, of length 1, in the columns. One file computes those of 2x2 matrices and of
+/// dynamic ones, since the compiler takes ten seconds for Eigen's solver in each file that uses it.
 template <int N>
 struct PrincipalAxes {
   Eigen::Matrix<double, N, 1> values;

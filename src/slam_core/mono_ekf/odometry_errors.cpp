@@ -16,7 +16,7 @@ constexpr double kShareOfNew = 0.1;  // in the mean turn
 /// Variances of a metre and of a radian; the smallest ones where the motions do not tell them
 /// apart.
 Eigen::Vector2d ratesOf(const Eigen::Matrix2d& products, const Eigen::Vector2d& variances) {
-  constexpr double kLeast = 1e-6;  // of the larger eigenvalue: a smaller one tells nothing
+  constexpr double kLeast = 1e-6;  // a smaller part of the larger eigenvalue tells nothing
   const auto [values, directions] = principalAxes(products);
   Eigen::Vector2d rates = Eigen::Vector2d::Zero();
   for (int axis = 0; axis < 2; ++axis)

@@ -61,7 +61,7 @@ bool Estimator::isLost() const {
 
 std::string Estimator::doubt() const {
   using Fault = ConsistencyMonitor::Fault;
-  if (wasCarried(relocaliser_)) return "what the laser sees has changed at once";
+  if (isCarriedAway(relocaliser_)) return "what the laser sees has changed at once";
   if (isLost()) return "what is seen contradicts the map";
   if (relocaliser_.belief() == Belief::kUnconfirmed)
     return "the place in the loaded map has not been recognised yet";

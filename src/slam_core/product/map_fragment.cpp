@@ -70,7 +70,7 @@ void MapFragment::see(Kind kind, const void* value) {
   if (!backend_) return;
   if (kind == kindOf<LandmarkObservationArray>())
     doubt_.see(*static_cast<const LandmarkObservationArray*>(value));
-  if (kind == kindOf<LaserScan>() && !goesOn(*static_cast<const LaserScan*>(value))) return;
+  if (kind == kindOf<LaserScan>() && !admit(*static_cast<const LaserScan*>(value))) return;
   for (const auto& input : ports_.inputs()) {
     if (input.kind != kind) continue;
     input.set(value);
@@ -79,7 +79,7 @@ void MapFragment::see(Kind kind, const void* value) {
 }
 
 /// @return whether the scan may be mapped
-bool MapFragment::goesOn(const LaserScan& scan) {
+bool MapFragment::admit(const LaserScan& scan) {
   using Verdict = relocalisation::ScanChange::Verdict;
   const auto verdict = scan_change_.judge(scan);
   was_carried_ = was_carried_ || verdict == Verdict::kChanged;

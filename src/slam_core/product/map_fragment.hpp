@@ -82,7 +82,7 @@ class MapFragment {
   void begin();
   void drop();
   void map(Stamp stamp);
-  bool goesOn(const LaserScan& scan);
+  bool admit(const LaserScan& scan);
   bool isLostItself(Stamp stamp);
   std::optional<SavedSession> session() const;
   void keep(SavedSession session, Sessions& sessions);
@@ -96,7 +96,7 @@ class MapFragment {
   GatingRate gating_{kWindow};        ///< of landmarks that the fragment knows
   relocalisation::LandmarkDoubt doubt_;
   relocalisation::ScanChange scan_change_;
-  bool was_carried_ = false;    ///< by what the laser has seen since the fragment began
+  bool was_carried_ = false;    ///< as the scans since the fragment began show
   Sessions ended_;              ///< to be merged
   Sessions aside_;              ///< not to be merged
   double since_found_ = 0.0;    ///< way by the product's back-end [m]

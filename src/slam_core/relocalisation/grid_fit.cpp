@@ -13,18 +13,31 @@ namespace {
 constexpr double kNear = 0.2;          // [m]
 constexpr std::int8_t kOccupied = 50;  // percent that an occupied cell exceeds
 
+/// The cells along an axis whose middles are near a place.
+struct Span {
+  std::int64_t first, last;
+
+  /// @param place from the grid's edge [m] @param count cells along the axis
+  static Span near(double place, double resolution, std::uint32_t count) {
+    const auto cell = [&](double at) {
+      return static_cast<std::int64_t>(std::floor(at / resolution));
+    };
+    return {std::max<std::int64_t>(0, cell(place - kNear)),
+            std::min<std::int64_t>(std::int64_t{count} - 1, cell(place + kNear))};
+  }
+};
+
 bool isNearSurface(const OccupancyGrid& grid, const Eigen::Vector2d& end) {
   const Eigen::Vector2d place = end - grid.origin;
-  const auto first = [&](double along) {
-    return std::max<std::int64_t>(0, std::llround((along - kNear) / grid.resolution - 0.5));
-  };
-  const auto last = [&](double along, std::uint32_t count) {
-    return std::min<std::int64_t>(count - std::int64_t{1},
-                                  std::llround((along + kNear) / grid.resolution - 0.5));
-  };
-  for (auto y = first(place.y()); y <= last(place.y(), grid.height); ++y)
-    for (auto x = first(place.x()); x <= last(place.x(), grid.width); ++x)
-      if (grid.cells[static_cast<std::size_t>(y * grid.width + x)] > kOccupied) return true;
+  const auto rows = Span::near(place.y(), grid.resolution, grid.height);
+  const auto columns = Span::near(place.x(), grid.resolution, grid.width);
+  for (auto y = rows.first; y <= rows.last; ++y)
+    for (auto x = columns.first; x <= columns.last; ++x) {
+      if (grid.cells[static_cast<std::size_t>(y * grid.width + x)] <= kOccupied) continue;
+      const Eigen::Vector2d middle =
+          grid.resolution * Eigen::Vector2d(double(x) + 0.5, double(y) + 0.5);
+      if ((middle - place).norm() <= kNear + 0.5 * grid.resolution) return true;
+    }
   return false;
 }
 
@@ -41,6 +54,17 @@ double shareOnSurfaces(const OccupancyGrid& grid, const LaserScan& scan, const P
     }
   });
   return hits == 0 ? 0.0 : static_cast<double>(near) / static_cast<double>(hits);
+}
+
+double bestShareOnSurfaces(const OccupancyGrid& grid, const LaserScan& scan, const Pose2& robot) {
+  constexpr double kStep = 0.2, kTurn = 0.05;  // [m], [rad]
+  double best = 0.0;
+  for (int turn = -8; turn <= 8; ++turn)
+    for (int x = -2; x <= 2; ++x)
+      for (int y = -2; y <= 2; ++y)
+        best = std::max(
+            best, shareOnSurfaces(grid, scan, robot * Pose2(kStep * x, kStep * y, kTurn * turn)));
+  return best;
 }
 
 }  // namespace slam::relocalisation

@@ -97,7 +97,6 @@ Status Relocaliser::assume(Belief belief, const MapState* loaded) {
   was_carried_ = false;
   unsearched_radius_.reset();
   scan_change_.forget();
-  change_ = ScanChange::Verdict::kGoesOn;
   changed_.reset();
   forgetSurroundings();
   const bool can_search = config_.enabled && belief != Belief::kSure && begin(loaded);
@@ -186,22 +185,22 @@ bool Relocaliser::see(const LandmarkObservationArray& array) {
   }
   if (searches_landmarks_) landmarks_.see(array);
   if (belief_ == Belief::kSure) doubt_.see(array);
-  const bool may_be_right = change_ == ScanChange::Verdict::kGoesOn && !isKnownWrong();
-  if (may_be_right && (!searches_landmarks_ || is_lost_by_scans_)) return true;
+  if (!isCarriedAway(*this) && (!searches_landmarks_ || is_lost_by_scans_)) return true;
   counters_.add("withheld", array.observations.size());
   return false;
 }
 
 bool Relocaliser::see(const LaserScan& scan) {
-  if (grid_ && config_.enabled) change_ = scan_change_.judge(scan);
-  has_new_scan_ = true;
-  if (change_ != ScanChange::Verdict::kGoesOn) {
+  using Verdict = ScanChange::Verdict;
+  const auto change = grid_ && config_.enabled ? scan_change_.judge(scan) : Verdict::kGoesOn;
+  if (change != Verdict::kGoesOn) {
     counters_.add("unlike_last");
-    if (change_ == ScanChange::Verdict::kChanged) changed_ = scan;
+    if (change == Verdict::kChanged) changed_ = scan;
     return false;
   }
   if (usesScans()) grid_->see(scan);
-  return belief_ != Belief::kAnywhere && !isKnownWrong();
+  has_new_scan_ = true;
+  return belief_ != Belief::kAnywhere && !isCarriedAway(*this);
 }
 
 bool Relocaliser::isLostByScans() const {
@@ -212,12 +211,13 @@ bool Relocaliser::isLostByScans() const {
 /// Whether enough observations fit the map since a loss that nobody looked for.
 bool Relocaliser::isAgreedAgain() const {
   constexpr int kAgreeing = 10;  // observations
-  return !isContradicted() && gating_.observations() >= kAgreeing &&
+  return !contradiction() && gating_.observations() >= kAgreeing &&
          2 * gating_.gated() < gating_.observations();
 }
 
-bool Relocaliser::isContradicted() const {
-  return gating_.isExcessive() || doubt_.isLost() || isLostByScans();
+std::optional<Relocaliser::Cause> Relocaliser::contradiction() const {
+  if (gating_.isExcessive() || doubt_.isLost()) return Cause::kLandmarks;
+  return isLostByScans() ? std::make_optional(Cause::kScans) : std::nullopt;
 }
 
 void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
@@ -230,20 +230,19 @@ void Relocaliser::watch(const Pose2& believed, Stamp stamp) {
     doubt_.judge(statistics, believed, stamp);
   }
   if (!unsearched_radius_) {
-    const bool by_landmarks = gating_.isExcessive() || doubt_.isLost();
-    if (isContradicted()) lose(believed, by_landmarks ? Sign::kLandmarks : Sign::kScans);
+    if (const auto cause = contradiction()) lose(believed, *cause);
   } else if (isAgreedAgain()) {
     assume(Belief::kSure);
   }
 }
 
 /// Looks for the robot, or reports that it is lost where its map is not searched.
-void Relocaliser::lose(const Pose2& believed, Sign sign) {
+void Relocaliser::lose(const Pose2& believed, Cause cause) {
   const auto doubtful = doubt_.isLost() ? doubt_.doubtful() : std::vector<LandmarkId>();
   assume(Belief::kLost);
   removeLandmarks(doubtful);
-  is_lost_by_scans_ = sign == Sign::kScans;
-  was_carried_ = sign == Sign::kChange;
+  is_lost_by_scans_ = cause == Cause::kScans;
+  was_carried_ = cause == Cause::kChange;
   if (belief_ == Belief::kSure) unsearched_radius_ = radiusOfMap(believed);
 }
 
@@ -252,17 +251,17 @@ void Relocaliser::heedChange(const LaserScan& changed, const Pose2& believed) {
   if (unsearched_radius_) return;
   if (belief_ == Belief::kAnywhere)
     assume(Belief::kAnywhere);
-  else if (belief_ == Belief::kLost || isElsewhere(changed, believed))
-    lose(believed, Sign::kChange);
+  else if ((belief_ == Belief::kLost && !is_lost_by_scans_) || isElsewhere(changed, believed))
+    lose(believed, Cause::kChange);
 }
 
-/// A scan of the same place fits the grid, though people have come or gone. A grid that cannot be
-/// searched leaves the robot where it is believed to be.
+/// A scan of the same place fits the grid, though people have come or gone, or the robot was
+/// pushed. A grid that cannot be searched leaves the robot where it is believed to be.
 bool Relocaliser::isElsewhere(const LaserScan& changed, const Pose2& believed) const {
   constexpr double kFits = 0.5;
   const auto grid = capabilities_.find<GridMapper>()->grid();
   return grid && GridRecogniser::canSearch(*grid) &&
-         shareOnSurfaces(*grid, changed, believed) < kFits;
+         bestShareOnSurfaces(*grid, changed, believed) < kFits;
 }
 
 /// They were mapped since the doubt began, so that they are not where the map has them.
@@ -323,8 +322,8 @@ void Relocaliser::testPlace(const Pose2& believed) {
 std::optional<PoseEstimate> Relocaliser::settleByScans(const Recognition& found,
                                                        const PoseEstimate& believed) {
   if (found.verdict != Recognition::Verdict::kConfirmed) return std::nullopt;
-  const bool stays =
-      belief_ != Belief::kAnywhere && !isLostByScans() && agree(found.robot, believed);
+  const bool stays = belief_ != Belief::kAnywhere && !isCarriedAway(*this) && !isLostByScans() &&
+                     agree(found.robot, believed);
   believePlaceOfScans();
   if (stays) return std::nullopt;
   counters_.add("relocalised");
@@ -347,7 +346,8 @@ void Relocaliser::believePlaceOfScans() {
 /// keeps its state; but with a vague one every place agrees.
 std::optional<PoseEstimate> Relocaliser::settle(const Recognition& found,
                                                 const PoseEstimate& believed) {
-  if (belief_ != Belief::kAnywhere && !isVague(believed) && agree(found.robot, believed)) {
+  const bool may_stay = belief_ != Belief::kAnywhere && !isCarriedAway(*this);
+  if (may_stay && !isVague(believed) && agree(found.robot, believed)) {
     assume(Belief::kSure);
     return std::nullopt;
   }

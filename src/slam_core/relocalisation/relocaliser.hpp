@@ -78,33 +78,35 @@ class Relocaliser {
     return relocaliser.grid_ && isTesting(*relocaliser.grid_);
   }
 
-  /// Whether the robot is lost since what its laser saw changed at once.
-  friend bool wasCarried(const Relocaliser& relocaliser) { return relocaliser.isKnownWrong(); }
+  /// Whether the robot is lost since what its laser saw changed at once. The back-end is at a pose
+  /// where the robot is not, so that it gets nothing.
+  friend bool isCarriedAway(const Relocaliser& relocaliser) {
+    return relocaliser.was_carried_ && relocaliser.belief_ != Belief::kSure;
+  }
 
   template <class Archive>
   void persist(Archive& archive) {
     archive(belief_, landmarks_, searches_landmarks_, searches_grid_, has_new_scan_,
             is_lost_by_scans_, is_grid_too_large_, sees_only_lines_, is_ambiguous_,
-            unsearched_radius_, gating_, doubt_, scan_change_, change_, changed_, was_carried_,
-            counters_);
+            unsearched_radius_, gating_, doubt_, scan_change_, changed_, was_carried_, counters_);
     if (grid_) archive(*grid_);
   }
 
  private:
+  /// It tells by what a loss was noticed.
+  enum class Cause { kLandmarks, kScans, kChange };
+
   Status unsearched(const MapState& loaded) const;
   std::string whyUnsearched() const;
   void watch(const Pose2& believed, Stamp stamp);
-  bool isContradicted() const;
+  /// @return nothing if neither landmarks nor scans contradict the map
+  std::optional<Cause> contradiction() const;
   bool isAgreedAgain() const;
-  /// What a loss is noticed by.
-  enum class Sign { kLandmarks, kScans, kChange };
-  void lose(const Pose2& believed, Sign sign);
+  void lose(const Pose2& believed, Cause cause);
   void heedChange(const LaserScan& changed, const Pose2& believed);
   bool isElsewhere(const LaserScan& changed, const Pose2& believed) const;
   void removeLandmarks(const std::vector<LandmarkId>& doubtful);
   bool isLostByScans() const;
-  /// Whether the back-end is at a pose where the robot is not, so that it gets nothing.
-  bool isKnownWrong() const { return was_carried_ && belief_ != Belief::kSure; }
   double radiusOfMap(const Pose2& believed) const;
   bool usesScans() const;
   bool begin(const MapState* loaded);
@@ -134,12 +136,10 @@ class Relocaliser {
   LocalLandmarks::Ids ids_ = LocalLandmarks::Ids::kKnown;
   LandmarkDoubt doubt_;
   ScanChange scan_change_;
-  /// What the last scan was judged to be.
-  ScanChange::Verdict change_ = ScanChange::Verdict::kGoesOn;
-  std::optional<LaserScan>
-      changed_;  ///< the scan of this step, if it shows that the robot was carried
-  bool was_carried_ =
-      false;  ///< the scans changed at once, and no place was found and tested since
+  /// The scan of this step, if it shows that the robot was carried.
+  std::optional<LaserScan> changed_;
+  /// The scans have changed at once, and no place has been found and tested since.
+  bool was_carried_ = false;
   Counters counters_;
 
   static constexpr int kWindow = 10;  ///< steps with known landmarks

@@ -11,10 +11,10 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kFurthest = 1.0, kLargestTurn = 0.7;  // between scans that are compared [m], [rad]
-constexpr double kVaguePosition = 0.3,
-                 kVagueHeading = 0.1;  // sigma of the motion between them [m], [rad]
-constexpr Duration kLongest = std::chrono::seconds(5);  // between them
+// Scans that are further apart are not compared.
+constexpr double kFurthest = 1.0, kLargestTurn = 0.7;        // [m], [rad]
+constexpr double kVaguePosition = 0.3, kVagueHeading = 0.1;  // sigma of the motion [m], [rad]
+constexpr Duration kLongest = std::chrono::seconds(5);
 constexpr int kInARow = 3;
 constexpr Duration kShortestChange = std::chrono::milliseconds(300);
 constexpr std::size_t kFewestHits = 20;
@@ -38,7 +38,8 @@ void ScanChange::forget() {
 bool ScanChange::isComparable(const Reference& before, const Reference& now) {
   if (!before.since || before.sensor_frame != now.sensor_frame) return false;
   if (now.stamp - before.stamp > kLongest) return false;
-  const auto& [way, covariance] = std::tie(before.since->increment, before.since->covariance);
+  const auto& way = before.since->increment;
+  const auto& covariance = before.since->covariance;
   return way.position().norm() < kFurthest && std::abs(way.theta()) < kLargestTurn &&
          covariance.topLeftCorner<2, 2>().trace() < kVaguePosition * kVaguePosition &&
          covariance(2, 2) < kVagueHeading * kVagueHeading;
@@ -78,8 +79,8 @@ ScanChange::Verdict ScanChange::judge(const LaserScan& scan) {
     is_confirmed_ = !is_unlike;
     return Verdict::kGoesOn;
   }
-  if (!addUnlike(now)) return Verdict::kUnlike;
-  restartFrom(std::move(now));
+  if (!addUnlike(std::move(now))) return Verdict::kUnlike;
+  restartFrom(std::move(*std::exchange(unlike_, std::nullopt)));
   is_confirmed_ = true;
   return Verdict::kChanged;
 }

@@ -17,8 +17,8 @@ namespace slam::relocalisation {
 /// Each scan is compared with the last one, which odometry moves on. In another place most scans
 /// are unlike it (areUnlike()). A damaged scan is unlike those after it, too. So the last scan has
 /// to be like the one before it, and three later scans in at least 0.3 s have to be unlike it and
-/// like each other. Nothing is judged without odometry, where odometry is uncertain, and where no
-/// scan has come for 5 s: in that time, doors open and people come.
+/// like each other. Scans are not compared without odometry, where it is uncertain, and after 5 s
+/// without a scan: in that time, doors open and people come.
 class ScanChange {
  public:
   enum class Verdict {

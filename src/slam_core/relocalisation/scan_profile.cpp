@@ -15,13 +15,13 @@ constexpr double kHalfWindow = 0.045;  // in which a surface is looked for [rad]
 constexpr double kTolerance = 0.2, kToleranceOfRange = 0.03;  // of a range [m], and relative to it
 constexpr std::size_t kMostBeams = 400;                       // that are compared
 constexpr std::size_t kFewestBeams = 20;
-/// The share of the beams that are unlike. In real buildings scans a moment apart seldom reach half
-/// of it, and most scans of other places exceed it.
+/// A scan is unlike if this share of its beams is. In real buildings scans a moment apart seldom
+/// reach half of it, and most scans of other places exceed it.
 constexpr double kUnlike = 0.35;
-constexpr double kLeastOfEach =
-    0.15;  // share of the unlike beams that are nearer, and that are farther
+/// Each kind, the nearer beams and the farther ones, has at least this share of the unlike beams.
+constexpr double kLeastOfEach = 0.15;
 
-/// How many beams of a scan are like those of another one, and in which way others are not.
+/// It counts the beams of a scan that are unlike those of another one.
 struct Comparison {
   std::size_t looked_at = 0, compared = 0, nearer = 0, farther = 0;
 
@@ -34,6 +34,25 @@ struct Comparison {
 };
 
 bool isBefore(const LaserBeam& beam, double bearing) { return beam.bearing < bearing; }
+
+Comparison compared(const ScanProfile& before, const ScanProfile& now, const Pose2& T_before_now) {
+  Comparison comparison;
+  const auto& beams = now.beams();
+  const std::size_t step = 1 + beams.size() / kMostBeams;
+  for (std::size_t i = 0; i < beams.size(); i += step) {
+    const Eigen::Vector2d end = T_before_now.transform(beams[i].end());
+    const double range = end.norm(), tolerance = kTolerance + kToleranceOfRange * range;
+    ++comparison.looked_at;
+    const auto surfaces = before.around(std::atan2(end.y(), end.x()));
+    if (!surfaces) continue;
+    ++comparison.compared;
+    if (beams[i].hit && range < surfaces->nearest - tolerance)
+      ++comparison.nearer;
+    else if (surfaces->all_met && range > surfaces->farthest + tolerance)
+      ++comparison.farther;
+  }
+  return comparison;
+}
 
 }  // namespace
 
@@ -66,22 +85,7 @@ std::optional<ScanProfile::Surfaces> ScanProfile::around(double bearing) const {
 }
 
 bool areUnlike(const ScanProfile& before, const ScanProfile& now, const Pose2& T_before_now) {
-  Comparison comparison;
-  const auto& beams = now.beams();
-  const std::size_t step = 1 + beams.size() / kMostBeams;
-  for (std::size_t i = 0; i < beams.size(); i += step) {
-    const Eigen::Vector2d end = T_before_now.transform(beams[i].end());
-    const double range = end.norm(), tolerance = kTolerance + kToleranceOfRange * range;
-    ++comparison.looked_at;
-    const auto surfaces = before.around(std::atan2(end.y(), end.x()));
-    if (!surfaces) continue;
-    ++comparison.compared;
-    if (beams[i].hit && range < surfaces->nearest - tolerance)
-      ++comparison.nearer;
-    else if (surfaces->all_met && range > surfaces->farthest + tolerance)
-      ++comparison.farther;
-  }
-  return comparison.isUnlike();
+  return compared(before, now, T_before_now).isUnlike();
 }
 
 }  // namespace slam::relocalisation

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -25,7 +26,7 @@ class ScanProfile {
   ScanProfile() = default;
   explicit ScanProfile(const LaserFan& fan);
 
-  /// How many beams have met something.
+  /// @return the number of beams that have met something
   std::size_t hits() const { return hits_; }
   const std::vector<LaserBeam>& beams() const { return beams_; }
   /// @param bearing in (-pi, pi] [rad] @return nothing outside the field of view

@@ -49,6 +49,22 @@ TEST(GridFit, IsSmallElsewhereAndBeyondTheGrid) {
   EXPECT_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom({}), {100.0, 0.0, 0.0}), 0.0);
 }
 
+TEST(GridFit, CountsEndsNearAWall) {
+  for (const auto& [before_wall, share] : {std::pair(0.15, 1.0), std::pair(0.3, 0.0)}) {
+    LaserScan scan;
+    scan.beams.push_back({0.0F, static_cast<float>(5.0 - before_wall), true});
+    EXPECT_EQ(shareOnSurfaces(gridOfHall(), scan, {}), share) << before_wall;
+  }
+}
+
+TEST(GridFit, IsFoundAfterAPush) {
+  const auto scan = kHall.scanFrom({0.3, -0.35, 0.3});
+  EXPECT_LT(shareOnSurfaces(gridOfHall(), scan, {}), 0.5);
+  EXPECT_GT(bestShareOnSurfaces(gridOfHall(), scan, {}), 0.9);
+  const auto elsewhere = test::EmptyRoom{16.0, 3.0}.scanFrom({});
+  EXPECT_LT(bestShareOnSurfaces(gridOfHall(), elsewhere, {}), 0.3);
+}
+
 TEST(GridFit, IsZeroIfNothingWasMet) {
   EXPECT_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom({}, {}, -M_PI, 180, 0.1), {}), 0.0);
 }
