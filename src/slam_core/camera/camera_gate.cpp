@@ -185,4 +185,8 @@ std::optional<CameraGate::Fault> CameraGate::faultOf(const Image& image) const {
   return std::nullopt;
 }
 
+void CameraGate::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void CameraGate::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam

@@ -147,4 +147,8 @@ Component::Figures CeilingFeatures::figures() const {
           {"landmarks", static_cast<double>(landmarks)}};
 }
 
+void CeilingFeatures::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void CeilingFeatures::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::ceiling_features

@@ -345,4 +345,8 @@ NewLandmark EkfSlam::initialized(const LandmarkObservation& z, const Pose2& sens
   return m;
 }
 
+void EkfSlam::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void EkfSlam::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::ekf

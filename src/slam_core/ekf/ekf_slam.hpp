@@ -49,8 +49,8 @@ class EkfSlam final : public Backend,
   Counters counters() const override { return counters_; }
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

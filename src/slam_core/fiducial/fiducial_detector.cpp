@@ -119,4 +119,8 @@ cv::Mat FiducialDetector::drawing() const {
   return view_ ? draw(view_->image.gray, detections_) : cv::Mat();
 }
 
+void FiducialDetector::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void FiducialDetector::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::fiducial

@@ -38,8 +38,8 @@ class FiducialDetector : public LandmarkDetector, public ViewDrawer {
   Counters counters() const override { return counters_; }
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   /// All that was found in the last image, accepted or not, sorted by id.
   const std::vector<MarkerDetection>& detections() const { return detections_; }

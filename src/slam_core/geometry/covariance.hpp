@@ -21,4 +21,10 @@ inline Eigen::Matrix3d clampedHeading(const Eigen::Matrix3d& P) {
   return S * P * S;
 }
 
+/// @param white noise of covariance I @return noise of covariance P, which is positive definite
+Eigen::Vector2d withCovariance(const Eigen::Matrix2d& P, const Eigen::Vector2d& white);
+Eigen::Vector3d withCovariance(const Eigen::Matrix3d& P, const Eigen::Vector3d& white);
+/// @return the squared Mahalanobis distance, e^T P^-1 e
+double squaredDistance(const Eigen::Vector3d& e, const Eigen::Matrix3d& P);
+
 }  // namespace slam

@@ -215,6 +215,8 @@ double Optimizer::chi2() const {
   return sum;
 }
 
+double Innovation::nis() const { return r.dot(S.llt().solve(r)); }
+
 Innovation Optimizer::innovation(const std::vector<const Factor*>& factors) const {
   std::vector<Key> keys;
   std::vector<LinearFactor> linear;

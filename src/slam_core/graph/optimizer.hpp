@@ -43,7 +43,7 @@ struct OptimizerLimits {
 struct Innovation {
   Eigen::VectorXd r;
   Eigen::MatrixXd S;
-  double nis() const { return r.dot(S.llt().solve(r)); }
+  double nis() const;
 };
 
 using FactorVisitor = std::function<void(const Factor& factor, double weight)>;

@@ -345,4 +345,8 @@ Status GraphSlam::augment(Association& association, const Pose2& sensor) {
   return status;
 }
 
+void GraphSlam::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void GraphSlam::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::graph_slam

@@ -77,8 +77,8 @@ class GraphSlam final : public Backend,
   void reset() override;
   /// A session that was loaded has to be in force first.
   bool canResume() const override { return !resumed_; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

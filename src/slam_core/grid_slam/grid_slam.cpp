@@ -216,4 +216,8 @@ std::optional<OccupancyGrid> GridSlam::grid() const {
 
 MapState GridSlam::state() const { return {pose(), {}, {}, grid()}; }
 
+void GridSlam::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void GridSlam::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::grid_slam

@@ -92,4 +92,8 @@ Status ImuGate::reject(const std::string& reason, const std::string& sentence) {
   return Status::warning(sentence);
 }
 
+void ImuGate::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void ImuGate::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam

@@ -195,4 +195,8 @@ Component::Figures WheelImuOdometry::figures() const {
           {"gyro_noise", std::sqrt(calibration_.noiseVariance())}};
 }
 
+void WheelImuOdometry::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void WheelImuOdometry::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::imu_odometry

@@ -44,8 +44,8 @@ class WheelImuOdometry final : public OdometrySource {
   Figures figures() const override;
   void reset() override;
   bool canResume() const override { return wheels_->canResume(); }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

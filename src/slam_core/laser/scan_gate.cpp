@@ -104,4 +104,8 @@ std::optional<ScanGate::Fault> ScanGate::faultOfSweep(const LaserSweep& sweep) c
   return std::nullopt;
 }
 
+void ScanGate::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void ScanGate::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam

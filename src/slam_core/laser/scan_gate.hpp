@@ -51,8 +51,8 @@ class ScanGate : public Gate {
   /// The gate is as after configure(), but keeps the mount.
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

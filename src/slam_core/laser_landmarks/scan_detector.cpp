@@ -39,4 +39,8 @@ Status ScanDetector::execute() {
   return status;
 }
 
+void ScanDetector::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void ScanDetector::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::laser_landmarks

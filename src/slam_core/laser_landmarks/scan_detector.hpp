@@ -26,8 +26,8 @@ class ScanDetector : public LandmarkDetector {
   Counters counters() const override { return counters_; }
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

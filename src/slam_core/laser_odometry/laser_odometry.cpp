@@ -179,4 +179,8 @@ Component::Figures LaserOdometry::figures() const {
           {"map_megabytes", static_cast<double>(map_->bytes()) / kMegabyte}};
 }
 
+void LaserOdometry::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void LaserOdometry::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::laser_odometry

@@ -44,8 +44,8 @@ class LaserOdometry final : public OdometrySource {
   void reset() override;
   void goOnLive() override { reset(); }
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

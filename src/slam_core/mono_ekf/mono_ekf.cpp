@@ -321,4 +321,8 @@ Component::Figures MonoEkf::figures() const {
       {"pixel_sigma", noise_.sigma()}};
 }
 
+void MonoEkf::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void MonoEkf::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::mono_ekf

@@ -45,8 +45,8 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   Figures figures() const override;
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   /// The robot and the map as the filter has them.
   const MonoState& state() const { return state_; }

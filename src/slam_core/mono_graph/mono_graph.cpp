@@ -353,4 +353,8 @@ void MonoGraph::noteStep(Stamp stamp) {
   path_.push_back({stamp, reference_, relative, firstVisit()});
 }
 
+void MonoGraph::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void MonoGraph::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::mono_graph

@@ -128,4 +128,8 @@ std::uint64_t PointMap::dropped() const {
          collator_.setAside() + counters_["invalid_motion"];
 }
 
+void PointMap::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void PointMap::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::point_map

@@ -360,4 +360,14 @@ Counters Estimator::counters() const {
   return all;
 }
 
+void Estimator::saveState(ArchiveWriter& archive) const {
+  archive(*this);
+  backend_->saveState(archive);
+}
+
+void Estimator::restoreState(ArchiveReader& archive) {
+  archive(*this);
+  backend_->restoreState(archive);
+}
+
 }  // namespace slam

@@ -98,14 +98,8 @@ class Estimator final : public Component {
   void reset() override;
 
   bool canResume() const override { return backend_->canResume() && slam::canResume(intake_); }
-  void saveState(ArchiveWriter& archive) const override {
-    archive(*this);
-    backend_->saveState(archive);
-  }
-  void restoreState(ArchiveReader& archive) override {
-    archive(*this);
-    backend_->restoreState(archive);
-  }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
   template <class Archive>
   void persist(Archive& archive) {
     archive(intake_, consistency_, noise_, dead_reckoning_, doubt_, events_, relocaliser_,

@@ -216,4 +216,8 @@ std::uint64_t JoinedScanGate::dropped() const {
          collator_.setAside();
 }
 
+void JoinedScanGate::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void JoinedScanGate::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam

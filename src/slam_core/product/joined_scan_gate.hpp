@@ -60,8 +60,8 @@ class JoinedScanGate final : public Gate {
   void reset() override;
 
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
   template <class Archive>
   void persist(Archive& archive) {
     collator_.persist(archive, {Arrival(), Arrival()});

@@ -75,4 +75,8 @@ Component::Figures LocalView::figures() const {
   return {{"views", static_cast<double>(memory_.size())}};
 }
 
+void LocalView::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void LocalView::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::rat

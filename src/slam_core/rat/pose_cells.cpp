@@ -107,4 +107,8 @@ void PoseCells::learn(std::int64_t view) {
   learnt_[view] = {network_.centre(), config_.fading};
 }
 
+void PoseCells::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void PoseCells::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::rat

@@ -154,4 +154,8 @@ std::vector<PlaceVisit> RatSlam::visits() const {
   return visits;
 }
 
+void RatSlam::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void RatSlam::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::rat

@@ -243,4 +243,8 @@ Status SeifSlam::remove(LandmarkId id) {
   return removal;
 }
 
+void SeifSlam::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void SeifSlam::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::seif

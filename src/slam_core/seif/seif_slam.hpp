@@ -48,8 +48,8 @@ class SeifSlam final : public Backend,
   Figures figures() const override;
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   template <class Archive>
   void persist(Archive& archive) {

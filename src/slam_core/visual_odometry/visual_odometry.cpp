@@ -218,4 +218,8 @@ Component::Figures VisualOdometry::figures() const {
           {"keyframes", static_cast<double>(counters_["keyframes"])}};
 }
 
+void VisualOdometry::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void VisualOdometry::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::visual_odometry

@@ -48,8 +48,8 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   void reset() override;
   void goOnLive() override { reset(); }
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   /// Whether the motion up to the last image is unknown.
   bool isLost() const {

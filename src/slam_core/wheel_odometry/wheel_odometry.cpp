@@ -228,4 +228,8 @@ Eigen::Matrix3d WheelOdometry::covarianceOf(const Pose2& increment, const Odomet
   return floor + (given ? dt * dt * twist : model_->covariance(increment));
 }
 
+void WheelOdometry::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void WheelOdometry::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::wheel_odometry

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/geometry/covariance.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/laser_scan.hpp"
 #include "slam_core/models/motion.hpp"
@@ -44,17 +45,19 @@ class Room {
     const Eigen::Vector2d ray(std::cos(direction), std::sin(direction));
     double nearest = INFINITY;
     for (const auto& [a, b] : walls_) {
-      Eigen::Matrix2d A;
-      A << ray, a - b;
-      const Eigen::Vector2d solution = A.fullPivLu().solve(a - from);
-      const bool is_met = A.fullPivLu().isInvertible() && solution.x() > 0.0 &&
-                          solution.y() >= 0.0 && solution.y() <= 1.0;
-      if (is_met) nearest = std::min(nearest, solution.x());
+      const Eigen::Vector2d wall = b - a, to_wall = a - from;
+      const double sine = cross(ray, wall);  // times the wall's length; 0 if they are parallel
+      const double along_ray = cross(to_wall, wall) / sine, along_wall = cross(to_wall, ray) / sine;
+      const bool is_met = sine != 0.0 && along_ray > 0.0 && along_wall >= 0.0 && along_wall <= 1.0;
+      if (is_met) nearest = std::min(nearest, along_ray);
     }
     return nearest;
   }
 
  private:
+  static double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  }
   void addLoop(const std::vector<Eigen::Vector2d>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i)
       walls_.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
@@ -110,7 +113,7 @@ class RoomDrive {
     step.motion.odometry_frame = "odom";
     step.motion.base_frame = "base_link";
     const Eigen::Vector3d white(random_.gaussian(), random_.gaussian(), random_.gaussian());
-    step.motion.increment = Pose2::fromVector(way.vector() + Q.llt().matrixL() * white);
+    step.motion.increment = Pose2::fromVector(way.vector() + withCovariance(Q, white));
     step.motion.odometry_start = odometry_;
     step.motion.odometry_end = odometry_ = odometry_ * step.motion.increment;
     truth_ = truth_ * way;  // stays on its circle: it is the odometry that errs

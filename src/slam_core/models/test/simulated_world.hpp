@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/geometry/covariance.hpp"
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
 
@@ -64,7 +65,7 @@ class SimulatedWorld {
   Eigen::Matrix<double, N, 1> noise(const Eigen::Matrix<double, N, N>& covariance) {
     Eigen::Matrix<double, N, 1> white;
     for (auto& element : white) element = random_.gaussian();
-    return covariance.llt().matrixL() * white;
+    return withCovariance(covariance, white);
   }
 
   Motion drive() {
@@ -115,7 +116,7 @@ class SimulatedWorld {
 inline double nees(const Pose2& truth, const Pose2& estimate, const Eigen::Matrix3d& covariance) {
   const Eigen::Vector3d error(truth.x() - estimate.x(), truth.y() - estimate.y(),
                               std::remainder(truth.theta() - estimate.theta(), 2 * M_PI));
-  return error.dot(covariance.llt().solve(error));
+  return squaredDistance(error, covariance);
 }
 
 }  // namespace slam::test

@@ -190,4 +190,8 @@ Status FastSlam::onTheWhole() const {
   return scans_ ? scans_->status() : Status::ok();
 }
 
+void FastSlam::saveState(ArchiveWriter& archive) const { archive(*this); }
+
+void FastSlam::restoreState(ArchiveReader& archive) { archive(*this); }
+
 }  // namespace slam::particle_filter

@@ -59,8 +59,8 @@ class FastSlam final : public Backend,
   Figures figures() const override;
   void reset() override;
   bool canResume() const override { return true; }
-  void saveState(ArchiveWriter& archive) const override { archive(*this); }
-  void restoreState(ArchiveReader& archive) override { archive(*this); }
+  void saveState(ArchiveWriter& archive) const override;
+  void restoreState(ArchiveReader& archive) override;
 
   const ParticleSet& particleSet() const { return *particles_; }
 
