@@ -10,7 +10,7 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kNear = 0.2;          // [m]
+constexpr double kNearSurface = 0.2;   // [m]
 constexpr std::int8_t kOccupied = 50;  // percent that an occupied cell exceeds
 
 /// The cells along an axis whose middles are near a place.
@@ -22,8 +22,8 @@ struct Span {
     const auto cell = [&](double at) {
       return static_cast<std::int64_t>(std::floor(at / resolution));
     };
-    return {std::max<std::int64_t>(0, cell(place - kNear)),
-            std::min<std::int64_t>(std::int64_t{count} - 1, cell(place + kNear))};
+    return {std::max<std::int64_t>(0, cell(place - kNearSurface)),
+            std::min<std::int64_t>(std::int64_t{count} - 1, cell(place + kNearSurface))};
   }
 };
 
@@ -36,7 +36,7 @@ bool isNearSurface(const OccupancyGrid& grid, const Eigen::Vector2d& end) {
       if (grid.cells[static_cast<std::size_t>(y * grid.width + x)] <= kOccupied) continue;
       const Eigen::Vector2d middle =
           grid.resolution * Eigen::Vector2d(double(x) + 0.5, double(y) + 0.5);
-      if ((middle - place).norm() <= kNear + 0.5 * grid.resolution) return true;
+      if ((middle - place).norm() <= kNearSurface + 0.5 * grid.resolution) return true;
     }
   return false;
 }

@@ -12,9 +12,9 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kSameGate = 13.8;   // 0.999 of chi-square with two degrees of freedom
-constexpr double kVagueSigma = 0.5;  // a landmark that is less certain is forgotten [m]
-constexpr std::size_t kMost = 40;    // landmarks; the oldest are forgotten first
+constexpr double kSameGate = 13.8;          // 0.999 of chi-square with two degrees of freedom
+constexpr double kVagueSigma = 0.5;         // a landmark that is less certain is forgotten [m]
+constexpr std::size_t kMostLandmarks = 40;  // landmarks; the oldest are forgotten first
 /// The errors of successive sightings are correlated: any number of sightings counts as four at
 /// most. The variance of a Kalman filter converges to a quarter of a sighting's if this share of
 /// the latter is added before each update.
@@ -95,7 +95,7 @@ bool LocalLandmarks::see(const LocalLandmark& seen) {
     fuse(*nearest, seen);
     return false;
   }
-  if (landmarks_.size() == kMost) landmarks_.erase(landmarks_.begin());
+  if (landmarks_.size() == kMostLandmarks) landmarks_.erase(landmarks_.begin());
   landmarks_.push_back(seen);
   return true;
 }

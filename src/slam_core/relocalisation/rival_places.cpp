@@ -11,9 +11,9 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kNearlyAll = 0.8;    ///< of the landmarks around the robot
-constexpr std::size_t kMost = 32;     ///< places that are followed
-constexpr std::size_t kOnTheMap = 2;  ///< so many landmarks within reach contradict, if unseen
+constexpr double kNearlyAll = 0.8;       ///< of the landmarks around the robot
+constexpr std::size_t kMostPlaces = 32;  ///< places that are followed
+constexpr std::size_t kOnTheMap = 2;     ///< so many landmarks within reach contradict, if unseen
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void RivalPlaces::add(const Pose2& place) {
   const auto known = std::find_if(poses_.begin(), poses_.end(), is_same);
   if (known != poses_.end())
     *known = place;
-  else if (poses_.size() < kMost)
+  else if (poses_.size() < kMostPlaces)
     poses_.push_back(place);
 }
 

@@ -27,11 +27,11 @@ struct Odds {
 };
 constexpr Odds kOfIds{0.002, 0.98}, kOfPlaces{0.25, 0.95};
 /// Landmarks of a view are not independent: they count as so many at most.
-constexpr double kMostIndependent = 8.0;
+constexpr double kMostIndependentInView = 8.0;
 /// What is gone and what is new have to say the same: the sum of both is so many times the lesser
 /// at most.
 constexpr double kMostOfLesser = 3.0;
-constexpr double kRemembered = 500.0;  ///< landmarks that a learnt rate goes by
+constexpr double kRememberedInView = 500.0;  ///< landmarks that a learnt rate goes by
 
 /// The log-likelihood ratio of "lost" to "right" of a binomial number of hits.
 double ratioOf(double hits, double misses, double learnt, const Odds& odds) {
@@ -39,7 +39,7 @@ double ratioOf(double hits, double misses, double learnt, const Odds& odds) {
   const double lost = std::min(odds.by_chance, 0.5 * right);
   const double ratio =
       hits * std::log(lost / right) + misses * std::log((1.0 - lost) / (1.0 - right));
-  return ratio * std::min(1.0, kMostIndependent / std::max(1.0, hits + misses));
+  return ratio * std::min(1.0, kMostIndependentInView / std::max(1.0, hits + misses));
 }
 
 bool isSame(const LocalLandmark& a, const LocalLandmark& b) {
@@ -60,7 +60,7 @@ bool isIn(const LocalLandmark& landmark, const std::vector<LocalLandmark>& seen)
 void ViewChange::Rate::learn(const Rate& more) {
   yes += more.yes;
   no += more.no;
-  const double excess = std::max(1.0, (yes + no) / kRemembered);
+  const double excess = std::max(1.0, (yes + no) / kRememberedInView);
   yes /= excess;
   no /= excess;
 }
