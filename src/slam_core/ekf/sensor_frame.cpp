@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kPoseSize = 3;
-constexpr Index kHead = kPoseSize + kCalibrationRows;  ///< robot and parameters
+constexpr Index kPoseRows = 3;
+constexpr Index kHead = kPoseRows + kCalibrationRows;  ///< robot and parameters
 
 /// D(c), with its Jacobian in the parameters.
 Pose2 sensorOf(const std::optional<SensorFrame::View>& view, const CalibrationVector& c,
                CalibrationJacobian<3>& J) {
   if (view) return calibrated(view->mount, view->velocity, c, &J);
-  J.setZero(kPoseSize, kCalibrationRows);
+  J.setZero(kPoseRows, kCalibrationRows);
   return {};
 }
 
@@ -77,7 +77,7 @@ SensorFrame::Transition SensorFrame::moved(const Transition& U, const Calibratio
 
 SensorFrame::Transition SensorFrame::look(const View& view, const CalibrationVector& c) {
   Transition none;
-  none.J.setZero(kPoseSize, kCalibrationRows);
+  none.J.setZero(kPoseRows, kCalibrationRows);
   const auto result = between(view_, none, view, c);
   view_ = view;
   return result;
@@ -91,7 +91,7 @@ Pose2 SensorFrame::robot(const Pose2& of_filter, const CalibrationVector& c, Jac
   Eigen::Matrix3d by_sensor, by_inverse;
   const Pose2 robot = sensor.compose(inverse, &by_sensor, &by_inverse);
   J << by_sensor * scaling(factor).asDiagonal(), by_inverse * J_view;
-  J.col(kPoseSize + kRangeScale) += by_sensor.leftCols<2>() * sensor.position();
+  J.col(kPoseRows + kRangeScale) += by_sensor.leftCols<2>() * sensor.position();
   return robot;
 }
 
@@ -119,17 +119,17 @@ MapState SensorFrame::map(const MapState& map, const CalibrationVector& c) const
 
   // rows of the result by rows of the filter's: first from the left, then from the right
   const auto fromLeft = [&](const Eigen::MatrixXd& P) {
-    Eigen::MatrixXd product(kPoseSize + landmarks, P.cols());
-    product.topRows<kPoseSize>() = J * P.topRows<kHead>();
+    Eigen::MatrixXd product(kPoseRows + landmarks, P.cols());
+    product.topRows<kPoseRows>() = J * P.topRows<kHead>();
     product.bottomRows(landmarks) =
-        scales.asDiagonal() * P.bottomRows(landmarks) + growth * P.row(kPoseSize + kRangeScale);
+        scales.asDiagonal() * P.bottomRows(landmarks) + growth * P.row(kPoseRows + kRangeScale);
     return product;
   };
   const Eigen::MatrixXd left = fromLeft(map.joint_covariance);
   result.joint_covariance = fromLeft(left.transpose());
-  result.robot.covariance = result.joint_covariance.topLeftCorner<kPoseSize, kPoseSize>();
+  result.robot.covariance = result.joint_covariance.topLeftCorner<kPoseRows, kPoseRows>();
   for (std::size_t i = 0; i < map.landmarks.size(); ++i) {
-    const auto row = kPoseSize + 2 * static_cast<Index>(i);
+    const auto row = kPoseRows + 2 * static_cast<Index>(i);
     result.landmarks[i].covariance = result.joint_covariance.block<2, 2>(row, row);
   }
   return result;
@@ -137,7 +137,7 @@ MapState SensorFrame::map(const MapState& map, const CalibrationVector& c) const
 
 SensorFrame::Transition fromMetres(const Pose2& in_range_units) {
   SensorFrame::Transition transition;
-  transition.J.setZero(kPoseSize, kCalibrationRows);
+  transition.J.setZero(kPoseRows, kCalibrationRows);
   transition.J.topRows<2>().col(kRangeScale) =
       -in_range_units.rotation().transpose() * in_range_units.position();
   return transition;
