@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <stdexcept>
 #include <vector>
 
@@ -43,8 +42,12 @@ std::vector<std::string> namesIn(const std::string& folder) {
 
 /// @return whether it is the name of a session that was not merged, such as unmerged_2.session
 bool isUnmerged(const std::string& name) {
-  static const std::regex kName(std::string(RunFolder::kUnmerged) + R"(\d+\.session)");
-  return std::regex_match(name, kName);
+  const std::string begin = RunFolder::kUnmerged, end = ".session";
+  const auto length = name.size(), around = begin.size() + end.size();
+  if (length <= around || name.compare(0, begin.size(), begin) != 0 ||
+      name.compare(length - end.size(), end.size(), end) != 0)
+    return false;
+  return name.find_first_not_of("0123456789", begin.size()) == length - end.size();
 }
 
 const std::string& made(const std::string& folder) {
