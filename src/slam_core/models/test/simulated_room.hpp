@@ -29,6 +29,12 @@ class Room {
     addLoop({{-3.9, 2.6}, {-3.5, 2.6}, {-3.5, 3.0}, {-3.9, 3.0}});
   }
 
+  /// A rectangle around the origin. @param length, width along x and y [m]
+  Room(double length, double width) {
+    const double x = 0.5 * length, y = 0.5 * width;
+    addLoop({{-x, -y}, {x, -y}, {x, y}, {-x, y}});
+  }
+
   /// To the nearest wall [m].
   double distance(const Eigen::Vector2d& point) const {
     double least = INFINITY;

@@ -72,8 +72,6 @@ TEST_F(RelocalisationInGrid, WithdrawsAPlaceThatTheNextScansRefute) {
 /// A robot maps a room with a laser, and finds itself in a lobby.
 class CarriedWithALaser : public testing::TestWithParam<std::string> {
  protected:
-  static constexpr test::EmptyRoom kLobby{4.0, 14.0};
-
   void SetUp() override {
     Settings settings({}, {}, {"backend=" + GetParam(), "map=grid", "odometry=wheel"});
     estimator.use(Registry<Backend>::instance().create(GetParam()));
@@ -117,7 +115,7 @@ class CarriedWithALaser : public testing::TestWithParam<std::string> {
       auto step = next();
       step.motion.increment = Pose2(0.05, 0.0, 0.0);
       const Pose2 in_lobby(moved + 0.05 * i - 1.5, 0.2, 0.0);
-      const auto seen = kLobby.scanFrom(in_lobby * step.scan.sensor_pose);
+      const auto seen = test::CoarseLaser().scanOf(lobby, in_lobby * step.scan.sensor_pose);
       step.scan.beams = seen.beams;
       take(step);
     }
@@ -127,6 +125,7 @@ class CarriedWithALaser : public testing::TestWithParam<std::string> {
   }
 
   Estimator estimator;
+  const test::Room lobby{4.0, 14.0};
   RoomDrive robot{3};
   Pose2 where;          ///< T_map_base after carryOn()
   Duration carried{0};  ///< the stamps that were left out

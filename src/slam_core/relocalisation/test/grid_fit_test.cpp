@@ -10,7 +10,8 @@
 namespace slam::relocalisation {
 namespace {
 
-const test::EmptyRoom kHall{10.0, 8.0};
+const test::Room kHall{10.0, 8.0}, kPassage{16.0, 3.0};
+const test::CoarseLaser kLaser, kCovered{-M_PI, 180, 0.1};
 
 /// The hall's walls, a cell thick, in a grid that extends a metre beyond them.
 OccupancyGrid gridOfHall() {
@@ -28,25 +29,25 @@ OccupancyGrid gridOfHall() {
 
 TEST(GridFit, IsWholeAtThePoseOfTheScan) {
   const Pose2 robot(1.0, 2.0, 0.5);
-  EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom(robot), robot), 1.0);
+  EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), kLaser.scanOf(kHall, robot), robot), 1.0);
 }
 
 TEST(GridFit, RegardsTheMountOfTheLaser) {
   const Pose2 robot(1.0, 2.0, 0.5), mount(0.3, 0.1, M_PI / 2.0);
-  auto scan = kHall.scanFrom(robot * mount);
+  auto scan = kLaser.scanOf(kHall, robot * mount);
   scan.sensor_pose = mount;
   EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), scan, robot), 1.0);
 }
 
 TEST(GridFit, IsTheShareThatNobodyHides) {
-  auto scan = kHall.scanFrom({});
+  auto scan = kLaser.scanOf(kHall, {});
   for (std::size_t i = 0; i < 45; ++i) scan.beams[i].range = 0.5F;
   EXPECT_DOUBLE_EQ(shareOnSurfaces(gridOfHall(), scan, {}), 0.75);
 }
 
 TEST(GridFit, IsSmallElsewhereAndBeyondTheGrid) {
-  EXPECT_LT(shareOnSurfaces(gridOfHall(), test::EmptyRoom{16.0, 3.0}.scanFrom({}), {}), 0.2);
-  EXPECT_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom({}), {100.0, 0.0, 0.0}), 0.0);
+  EXPECT_LT(shareOnSurfaces(gridOfHall(), kLaser.scanOf(kPassage, {}), {}), 0.2);
+  EXPECT_EQ(shareOnSurfaces(gridOfHall(), kLaser.scanOf(kHall, {}), {100.0, 0.0, 0.0}), 0.0);
 }
 
 TEST(GridFit, CountsEndsNearAWall) {
@@ -58,15 +59,15 @@ TEST(GridFit, CountsEndsNearAWall) {
 }
 
 TEST(GridFit, IsFoundAfterAPush) {
-  const auto scan = kHall.scanFrom({0.3, -0.35, 0.3});
+  const auto scan = kLaser.scanOf(kHall, {0.3, -0.35, 0.3});
   EXPECT_LT(shareOnSurfaces(gridOfHall(), scan, {}), 0.5);
   EXPECT_GT(bestShareOnSurfaces(gridOfHall(), scan, {}), 0.9);
-  const auto elsewhere = test::EmptyRoom{16.0, 3.0}.scanFrom({});
+  const auto elsewhere = kLaser.scanOf(kPassage, {});
   EXPECT_LT(bestShareOnSurfaces(gridOfHall(), elsewhere, {}), 0.3);
 }
 
 TEST(GridFit, IsZeroIfNothingWasMet) {
-  EXPECT_EQ(shareOnSurfaces(gridOfHall(), kHall.scanFrom({}, {}, -M_PI, 180, 0.1), {}), 0.0);
+  EXPECT_EQ(shareOnSurfaces(gridOfHall(), kCovered.scanOf(kHall, {}), {}), 0.0);
 }
 
 }  // namespace

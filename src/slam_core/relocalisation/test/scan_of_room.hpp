@@ -6,34 +6,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "slam_core/models/laser_scan.hpp"
+#include "slam_core/models/test/simulated_room.hpp"
 
 namespace slam::test {
 
-/// A rectangular room around the origin, seen by a laser in the middle of a robot.
-struct EmptyRoom {
-  double length, width;  ///< along x and y [m]
+/// A laser in the middle of a robot, whose beams are two degrees apart.
+struct CoarseLaser {
+  double first = -M_PI;  ///< bearing of the first beam [rad]
+  int beams = 180;
+  double farthest = 30.0;  ///< that it can measure [m]
 
-  /// @return the range from a place in the room to its wall [m]
-  double range(const Eigen::Vector2d& from, double direction) const {
-    const double c = std::cos(direction), s = std::sin(direction);
-    const double to_x = (std::copysign(0.5 * length, c) - from.x()) / c;
-    const double to_y = (std::copysign(0.5 * width, s) - from.y()) / s;
-    return std::min(std::abs(to_x), std::abs(to_y));
-  }
-
-  /// @param robot its pose in the room @param first bearing of the first of the beams, which are
-  /// two degrees apart [rad] @param farthest that the laser can measure [m]
-  LaserScan scanFrom(const Pose2& robot, Stamp stamp = {}, double first = -M_PI, int beams = 180,
-                     double farthest = 30.0) const {
+  /// @param robot its pose in the room
+  LaserScan scanOf(const Room& room, const Pose2& robot, Stamp stamp = {}) const {
     LaserScan scan;
     scan.stamp = stamp;
     scan.sensor_frame = "laser";
     for (int i = 0; i < beams; ++i) {
       const double bearing = first + M_PI / 90.0 * i;
-      const double to_wall = range(robot.position(), robot.theta() + bearing);
+      const double range = room.range(robot.position(), robot.theta() + bearing);
       scan.beams.push_back({static_cast<float>(bearing),
-                            static_cast<float>(std::min(to_wall, farthest)), to_wall < farthest});
+                            static_cast<float>(std::min(range, farthest)), range < farthest});
     }
     return scan;
   }
