@@ -1,14 +1,16 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Products whose observations have ids are launched: as many as have every three features that go
-together."""
+"""Products whose observations have ids are launched: as many as have every two features that go
+together. That components of any three fit each other is known without a launch (test_ports)."""
 
+import os
 import unittest
 
 from product_launches import ProductLaunches
 from slam_launch.covering import covering
 
-TOGETHER = 3  # features whose combinations are all tried: faults of more at once are rare
+# features whose combinations are all tried: faults of more at once are rare
+TOGETHER = 3 if "SLAM_TEST_ALL" in os.environ else 2
 
 
 class EveryProductTest(ProductLaunches, unittest.TestCase):

@@ -4,10 +4,10 @@
 #include "slam_core/camera/pose_fit.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "slam_core/geometry/angle.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_core/models/chi_square.hpp"
 
 namespace slam {
@@ -49,8 +49,7 @@ struct NormalEquations {
 };
 
 bool isDetermined(const Eigen::Matrix3d& H) {
-  return H.allFinite() && Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(H, Eigen::EigenvaluesOnly)
-                                  .eigenvalues()[0] > kLeastInformation;
+  return H.allFinite() && principalAxes(H).values(0) > kLeastInformation;
 }
 
 /// @return whether the points and the prior determine the step

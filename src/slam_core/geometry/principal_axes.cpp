@@ -6,15 +6,22 @@
 #include <Eigen/Eigenvalues>
 
 namespace slam {
+namespace {
 
-PrincipalAxes<2> principalAxes(const Eigen::Matrix2d& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(symmetric);
+template <int N>
+PrincipalAxes<N> axesOf(const Eigen::Matrix<double, N, N>& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> solver(symmetric);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+}  // namespace
+
+PrincipalAxes<2> principalAxes(const Eigen::Matrix2d& symmetric) { return axesOf(symmetric); }
+
+PrincipalAxes<3> principalAxes(const Eigen::Matrix3d& symmetric) { return axesOf(symmetric); }
+
 PrincipalAxes<Eigen::Dynamic> principalAxes(const Eigen::MatrixXd& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return axesOf(symmetric);
 }
 
 }  // namespace slam

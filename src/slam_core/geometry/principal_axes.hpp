@@ -8,8 +8,8 @@
 namespace slam {
 
 /// It holds the eigenvalues of a symmetric matrix, in increasing order, and the directions that
-/// belong to them, of length 1, in the columns. One file computes those of 2x2 matrices and of
-/// dynamic ones, since the compiler takes ten seconds for Eigen's solver in each file that uses it.
+/// belong to them, of length 1, in the columns. One file computes them, since the compiler takes
+/// seconds for Eigen's solver in each file that uses it.
 template <int N>
 struct PrincipalAxes {
   Eigen::Matrix<double, N, 1> values;
@@ -17,6 +17,7 @@ struct PrincipalAxes {
 };
 
 PrincipalAxes<2> principalAxes(const Eigen::Matrix2d& symmetric);
+PrincipalAxes<3> principalAxes(const Eigen::Matrix3d& symmetric);
 PrincipalAxes<Eigen::Dynamic> principalAxes(const Eigen::MatrixXd& symmetric);
 
 /// The variance in the most uncertain direction.

@@ -4,10 +4,10 @@
 #include "slam_core/graph_slam/motion_evidence.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "slam_core/geometry/covariance.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_core/graph_slam/names.hpp"
 
 namespace slam::graph_slam {
@@ -15,9 +15,8 @@ namespace slam::graph_slam {
 Eigen::Matrix3d informationBeyond(const Eigen::Matrix3d& P, const Eigen::Matrix3d& used) {
   constexpr double kLeast = 1e-6;  // [1/m^2], [1/rad^2]
   const Eigen::Matrix3d left = symmetric(P.inverse() - used.inverse());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(left);
-  const Eigen::Matrix3d V = solver.eigenvectors();
-  return symmetric(V * solver.eigenvalues().cwiseMax(kLeast).asDiagonal() * V.transpose());
+  const auto [values, V] = principalAxes(left);
+  return symmetric(V * values.cwiseMax(kLeast).asDiagonal() * V.transpose());
 }
 
 bool contradict(const PoseEstimate& a, const PoseEstimate& b) {

@@ -3,12 +3,14 @@
 
 #include "slam_core/graph_slam/session_check.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::graph_slam {
 namespace {
@@ -30,7 +32,7 @@ bool isSpread(const Eigen::Matrix3d& P) {
   constexpr double kRounding = 1e-9;
   const double most = P.cwiseAbs().maxCoeff();
   if (!(P - P.transpose()).isZero(kRounding * most)) return false;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(P).eigenvalues()(0) >= -kRounding * most;
+  return principalAxes(P).values(0) >= -kRounding * most;
 }
 
 /// Which nodes and landmarks hang together (disjoint sets), and with the map.

@@ -4,11 +4,11 @@
 #include "slam_core/scan_matching/registration.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "slam_core/geometry/angle.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 #include "slam_core/scan_matching/surface.hpp"
 
 // Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
@@ -73,9 +73,9 @@ NormalEquations NormalEquations::withoutNoise() const {
     return L.triangularView<Eigen::Lower>().solve(right).eval();
   };
   const Eigen::Matrix3d half = solve(H_noise);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(solve(half.transpose()));
-  const auto& Q = axes.eigenvectors();
-  const Eigen::Vector3d kept = (1.0 - kDoubt * axes.eigenvalues().array()).max(0.0);
+  const Eigen::Matrix3d noise = solve(half.transpose());
+  const auto [variances, Q] = principalAxes(noise);
+  const Eigen::Vector3d kept = (1.0 - kDoubt * variances.array()).max(0.0);
   const Eigen::Matrix3d LQ = L * Q;
   NormalEquations rest = *this;
   rest.g = LQ * kept.asDiagonal() * Q.transpose() * solve(g);

@@ -4,10 +4,11 @@
 #include "slam_core/particle_filter/particles/knowledge_bound.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::particle_filter {
 namespace {
@@ -69,10 +70,10 @@ Eigen::Matrix<double, N, N> atLeast(const Eigen::Matrix<double, N, N>& bound,
   if (L.info() != Eigen::Success) return bound;
   Square whitened = L.matrixL().solve(bound);  // then L^-1 bound L^-T
   whitened = L.matrixL().solve(whitened.transpose().eval());
-  const Eigen::SelfAdjointEigenSolver<Square> axes(symmetric(whitened));
-  if (axes.info() != Eigen::Success || !axes.eigenvalues().allFinite()) return covariance;
-  const Square back = L.matrixL() * axes.eigenvectors();
-  const Square result = back * axes.eigenvalues().cwiseMax(1.0).asDiagonal() * back.transpose();
+  const auto [variances, directions] = principalAxes(symmetric(whitened));
+  if (!variances.allFinite()) return covariance;
+  const Square back = L.matrixL() * directions;
+  const Square result = back * variances.cwiseMax(1.0).asDiagonal() * back.transpose();
   return symmetric(result);
 }
 

@@ -3,11 +3,11 @@
 
 #include "slam_core/particle_filter/scans/scan_follower.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
 #include "slam_core/geometry/covariance.hpp"
+#include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::particle_filter {
 namespace {
@@ -16,9 +16,8 @@ constexpr double kMetresPerRadian = 0.5;  // a turn errs as much as such a way
 
 /// The covariance without its negative part.
 Eigen::Matrix3d positivePart(const Eigen::Matrix3d& P) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(symmetric(P));
-  return axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).asDiagonal() *
-         axes.eigenvectors().transpose();
+  const auto [variances, V] = principalAxes(symmetric(P));
+  return V * variances.cwiseMax(0.0).asDiagonal() * V.transpose();
 }
 
 Eigen::Matrix3d turnOf(const Pose2& increment) {
