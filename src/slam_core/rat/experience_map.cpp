@@ -42,6 +42,7 @@ std::optional<std::size_t> ExperienceMap::known(const PoseCellState& state) cons
 
 ExperienceMap::Arrival ExperienceMap::arrive(const PoseCellState& state) {
   if (state.view == kNoView) return Arrival::kNowhere;
+  if (!current_ && !isFull()) return add(state);
   if (current_) {
     const auto& here = experiences_[*current_];
     if (here.view == state.view && isAt(here, state)) return Arrival::kStayed;
@@ -65,10 +66,9 @@ ExperienceMap::Arrival ExperienceMap::add(const PoseCellState& state) {
 ExperienceMap::Arrival ExperienceMap::goTo(std::size_t experience) {
   if (current_ == experience) return Arrival::kStayed;
   const bool is_new = current_ && link(experience, true);
-  const bool is_first = !current_;
   current_ = experience;
   since_ = {};
-  return is_new || is_first ? Arrival::kLoop : Arrival::kKnown;
+  return is_new ? Arrival::kLoop : Arrival::kKnown;
 }
 
 bool ExperienceMap::link(std::size_t to, bool is_loop) {

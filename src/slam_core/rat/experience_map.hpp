@@ -56,7 +56,8 @@ class ExperienceMap {
   ExperienceMap() = default;
   explicit ExperienceMap(const ExperienceConfig& config) : config_(config) {}
 
-  /// The robot is there, whatever led to it; the next experience is linked with none before it.
+  /// The robot is there, whatever led to it. With the next view a new experience begins, which is
+  /// linked with none before it; where the map is full, a known one may be recognised.
   void placeAt(const Pose2& T_map_base);
   void move(const Pose2& increment) { since_ = since_ * increment; }
   Arrival arrive(const PoseCellState& state);

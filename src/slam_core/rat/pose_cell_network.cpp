@@ -95,11 +95,15 @@ std::vector<double> PoseCellNetwork::spread(const std::vector<double>& weights) 
   return out;
 }
 
+/// After a long way without a view the activity has spread so far that inhibition would take all of
+/// it: then it stays as it is excited, until a view makes a packet of it.
 void PoseCellNetwork::settle() {
   activity_ = spread(excitation_);
-  const auto inhibited = spread(inhibition_);
+  const auto excited = activity_, inhibited = spread(inhibition_);
   for (std::size_t i = 0; i < activity_.size(); ++i)
     activity_[i] = std::max(activity_[i] - inhibited[i] - global_inhibition_, 0.0);
+  const auto isActive = [](double activity) { return activity > 0.0; };
+  if (std::none_of(activity_.begin(), activity_.end(), isActive)) activity_ = excited;
   normalise();
 }
 

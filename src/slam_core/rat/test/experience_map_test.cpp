@@ -109,6 +109,16 @@ TEST(ExperienceMap, DoesNotLinkWhereTheRobotWasCarried) {
   EXPECT_EQ(map.experiences()[1].pose.vector(), Eigen::Vector3d(5.0, 5.0, 1.0));
 }
 
+TEST(ExperienceMap, StaysWhereSomebodyPlacesItThoughItKnowsTheView) {
+  ExperienceMap map{ExperienceConfig()};
+  map.arrive(state(1, {0, 0, 0}));
+  map.placeAt(Pose2(5.0, 5.0, 1.0));
+  EXPECT_EQ(map.arrive(state(1, {0, 0, 0})), Arrival::kNew);
+  EXPECT_EQ(map.arrive(state(1, {0, 0, 0})), Arrival::kStayed);
+  EXPECT_TRUE(map.links().empty());
+  EXPECT_EQ(map.pose().vector(), Eigen::Vector3d(5.0, 5.0, 1.0));
+}
+
 TEST(ExperienceMap, DoesNotGrowBeyondItsLimit) {
   ExperienceConfig config;
   config.most_experiences = 1;

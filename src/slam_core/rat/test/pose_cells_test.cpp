@@ -61,6 +61,30 @@ TEST(PoseCellNetwork, FollowsAWayByItsMotion) {
   EXPECT_LT(distance(network.centre(), cellsOf(pose)), 0.04 * way);
 }
 
+TEST(PoseCellNetwork, IsSomewhereAfterALongWayWithoutAView) {
+  auto network = settled();
+  for (int i = 0; i < 1500; ++i) network.move(Pose2(0.02, 0.0, 0.0052));
+  network.settle();
+  EXPECT_TRUE(std::isfinite(network.centre().x)) << network.centre().x;
+  EXPECT_NEAR(sumOf(network), 1.0, 1e-9);
+  for (int i = 0; i < 20; ++i) {
+    network.inject({5.0, 6.0, 7.0}, 0.2);
+    network.settle();
+  }
+  EXPECT_LT(distance(network.centre(), {5.0, 6.0, 7.0}), 0.5);
+}
+
+TEST(PoseCellNetwork, IsSomewhereWhereInhibitionIsStrongerThanAnyPacket) {
+  PoseCellConfig config;
+  config.excitation_sigma = 2.0;
+  config.inhibition_sigma = 3.0;
+  config.global_inhibition = 0.01;
+  PoseCellNetwork network(config);
+  for (int i = 0; i < 5; ++i) network.settle();
+  EXPECT_LT(distance(network.centre(), {0, 0, 0}), 1e-6);
+  EXPECT_NEAR(sumOf(network), 1.0, 1e-9);
+}
+
 TEST(PoseCellNetwork, GoesBackwardsAndSideways) {
   auto network = settled();
   Pose2 pose;
