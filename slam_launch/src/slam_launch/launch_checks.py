@@ -143,7 +143,7 @@ def common_arguments(product, arguments):
     return {**absolute_paths(arguments), "keep_alive": keep_alive,
             "transport": arguments["camera_transport"],
             "waits_for_pointmap": "true" if with_pointmap and is_pubsub else "false",
-            "waits_for_stages": "true" if is_pubsub else "false",
+            "waits_for_components": "true" if is_pubsub else "false",
             "publish_tf": arguments["publish_tf"] or publishes_edge(product, arguments)}
 
 

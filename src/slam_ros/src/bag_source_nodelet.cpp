@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 // ros.h comes first: nodelet.h only declares what it uses
 #include <nodelet/nodelet.h>
+#include <ros/topic_manager.h>
 #include <signal.h>
 #include <slam_msgs/Progress.h>
 #include <tf2_msgs/TFMessage.h>
@@ -47,7 +48,7 @@ struct BagSourceConfig {
   bool exit_at_end = true;
   bool odometry_tf = true;
   bool pointmap = false;
-  bool stages = false;
+  bool components = false;
   std::vector<std::string> remaps;
 
   void describe(slam::Fields& fields) {
@@ -60,7 +61,7 @@ struct BagSourceConfig {
     fields.add("odometry_tf", &odometry_tf,
                "the bag's transform of the odometry too; not where the product publishes it");
     fields.add("pointmap", &pointmap, "scans wait for the point map's nodelet too");
-    fields.add("stages", &stages, "the stages before the back-end are nodelets of their own");
+    fields.add("components", &components, "the product's components are nodelets of their own");
     fields.add("remaps", &remaps, "input:=topic of the bag");
   }
 };
@@ -167,7 +168,7 @@ class BagSourceNodelet : public nodelet::Nodelet {
       for (const auto& publisher : found.input->publishers())
         if (isLonely(publisher)) return "a subscriber of " + publisher.getTopic();
     }
-    if (const auto stage = missingStage(); !stage.empty()) return stage;
+    if (const auto maker = missingMaker(); !maker.empty()) return maker;
     if (progress_.getNumPublishers() == 0)
       return "a back-end that publishes " + progress_.getTopic();
     if (point_map_progress_ && point_map_progress_.getNumPublishers() == 0)
@@ -175,20 +176,36 @@ class BagSourceNodelet : public nodelet::Nodelet {
     return "";
   }
 
-  /// A stage publishes once all that it takes in is published.
-  std::string missingStage() const {
-    if (!config_.stages) return "";
+  /// A component advertises what it makes once it takes in what it makes that of. What it makes
+  /// before others are connected with it would be lost.
+  std::string missingMaker() const {
+    if (!config_.components) return "";
+    for (const auto& part : inputs_->parts()) {
+      if (!part.is_maker) continue;
+      for (const auto& output : inputs_->flow().takenOutputs(part)) {
+        const auto topic = getNodeHandle().resolveName(topics_.of(output.name));
+        if (!isPublished(topic)) return "a component that publishes " + topic;
+        if (isLonelyHere(topic)) return "a subscriber of " + topic;
+      }
+    }
+    return "";
+  }
+
+  static bool isPublished(const std::string& topic) {
     ros::master::V_TopicInfo published;
     ros::master::getTopics(published);
-    for (const auto& part : inputs_->parts())
-      for (const auto& output : part.outputs) {
-        const auto topic = getNodeHandle().resolveName(topics_.of(output.name));
-        const bool is_there =
-            std::any_of(published.begin(), published.end(),
-                        [&](const ros::master::TopicInfo& info) { return info.name == topic; });
-        if (part.role == slam::Stage::kRole && !is_there) return "a stage that publishes " + topic;
-      }
-    return "";
+    return std::any_of(published.begin(), published.end(),
+                       [&](const ros::master::TopicInfo& info) { return info.name == topic; });
+  }
+
+  /// Whether this process publishes a topic that nobody subscribes to. Of other processes, as those
+  /// of other machines, only the master could tell, and not who is connected.
+  static bool isLonelyHere(const std::string& topic) {
+    const auto& topics = ros::TopicManager::instance();
+    std::vector<std::string> advertised;
+    topics->getAdvertisedTopics(advertised);
+    return std::find(advertised.begin(), advertised.end(), topic) != advertised.end() &&
+           topics->getNumSubscribers(topic) == 0;
   }
 
   static bool isLonely(const ros::Publisher& publisher) {
