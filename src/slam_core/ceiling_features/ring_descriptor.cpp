@@ -12,7 +12,7 @@ namespace slam::ceiling_features {
 namespace {
 
 constexpr int kRings = Descriptor::kMostElements / 2;
-/// By how much the numbers of one point differ from view to view, in the logarithm of the
+/// The numbers of one point differ by so much from view to view, in the logarithm of the
 /// brightness: the light's direction, the lens's shading, the sampling of the rings.
 constexpr float kSigma = 0.03F;
 

@@ -12,7 +12,7 @@
 
 namespace slam::ceiling_features {
 
-/// What surrounds a point of the ceiling: on rings about it, mean and standard deviation of the
+/// It describes what surrounds a point of the ceiling: on rings about it, mean and standard deviation of the
 /// logarithm of the brightness, the means relative to that of all rings. It does not depend on the
 /// heading of the robot, nor on how much light there is (as the spin images of Lazebnik, Schmid,
 /// Ponce 2005).

@@ -27,7 +27,7 @@ class GyroBias {
 
   double bias() const { return x_[0]; }         ///< [rad/s]
   double variance() const { return P_(0, 0); }  ///< of it [rad^2/s^2]
-  /// What the bias' uncertainty adds to the variance of the heading within this time [rad^2].
+  /// @return what the bias' uncertainty adds to the heading's variance within this time [rad^2]
   double headingVariance(double seconds) const;
 
   /// Time goes on. @param drifts the gyro gave the heading meanwhile

@@ -14,8 +14,8 @@
 
 namespace slam::imu_odometry {
 
-/// What is known of a gyro's bias and noise, from what it measures while the wheels stand, and a
-/// little from what wheels measure on the way.
+/// It estimates a gyro's bias and noise from what it measures while the wheels stand, and a little
+/// from what wheels measure on the way.
 class GyroCalibration {
  public:
   GyroCalibration() = default;

@@ -13,7 +13,7 @@
 
 namespace slam::imu_odometry {
 
-/// What a gyro measured of a turn about the vertical, its bias included.
+/// A turn about the vertical as a gyro measured it, its bias included.
 struct GyroTurn {
   struct Piece {
     double seconds = 0.0;

@@ -42,7 +42,7 @@ class GyroTrust {
   }
 
  private:
-  /// What gyro and wheels measured of one interval.
+  /// Gyro and wheels measured these turns in one interval.
   struct Turns {
     double seconds = 0.0, gyro = 0.0, wheels = 0.0;  ///< [s], [rad], [rad]
     double variance = 0.0, way = 0.0;                ///< of the wheels' turn [rad^2], [m]

@@ -20,7 +20,7 @@ Pose2 along(const Eigen::Vector2d& way, const GyroTurn& turn, double bias) {
   return pose;
 }
 
-/// Of the body's way (along, across), whatever the heading.
+/// @return the covariance of the body's way (along, across), whatever the heading
 Eigen::Matrix2d wayCovariance(const Motion& wheels, const Eigen::Vector3d& twist) {
   const Eigen::Matrix3d J_inverse = arcJacobian(twist).inverse();
   return (J_inverse * wheels.covariance * J_inverse.transpose()).topLeftCorner<2, 2>();

@@ -49,7 +49,7 @@ std::vector<Search> ActiveSearch::searchNear(const MonoState& state, const Plana
               camera, gray, before);
 }
 
-/// Those that are in sight, oldest first.
+/// @return searches for the features in sight, oldest first
 std::vector<Search> ActiveSearch::expected(const MonoState& state, const PlanarCamera& camera,
                                            const cv::Mat& gray, double pixel_sigma) const {
   std::vector<Search> expected;
@@ -95,7 +95,7 @@ std::vector<Search> ActiveSearch::find(std::vector<Search> candidates, const Eff
   return searches;
 }
 
-/// Nothing where the feature is seen from too different a place.
+/// @return nothing where the feature is seen from too different a place
 std::optional<Patch> ActiveSearch::patchOf(const MonoState& state, std::size_t which,
                                            const PlanarCamera& camera) const {
   constexpr double kFar = 100.0;  // [m], as good as infinity

@@ -46,7 +46,7 @@ class MatchedPart {
     belief_.update(measurements, sigma_);
   }
 
-  /// Those whose innovation passes the gate.
+  /// @return which matches have an innovation that passes the gate
   std::vector<bool> gated() const {
     std::vector<bool> fit;
     for (std::size_t i = 0; i < matches_.size(); ++i) {

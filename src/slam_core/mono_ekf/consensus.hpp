@@ -15,10 +15,10 @@ struct Match {
   Eigen::Vector2d pixel;
 };
 
-/// What the matches agree on.
+/// The matches that agree with each other.
 struct Consensus {
   std::vector<bool> agrees;  ///< of each match
-  /// Those that agree, to update the state with that they were judged by. They are linearised at
+  /// They belong to the matches that agree, and update the state those were judged by, linearised at
   /// the state after an update with most of them (a step of the iterated EKF).
   std::vector<Measurement> measurements;
 };

@@ -13,7 +13,7 @@
 
 namespace slam::mono_ekf {
 
-/// What is known of a feature from the image in which it was seen first. Its surface is taken to
+/// It keeps what the image in which a feature was seen first shows of it. The surface is taken to
 /// face the camera: a small patch perpendicular to the ray.
 struct FirstSight {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the camera, map frame [m]
@@ -55,7 +55,7 @@ struct Feature {
   }
 };
 
-/// Where a feature is predicted in an image, with the Jacobians in the robot's pose and in the
+/// The pixel at which a feature is predicted, with the Jacobians in the robot's pose and in the
 /// feature's coordinates.
 struct Prediction {
   using FeatureJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, Feature::kCoordinates>;
@@ -65,8 +65,8 @@ struct Prediction {
   FeatureJacobian J_feature;
 };
 
-/// Nothing where the camera cannot see it.
 /// @param coordinates those of the feature
+/// @return nothing where the camera cannot see it
 std::optional<Prediction> predictedPixel(const PlanarCamera& camera, const Pose2& T_map_base,
                                          const Feature& feature,
                                          const Eigen::Ref<const Eigen::VectorXd>& coordinates);

@@ -190,7 +190,7 @@ void MonoEkf::judgeExistence() {
   }
 }
 
-/// Where the image has few. @return how many corners it has beside the features
+/// It begins features where the image has few. @return how many corners it has beside the features
 std::size_t MonoEkf::beginFeatures(const PlanarCamera& camera, const cv::Mat& gray, Stamp stamp) {
   const auto matched = countOf(seen_.searches, Search::Outcome::kMatched);
   const auto wanted = static_cast<std::size_t>(config_.features_in_view);
@@ -217,8 +217,8 @@ std::size_t MonoEkf::beginFeatures(const PlanarCamera& camera, const cv::Mat& gr
   return corners.size();
 }
 
-/// Those that are not there, those that left the view before much was known of them, and where
-/// there are too many those that were seen least.
+/// It removes features that are not there, those that left the view before much was known of them,
+/// and where there are too many those that were seen least.
 void MonoEkf::removeFeatures() {
   const auto& features = state_.features();
   std::vector<bool> kept;

@@ -72,7 +72,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
       archive(initial_pose, motions, view);
     }
   };
-  /// What the last image showed, to draw it.
+  /// It keeps what the last image showed, to draw it.
   struct Seen {
     cv::Mat gray;
     std::vector<Search> searches;

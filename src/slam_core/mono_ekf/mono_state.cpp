@@ -174,7 +174,7 @@ bool MonoState::isCredible(const Eigen::VectorXd& mean) const {
   return mean.allFinite() && moved.dot(P.ldlt().solve(moved)) <= kPoseGate;
 }
 
-/// With the errors as they are about the new mean: in the lower triangle of the covariance.
+/// It takes over the mean, and the errors as they are about it in the covariance's lower triangle.
 /// @param of_map covariance of all errors with those of the heading and of the scale
 void MonoState::moveTo(Eigen::VectorXd mean, const ScaleError& scale, Eigen::MatrixXd of_map) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(mean.size(), 2);

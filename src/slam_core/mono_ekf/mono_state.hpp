@@ -28,7 +28,7 @@ struct Measurement {
   Eigen::Vector2d J_scale = Eigen::Vector2d::Zero();
 };
 
-/// How well an update's measurements were predicted.
+/// They tell how well an update's measurements were predicted.
 struct UpdateStatistics {
   /// Whether the update moved the pose by no more than its covariance allows. If not, it was not
   /// done: linearisation does not hold there, or the measurements are not those of the features.
@@ -105,7 +105,7 @@ MonoState partOf(const MonoState& state, const std::vector<std::size_t>& feature
 void convertSure(MonoState& state, const Eigen::Vector3d& centre_now,
                  double largest_linearity_index);
 
-/// Those of a feature of the state.
+/// @return the coordinates of a feature of the state
 inline auto coordinatesOf(const MonoState& state, const Feature& feature) {
   return state.mean().segment(feature.offset, feature.size());
 }

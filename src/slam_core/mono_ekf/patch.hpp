@@ -13,7 +13,7 @@
 
 namespace slam::mono_ekf {
 
-/// Where a patch was found.
+/// A patch that was found in an image.
 struct FoundPatch {
   Eigen::Vector2d pixel;
   double correlation = 0.0;

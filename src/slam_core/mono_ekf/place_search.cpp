@@ -46,7 +46,7 @@ bool isInImage(const PlanarCamera& camera, const Pose2& pose, const Eigen::Vecto
          seen->pixel.y() < c.height;
 }
 
-/// Of a corner that looks like a feature, on the plane z = 1.
+/// @return the standard deviation, on the plane z = 1, of a corner that looks like a feature
 double cornerSigmaOf(const PlanarCamera& camera) {
   return kCornerSigma / camera.model().calibration().fx;
 }
@@ -140,7 +140,7 @@ bool PlaceSearch::isSeenAlike(const NormalisedCamera& camera, const Pose2& pose,
          vector.dot(known.ray) > std::cos(config_.largest_view_change) * vector.norm();
 }
 
-/// Beginning where the first feature was seen first, with the camera turned to where it is now.
+/// It begins where the first feature was seen first, with the camera turned to where it is now.
 std::optional<Pose2> PlaceSearch::poseOf(const NormalisedCamera& camera, const Alike& a,
                                          const Alike& b) const {
   const auto& first = known_[a.known];

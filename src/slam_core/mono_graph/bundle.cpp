@@ -28,7 +28,7 @@ double lossOf(double chi2) {
 
 std::size_t indexOf(int i) { return static_cast<std::size_t>(i); }
 
-/// What odometry measured against what two views say, and its Jacobians.
+/// @return what odometry measured against what two views say, with the Jacobians
 Eigen::Vector3d errorOf(const Bundle& bundle, const Bundle::Way& way, Eigen::Matrix3d* J_from,
                         Eigen::Matrix3d* J_to) {
   Eigen::Matrix3d J_inverse, J_first, J_second;

@@ -11,7 +11,7 @@
 
 namespace slam::mono_graph {
 
-/// That a keyframe shows the place of an earlier one.
+/// A keyframe shows the place of an earlier one.
 struct Loop {
   int earlier = 0, later = 0;
   Pose2 measured;              ///< T_earlier_later

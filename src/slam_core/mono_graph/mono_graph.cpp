@@ -234,7 +234,7 @@ void MonoGraph::believe(const TrackedView& tracked) {
   anchor_.place(pose_, symmetric(tracked.information.inverse()));
 }
 
-/// Of the points that images show as a rule. Those that were mapped since the doubt began agree
+/// Counts points that images show as a rule. Those that were mapped since the doubt began agree
 /// with the pose whether it is right or not.
 ViewOfMap MonoGraph::viewOfMap(const Features& features, const TrackedView& tracked) const {
   const auto since = doubt_.doubtedSince();
@@ -303,7 +303,7 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   return Status::ok();
 }
 
-/// Where points do not show the robot, what the last keyframe saw tells at least the heading.
+/// The pose where points do not show the robot: what the last keyframe saw tells the heading.
 Pose2 MonoGraph::poseByImages(const Features& features) const {
   if (!is_way_known_) return pose_;
   const auto& before = map_.keyframes().back();
@@ -323,8 +323,8 @@ std::set<int> MonoGraph::knownAround(int keyframe) const {
   return known;
 }
 
-/// With the image after a keyframe, so that none takes the time of both. The robot stands on the
-/// keyframe yet, and moves with it.
+/// It runs with the image after a keyframe, so that no image takes the time of both. The robot still
+/// stands on the keyframe, and moves with it.
 void MonoGraph::recognise() {
   if (!unrecognised_) return;
   const int keyframe = *std::exchange(unrecognised_, std::nullopt);

@@ -8,7 +8,7 @@
 namespace slam::mono_graph {
 namespace {
 
-/// Of a pose and an increment that is independent of it.
+/// @param increment independent of the pose
 PosePrior composed(const PosePrior& pose, const PosePrior& increment) {
   Eigen::Matrix3d J_pose, J_increment;
   const Pose2 result = pose.pose.compose(increment.pose, &J_pose, &J_increment);

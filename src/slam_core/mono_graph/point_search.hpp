@@ -16,13 +16,13 @@ struct PointMatch {
   std::size_t feature = 0;
 };
 
-/// What a search among the points of the map finds in an image.
+/// It holds what a search among the points of the map finds in an image.
 struct PointMatches {
   std::vector<PointMatch> matches;  ///< each point and each feature at most once
   std::vector<int> expected;        ///< points that are to be seen from this pose
 };
 
-/// Where to search, around where a pose projects a point.
+/// They bound a search around the pixel to which a pose projects a point.
 struct SearchLimits {
   double radius = 8.0;        ///< [px]
   int largest_distance = 60;  ///< of descriptors
@@ -34,12 +34,12 @@ struct SearchLimits {
 PointMatches searchPoints(const VisualMap& map, const std::vector<int>& points,
                           const Features& features, const Pose2& pose, const SearchLimits& limits);
 
-/// How a point's feature would look from a pose: its level, as a real number.
+/// It tells how a point's feature would look from a pose: its pixel, and its level as a real number.
 struct Appearance {
   Eigen::Vector2d seen;
   double level = 0.0;
 };
-/// Nothing where the point is not to be seen from there.
+/// @return nothing where the point cannot be seen from there
 std::optional<Appearance> appearanceOf(const VisualMap& map, const MapPoint& point,
                                        const Features& features, const Pose2& pose);
 

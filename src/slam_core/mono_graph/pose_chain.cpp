@@ -20,7 +20,7 @@ constexpr double kLeastWay = 0.05;    // [m] by odometry, that tells its noise
 constexpr double kPersistence = 4.0;  // of the variance of the scale
 constexpr double kDependence = 4.0;   // of the points: their positions come from the same keyframes
 
-/// How well the points that both see determine the pose of the one relative to the other.
+/// @return the information about the pose of one relative to the other, by the points that both see
 Eigen::Matrix3d sharedInformation(const VisualMap& map, int number, int other) {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   const auto& keyframe = map.keyframe(number);

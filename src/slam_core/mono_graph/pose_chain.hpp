@@ -23,7 +23,7 @@ Eigen::Matrix3d chained(const Pose2& origin, const Eigen::Matrix3d& of_origin, c
 /// taken as exact
 Eigen::Matrix3d scaleCovariance(const VisualMap& map, int keyframe, const Pose2& pose);
 
-/// What joins a keyframe with an earlier one.
+/// It joins a keyframe with an earlier one.
 struct Link {
   int earlier = 0;
   /// It is that of the keyframe's coordinates in the map frame where the earlier one is exact.

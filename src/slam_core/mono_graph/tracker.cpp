@@ -23,7 +23,7 @@ constexpr std::size_t kLeastMatches = 6;
 constexpr std::size_t kMostNeighbours = 10;
 constexpr int kBeforeAndAfter = 2;
 
-/// Of where a point is predicted [px].
+/// @return the standard deviation of a predicted pixel [px]
 double predictionSigma(const PosePrior& prior, double focal) {
   const double position = std::sqrt(prior.covariance.topLeftCorner<2, 2>().trace());
   const double heading = std::sqrt(prior.covariance(2, 2));

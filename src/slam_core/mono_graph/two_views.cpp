@@ -52,7 +52,7 @@ std::optional<Box> reachOf(const Features& earlier, const Feature& feature, cons
   return Box(box.min() - margin, box.max() + margin);
 }
 
-/// That of some features that looks clearly most alike.
+/// @return the one of some features that clearly looks most alike
 std::optional<std::size_t> mostAlike(const Feature& feature, const Features& later,
                                      const std::vector<std::size_t>& near) {
   int best = std::numeric_limits<int>::max(), second = best;
@@ -71,7 +71,7 @@ std::optional<std::size_t> mostAlike(const Feature& feature, const Features& lat
   return is_clear ? std::optional(found) : std::nullopt;
 }
 
-/// What the constraint below changes with a feature's place in the image.
+/// @return how much the constraint below changes with a feature's place in the image
 /// @param by_ray its derivative by the feature's ray
 double spread(const Eigen::Vector3d& by_ray, const NormalisedCamera& camera, const Pose2& pose) {
   const Eigen::Vector3d axis = camera.ray(pose, Eigen::Vector2d::Zero());
@@ -108,7 +108,7 @@ Agreement agreementOf(const Features& earlier, const Features& later,
   return agreement;
 }
 
-/// What odometry says if the heading differs by so much from the expected one.
+/// @return what odometry says if the heading differs by so much from the expected one
 /// @param sigma of the heading
 PosePrior withHeading(const PosePrior& odometry, double off, double sigma) {
   const Eigen::Matrix3d& P = odometry.covariance;

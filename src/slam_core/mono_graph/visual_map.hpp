@@ -52,7 +52,7 @@ struct Keyframe {
   }
 };
 
-/// That a keyframe saw a point.
+/// A keyframe saw a point.
 struct Sighting {
   int keyframe = 0;
   int feature = 0;
@@ -119,9 +119,9 @@ class VisualMap {
   std::vector<int> free_;  ///< places of points that are gone
 };
 
-/// How many points each other keyframe sees of those that this one sees.
+/// @return how many points each other keyframe sees of those that this one sees
 std::map<int, int> sharedPoints(const VisualMap& map, int keyframe);
-/// Up to so many neighbours of a keyframe, those that share most points first.
+/// @return up to so many neighbours of a keyframe, those that share most points first
 std::vector<int> neighboursOf(const VisualMap& map, int keyframe, std::size_t most);
 /// The points that some keyframes see, each once, in rising order.
 std::vector<int> pointsSeenBy(const VisualMap& map, const std::vector<int>& keyframes);

@@ -26,7 +26,7 @@ struct CellPlace {
   }
 };
 
-/// Where the pose cells take the robot to be, and what it sees there.
+/// It tells where the pose cells take the robot to be, and what it sees there.
 struct PoseCellState {
   Stamp stamp;
   std::uint64_t sequence = 0;

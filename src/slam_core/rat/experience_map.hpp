@@ -28,7 +28,7 @@ struct Experience {
   }
 };
 
-/// That the robot went from one experience to another, and how odometry measured it.
+/// The robot went from one experience to another, and odometry measured the way.
 struct ExperienceLink {
   std::size_t from = 0, to = 0;
   Pose2 way;             ///< T_from_to

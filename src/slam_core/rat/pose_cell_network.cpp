@@ -15,7 +15,7 @@ constexpr int kAround = 3;      // cells that count for the centre
 
 int wrapped(int i, int n) { return ((i % n) + n) % n; }
 
-/// Of a Gaussian, from its middle outwards; both sides and the middle have 1 together.
+/// @return the weights of a Gaussian, from its middle outwards; both sides and the middle sum to 1
 std::vector<double> weightsOf(double sigma, int cells) {
   const int reach = std::min(static_cast<int>(std::ceil(kReach * sigma)), (cells - 1) / 2);
   std::vector<double> weights;

@@ -16,8 +16,8 @@ namespace slam::rat {
 /// does not depend on how bright the light is.
 using View = std::vector<float>;
 
-/// What an image shows; nothing where it has no contrast.
 /// @param gray 8 bit, one channel, not empty
+/// @return the view that an image shows; nothing where it has no contrast
 std::optional<View> viewOf(const cv::Mat& gray, const LocalViewConfig& config);
 
 /// The views that were seen, and which of them looks most like another one.
