@@ -9,7 +9,8 @@ namespace {
 void describeChoice(CeilingFeaturesConfig& config, Fields& fields) {
   fields
       .add("size", &config.size,
-           "of the spots that are sought, as a share of the ceiling's height above the camera: the "
+           "size of the spots that are searched for, as a share of the ceiling's height above the "
+           "camera: the "
            "standard deviation of the Gaussian that the image is smoothed by")
       .unit("1")
       .in(Range::open(0, 0.2));
@@ -31,7 +32,10 @@ void describeChoice(CeilingFeaturesConfig& config, Fields& fields) {
            "height is left out: its bearing is hardly defined")
       .unit("1")
       .in(Range::above(0));
-  fields.add("max_features", &config.max_features, "of an image, the most distinct ones")
+  fields
+      .add("max_features", &config.max_features,
+           "an image gives so many landmarks at most, the most distinct ones")
+      .unit("1")
       .in(Range::closed(1, 1000));
 }
 

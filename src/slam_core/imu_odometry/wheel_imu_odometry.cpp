@@ -110,8 +110,7 @@ WheelImuOdometry::Heading WheelImuOdometry::headingOf(const Motion& wheels,
   if (turn->is_repeated && contradicts) return Heading::kStuck;
   const bool is_proven = trust_.verdict() == GyroTrust::Verdict::kProven;
   if (standstill_.isResting() && (!is_proven || calibration_.rests(*turn))) return Heading::kRest;
-  if (trust_.verdict() == GyroTrust::Verdict::kProven && GyroTrust::isBurst(turn->fastest, wheels))
-    return Heading::kBurst;
+  if (is_proven && GyroTrust::isBurst(turn->fastest, wheels)) return Heading::kBurst;
   const bool is_believed = trust_.believes(angle, wheels, std::sqrt(calibration_.biasVariance()));
   return is_believed ? Heading::kGyro : Heading::kImplausible;
 }

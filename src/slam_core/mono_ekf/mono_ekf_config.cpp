@@ -56,7 +56,8 @@ void describeSearch(MonoEkfConfig& config, Fields& fields) {
       .in(Range::closed(4, 200));
   fields
       .add("largest_search", &config.largest_search,
-           "a feature is not searched where it may be further off than this")
+           "the few features that are known best are searched so far from where they are predicted "
+           "while the pose is uncertain, all others up to a fifth of it")
       .unit("px")
       .in(Range::closed(4, 400));
   fields

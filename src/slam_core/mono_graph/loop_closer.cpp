@@ -51,11 +51,6 @@ void addKeyframes(const VisualMap& map, graph::Optimizer& poses) {
 
 }  // namespace
 
-std::size_t LoopCloser::countOfBelieved() const {
-  return static_cast<std::size_t>(
-      std::count_if(loops_.begin(), loops_.end(), [](const Loop& l) { return l.is_believed; }));
-}
-
 bool LoopCloser::close(VisualMap& map, const RecognisedPlace& place, int keyframe) {
   graph::Optimizer poses;
   addKeyframes(map, poses);

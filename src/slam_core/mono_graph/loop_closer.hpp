@@ -37,7 +37,6 @@ class LoopCloser {
   bool close(VisualMap& map, const RecognisedPlace& place, int keyframe);
 
   const std::vector<Loop>& loops() const { return loops_; }
-  std::size_t countOfBelieved() const;
 
   template <class Archive>
   void persist(Archive& archive) {

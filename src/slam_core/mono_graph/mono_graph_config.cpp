@@ -9,7 +9,7 @@ namespace slam::mono_graph {
 
 void MonoGraphConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
-             "build the map; a map of points that stays as it is there is not");
+             "slam builds the map; localization in a map that stays as it is is refused");
   fields.add("features", &features, "an image gives so many features at most")
       .unit("1")
       .in(Range::closed(50, 5000));
@@ -21,8 +21,7 @@ void MonoGraphConfig::describe(Fields& fields) {
   fields
       .add("keyframe_distance", &keyframe_distance,
            "an image this far from all keyframes nearby becomes one; where it shows few of their "
-           "points, "
-           "one at 0.4 times the distance or turn")
+           "points, 0.4 times the distance or turn are enough")
       .unit("m")
       .in(Range::closed(0.02, 5));
   fields

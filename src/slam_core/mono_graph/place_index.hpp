@@ -14,7 +14,7 @@ namespace slam::mono_graph {
 /// A keyframe that looks like an image.
 struct PlaceCandidate {
   int keyframe = 0;
-  double similarity = 0.0;
+  double similarity = 0.0;  ///< 0 to 1 (Galvez-Lopez and Tardos 2012, Eq. 2)
 };
 
 /// Which keyframes show which words (an inverted file: Sivic and Zisserman 2003).

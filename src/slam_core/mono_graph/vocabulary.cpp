@@ -25,20 +25,6 @@ constexpr SealedFormat kFormat = {"SLAMvocb", 1, "it is no vocabulary of visual 
 
 }  // namespace
 
-double similarityOf(const BagOfWords& a, const BagOfWords& b) {
-  double similarity = 0.0;
-  for (std::size_t i = 0, j = 0; i < a.words.size() && j < b.words.size();) {
-    if (a.words[i] < b.words[j]) {
-      ++i;
-    } else if (b.words[j] < a.words[i]) {
-      ++j;
-    } else {
-      similarity += std::min(a.weights[i++], b.weights[j++]);
-    }
-  }
-  return similarity;
-}
-
 const Vocabulary& Vocabulary::builtIn() {
   static const Vocabulary vocabulary =
       parse(std::string(reinterpret_cast<const char*>(kBuiltInVocabulary), kBuiltInVocabularySize));

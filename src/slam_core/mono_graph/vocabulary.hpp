@@ -25,9 +25,6 @@ struct BagOfWords {
   }
 };
 
-/// How alike two images are, 0 to 1: that of Galvez-Lopez and Tardos 2012, Eq. 2.
-double similarityOf(const BagOfWords& a, const BagOfWords& b);
-
 /// A tree of descriptors whose leaves are visual words (Nister and Stewenius 2006; binary ones:
 /// Galvez-Lopez and Tardos 2012). A word weighs the more, the fewer images showed it in training.
 class Vocabulary {

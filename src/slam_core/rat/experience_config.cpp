@@ -9,7 +9,7 @@ namespace slam::rat {
 
 void ExperienceConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
-             "build the map; an experience map that stays as it is there is not");
+             "slam builds the map; localization in a map that stays as it is is refused");
   fields
       .add("largest_distance", &largest_distance,
            "the packet of pose cells is where an experience has it when it is not further off")

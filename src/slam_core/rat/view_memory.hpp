@@ -37,7 +37,6 @@ class ViewMemory {
   std::int64_t add(View view);
 
   std::int64_t size() const { return static_cast<std::int64_t>(views_.size()); }
-  void clear() { views_.clear(); }
 
   template <class Archive>
   void persist(Archive& archive) {

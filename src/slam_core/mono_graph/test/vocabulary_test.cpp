@@ -79,11 +79,17 @@ TEST(Vocabulary, ComesWithTheProgram) {
   EXPECT_LT(Vocabulary::builtIn().bytes().size(), 2000000U);
 }
 
-TEST(BagOfWords, IsLikeItselfAndUnlikeOthers) {
+TEST(PlaceIndex, FindsWhatIsAlikeAndNothingElse) {
   const BagOfWords a{{1, 4, 7}, {0.5, 0.25, 0.25}}, b{{4, 9}, {0.5, 0.5}}, none;
-  EXPECT_DOUBLE_EQ(similarityOf(a, a), 1.0);
-  EXPECT_DOUBLE_EQ(similarityOf(a, b), 0.25);
-  EXPECT_DOUBLE_EQ(similarityOf(a, none), 0.0);
+  PlaceIndex index;
+  index.add(a);
+  const auto similarityOf = [&](const BagOfWords& bag) {
+    const auto found = index.find(bag, {}, 1);
+    return found.empty() ? 0.0 : found.front().similarity;
+  };
+  EXPECT_DOUBLE_EQ(similarityOf(a), 1.0);
+  EXPECT_DOUBLE_EQ(similarityOf(b), 0.25);
+  EXPECT_DOUBLE_EQ(similarityOf(none), 0.0);
 }
 
 }  // namespace
