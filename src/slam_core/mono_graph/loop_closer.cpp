@@ -3,7 +3,6 @@
 
 #include "slam_core/mono_graph/loop_closer.hpp"
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>

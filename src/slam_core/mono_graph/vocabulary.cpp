@@ -3,7 +3,6 @@
 
 #include "slam_core/mono_graph/vocabulary.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
