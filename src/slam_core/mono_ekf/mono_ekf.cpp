@@ -156,7 +156,8 @@ void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera)
   }
   const auto consensus = consensusOf(state_, matches, camera, noise_.sigma());
   for (std::size_t i = 0; i < matches.size(); ++i)
-    if (consensus.agrees[i]) found[i]->outcome = Search::Outcome::kMatched;
+    found[i]->outcome =
+        consensus.agrees[i] ? Search::Outcome::kMatched : Search::Outcome::kRejected;
   const auto agreed = consensus.measurements.size();
   const bool is_enough = agreed >= kLeastMatches && 2 * agreed >= matches.size();
   const auto statistics =
@@ -194,7 +195,7 @@ void MonoEkf::judgeExistence() {
 std::size_t MonoEkf::beginFeatures(const PlanarCamera& camera, const cv::Mat& gray, Stamp stamp) {
   const auto matched = countOf(seen_.searches, Search::Outcome::kMatched);
   const auto wanted = static_cast<std::size_t>(config_.features_in_view);
-  if (wanted - matched <= wanted / 8) return 0;
+  if (matched + wanted / 8 >= wanted) return 0;
   std::vector<Eigen::Vector2d> occupied;
   for (const auto& search : seen_.searches)
     occupied.push_back(search.outcome == Search::Outcome::kNotFound ? search.predicted
