@@ -9,7 +9,12 @@
 namespace slam::mono_graph {
 namespace {
 
-constexpr double kCell = 24.0;  // edge [px]
+constexpr double kCell = 24.0;   // edge [px]
+constexpr int kMostCells = 128;  // in a row or column; a wide lens's corners share the last one
+
+int cellsOf(double length, double focal) {
+  return static_cast<int>(std::min(length * focal / kCell, kMostCells - 1.0)) + 1;
+}
 
 }  // namespace
 
@@ -34,8 +39,8 @@ void Features::sort() {
     least_ = least_.cwiseMin(feature.seen);
     most_ = most_.cwiseMax(feature.seen);
   }
-  columns_ = 1 + static_cast<int>((most_.x() - least_.x()) * focal_ / kCell);
-  rows_ = 1 + static_cast<int>((most_.y() - least_.y()) * focal_ / kCell);
+  columns_ = cellsOf(most_.x() - least_.x(), focal_);
+  rows_ = cellsOf(most_.y() - least_.y(), focal_);
   const auto cellOf = [this](const Feature& feature) {
     return static_cast<std::size_t>(row(feature.seen.y()) * columns_ + column(feature.seen.x()));
   };
