@@ -13,14 +13,13 @@
 namespace slam::mono_graph {
 namespace {
 
-constexpr std::size_t kTriangulated = 4;    // neighbours that new points come from
-constexpr int kTrial = 2;                   // keyframes after which a point has proved itself
-constexpr std::size_t kLeastSightings = 2;  // that it needs for that
-constexpr double kLeastFound = 0.25;        // share of the images that were to show it
-constexpr double kJoinRadius = 4.0;         // [px]
-constexpr int kAdjustmentSteps = 6;         // of an adjustment
-constexpr std::size_t kMostFixed = 12;      // keyframes beyond the window
-constexpr double kKeptChi2 = 9.0;           // chi2 of a sighting that is kept
+constexpr std::size_t kTriangulated = 4;  // neighbours that new points come from
+constexpr int kTrial = 2;                 // keyframes after which a point has proved itself
+constexpr double kLeastFound = 0.25;      // share of the images that were to show it
+constexpr double kJoinRadius = 4.0;       // [px]
+constexpr int kAdjustmentSteps = 6;       // of an adjustment
+constexpr std::size_t kMostFixed = 12;    // keyframes beyond the window
+constexpr double kKeptChi2 = 9.0;         // chi2 of a sighting that is kept
 
 /// A part of the map as a bundle, and where its parts come from.
 class Neighbourhood {
@@ -140,11 +139,9 @@ void LocalMapper::cull(VisualMap& map, int newest) {
   for (const auto& each : recent_) {
     const auto& point = map.point(each.point);
     if (point.isGone() || point.host() != each.host) continue;
-    const bool is_due = newest - each.host >= kTrial;
-    const bool is_rare = point.found < kLeastFound * point.expected;
-    if (is_rare || (is_due && point.sightings.size() < kLeastSightings))
+    if (point.found < kLeastFound * point.expected)
       map.remove(each.point);
-    else if (!is_due)
+    else if (newest - each.host < kTrial)
       still.push_back(each);
   }
   recent_ = std::move(still);

@@ -67,10 +67,12 @@ struct Sighting {
 struct MapPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map frame [m]
   Descriptor descriptor{};
-  double angle = 0.0;               ///< of its feature in the keyframe that made it [rad]
-  double size = 0.0;                ///< [m] across, of what the descriptor compares
-  std::vector<Sighting> sightings;  ///< the keyframe that made it first; empty: it is gone
-  int expected = 0, found = 0;      ///< images in which it was to be seen, and was
+  double angle = 0.0;  ///< of its feature in the keyframe that made it [rad]
+  double size = 0.0;   ///< [m] across, of what the descriptor compares
+  /// The first is that of the keyframe that made it, as long as this one sees it; empty: it is
+  /// gone.
+  std::vector<Sighting> sightings;
+  int expected = 0, found = 0;  ///< images in which it was to be seen, and was
 
   bool isGone() const { return sightings.empty(); }
   int host() const { return sightings.front().keyframe; }
