@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace slam::mono_graph {
@@ -27,5 +28,25 @@ inline int distanceOf(const Descriptor& a, const Descriptor& b) {
   const std::uint64_t in_words = (in_bytes & kWords) + ((in_bytes >> 8) & kWords);
   return static_cast<int>((in_words * kOnes) >> 48);
 }
+
+/// The candidate whose descriptor is nearest, and the distances of the nearest and the second one.
+struct BestMatch {
+  std::size_t candidate = 0;
+  int distance = 257, second = 257;  ///< further than any
+
+  void consider(std::size_t another, int its_distance) {
+    if (its_distance < distance) {
+      second = distance;
+      distance = its_distance;
+      candidate = another;
+    } else if (its_distance < second) {
+      second = its_distance;
+    }
+  }
+  /// Whether it is near enough, and so much nearer than the second one.
+  bool isClear(int largest_distance, double ratio) const {
+    return distance <= largest_distance && distance <= ratio * second;
+  }
+};
 
 }  // namespace slam::mono_graph

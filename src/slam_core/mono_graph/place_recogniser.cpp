@@ -57,21 +57,13 @@ std::vector<PointMatch> alikeIn(const VisualMap& map, const Features& features,
   for (const int number : map.keyframe(keyframe).points) {
     if (number == kNoPoint) continue;
     const auto& point = map.point(number);
-    int best = 257, second = 257;
-    std::size_t found = 0;
+    BestMatch best;
     by_angle.forEachNear(point.angle, [&](std::size_t i) {
-      const int distance = distanceOf(features[i].descriptor, point.descriptor);
-      if (distance < best) {
-        second = best;
-        best = distance;
-        found = i;
-      } else if (distance < second) {
-        second = distance;
-      }
+      best.consider(i, distanceOf(features[i].descriptor, point.descriptor));
     });
-    if (best > kAlike || best > kAlikeRatio * second) continue;
-    ++taken[found];
-    matches.push_back({number, found});
+    if (!best.isClear(kAlike, kAlikeRatio)) continue;
+    ++taken[best.candidate];
+    matches.push_back({number, best.candidate});
   }
   const auto is_shared = [&](const PointMatch& match) { return taken[match.feature] > 1; };
   matches.erase(std::remove_if(matches.begin(), matches.end(), is_shared), matches.end());

@@ -14,22 +14,6 @@ namespace {
 constexpr double kLeastCosine = 0.6;   // between two views of a point
 constexpr double kLevelsBeyond = 0.5;  // of the pyramid, at either end
 
-/// The best of some features for a point, and the second one's distance.
-struct Best {
-  std::size_t feature = 0;
-  int distance = 257, second = 257;
-
-  void consider(std::size_t candidate, int d) {
-    if (d < distance) {
-      second = distance;
-      distance = d;
-      feature = candidate;
-    } else if (d < second) {
-      second = d;
-    }
-  }
-};
-
 bool looksAlike(const Feature& feature, const MapPoint& point, double level) {
   return std::abs(feature.level - level) <= 1.6 &&
          turnBetween(feature.angle, point.angle) <= kLargestRoll;
@@ -64,15 +48,14 @@ PointMatches searchPoints(const VisualMap& map, const std::vector<int>& points,
     result.expected.push_back(number);
     near.clear();
     features.near(appearance->seen, limits.radius, near);
-    Best best;
+    BestMatch best;
     for (const std::size_t i : near)
       if (looksAlike(features[i], point, appearance->level))
         best.consider(i, distanceOf(features[i].descriptor, point.descriptor));
-    if (best.distance > limits.largest_distance || best.distance > limits.ratio * best.second)
-      continue;
-    if (best.distance >= distance_of[best.feature]) continue;
-    distance_of[best.feature] = best.distance;
-    owner[best.feature] = number;
+    if (!best.isClear(limits.largest_distance, limits.ratio)) continue;
+    if (best.distance >= distance_of[best.candidate]) continue;
+    distance_of[best.candidate] = best.distance;
+    owner[best.candidate] = number;
   }
   for (std::size_t i = 0; i < owner.size(); ++i)
     if (owner[i] != kNoPoint) result.matches.push_back({owner[i], i});

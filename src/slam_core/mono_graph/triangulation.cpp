@@ -30,7 +30,8 @@ class Pair {
 
   bool isWide() const { return (centre_a_ - centre_b_).norm() > 0.03; }
 
-  /// @return the line of `b`'s plane on which a feature of the other keyframe lies: a x + b y + c = 0
+  /// @return the line of `b`'s plane on which a feature of the other keyframe lies: a x + b y + c =
+  /// 0
   Eigen::Vector3d lineOf(const Feature& of_a) const {
     const Eigen::Vector3d ray = a_.features.camera().ray(a_.pose, of_a.seen);
     const auto& camera = b_.features.camera();
@@ -80,24 +81,17 @@ bool isNear(const Eigen::Vector3d& line, const Feature& feature) {
 /// The feature on the line that looks most alike, if it is clearly that one.
 std::optional<int> matchOnLine(const Feature& feature, const Eigen::Vector3d& line,
                                const Keyframe& other, const std::vector<int>& candidates) {
-  int best = 257, second = 257;
-  std::optional<int> found;
+  BestMatch best;
   for (const int i : candidates) {
     const auto& candidate = other.features[static_cast<std::size_t>(i)];
     if (std::abs(candidate.level - feature.level) > kLargestLevels || !isNear(line, candidate) ||
         turnBetween(candidate.angle, feature.angle) > kLargestRoll)
       continue;
-    const int distance = distanceOf(candidate.descriptor, feature.descriptor);
-    if (distance < best) {
-      second = best;
-      best = distance;
-      found = i;
-    } else if (distance < second) {
-      second = distance;
-    }
+    best.consider(static_cast<std::size_t>(i),
+                  distanceOf(candidate.descriptor, feature.descriptor));
   }
-  if (best > kLargestMatchDistance || best > kMatchRatio * second) return std::nullopt;
-  return found;
+  if (!best.isClear(kLargestMatchDistance, kMatchRatio)) return std::nullopt;
+  return static_cast<int>(best.candidate);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/models/chi_square.hpp"
@@ -55,20 +54,15 @@ std::optional<Box> reachOf(const Features& earlier, const Feature& feature, cons
 /// @return the one of some features that clearly looks most alike
 std::optional<std::size_t> mostAlike(const Feature& feature, const Features& later,
                                      const std::vector<std::size_t>& near) {
-  int best = std::numeric_limits<int>::max(), second = best;
-  std::size_t found = 0;
+  BestMatch best;
   for (const std::size_t i : near) {
     const auto& other = later[i];
     if (std::abs(other.level - feature.level) > kLevelsApart ||
         turnBetween(other.angle, feature.angle) > kLargestRoll)
       continue;
-    const int distance = distanceOf(other.descriptor, feature.descriptor);
-    if (distance < best) found = i;
-    second = std::min(second, std::max(best, distance));
-    best = std::min(best, distance);
+    best.consider(i, distanceOf(other.descriptor, feature.descriptor));
   }
-  const bool is_clear = best <= kLargestDistance && best <= kDistinct * second;
-  return is_clear ? std::optional(found) : std::nullopt;
+  return best.isClear(kLargestDistance, kDistinct) ? std::optional(best.candidate) : std::nullopt;
 }
 
 /// @return how much the constraint below changes with a feature's place in the image
