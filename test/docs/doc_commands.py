@@ -52,8 +52,19 @@ def blocks(path):
 
 def texts():
     """Returns the Markdown files that users read: the root's, docs', the packages'."""
-    folders = [REPO, REPO / "docs", *(path.parent for path in packages())]
-    return sorted(path for folder in folders for path in folder.glob("*.md"))
+    return sorted([*texts_of_root(), *texts_of_docs(), *texts_of_packages()])
+
+
+def texts_of_root():
+    return sorted(REPO.glob("*.md"))
+
+
+def texts_of_docs():
+    return sorted((REPO / "docs").glob("*.md"))
+
+
+def texts_of_packages():
+    return sorted(path for package in packages() for path in package.parent.glob("*.md"))
 
 
 def packages():
@@ -62,5 +73,7 @@ def packages():
                   for path in REPO.glob(pattern))
 
 
-def shell_blocks():
-    return [block for path in texts() for block in blocks(path) if block.language == "sh"]
+def shell_blocks(files=None):
+    """Returns the blocks of files, without them of all texts."""
+    return [block for path in (texts() if files is None else files) for block in blocks(path)
+            if block.language == "sh"]
