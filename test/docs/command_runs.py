@@ -14,13 +14,13 @@ from launching import free_port
 
 DRIVE = 8  # [s] of the office
 WITHIN = 200  # [s], of a block
-# The front door itself, but nothing is installed or built: the programs are those under test.
+# The front door stays itself, but installs and builds nothing: the programs are those under test.
 FRONT_DOOR = """
 missing() { :; }
 build() { :; }
 enclosing_workspace() { echo "$TESTED_WORKSPACE"; }
 """
-# What takes long is shortened, nodes that would run on are ended after a while.
+# It leaves a launch without a bag running for some seconds, then ends it.
 SHELL = """
 set -emo pipefail
 lives=()
@@ -32,7 +32,7 @@ roslaunch() {
 end_lives() {
   for life in "${lives[@]}"; do kill -0 "$life"; done
   for life in "${lives[@]}"; do
-    # once more where it was too busy to listen
+    # a launch that was too busy to listen is asked once more
     (while kill -INT "$life"; do sleep 20; done) >/dev/null 2>&1 &
     wait "$life" || [[ $? == 130 ]]
     kill -- -$! || true

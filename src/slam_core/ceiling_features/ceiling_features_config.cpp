@@ -10,8 +10,7 @@ void describeChoice(CeilingFeaturesConfig& config, Fields& fields) {
   fields
       .add("size", &config.size,
            "size of the spots that are searched for, as a share of the ceiling's height above the "
-           "camera: the "
-           "standard deviation of the Gaussian that the image is smoothed by")
+           "camera: the standard deviation of the Gaussian that the image is smoothed by")
       .unit("1")
       .in(Range::open(0, 0.2));
   fields

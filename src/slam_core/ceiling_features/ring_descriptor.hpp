@@ -12,10 +12,10 @@
 
 namespace slam::ceiling_features {
 
-/// It describes what surrounds a point of the ceiling: on rings about it, mean and standard deviation of the
-/// logarithm of the brightness, the means relative to that of all rings. It does not depend on the
-/// heading of the robot, nor on how much light there is (as the spin images of Lazebnik, Schmid,
-/// Ponce 2005).
+/// It describes what surrounds a point of the ceiling: on rings about it, mean and standard
+/// deviation of the logarithm of the brightness, the means relative to that of all rings. It does
+/// not depend on the heading of the robot, nor on how much light there is (as the spin images of
+/// Lazebnik, Schmid, Ponce 2005).
 /// @param radius of the outermost ring [m]
 /// @return nothing where the image does not hold all of the rings
 std::optional<Descriptor> describeSurroundings(const ScaledImage& image, const cv::Size& size,

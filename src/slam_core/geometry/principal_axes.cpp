@@ -4,6 +4,7 @@
 #include "slam_core/geometry/principal_axes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <limits>
 
 namespace slam {
 namespace {
@@ -11,7 +12,10 @@ namespace {
 template <int N>
 PrincipalAxes<N> axesOf(const Eigen::Matrix<double, N, N>& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> solver(symmetric);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  PrincipalAxes<N> axes{solver.eigenvalues(), solver.eigenvectors()};
+  if (solver.info() != Eigen::Success)
+    axes.values.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return axes;
 }
 
 }  // namespace

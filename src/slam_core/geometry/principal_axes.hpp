@@ -8,8 +8,9 @@
 namespace slam {
 
 /// It holds the eigenvalues of a symmetric matrix, in increasing order, and the directions that
-/// belong to them, of length 1, in the columns. One file computes them, since the compiler takes
-/// seconds for Eigen's solver in each file that uses it.
+/// belong to them, of length 1, in the columns. The values are NaN where Eigen finds none, as of a
+/// matrix that is not finite. One file computes them, since the compiler takes seconds for Eigen's
+/// solver in each file that uses it.
 template <int N>
 struct PrincipalAxes {
   Eigen::Matrix<double, N, 1> values;

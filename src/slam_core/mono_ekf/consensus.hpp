@@ -18,8 +18,8 @@ struct Match {
 /// The matches that agree with each other.
 struct Consensus {
   std::vector<bool> agrees;  ///< of each match
-  /// They belong to the matches that agree, and update the state those were judged by, linearised at
-  /// the state after an update with most of them (a step of the iterated EKF).
+  /// They are the matches that agree, and update the state these were judged by. They are
+  /// linearised at the state after an update with most of them (a step of the iterated EKF).
   std::vector<Measurement> measurements;
 };
 

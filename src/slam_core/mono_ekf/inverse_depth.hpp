@@ -30,8 +30,8 @@ Eigen::Vector3d scaledVector(const InverseDepth& feature, double height,
                              const Eigen::Vector3d& centre_now,
                              Eigen::Matrix<double, 3, 5>* J = nullptr);
 
-/// The linearity index (Eq. 31): below 0.1 a Gaussian along the ray is nearly one in metres, and the
-/// point is as good as its inverse depth. It is infinite where rho is not positive.
+/// The linearity index (Eq. 31): below 0.1 a Gaussian along the ray is nearly one in metres, and
+/// the point is as good as its inverse depth. It is infinite where rho is not positive.
 /// @param sigma_rho standard deviation of rho [1/m]
 double linearityIndex(const InverseDepth& feature, double height, double sigma_rho,
                       const Eigen::Vector3d& centre_now);

@@ -10,8 +10,8 @@
 
 namespace slam::mono_graph {
 
-/// Makes the map around the newest keyframe (Mur-Artal et al. 2015, VI): new points
-/// that few images show are removed, more are triangulated, and all nearby adjusted together.
+/// Makes the map around the newest keyframe (Mur-Artal et al. 2015, VI): new points that few
+/// images show are removed, more are triangulated, and all nearby are adjusted together.
 class LocalMapper {
  public:
   LocalMapper() = default;

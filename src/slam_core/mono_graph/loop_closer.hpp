@@ -31,8 +31,8 @@ struct Loop {
 /// (graph::RobustLoops).
 class LoopCloser {
  public:
-  /// A loop from a recognised place to a keyframe. Where it is believed, all keyframes are
-  /// moved, each point with its host.
+  /// A loop from a recognised place to a keyframe. Where it is believed, all keyframes are moved,
+  /// each point with its host.
   /// @return whether they are
   bool close(VisualMap& map, const RecognisedPlace& place, int keyframe);
 

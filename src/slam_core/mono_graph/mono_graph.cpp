@@ -323,8 +323,8 @@ std::set<int> MonoGraph::knownAround(int keyframe) const {
   return known;
 }
 
-/// It runs with the image after a keyframe, so that no image takes the time of both. The robot still
-/// stands on the keyframe, and moves with it.
+/// It runs with the image after a keyframe, so that no image takes the time of both. The robot
+/// still stands on the keyframe, and moves with it.
 void MonoGraph::recognise() {
   if (!unrecognised_) return;
   const int keyframe = *std::exchange(unrecognised_, std::nullopt);

@@ -9,7 +9,7 @@ namespace slam::mono_graph {
 
 void MonoGraphConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
-             "slam builds the map; localization in a map that stays as it is is refused");
+             "slam builds the map; localization in a fixed map is refused");
   fields.add("features", &features, "an image gives so many features at most")
       .unit("1")
       .in(Range::closed(50, 5000));

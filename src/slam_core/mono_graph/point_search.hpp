@@ -34,7 +34,7 @@ struct SearchLimits {
 PointMatches searchPoints(const VisualMap& map, const std::vector<int>& points,
                           const Features& features, const Pose2& pose, const SearchLimits& limits);
 
-/// It tells how a point's feature would look from a pose: its pixel, and its level as a real number.
+/// It tells how a point's feature would look from a pose; the level is a real number.
 struct Appearance {
   Eigen::Vector2d seen;
   double level = 0.0;

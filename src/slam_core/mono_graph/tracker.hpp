@@ -11,8 +11,8 @@
 
 namespace slam::mono_graph {
 
-/// It holds what an image shows of the map around the robot. A pose that odometry cannot have led to
-/// is none: repeated patterns were taken for one another, and all matches are rejected.
+/// It holds what an image shows of the map around the robot. A pose that odometry cannot have led
+/// to is none: repeated patterns were taken for one another, and all matches are rejected.
 struct TrackedView {
   Pose2 pose;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points, about (x, y, theta)

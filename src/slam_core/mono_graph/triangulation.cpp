@@ -30,8 +30,7 @@ class Pair {
 
   bool isWide() const { return (centre_a_ - centre_b_).norm() > 0.03; }
 
-  /// @return the line of `b`'s plane on which a feature of the other keyframe lies: a x + b y + c =
-  /// 0
+  /// @return the line a x + b y + c = 0 on `b`'s plane that holds a feature of the other keyframe
   Eigen::Vector3d lineOf(const Feature& of_a) const {
     const Eigen::Vector3d ray = a_.features.camera().ray(a_.pose, of_a.seen);
     const auto& camera = b_.features.camera();

@@ -9,7 +9,7 @@ namespace slam::rat {
 
 void ExperienceConfig::describe(Fields& fields) {
   fields.add("mode", &mode, backendModeNames(),
-             "slam builds the map; localization in a map that stays as it is is refused");
+             "slam builds the map; localization in a fixed map is refused");
   fields
       .add("largest_distance", &largest_distance,
            "the packet of pose cells is where an experience has it when it is not further off")

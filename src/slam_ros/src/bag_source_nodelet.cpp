@@ -180,6 +180,12 @@ class BagSourceNodelet : public nodelet::Nodelet {
   /// before others are connected with it would be lost.
   std::string missingMaker() const {
     if (!config_.components) return "";
+    ros::master::V_TopicInfo published;
+    ros::master::getTopics(published);
+    const auto isPublished = [&published](const std::string& topic) {
+      return std::any_of(published.begin(), published.end(),
+                         [&](const ros::master::TopicInfo& info) { return info.name == topic; });
+    };
     for (const auto& part : inputs_->parts()) {
       if (!part.is_maker) continue;
       for (const auto& output : inputs_->flow().takenOutputs(part)) {
@@ -191,15 +197,8 @@ class BagSourceNodelet : public nodelet::Nodelet {
     return "";
   }
 
-  static bool isPublished(const std::string& topic) {
-    ros::master::V_TopicInfo published;
-    ros::master::getTopics(published);
-    return std::any_of(published.begin(), published.end(),
-                       [&](const ros::master::TopicInfo& info) { return info.name == topic; });
-  }
-
-  /// Whether this process publishes a topic that nobody subscribes to. Of other processes, as those
-  /// of other machines, only the master could tell, and not who is connected.
+  /// Whether this process publishes a topic that nobody subscribes to. The master knows of topics
+  /// of other processes and machines, but not who is connected with them.
   static bool isLonelyHere(const std::string& topic) {
     const auto& topics = ros::TopicManager::instance();
     std::vector<std::string> advertised;

@@ -23,14 +23,22 @@ TEST(PrincipalAxesTest, AreThoseOfATurnedEllipse) {
 }
 
 TEST(PrincipalAxesTest, MakeUpTheMatrix) {
-  Eigen::MatrixXd A(3, 3);
+  Eigen::Matrix3d A;
   A << 4, 1, -2, 1, 3, 0.5, -2, 0.5, 5;
   const auto axes = principalAxes(A);
-  const Eigen::MatrixXd again =
+  const Eigen::Matrix3d again =
       axes.directions * axes.values.asDiagonal() * axes.directions.transpose();
   EXPECT_LT((again - A).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT(axes.values(0), axes.values(1));
   EXPECT_LT(axes.values(1), axes.values(2));
+  const auto of_any_size = principalAxes(Eigen::MatrixXd(A));
+  EXPECT_LT((of_any_size.values - axes.values).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(PrincipalAxesTest, HaveNoValuesWhereTheMatrixIsNotFinite) {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+  A(1, 0) = A(0, 1) = std::nan("");
+  EXPECT_FALSE(principalAxes(A).values.allFinite());
 }
 
 }  // namespace

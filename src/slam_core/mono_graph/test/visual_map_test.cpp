@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <utility>
+#include <vector>
 
 #include "slam_core/mono_graph/pose_chain.hpp"
 #include "slam_core/mono_graph/test/room_of_pictures.hpp"
@@ -29,6 +30,21 @@ MapPoint pointSeenBy(std::vector<Sighting> sightings) {
   MapPoint point;
   point.sightings = std::move(sightings);
   return point;
+}
+
+/// A lens of nearly 180 degrees has corners far out on the plane z = 1.
+TEST(Features, AreFoundAtTheBorderOfAVeryWideLens) {
+  std::vector<Feature> features(40);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const auto n = static_cast<double>(i);
+    features[i].seen = {-57.0 + 3.0 * n, 57.0 - 2.5 * n};
+  }
+  const Features wide(features, NormalisedCamera(test::RoomOfPictures::mount()), 300.0);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    std::vector<std::size_t> found;
+    wide.near(features[i].seen, 1.0, found);
+    EXPECT_EQ(found, std::vector<std::size_t>{i});
+  }
 }
 
 TEST(VisualMap, KeepsNoSightingOfAPointThatIsGone) {
