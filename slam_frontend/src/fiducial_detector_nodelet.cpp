@@ -57,16 +57,19 @@ class FiducialDetectorNodelet : public nodelet::Nodelet {
   void publish(const slam::ProductDetector& detector) {
     const auto name = detector.place.observations();
     drawer_ = dynamic_cast<const slam::ViewDrawer*>(detector.component.get());
-    observations_ = getNodeHandle().advertise<slam_msgs::LandmarkObservationArray>(
-        node_->topics().of(name), slam_ros::kQueue);
+    node_->onceConnected([this, topic = node_->topics().of(name)] {
+      observations_ =
+          getNodeHandle().advertise<slam_msgs::LandmarkObservationArray>(topic, slam_ros::kQueue);
+    });
     detections_.emplace(getNodeHandle(), detector.place.prefix());
     node_->part().listen<slam::LandmarkObservationArray>(
         name, [this](const auto& array) { publish(array); });
   }
 
   void publish(const slam::LandmarkObservationArray& array) {
-    observations_.publish(
-        boost::make_shared<slam_msgs::LandmarkObservationArray>(slam_ros::toMsg(array)));
+    if (observations_)
+      observations_.publish(
+          boost::make_shared<slam_msgs::LandmarkObservationArray>(slam_ros::toMsg(array)));
     node_->noteOutput();
     if (drawer_ != nullptr) detections_->publish(*drawer_, array);
   }

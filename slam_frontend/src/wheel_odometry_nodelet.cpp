@@ -42,13 +42,16 @@ class WheelOdometryNodelet : public nodelet::Nodelet {
       node_.emplace(slam_ros::PartNode::Handles{getNodeHandle(), getPrivateNodeHandle(), getName()},
                     slam::ProductPart{slam::ProductPart::Extent::kOdometry, ""},
                     slam_ros::InputOptions{slam_ros::ImageTransport::kAuto, !publish_tf_, false});
-      motion_ = getNodeHandle().advertise<slam_msgs::Motion>(node_->topics().motion, kMotionQueue);
+      node_->onceConnected([this] {
+        motion_ =
+            getNodeHandle().advertise<slam_msgs::Motion>(node_->topics().motion, kMotionQueue);
+      });
       node_->part().listen<slam::Motion>("motion", [this](const auto& motion) { publish(motion); });
     });
   }
 
   void publish(const slam::Motion& motion) {
-    motion_.publish(boost::make_shared<slam_msgs::Motion>(slam_ros::toMsg(motion)));
+    if (motion_) motion_.publish(boost::make_shared<slam_msgs::Motion>(slam_ros::toMsg(motion)));
     if (publish_tf_)
       transform_.publish(slam_ros::toRos(motion.end), motion.odometry_frame, motion.base_frame,
                          motion.odometry_end);

@@ -13,22 +13,27 @@
 namespace slam_ros {
 MotionOutputs::MotionOutputs(ros::NodeHandle handle, const OdometryNodeletConfig& config,
                              const slam::FramesConfig& frames, const slam::OdometrySource& source,
-                             const std::string& motion_topic, Warn warn)
-    : config_(config),
+                             std::string motion_topic, Warn warn)
+    : handle_(handle),
+      config_(config),
       frames_(frames),
       source_(source),
+      motion_topic_(std::move(motion_topic)),
       warn_(std::move(warn)),
       shown_(handle, source) {
-  if (config_.publish_motion) motion_ = handle.advertise<slam_msgs::Motion>(motion_topic, kQueue);
   if (config_.publish_tf && config_.publish_motion)
     watch_.emplace(handle, frameId(frames_.odom), frameId(frames_.base));
+}
+
+void MotionOutputs::advertise() {
+  if (config_.publish_motion) motion_ = handle_.advertise<slam_msgs::Motion>(motion_topic_, kQueue);
 }
 
 void MotionOutputs::publish(slam::Motion motion) {
   const bool is_taken = isEdgeTaken();
   motion.odometry_frame = is_taken || !config_.publish_motion ? ownFrame() : "";
   frames_.complete(motion.odometry_frame, motion.base_frame);
-  if (config_.publish_motion) motion_.publish(boost::make_shared<slam_msgs::Motion>(toMsg(motion)));
+  if (motion_) motion_.publish(boost::make_shared<slam_msgs::Motion>(toMsg(motion)));
   if (watch_ && !is_taken) {
     watch_->noteOwn({motion.end, motion.odometry_end});
     transform_.publish(toRos(motion.end), motion.odometry_frame, motion.base_frame,

@@ -19,6 +19,7 @@ void OdometryNodelet::onInit() {
     outputs_.emplace(getNodeHandle(), config, part.components().frames, *part.components().odometry,
                      node_->topics().motion,
                      [this](const std::string& sentence) { node_->diagnostics().warn(sentence); });
+    node_->onceConnected([this] { outputs_->advertise(); });
     node_->on_reset = [this] { outputs_->reset(); };
     part.listen<slam::Motion>("motion", [this](const auto& motion) {
       outputs_->publish(motion);

@@ -5,13 +5,21 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "slam_ros/known_inputs.hpp"
 #include "slam_ros/settings_from_ros.hpp"
 
 namespace slam_ros {
+namespace {
+
+const ros::WallDuration kConnectionPoll(0.05);
+
+}  // namespace
 
 PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
-                   const InputOptions& options) {
+                   const InputOptions& options)
+    : handle_(handles.product) {
   auto settings = settingsFromRos(handles.product);
   part_.configure(settings, part);
   auto context = inputContext(handles.product, settings, options);
@@ -31,8 +39,23 @@ PartNode::PartNode(const Handles& handles, const slam::ProductPart& part,
 
 PartNode::~PartNode() {
   diagnostics_->stop();  // it asks the inputs, and callbacks of the inputs tell it what was wrong
-  inputs_->stop();
+  stop();
   diagnostics_.reset();
+}
+
+void PartNode::onceConnected(std::function<void()> call) {
+  const auto attempt = [this, call = std::move(call)](const ros::WallTimerEvent&) {
+    if (!inputs_->areConnected()) return;
+    connecting_.stop();
+    call();
+  };
+  start_.emplace([this, attempt] { connecting_ = handle_.createWallTimer(kConnectionPoll, attempt); });
+}
+
+void PartNode::stop() {
+  start_.reset();
+  connecting_.stop();
+  inputs_->stop();
 }
 
 Pass PartNode::pass() {

@@ -13,7 +13,7 @@
 namespace slam::particle_filter {
 namespace {
 
-constexpr int kSteps = 300;  // before the robot is lifted, and after
+constexpr int kStepsOfPart = 300;  // before the robot is lifted, and after
 constexpr double kSigmaRange = 0.02, kSigmaBearing = 0.01;
 
 /// A robot on a circle of 4 m radius among 200 landmarks in 16 m x 16 m, of which it sees some. It
@@ -106,7 +106,7 @@ class KidnappedRobot : public testing::TestWithParam<View> {
 };
 
 TEST_P(KidnappedRobot, IsToldAndItsMapIsNotHarmed) {
-  EXPECT_EQ(drive(kSteps), 0);
+  EXPECT_EQ(drive(kStepsOfPart), 0);
   EXPECT_EQ(filter.counters()["doubtful"], 0u);
   const double error = hall.errorOf(as<LandmarkMapper>(filter).landmarks());
   const auto landmarks = as<LandmarkMapper>(filter).landmarks().size();
@@ -121,12 +121,12 @@ TEST_P(KidnappedRobot, IsToldAndItsMapIsNotHarmed) {
 }
 
 TEST_P(KidnappedRobot, GoesOnFromANewPose) {
-  drive(kSteps);
+  drive(kStepsOfPart);
   hall.lift();
   drive(50);
   filter.set(PoseEstimate{hall.truth(), 1e-3 * Eigen::Matrix3d::Identity()});
   filter.execute();
-  EXPECT_EQ(drive(kSteps), 0);
+  EXPECT_EQ(drive(kStepsOfPart), 0);
   EXPECT_LT((filter.pose().pose.position() - hall.truth().position()).norm(), 0.3);
   EXPECT_LT(hall.errorOf(as<LandmarkMapper>(filter).landmarks()), 0.2);
 }
@@ -139,7 +139,7 @@ TEST_P(KidnappedRobot, IsFoundAboutAPlaceThatIsToldRoughly) {
     hall = Hall(GetParam().ids, GetParam().most);
     filter.seed(seed);
     filter.configure(PfConfig());
-    drive(kSteps);
+    drive(kStepsOfPart);
     const Pose2 truth = hall.truth();
     const Pose2 told(truth.x() + 0.3, truth.y() - 0.3, truth.theta() + 0.2);
     filter.set(PoseEstimate{told, Eigen::Vector3d(0.25, 0.25, 0.068).asDiagonal()});

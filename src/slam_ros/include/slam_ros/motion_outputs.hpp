@@ -28,8 +28,10 @@ class MotionOutputs {
   /// @param source outlives this; it may draw what it sees
   MotionOutputs(ros::NodeHandle handle, const OdometryNodeletConfig& config,
                 const slam::FramesConfig& frames, const slam::OdometrySource& source,
-                const std::string& motion_topic, Warn warn);
+                std::string motion_topic, Warn warn);
 
+  /// From here on motions are published for the back-end, where it takes them.
+  void advertise();
   void publish(slam::Motion motion);
   /// To be called when time starts over.
   void reset() { transform_.reset(); }
@@ -39,9 +41,11 @@ class MotionOutputs {
   /// Where another node publishes odom -> base.
   std::string ownFrame() const;
 
+  ros::NodeHandle handle_;
   OdometryNodeletConfig config_;
   slam::FramesConfig frames_;
   const slam::OdometrySource& source_;
+  std::string motion_topic_;
   Warn warn_;
   bool warned_of_edge_ = false;
   ros::Publisher motion_;

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <ros/wall_timer.h>
 
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "slam_core/product/meta_coordinator.hpp"
+#include "slam_ros/after_load.hpp"
 #include "slam_ros/clock_watch.hpp"
 #include "slam_ros/diagnostics.hpp"
 #include "slam_ros/latency_window.hpp"
@@ -39,8 +41,12 @@ class PartNode {
   Diagnostics& diagnostics() { return *diagnostics_; }
   const PartInputs& inputs() const { return *inputs_; }
   Pass pass();
+  /// Calls a function once, as one of the callbacks, when all inputs are subscribed to and what
+  /// other components make for them is published. Advertise the output there: who sees its topic
+  /// expects an output for each input.
+  void onceConnected(std::function<void()> call);
   /// From here on no callback of an input runs; the part itself stays.
-  void stop() { inputs_->stop(); }
+  void stop();
 
   /// To be called when there is output: notes the latency since the last input.
   void noteOutput() { latency_.add(arrival_, LatencyWindow::Clock::now()); }
@@ -67,11 +73,14 @@ class PartNode {
   slam::MetaCoordinator part_;
   TopicsConfig topics_;
   ClockWatch clock_;
+  ros::NodeHandle handle_;
   LatencyWindow latency_;
   LatencyWindow::Clock::time_point arrival_;  ///< of the last input, by the wall clock
   SilenceWatch silence_;
   std::optional<Diagnostics> diagnostics_;
   std::optional<PartInputs> inputs_;
+  ros::WallTimer connecting_;
+  std::optional<AfterLoad> start_;  ///< comes after those of the inputs
 };
 
 }  // namespace slam_ros

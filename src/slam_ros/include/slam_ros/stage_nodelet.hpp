@@ -12,7 +12,6 @@
 #include <string>
 #include <utility>
 
-#include "slam_ros/after_load.hpp"
 #include "slam_ros/checkpoint_config.hpp"
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/part_node.hpp"
@@ -31,8 +30,6 @@ template <class Message, class Data, Message (*convert)(const Data&)>
 class StageNodelet : public nodelet::Nodelet {
  public:
   ~StageNodelet() override {
-    start_.reset();
-    advertising_.stop();
     if (node_) node_->stop();
     if (state_) state_->close();
   }
@@ -52,18 +49,9 @@ class StageNodelet : public nodelet::Nodelet {
       topic_ = node_->topics().of(output_);
       node_->part().template listen<Data>(output_, [this](const Data& data) { publish(data); });
       keepState();
-      start_.emplace([this] {
-        advertising_ = getNodeHandle().createWallTimer(
-            ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) { advertise(); });
-      });
+      node_->onceConnected(
+          [this] { publisher_ = getNodeHandle().advertise<Message>(topic_, kQueue); });
     });
-  }
-
-  /// Only after all inputs have publishers: who sees this topic expects an output for each input.
-  void advertise() {
-    if (!node_->inputs().areConnected()) return;
-    publisher_ = getNodeHandle().advertise<Message>(topic_, kQueue);
-    advertising_.stop();
   }
 
   void keepState() {
@@ -84,10 +72,8 @@ class StageNodelet : public nodelet::Nodelet {
 
   std::string stage_, output_, topic_;
   ros::Publisher publisher_;
-  ros::WallTimer advertising_;
   std::shared_ptr<StageState> state_;
   std::optional<PartNode> node_;  // no callback may find what stands above gone
-  std::optional<AfterLoad> start_;
 };
 
 }  // namespace slam_ros
