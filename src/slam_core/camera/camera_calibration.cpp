@@ -26,6 +26,8 @@ const std::map<std::string, std::vector<std::size_t>> kDistortionModels = {
 /// images; a region of interest is a small part of its image. Beyond these shares of the longer
 /// side are normalised units, and other numbers that are no pixels.
 constexpr double kLeastShare = 0.01, kLargestShare = 1000.0;
+/// The principal point of a whole image is in it, or beyond its border by this share at most.
+constexpr double kBeyond = 0.25;
 
 /// Half-way to the nearest border an ideal lens sees a direction by this factor more or less far
 /// from the axis than one with distortion, at most. Wide lenses reach 1.2 there.
@@ -77,7 +79,7 @@ std::string faultOfDistortion(const CameraCalibration& calibration) {
 bool CameraCalibration::operator==(const CameraCalibration& other) const {
   return width == other.width && height == other.height && fx == other.fx && fy == other.fy &&
          cx == other.cx && cy == other.cy && distortion_model == other.distortion_model &&
-         distortion == other.distortion;
+         distortion == other.distortion && is_region == other.is_region;
 }
 
 std::string faultOf(const CameraCalibration& calibration) {
@@ -93,7 +95,8 @@ std::string faultOf(const CameraCalibration& calibration) {
     return fmt::format(
         "its focal lengths of {:g} and {:g} px fit no lens of an image of {} x {} px", c.fx, c.fy,
         c.width, c.height);
-  if (std::max(std::abs(c.cx), std::abs(c.cy)) > kLargestShare * side)
+  const double beyond = c.is_region ? kLargestShare * side : kBeyond * side;
+  if (std::max(-c.cx, c.cx - c.width) > beyond || std::max(-c.cy, c.cy - c.height) > beyond)
     return fmt::format("its principal point is at ({:g}, {:g}) px, far from an image of {} x {} px",
                        c.cx, c.cy, c.width, c.height);
   return faultOfDistortion(c);

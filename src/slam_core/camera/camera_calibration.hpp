@@ -17,12 +17,13 @@ struct CameraCalibration {
   double fx = 0.0, fy = 0.0;     ///< focal lengths [px]
   double cx = 0.0, cy = 0.0;     ///< principal point [px]
   std::vector<double> distortion;
+  bool is_region = false;  ///< of a larger image, in which the principal point may be elsewhere
 
   bool operator==(const CameraCalibration& other) const;
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(width, height, distortion_model, fx, fy, cx, cy, distortion);
+    archive(width, height, distortion_model, fx, fy, cx, cy, distortion, is_region);
   }
 };
 

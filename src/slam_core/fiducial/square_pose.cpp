@@ -36,10 +36,12 @@ std::optional<Eigen::Matrix3d> homographyOfUnitSquare(const Corners& p) {
   return H;
 }
 
-/// The rotation about an axis in the image plane that turns the axis z onto (v, 1).
+/// The rotation about an axis in the image plane that turns the axis z onto (v, 1). Eigen's
+/// FromTwoVectors takes ten seconds to compile, for opposite vectors, which these are not.
 Eigen::Matrix3d rotationOntoRay(const Eigen::Vector2d& v) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), v.homogeneous())
-      .toRotationMatrix();
+  const Eigen::Vector3d ray = v.homogeneous().normalized();
+  const double s = std::sqrt((1.0 + ray.z()) * 2.0), inverse = 1.0 / s;
+  return Eigen::Quaterniond(s * 0.5, -ray.y() * inverse, ray.x() * inverse, 0.0).toRotationMatrix();
 }
 
 /// The two rotations from the homography's value v and Jacobian J at the centre.

@@ -51,6 +51,7 @@ void MonoEkf::describe(Ports& ports) {
 }
 
 void MonoEkf::describe(Capabilities& capabilities) {
+  capabilities.offer<CorrectionReporter>(*this);
   capabilities.offer<FeatureMapper>(*this);
   capabilities.offer<LostReporter>(*this);
   capabilities.offer<ViewDrawer>(*this);
@@ -73,6 +74,7 @@ void MonoEkf::reset() {
   agreement_.clear();
   before_.reset();
   place_search_.reset();
+  corrected_by_.reset();
   inputs_ = {};
   next_id_ = 0;
   nis_ = 0.0;
@@ -81,6 +83,7 @@ void MonoEkf::reset() {
 }
 
 Status MonoEkf::execute() {
+  corrected_by_.reset();
   relocate();
   for (const auto& motion : std::exchange(inputs_.motions, {})) {
     state_.predict(errors_.divide(motion));
@@ -117,6 +120,7 @@ Status MonoEkf::look(const CameraView& view) {
   if (!before_) before_ = state_;
   take(active_search_.searchFar(state_, camera, gray, noise_.sigma()), camera);
   take(active_search_.searchNear(state_, camera, gray, noise_.sigma(), seen_.searches), camera);
+  corrected_by_ = firstSeen();
   judgeExistence();
   const auto corners = beginFeatures(camera, gray, view.stamp);
   const auto status = judge(view.stamp, corners);
@@ -169,6 +173,17 @@ void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera)
   }
   noise_.learn(statistics.score);
   nis_ = statistics.nis / static_cast<double>(2 * agreed);
+}
+
+/// When as many of the matched features as an update needs had been seen first.
+std::optional<Stamp> MonoEkf::firstSeen() const {
+  std::vector<Stamp> begun;
+  for (const auto& search : seen_.searches)
+    if (search.outcome == Search::Outcome::kMatched)
+      begun.push_back(state_.features()[search.feature].begun);
+  if (begun.size() < kLeastMatches) return std::nullopt;
+  std::nth_element(begun.begin(), begun.begin() + (kLeastMatches - 1), begun.end());
+  return begun[kLeastMatches - 1];
 }
 
 void MonoEkf::judgeExistence() {

@@ -11,6 +11,7 @@
 #include "slam_core/consistency/place_agreement.hpp"
 #include "slam_core/consistency/tracking_doubt.hpp"
 #include "slam_core/contract/backend.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/feature_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/mono_ekf/active_search.hpp"
@@ -30,7 +31,7 @@ namespace slam::mono_ekf {
 /// "contradicted" (features are not where they are predicted).
 /// Further counted: features "matched", "rejected" (found, but the others do not agree),
 /// "not_found", "added", "given_up"; "tracking_lost" (times).
-class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
+class MonoEkf final : public Backend, CorrectionReporter, FeatureMapper, LostReporter, ViewDrawer {
  public:
   /// @throw ConfigError
   void configure(const MonoEkfConfig& config);
@@ -53,7 +54,8 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(state_, errors_, noise_, doubt_, agreement_, before_, inputs_, next_id_, counters_);
+    archive(state_, errors_, noise_, doubt_, agreement_, before_, corrected_by_, inputs_, next_id_,
+            counters_);
     if constexpr (Archive::kReads) place_search_.reset();
   }
 
@@ -81,6 +83,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   };
 
   // what it offers as capabilities
+  std::optional<Stamp> correctedBy() const override { return corrected_by_; }
   std::vector<MappedFeature> features() const override;
   std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
   bool findsItself() const override { return true; }
@@ -90,6 +93,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   Status look(const CameraView& view);
   void take(std::vector<Search> searches, const PlanarCamera& camera);
   void measure(std::vector<Search>& searches, const PlanarCamera& camera);
+  std::optional<Stamp> firstSeen() const;
   void judgeExistence();
   std::size_t beginFeatures(const PlanarCamera& camera, const cv::Mat& gray, Stamp stamp);
   void removeFeatures();
@@ -109,6 +113,7 @@ class MonoEkf final : public Backend, FeatureMapper, LostReporter, ViewDrawer {
   PlaceAgreement agreement_;
   std::optional<MonoState> before_;          ///< the doubt, if there is one
   std::optional<PlaceSearch> place_search_;  ///< in the map of a lost robot
+  std::optional<Stamp> corrected_by_;        ///< in the last step
   Inputs inputs_;
   std::uint64_t next_id_ = 0;
   double nis_ = 0.0;  ///< of the last update, per degree of freedom

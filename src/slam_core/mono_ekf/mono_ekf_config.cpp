@@ -26,7 +26,7 @@ void describeMap(MonoEkfConfig& config, Fields& fields) {
            "least standard deviation of where a feature is found in an image, however well the "
            "matches agree; where they agree less, up to 25 times as much is estimated")
       .unit("px")
-      .in(Range::closed(0.05, 20));
+      .in(Range::closed(0.05, 5));
   fields
       .add("nearest", &config.nearest,
            "a new feature is not nearer than this, with 95 %; it may be at infinity")

@@ -81,6 +81,7 @@ void MonoGraph::reset() {
   closer_ = {};
   doubt_ = TrackingDoubt();
   continuity_.settle();
+  standstill_.settle();
   way_ = {};
   reference_.reset();
   unrecognised_.reset();
@@ -120,6 +121,7 @@ void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   is_way_known_ = false;
   doubt_.settle();
   continuity_.settle();
+  standstill_.settle();
   agreement_.clear();
   predict();
 }
@@ -143,6 +145,7 @@ void MonoGraph::move(const Motion& motion) {
   way_.move(motion);
   agreement_.move(motion);
   continuity_.move(motion);
+  standstill_.move(motion);
 }
 
 void MonoGraph::predict() {
@@ -181,6 +184,7 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
     counters_.add("untracked");
   doubt_.judge(of_map, pose_, view.stamp);
   continuity_.judge(features, view.stamp);
+  standstill_.judge(features, view.stamp);
   last_ = features;
   anchor_.beginStep();
   if (doubt_.isLost())
@@ -191,6 +195,10 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
     return Status::alarm(
         "the robot is lost: the camera sees another scene than a moment ago, as if the robot had "
         "been carried; drive on slowly where the robot has been, or set an initial pose");
+  if (standstill_.isLost())
+    return Status::alarm(
+        "the robot is lost: what the camera sees moves, while odometry says that the robot stands; "
+        "check the wheels' encoders, and that the wheels are on the ground");
   if (!mayMap() || !wantsKeyframe(seen)) return Status::ok();
   return addKeyframe(view, features, seen);
 }

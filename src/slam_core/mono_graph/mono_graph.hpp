@@ -29,6 +29,7 @@
 #include "slam_core/mono_graph/odometry_anchor.hpp"
 #include "slam_core/mono_graph/orb_extractor.hpp"
 #include "slam_core/mono_graph/place_recogniser.hpp"
+#include "slam_core/mono_graph/standstill_watch.hpp"
 #include "slam_core/mono_graph/tracker.hpp"
 #include "slam_core/mono_graph/visual_map.hpp"
 #include "slam_core/mono_graph/vocabulary.hpp"
@@ -74,8 +75,8 @@ class MonoGraph final : public Backend,
   template <class Archive>
   void persist(Archive& archive) {
     archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_,
-            unrecognised_, last_, doubt_, continuity_, agreement_, is_tracked_, pose_, covariance_,
-            path_, events_, inputs_, counters_);
+            unrecognised_, last_, doubt_, continuity_, standstill_, agreement_, is_tracked_, pose_,
+            covariance_, path_, events_, inputs_, counters_);
   }
 
  private:
@@ -133,7 +134,7 @@ class MonoGraph final : public Backend,
 
   // what an image leads to
   Status follow(const CameraView& view, const Features& features);
-  bool isLost() const { return doubt_.isLost() || continuity_.isLost(); }
+  bool isLost() const { return doubt_.isLost() || continuity_.isLost() || standstill_.isLost(); }
   bool mayMap() const { return doubt_.admits() && continuity_.admits(); }
   void lookForPlace(const Features& features);
   TrackedView tracked(const Features& features) const;
@@ -172,6 +173,7 @@ class MonoGraph final : public Backend,
   std::optional<int> unrecognised_;  ///< the newest one, whose place has not been looked up yet
   TrackingDoubt doubt_;
   ImageContinuity continuity_;
+  StandstillWatch standstill_;
   PlaceAgreement agreement_;
   bool is_tracked_ = false;  ///< the last image shows where the robot is
   Pose2 pose_;

@@ -12,7 +12,7 @@ void MonoGraphConfig::describe(Fields& fields) {
              "slam builds the map; localization in a fixed map is refused");
   fields.add("features", &features, "an image gives so many features at most")
       .unit("1")
-      .in(Range::closed(50, 5000));
+      .in(Range::closed(200, 5000));
   fields
       .add("sigma", &sigma,
            "standard deviation of a feature's place in the image, of those of the finest level")
@@ -23,17 +23,17 @@ void MonoGraphConfig::describe(Fields& fields) {
            "an image this far from all keyframes nearby becomes one; where it shows few of their "
            "points, 0.4 times the distance or turn are enough")
       .unit("m")
-      .in(Range::closed(0.02, 5));
+      .in(Range::closed(0.1, 5));
   fields
       .add("keyframe_turn", &keyframe_turn,
            "and one that looks into a direction so far from theirs")
       .unit("rad")
-      .in(Range::closed(0.02, 1));
+      .in(Range::closed(0.1, 1));
   fields
       .add("window", &window,
            "so many keyframes are adjusted together with the points that they see")
       .unit("1")
-      .in(Range::closed(2, 50));
+      .in(Range::closed(3, 50));
   fields
       .add("least_points", &least_points,
            "the pose follows odometry alone where an image shows fewer points of the map")

@@ -19,8 +19,10 @@ double MonoGraph::radiusOfMap() const {
 }
 
 std::optional<Stamp> MonoGraph::lostSince() const {
-  const auto &by_map = doubt_.lostSince(), &by_images = continuity_.lostSince();
-  return by_map && by_images ? std::min(*by_map, *by_images) : (by_map ? by_map : by_images);
+  std::optional<Stamp> first;
+  for (const auto& since : {doubt_.lostSince(), continuity_.lostSince(), standstill_.lostSince()})
+    if (since && (!first || *since < *first)) first = since;
+  return first;
 }
 
 /// A lost robot may be anywhere in the map.

@@ -169,6 +169,8 @@ slam::CameraCalibration fromMsg(const sensor_msgs::CameraInfo& message) {
   calibration.cx = centre(message.K[2], roi.x_offset, bin_x);
   calibration.cy = centre(message.K[5], roi.y_offset, bin_y);
   calibration.distortion = message.D;
+  calibration.is_region = (roi.width > 0 && roi.width < message.width) ||
+                          (roi.height > 0 && roi.height < message.height);
   return calibration;
 }
 

@@ -13,6 +13,7 @@
 #include "slam_core/common/atomic_file.hpp"
 #include "slam_core/common/input_file.hpp"
 #include "slam_core/contract/calibrator.hpp"
+#include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/grid_mapper.hpp"
 #include "slam_core/contract/session_keeper.hpp"
 #include "slam_core/product/map_files.hpp"
@@ -24,6 +25,12 @@
 #include "slam_ros/product_files.hpp"
 
 namespace slam_ros {
+namespace {
+
+constexpr std::uint64_t kFewUpdates = 20;  // may well correct nothing
+
+}  // namespace
+
 OfflineRun::OfflineRun(const OfflineOptions& options)
     : options_(options),
       progress_(std::cerr, ::isatty(STDERR_FILENO) == 1),
@@ -154,7 +161,7 @@ void OfflineRun::resume(slam::RunWriter& writer) {
     slam::ArchiveReader archive(state);
     std::string of_product;
     double interval = 0.0;
-    archive(resumed_, interval, last_step_, of_product, metrics_);
+    archive(resumed_, interval, last_step_, was_corrected_, of_product, metrics_);
     slam::restore(of_product, coordinator_);
     writer.restoreState(archive);
     autosave_ = slam::Autosave(options_.autosave.value_or(interval));
@@ -169,7 +176,8 @@ void OfflineRun::save(slam::RunWriter& writer) {
   const auto path = writer.unfinished() + "/" + slam::RunFolder::kCheckpoint;
   const auto fault = autosave_.save(last_step_, path, [&] {
     slam::ArchiveWriter archive;
-    archive(messages_, autosave_.interval(), last_step_, slam::stateOf(coordinator_), metrics_);
+    archive(messages_, autosave_.interval(), last_step_, was_corrected_,
+            slam::stateOf(coordinator_), metrics_);
     writer.saveState(archive);
     return slam::checkpointOf(identity(), archive.take());
   });
@@ -245,6 +253,19 @@ void OfflineRun::tellOfUnused() {
   unused.held = arrivals.held();
   unused.starving = arrivals.starving;
   for (const auto& sentence : sentencesOn(unused)) warn(sentence);
+  if (!was_corrected_ && metrics_.updates() >= kFewUpdates)
+    warn(
+        "nothing that the sensors saw has corrected the pose, which is odometry's alone; './slam "
+        "doctor' tells whether sensors and mounts are right");
+}
+
+/// A back-end that does not tell what corrects its pose is taken to be corrected.
+void OfflineRun::noteCorrection(const slam::StepReport& report) {
+  const auto& capabilities = coordinator_.estimator().capabilities();
+  const auto* reporter = capabilities.find<slam::CorrectionReporter>();
+  const bool is_told = reporter != nullptr || capabilities.find<slam::LandmarkMapper>() != nullptr;
+  was_corrected_ = was_corrected_ || !is_told || report.statistics.used > 0 ||
+                   (reporter != nullptr && reporter->correctedBy());
 }
 
 void OfflineRun::drain(slam::RunWriter& writer) {
@@ -262,6 +283,9 @@ void OfflineRun::drain(slam::RunWriter& writer) {
       metrics_.addLatency(report->stamp, time);
       metrics_.addTrust(report->stamp, report->trust);
     }
+    noteCorrection(*report);
+    for (const auto& event : report->events)
+      if (event.kind == slam::Event::Kind::kDoubtful) warn("the pose is in doubt: " + event.reason);
     metrics_.addEvents(*report);
     writer.write(*report);
   }

@@ -126,7 +126,13 @@ TEST(CameraCalibration, IsRefusedWithTheReason) {
       << "normalised units";
   EXPECT_TRUE(says(faultWith([](auto& c) { c.fy = 1e12; }), "fit no lens"));
   EXPECT_TRUE(says(faultWith([](auto& c) { c.cx = -1e9; }), "principal point is at (-1e+09"));
-  EXPECT_EQ(faultWith([](auto& c) { c.width = c.height = 8; }), "") << "a region of interest";
+  EXPECT_TRUE(says(faultWith([](auto& c) { c.cx = 1.4 * c.width; }), "far from an image"));
+  EXPECT_EQ(faultWith([](auto& c) { c.cx = 1.1 * c.width; }), "") << "a lens that is shifted";
+  EXPECT_EQ(faultWith([](auto& c) {
+              c.width = c.height = 8;
+              c.is_region = true;
+            }),
+            "");
   EXPECT_TRUE(says(faultWith([](auto& c) { c.distortion_model = "plump_bob"; }),
                    "did you mean 'plumb_bob'"));
   EXPECT_TRUE(says(faultWith([](auto& c) { c.distortion = {1, 2, 3}; }), "3 coefficients"));

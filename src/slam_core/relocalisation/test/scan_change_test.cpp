@@ -11,8 +11,8 @@
 namespace slam::relocalisation {
 namespace {
 
-using test::Room;
-using Verdict = ScanChange::Verdict;
+using slam::test::Room;
+using Change = ScanChange::Verdict;
 
 const Room kHall{10.0, 8.0}, kPassage{16.0, 3.0}, kLobby{5.0, 20.0};
 
@@ -27,35 +27,35 @@ class ScanChangeTest : public testing::Test {
     robot = robot * motion.increment * Pose2(0.0, 0.0, misturn);
     stamp += interval;
   }
-  Verdict see(const Room& room, double misturn = 0.0) {
+  Change see(const Room& room, double misturn = 0.0) {
     driveOn(misturn);
     return change.judge(laser.scanOf(room, robot, stamp));
   }
   void goOn(int scans) {
-    for (int i = 0; i < scans; ++i) ASSERT_EQ(see(kHall), Verdict::kGoesOn) << i;
+    for (int i = 0; i < scans; ++i) ASSERT_EQ(see(kHall), Change::kGoesOn) << i;
   }
 
   ScanChange change;
   Pose2 robot;
   Stamp stamp = stampFromNanoseconds(1000000000000);
   Duration interval = std::chrono::milliseconds(200);
-  test::CoarseLaser laser;
+  slam::test::CoarseLaser laser;
 };
 
 TEST_F(ScanChangeTest, NoticesAnotherRoomAtTheThirdScan) {
   goOn(20);
-  EXPECT_EQ(see(kPassage), Verdict::kUnlike);
-  EXPECT_EQ(see(kPassage), Verdict::kUnlike);
-  EXPECT_EQ(see(kPassage), Verdict::kChanged);
-  EXPECT_EQ(see(kPassage), Verdict::kGoesOn);
+  EXPECT_EQ(see(kPassage), Change::kUnlike);
+  EXPECT_EQ(see(kPassage), Change::kUnlike);
+  EXPECT_EQ(see(kPassage), Change::kChanged);
+  EXPECT_EQ(see(kPassage), Change::kGoesOn);
 }
 
 TEST_F(ScanChangeTest, NoticesItThoughScansWereDamagedOnTheWay) {
   goOn(20);
-  EXPECT_EQ(see(kLobby), Verdict::kUnlike);
-  EXPECT_EQ(see(kPassage), Verdict::kUnlike);
-  EXPECT_EQ(see(kPassage), Verdict::kUnlike);
-  EXPECT_EQ(see(kPassage), Verdict::kChanged);
+  EXPECT_EQ(see(kLobby), Change::kUnlike);
+  EXPECT_EQ(see(kPassage), Change::kUnlike);
+  EXPECT_EQ(see(kPassage), Change::kUnlike);
+  EXPECT_EQ(see(kPassage), Change::kChanged);
 }
 
 TEST_F(ScanChangeTest, NoticesItByALaserWhoseBearingsBeginAtZero) {
@@ -65,33 +65,33 @@ TEST_F(ScanChangeTest, NoticesItByALaserWhoseBearingsBeginAtZero) {
     change.forget();
     robot = {};
     goOn(5);
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(see(kLobby), Verdict::kUnlike) << seen;
-    EXPECT_EQ(see(kLobby), Verdict::kChanged) << seen;
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(see(kLobby), Change::kUnlike) << seen;
+    EXPECT_EQ(see(kLobby), Change::kChanged) << seen;
   }
 }
 
 TEST_F(ScanChangeTest, WaitsForAThirdOfASecondHoweverFastScansCome) {
   interval = std::chrono::milliseconds(25);
   goOn(5);
-  for (int i = 0; i < 12; ++i) EXPECT_EQ(see(kPassage), Verdict::kUnlike) << i;
-  EXPECT_EQ(see(kPassage), Verdict::kChanged);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(see(kPassage), Change::kUnlike) << i;
+  EXPECT_EQ(see(kPassage), Change::kChanged);
 }
 
 TEST_F(ScanChangeTest, DoesNotMindADamagedScan) {
-  EXPECT_EQ(see(kPassage), Verdict::kGoesOn);
+  EXPECT_EQ(see(kPassage), Change::kGoesOn);
   for (int i = 0; i < 10; ++i) {
     goOn(5);
-    EXPECT_EQ(see(kPassage), Verdict::kUnlike);
+    EXPECT_EQ(see(kPassage), Change::kUnlike);
   }
 }
 
 TEST_F(ScanChangeTest, DoesNotMindSeveralDamagedScans) {
   for (int i = 0; i < 10; ++i) {
     goOn(5);
-    EXPECT_EQ(see(kPassage), Verdict::kUnlike);
-    EXPECT_EQ(see(kLobby), Verdict::kUnlike);
-    EXPECT_EQ(see(kPassage), Verdict::kUnlike);
-    EXPECT_EQ(see(kLobby), Verdict::kUnlike);
+    EXPECT_EQ(see(kPassage), Change::kUnlike);
+    EXPECT_EQ(see(kLobby), Change::kUnlike);
+    EXPECT_EQ(see(kPassage), Change::kUnlike);
+    EXPECT_EQ(see(kLobby), Change::kUnlike);
   }
 }
 
@@ -103,7 +103,7 @@ TEST_F(ScanChangeTest, DoesNotMindOdometryThatMissesATurn) {
     change.forget();
     for (int i = 0; i < 20; ++i) {
       robot = {};
-      EXPECT_EQ(see(kPassage, i % 2 == 0 ? misturn : 0.0), Verdict::kGoesOn);
+      EXPECT_EQ(see(kPassage, i % 2 == 0 ? misturn : 0.0), Change::kGoesOn);
     }
   }
 }
@@ -116,7 +116,7 @@ TEST_F(ScanChangeTest, DoesNotMindSomebodyBeforeTheLaser) {
     auto hidden = laser.scanOf(kHall, robot, stamp);
     for (auto& beam : hidden.beams)
       if (beam.bearing > 0.0f) beam.range = 0.5f;
-    EXPECT_EQ(change.judge(hidden), Verdict::kGoesOn);
+    EXPECT_EQ(change.judge(hidden), Change::kGoesOn);
   }
   goOn(5);
 }
@@ -126,10 +126,10 @@ TEST_F(ScanChangeTest, DoesNotMindALaserThatIsCovered) {
   laser.farthest = 0.1;
   for (int i = 0; i < 3; ++i) {
     driveOn();
-    EXPECT_EQ(change.judge(laser.scanOf(kHall, robot, stamp)), Verdict::kGoesOn);
+    EXPECT_EQ(change.judge(laser.scanOf(kHall, robot, stamp)), Change::kGoesOn);
   }
   laser.farthest = 30.0;
-  EXPECT_EQ(see(kPassage), Verdict::kUnlike) << "the last scan that showed something counts";
+  EXPECT_EQ(see(kPassage), Change::kUnlike) << "the last scan that showed something counts";
 }
 
 TEST_F(ScanChangeTest, SaysNothingOfAnotherLaser) {
@@ -138,21 +138,21 @@ TEST_F(ScanChangeTest, SaysNothingOfAnotherLaser) {
     driveOn();
     auto scan = laser.scanOf(kPassage, robot, stamp);
     scan.sensor_frame = "rear_laser";
-    EXPECT_EQ(change.judge(scan), Verdict::kGoesOn);
+    EXPECT_EQ(change.judge(scan), Change::kGoesOn);
   }
 }
 
 TEST_F(ScanChangeTest, SaysNothingAfterALongTime) {
   goOn(5);
   stamp += std::chrono::seconds(5);
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(see(kPassage), Verdict::kGoesOn);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(see(kPassage), Change::kGoesOn);
 }
 
 TEST_F(ScanChangeTest, SaysNothingWithoutMotion) {
   for (int i = 0; i < 5; ++i)
-    EXPECT_EQ(change.judge(laser.scanOf(kHall, {}, stamp)), Verdict::kGoesOn);
+    EXPECT_EQ(change.judge(laser.scanOf(kHall, {}, stamp)), Change::kGoesOn);
   for (int i = 0; i < 5; ++i)
-    EXPECT_EQ(change.judge(laser.scanOf(kPassage, {}, stamp)), Verdict::kGoesOn);
+    EXPECT_EQ(change.judge(laser.scanOf(kPassage, {}, stamp)), Change::kGoesOn);
 }
 
 TEST_F(ScanChangeTest, SaysNothingWhereOdometryIsUncertain) {
@@ -160,7 +160,7 @@ TEST_F(ScanChangeTest, SaysNothingWhereOdometryIsUncertain) {
   Motion gap;
   gap.covariance = Eigen::Matrix3d::Identity();
   change.move(gap);
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(see(kPassage), Verdict::kGoesOn);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(see(kPassage), Change::kGoesOn);
 }
 
 TEST_F(ScanChangeTest, GoesOnInTheMiddleOfAChange) {
@@ -173,7 +173,7 @@ TEST_F(ScanChangeTest, GoesOnInTheMiddleOfAChange) {
   change.forget();
   ArchiveReader reader(bytes);
   reader(change);
-  EXPECT_EQ(see(kPassage), Verdict::kChanged);
+  EXPECT_EQ(see(kPassage), Change::kChanged);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ class OfflineRun {
   void stop(slam::RunWriter& writer);
   bool isResuming() const { return messages_ < resumed_; }
   void tellOfUnused();
+  void noteCorrection(const slam::StepReport& report);
   void warn(const std::string& sentence, bool is_urgent = false);
   std::string mapFrame() const;
   void printSummary(const slam::RunWriter& writer) const;
@@ -75,8 +76,9 @@ class OfflineRun {
   WarningLog warnings_;
   slam::Autosave autosave_;
   slam::Stamp last_step_;
-  std::size_t messages_ = 0;  ///< that have been handled
-  std::size_t resumed_ = 0;   ///< that had been handled when the run was saved
+  bool was_corrected_ = false;  ///< the pose, by anything that the sensors saw
+  std::size_t messages_ = 0;    ///< that have been handled
+  std::size_t resumed_ = 0;     ///< that had been handled when the run was saved
 };
 
 }  // namespace slam_ros

@@ -188,6 +188,7 @@ TEST(CameraInfoConversion, BinnedImagesKeepTheMiddleInTheMiddle) {
   EXPECT_EQ(calibration.fx, 250);
   EXPECT_EQ(calibration.cx, 159.5);
   EXPECT_EQ(calibration.cy, 119.5);
+  EXPECT_FALSE(calibration.is_region);
 }
 
 TEST(CameraInfoConversion, ARegionOfInterestMovesThePrincipalPoint) {
@@ -201,6 +202,7 @@ TEST(CameraInfoConversion, ARegionOfInterestMovesThePrincipalPoint) {
   EXPECT_EQ(calibration.height, 300);
   EXPECT_EQ(calibration.cx, 219.5);
   EXPECT_EQ(calibration.cy, 189.5);
+  EXPECT_TRUE(calibration.is_region);
 }
 
 TEST(ObservationConversion, ThereAndBackIsTheSame) {
