@@ -36,8 +36,9 @@ std::optional<Eigen::Matrix3d> homographyOfUnitSquare(const Corners& p) {
   return H;
 }
 
-/// The rotation about an axis in the image plane that turns the axis z onto (v, 1). Eigen's
-/// FromTwoVectors takes ten seconds to compile, for opposite vectors, which these are not.
+/// The rotation about an axis in the image plane that turns the axis z onto (v, 1), as Eigen's
+/// FromTwoVectors makes it. Its case of opposite vectors, which cannot occur here, takes ten
+/// seconds to compile.
 Eigen::Matrix3d rotationOntoRay(const Eigen::Vector2d& v) {
   const Eigen::Vector3d ray = v.homogeneous().normalized();
   const double s = std::sqrt((1.0 + ray.z()) * 2.0), inverse = 1.0 / s;

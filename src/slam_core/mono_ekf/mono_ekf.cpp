@@ -175,7 +175,7 @@ void MonoEkf::measure(std::vector<Search>& searches, const PlanarCamera& camera)
   nis_ = statistics.nis / static_cast<double>(2 * agreed);
 }
 
-/// When as many of the matched features as an update needs had been seen first.
+/// Returns the stamp by which as many of the matched features as an update needs had begun.
 std::optional<Stamp> MonoEkf::firstSeen() const {
   std::vector<Stamp> begun;
   for (const auto& search : seen_.searches)
@@ -291,6 +291,7 @@ ViewOfMap MonoEkf::viewOfMap() const {
 /// The map is again what it was before the doubt; the robot may be anywhere in it.
 void MonoEkf::lose() {
   counters_.add("tracking_lost");
+  corrected_by_.reset();
   auto robot = state_.robot();
   state_ = *std::exchange(before_, std::nullopt);
   robot.covariance = start().covariance;

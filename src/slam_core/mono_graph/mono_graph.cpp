@@ -184,7 +184,8 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
     counters_.add("untracked");
   doubt_.judge(of_map, pose_, view.stamp);
   continuity_.judge(features, view.stamp);
-  standstill_.judge(features, view.stamp);
+  if (seen.expected.size() < static_cast<std::size_t>(config_.least_points))
+    standstill_.judge(features, view.stamp);
   last_ = features;
   anchor_.beginStep();
   if (doubt_.isLost())

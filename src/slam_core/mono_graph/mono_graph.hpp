@@ -115,7 +115,9 @@ class MonoGraph final : public Backend,
   };
 
   // what it offers as capabilities
-  std::optional<Stamp> correctedBy() const override { return firstVisit(); }
+  std::optional<Stamp> correctedBy() const override {
+    return isLost() ? std::nullopt : firstVisit();
+  }
   std::vector<Event> events() const override { return events_; }
   GraphView graph() const override;
   std::optional<Stamp> lostSince() const override;

@@ -27,7 +27,8 @@
 namespace slam_ros {
 namespace {
 
-constexpr std::uint64_t kFewUpdates = 20;  // may well correct nothing
+constexpr std::uint64_t kFewUpdates = 20;  // so few may correct nothing in a good run
+constexpr double kMuchDoubt = 0.1;         // share of the time
 
 }  // namespace
 
@@ -259,12 +260,12 @@ void OfflineRun::tellOfUnused() {
         "doctor' tells whether sensors and mounts are right");
 }
 
-/// A back-end that does not tell what corrects its pose is taken to be corrected.
+/// A back-end that does not report what corrects its pose is taken to be corrected.
 void OfflineRun::noteCorrection(const slam::StepReport& report) {
   const auto& capabilities = coordinator_.estimator().capabilities();
   const auto* reporter = capabilities.find<slam::CorrectionReporter>();
-  const bool is_told = reporter != nullptr || capabilities.find<slam::LandmarkMapper>() != nullptr;
-  was_corrected_ = was_corrected_ || !is_told || report.statistics.used > 0 ||
+  const bool reports = reporter != nullptr || capabilities.find<slam::LandmarkMapper>() != nullptr;
+  was_corrected_ = was_corrected_ || !reports || report.statistics.used > 0 ||
                    (reporter != nullptr && reporter->correctedBy());
 }
 
@@ -284,8 +285,6 @@ void OfflineRun::drain(slam::RunWriter& writer) {
       metrics_.addTrust(report->stamp, report->trust);
     }
     noteCorrection(*report);
-    for (const auto& event : report->events)
-      if (event.kind == slam::Event::Kind::kDoubtful) warn("the pose is in doubt: " + event.reason);
     metrics_.addEvents(*report);
     writer.write(*report);
   }
@@ -312,6 +311,9 @@ void OfflineRun::printSummary(const slam::RunWriter& writer) const {
     counters.add("never_stepped", count);
   printCounts(counters);
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
+  if (const double share = metrics_.doubtfulShare(); share >= kMuchDoubt)
+    fmt::print("in doubt for {:.0f} % of the time: {}/events.csv holds when and why\n",
+               100.0 * share, writer.folder());
   if (const auto* fragment = coordinator_.estimator().capabilities().find<slam::MapFragment>())
     if (const auto unmerged = fragment->unmerged().size(); unmerged > 0)
       fmt::print("not merged, and no part of the map: {}/{}1.session{}\n", writer.folder(),

@@ -49,7 +49,8 @@ void PartNode::onceConnected(std::function<void()> call) {
     connecting_.stop();
     call();
   };
-  start_.emplace([this, attempt] { connecting_ = handle_.createWallTimer(kConnectionPoll, attempt); });
+  start_.emplace(
+      [this, attempt] { connecting_ = handle_.createWallTimer(kConnectionPoll, attempt); });
 }
 
 void PartNode::stop() {

@@ -64,6 +64,8 @@ class RunMetrics {
   std::size_t updates() const { return update_ms_.size(); }
   /// Notes how far the pose can be relied on after the step of this stamp.
   void addTrust(slam::Stamp stamp, slam::Trust trust);
+  /// The share of the time in which the pose was in doubt, but not lost.
+  double doubtfulShare() const { return doubtful_ ? doubtful_->share() : 0.0; }
   /// Counts the events of a step and notes how far it moved the pose.
   void addEvents(const slam::StepReport& report);
   /// Adds the time for preparing the trigger of a step of this stamp, such as an image or a scan.

@@ -75,6 +75,23 @@ TEST_F(Offline, TellsWhatWasNeverSteppedBecauseTheOdometryEnds) {
   EXPECT_FALSE(contains(folder.read("stdout"), "never_stepped"));
 }
 
+TEST_F(Offline, WarnsWhereNothingCorrectsThePose) {
+  {
+    BagMaker bag(folder / "strange.bag");
+    bag.addOdometry();
+    for (int i = 1; i <= 36; ++i) {
+      auto message = test::observations(0.1 * i, static_cast<std::uint64_t>(i - 1));
+      for (auto& each : message.observations) each.id += 100 * i;  // each is seen once
+      bag.add("/observations", 0.1 * i, message);
+    }
+  }
+  ASSERT_EQ(exitCode(product + " --robot " + robot + " --bag " + (folder / "strange.bag") +
+                     " --out " + (folder / "run")),
+            0);
+  EXPECT_TRUE(contains(folder.read("stderr"), "nothing that the sensors saw has corrected"))
+      << folder.read("stderr");
+}
+
 TEST_F(Offline, ObservationsThatAreStampedAheadCostOnlyThemselves) {
   {
     BagMaker bag(folder / "ahead.bag");
