@@ -136,7 +136,7 @@ class Shipped(InFolder):
     def shortened(self, name):
         """A shipped campaign, on drives of some seconds with one seed."""
         path = pathlib.Path(rospkg.RosPack().get_path("slam_eval")) / "campaigns" / f"{name}.yaml"
-        text = re.sub(r"duration: \d+", "duration: 6", path.read_text(encoding="utf-8"))
+        text = re.sub(r"duration: \d+", "duration: 3", path.read_text(encoding="utf-8"))
         return self.write(re.sub(r"seeds: \d+", "seeds: 1", text), f"{name}.yaml")
 
     def test_campaigns_run(self):

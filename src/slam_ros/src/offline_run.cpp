@@ -119,6 +119,7 @@ void OfflineRun::run() {
   if (options_.resumes) resume(writer);
   read(writer);
   requireSteps(metrics_, writer.lines(), *inputs_, bag_);
+  warnOfNoCorrection();
   const auto truth = writeGroundTruth(bag_, writer.unfinished());
   if (const auto& source = coordinator_.components().odometry;
       source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))
@@ -254,6 +255,9 @@ void OfflineRun::tellOfUnused() {
   unused.held = arrivals.held();
   unused.starving = arrivals.starving;
   for (const auto& sentence : sentencesOn(unused)) warn(sentence);
+}
+
+void OfflineRun::warnOfNoCorrection() {
   if (!was_corrected_ && metrics_.updates() >= kFewUpdates)
     warn(
         "nothing that the sensors saw has corrected the pose, which is odometry's alone; './slam "

@@ -59,6 +59,7 @@ class OfflineRun {
   void stop(slam::RunWriter& writer);
   bool isResuming() const { return messages_ < resumed_; }
   void tellOfUnused();
+  void warnOfNoCorrection();
   void noteCorrection(const slam::StepReport& report);
   void warn(const std::string& sentence, bool is_urgent = false);
   std::string mapFrame() const;
