@@ -260,8 +260,8 @@ void OfflineRun::tellOfUnused() {
 void OfflineRun::warnOfNoCorrection() {
   if (!was_corrected_ && metrics_.updates() >= kFewUpdates)
     warn(
-        "nothing that the sensors saw has corrected the pose, which is odometry's alone; './slam "
-        "doctor' tells whether sensors and mounts are right");
+        "nothing that the sensors saw has corrected the pose, which is odometry's alone: check the "
+        "mounts, the calibration, and the parameters that were changed");
 }
 
 /// A back-end that does not report what corrects its pose is taken to be corrected.
