@@ -230,7 +230,9 @@ TEST_F(CeilingFeaturesTest, SaysThatTheCalibrationIsImplausibleWhereASpotWouldFi
   for (const double focal_length : {1e5, 3e5}) {  // beyond these no calibration is used
     auto calibration = ceilings::smallCamera();
     calibration.fx = calibration.fy = focal_length;
+    camera_ = slam::test::CameraFeed();  // it refuses a focal length that changes
     camera_.gate.set(calibration);
+    camera_.gate.set(mount_);
     const auto said = show(ceilings::exposed(ceiling().seenBy(mount_, Pose2()), {}, 1)).message;
     EXPECT_NE(said.find("a spot of the ceiling would fill the image"), said.npos) << said;
     EXPECT_TRUE(observations().empty());
