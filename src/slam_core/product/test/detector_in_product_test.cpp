@@ -86,6 +86,7 @@ Stamp at(int milliseconds) {
 Image lampAt(int column, int milliseconds) {
   Image image{at(milliseconds), "camera", cv::Mat::zeros(24, 32, CV_8UC1), ""};
   image.gray.at<std::uint8_t>(12, column) = 255;
+  image.gray.at<std::uint8_t>(0, milliseconds / 100 % 32) = 1;  // a camera repeats no image
   return image;
 }
 
