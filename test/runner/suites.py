@@ -15,8 +15,8 @@ JOBS = f"-j{os.cpu_count() or 1}"
 TIMEOUT = 900  # [s], a test that takes longer hangs
 PART_SIZE = 60  # cases of a sanitized program that run together
 LIVE = r"_rostest_|_nosetests_(test\.)?(launch|two_machines|docs\.test_commands)"  # by the wall clock
-# Long drives and many runs, for the sake of what comes of them in the mean: minutes under
-# sanitizers, which other tests of the same code serve as well.
+# Long drives and many runs, for the sake of what comes of them in the mean: left out of the sanitized
+# core, where they take minutes and other tests of the same code serve as well.
 STATISTICS = ("*FindsTheNoiseOfASimulatedLog*:*TellsUncertaintiesThatHoldTheTruth*:"
               "*MarkerPoseMonteCarlo*:FastSlamConsistency.*:*IsAsWrongAsItSays*:"
               "NoiseTunerTest.FindsTheSame*:NoiseTunerTest.KeepsWhat*:NoiseTunerTest.IsNotMisled*:"
@@ -53,19 +53,19 @@ def catkin_tests(build, space=None):
     return tests
 
 
-def build_core(report, title, source, build, options):
-    """Builds slam_core as a plain CMake project, as where there is no ROS; returns whether it
-    could."""
+def build_core(report, title, source, build, options, target="all"):
+    """Builds slam_core, or a target of it, as a plain CMake project, as where there is no ROS; returns
+    whether it could."""
     options = [*options, "-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON"]
     steps = (("configure", ["cmake", "-S", source, "-B", build, *options]),
-             ("build", ["cmake", "--build", build, JOBS]))
+             ("build", ["cmake", "--build", build, JOBS, "--target", target]))
     return all(report.run(f"{title}: {step}", BACKGROUND + command) for step, command in steps)
 
 
-def core_tests(title, build, **environment):
-    """Returns the tests of a plain build of slam_core. The parts of the largest programs come
-    first, so that none of them is alone at the end."""
-    parts = [part for test in list_tests(build)
+def core_tests(title, build, program="", **environment):
+    """Returns the tests of a plain build of slam_core, or of one program. The parts of the largest
+    programs come first, so that none of them is alone at the end."""
+    parts = [part for test in list_tests(build) if program in ("", test[0])
              for part in program_tests(title, build, environment, *test)]
     return sorted(parts, key=lambda part: -int(part["env"]["GTEST_TOTAL_SHARDS"]))
 

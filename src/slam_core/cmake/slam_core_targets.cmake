@@ -64,12 +64,10 @@ function(slam_core_install)
   endif()
 endfunction()
 
-# slam_core_tests(FILE... STATISTICS FILE... LINK target...): a GoogleTest program for each component
-# that a file's path begins with; several calls may add to one. Tests of many runs for the sake of
-# their mean stand behind STATISTICS; only they are built under SLAM_TESTS=statistics. Nothing under
-# BUILD_TESTING=OFF.
+# slam_core_tests(FILE... LINK target...): a GoogleTest program for each component that a file's path
+# begins with; several calls may add to one. Nothing under BUILD_TESTING=OFF.
 function(slam_core_tests)
-  cmake_parse_arguments(ARG "" "" "STATISTICS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   if(catkin_FOUND AND NOT CATKIN_ENABLE_TESTING)
     return()
   endif()
@@ -83,11 +81,7 @@ function(slam_core_tests)
       return()
     endif()
   endif()
-  set(files ${ARG_STATISTICS})
-  if(SLAM_TESTS STREQUAL "all")
-    list(APPEND files ${ARG_UNPARSED_ARGUMENTS})
-  endif()
-  foreach(file IN LISTS files)
+  foreach(file IN LISTS ARG_UNPARSED_ARGUMENTS)
     string(REGEX REPLACE "/.*" "" component ${file})
     set(target slam_core_${component}_tests)
     if(TARGET ${target})
