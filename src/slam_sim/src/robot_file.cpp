@@ -10,8 +10,7 @@
 namespace slam::sim {
 namespace {
 
-constexpr int kVersion = 1;
-const Range kPositive = Range::above(0.0);
+constexpr int kRobotVersion = 1;
 const Range kNotNegative = Range::atLeast(0.0);
 const Range kScale = Range::open(0.5, 2.0);
 
@@ -26,11 +25,11 @@ Eigen::Isometry3d poseOf(const std::vector<double>& p) {
 }
 
 void readVersion(YamlMap& root) {
-  int version = kVersion;
+  int version = kRobotVersion;
   root.require("version", version);
-  if (version != kVersion)
+  if (version != kRobotVersion)
     root.fault("has version " + std::to_string(version) + "; this program reads version " +
-               std::to_string(kVersion));
+               std::to_string(kRobotVersion));
 }
 
 void readPace(YamlMap& map, Pace& pace) {

@@ -14,9 +14,8 @@
 namespace slam::sim {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kWorldVersion = 1;
 const Range kGray = Range::closed(0.0, 1.0);
-const Range kPositive = Range::above(0.0);
 constexpr double kFarthest = 1000.0;  // [m]; a way that is longer by far would take hours to check
 const Range kCoordinate = Range::closed(-kFarthest, kFarthest);
 const Range kLength = {0.0, kFarthest, true, false};
@@ -61,11 +60,11 @@ class WorldReader {
 
  private:
   void readVersion(YamlMap& root) {
-    int version = kVersion;
+    int version = kWorldVersion;
     root.require("version", version);
-    if (version != kVersion)
+    if (version != kWorldVersion)
       root.fault("has version " + std::to_string(version) + "; this program reads version " +
-                 std::to_string(kVersion));
+                 std::to_string(kWorldVersion));
   }
 
   void readFloor(YamlMap map) {

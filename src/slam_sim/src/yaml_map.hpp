@@ -16,6 +16,8 @@
 
 namespace slam::sim {
 
+inline const Range kPositive = Range::above(0.0);
+
 /// One map of keys and values in a YAML file, read key by key. What is wrong goes to the collector,
 /// with file and line; a value that is wrong leaves its target as it was. finish() comes last and
 /// names the keys that nobody asked for.
