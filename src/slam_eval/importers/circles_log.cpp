@@ -21,13 +21,13 @@ constexpr std::size_t kReadingColumns = 8;  // position, quality, three of the c
 Eigen::Matrix2d toRep103() { return (Eigen::Matrix2d() << 0, -1, -1, 0).finished(); }
 
 /// [m], [rad] and their squares: a value beyond is no robot's.
-constexpr double kLargest = 1e6;
+constexpr double kLargestValue = 1e6;
 
 double numberOf(const TextRow& row, const std::string& place, std::size_t column) {
   const double value = row.number(column);
-  if (std::abs(value) <= kLargest) return value;
+  if (std::abs(value) <= kLargestValue) return value;
   std::ostringstream text;
-  text << place << ": column " << column + 1 << ": " << value << " is beyond " << kLargest
+  text << place << ": column " << column + 1 << ": " << value << " is beyond " << kLargestValue
        << ", which nothing on a floor is";
   throw ImportError(text.str());
 }

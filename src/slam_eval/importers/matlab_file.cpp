@@ -23,7 +23,7 @@ constexpr std::uint32_t kInt8 = 1, kUint8 = 2, kInt16 = 3, kUint16 = 4, kInt32 =
 constexpr std::uint32_t kFirstNumericClass = 6, kLastNumericClass = 15;
 
 constexpr std::size_t kHeaderBytes = 128, kEndianOffset = 126;
-constexpr std::size_t kLargest = 1u << 30;  // of a matrix [byte]
+constexpr std::size_t kLargestMatrix = 1u << 30;  // of a matrix [byte]
 
 template <class T>
 std::vector<double> numbersAs(ByteReader& reader, std::size_t count) {
@@ -54,7 +54,7 @@ std::size_t sizeOfType(std::uint32_t type) {
 }
 
 std::vector<double> numbersOf(ByteReader& reader, std::uint32_t type, std::size_t count) {
-  if (const auto size = sizeOfType(type); size == 0 || count > kLargest / size)
+  if (const auto size = sizeOfType(type); size == 0 || count > kLargestMatrix / size)
     reader.fail("it says that a matrix has values of type " + std::to_string(type));
   switch (type) {
     case kInt8:
@@ -155,7 +155,7 @@ std::string inflated(const ByteReader& reader, std::string_view packed) {
     result = inflate(&stream, Z_NO_FLUSH);
     if (result != Z_OK && result != Z_STREAM_END) reader.fail("a matrix cannot be decompressed");
     bytes.append(block, sizeof(block) - stream.avail_out);
-    if (bytes.size() > kLargest) reader.fail("a matrix takes more than 1 GiB");
+    if (bytes.size() > kLargestMatrix) reader.fail("a matrix takes more than 1 GiB");
   }
   return bytes;
 }
@@ -203,7 +203,7 @@ std::optional<MatlabMatrix> level4Matrix(ByteReader& reader, std::string& name) 
   const bool is_complex = reader.number<std::uint32_t>() != 0;
   name = std::string(reader.take(reader.number<std::uint32_t>()));
   name.resize(std::min(name.size(), name.find('\0')));
-  if (matrix.columns > 0 && matrix.rows > kLargest / matrix.columns)
+  if (matrix.columns > 0 && matrix.rows > kLargestMatrix / matrix.columns)
     reader.fail("a matrix takes more than 1 GiB");
   const std::size_t count = matrix.rows * matrix.columns;
   const auto code = kTypes[type->precision];

@@ -32,7 +32,8 @@ const Registrar<AssociationPolicy, ToyNearest> kRegistrar("toy_nearest");
 /// The same drive with ids, and without them by distance.
 class EkfAssociationTest : public testing::Test {
  protected:
-  void configure(EkfConfig config = {}) {
+  void configure(const EkfConfig& chosen = EkfConfig()) {
+    auto config = chosen;
     with_ids.configure(config);
     config.association = "toy_nearest";
     config.places.sightings = 1;
