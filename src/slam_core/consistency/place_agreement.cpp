@@ -10,18 +10,23 @@ namespace {
 
 constexpr double kSamePosition = 0.15;  // [m]
 constexpr double kSameHeading = 0.1;    // [rad]
+constexpr double kNewPosition = 0.03;   // [m], from where an image is another one
+constexpr double kNewHeading = 0.05;    // [rad]
 constexpr int kEnoughInARow = 3;
+
+bool areNear(const Pose2& a, const Pose2& b, double distance, double turn) {
+  const Pose2 apart = a.between(b);
+  return apart.position().norm() <= distance && std::abs(apart.theta()) <= turn;
+}
 
 }  // namespace
 
 bool PlaceAgreement::add(const Pose2& place) {
-  bool is_same = false;
-  if (pose_) {
-    const Pose2 apart = pose_->between(place);
-    is_same = apart.position().norm() <= kSamePosition && std::abs(apart.theta()) <= kSameHeading;
-  }
+  if (place_ && areNear(Pose2(), way_, kNewPosition, kNewHeading)) return false;
+  const bool is_same = place_ && areNear(*place_ * way_, place, kSamePosition, kSameHeading);
   in_a_row_ = is_same ? in_a_row_ + 1 : 1;
-  pose_ = place;
+  place_ = place;
+  way_ = Pose2();
   return in_a_row_ >= kEnoughInARow;
 }
 

@@ -11,12 +11,11 @@
 namespace slam {
 
 /// Whether a lost robot has been found: several images in a row have to show the places that
-/// odometry leads to between them.
+/// odometry leads to between them. An image from where the last one was taken shows the same once
+/// more, right or wrong, and does not count.
 class PlaceAgreement {
  public:
-  void move(const Motion& motion) {
-    if (pose_) pose_ = *pose_ * motion.increment;
-  }
+  void move(const Motion& motion) { way_ = way_ * motion.increment; }
   /// @param place where an image has the robot, T_map_base
   /// @return whether this place and those before agree
   bool add(const Pose2& place);
@@ -24,11 +23,12 @@ class PlaceAgreement {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(pose_, in_a_row_);
+    archive(place_, way_, in_a_row_);
   }
 
  private:
-  std::optional<Pose2> pose_;  ///< where the last place and odometry since then have the robot
+  std::optional<Pose2> place_;  ///< of the last image that counted
+  Pose2 way_;                   ///< of odometry since then
   int in_a_row_ = 0;
 };
 
