@@ -28,12 +28,18 @@ constexpr std::size_t kLeastMatches = 4;   // fewer may agree by chance
 // of a feature: images after which it has left the view, matches that make it worth to be kept
 // although its depth is not known
 constexpr int kImagesInView = 3, kEnoughMatches = 10;
+constexpr double kBehindSigmas = 2.0;  // of the inverse depth of a feature behind the camera
 
 PoseEstimate start() { return {Pose2(), kInitialVariance * Eigen::Matrix3d::Identity()}; }
 
 std::size_t countOf(const std::vector<Search>& searches, Search::Outcome outcome) {
   return static_cast<std::size_t>(std::count_if(
       searches.begin(), searches.end(), [&](const auto& each) { return each.outcome == outcome; }));
+}
+
+bool isBehind(const MonoState& state, const Feature& feature) {
+  const int at = feature.offset + 4;
+  return state.mean()(at) < -kBehindSigmas * std::sqrt(state.covariance()(at, at));
 }
 
 Status lost() {
@@ -270,9 +276,29 @@ Status MonoEkf::judge(Stamp stamp, std::size_t corners) {
     if (doubt_.isContradicted()) counters_.add("contradicted");
   }
   if (!doubt_.doubtedSince()) before_.reset();
-  if (!doubt_.isLost()) return Status::ok();
+  if (!doubt_.isLost()) return judgeDepths();
   lose();
   return lost();
+}
+
+/// What the camera sees lies before it, or the robot drives another way than odometry tells, and
+/// nothing corrects that.
+Status MonoEkf::judgeDepths() {
+  std::size_t behind = 0, before = 0;
+  for (const auto& search : seen_.searches) {
+    if (search.outcome != Search::Outcome::kMatched) continue;
+    const auto& feature = state_.features()[search.feature];
+    if (!feature.is_point && isBehind(state_, feature))
+      ++behind;
+    else
+      ++before;
+  }
+  if (behind < kLeastCorners || behind <= before) return Status::ok();
+  counters_.add("behind");
+  corrected_by_.reset();
+  return Status::warning(
+      "what the camera sees moves as if it were behind the camera: odometry tells the reverse of "
+      "how the robot drives, or the camera looks the other way than its mount says; check both");
 }
 
 /// Features that began in the doubt agree with the pose whether it is right or not.

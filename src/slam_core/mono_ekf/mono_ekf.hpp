@@ -29,6 +29,7 @@ namespace slam::mono_ekf {
 /// An image that shows nothing leaves the pose to odometry, which is counted and reported:
 /// "unusable" (without calibration, mount or pixels, or repeated), "blank" (nothing to track),
 /// "contradicted" (features are not where they are predicted).
+/// Where they seem to be "behind" the camera, odometry or the mount is wrong, which is reported.
 /// Further counted: features "matched", "rejected" (found, but the others do not agree),
 /// "not_found", "added", "given_up"; "tracking_lost" (times).
 class MonoEkf final : public Backend, CorrectionReporter, FeatureMapper, LostReporter, ViewDrawer {
@@ -98,6 +99,7 @@ class MonoEkf final : public Backend, CorrectionReporter, FeatureMapper, LostRep
   std::size_t beginFeatures(const PlanarCamera& camera, const cv::Mat& gray, Stamp stamp);
   void removeFeatures();
   Status judge(Stamp stamp, std::size_t corners);
+  Status judgeDepths();
   ViewOfMap viewOfMap() const;
   void lose();
   bool findItself(const PlanarCamera& camera, const cv::Mat& gray);

@@ -25,10 +25,11 @@ const SectionRegistrar<MonoGraphConfig> kSectionRegistrar;
 
 constexpr double kInitialVariance = 1e-6;  // [m^2, rad^2]
 constexpr std::size_t kLeastFeatures = 30;
-constexpr std::size_t kMuch = 100;     // features of an image that shows much
-constexpr int kProven = 3;             // images that have shown a point
-constexpr double kFewShared = 0.5;     // of the points of the reference
-constexpr double kNearKeyframe = 0.4;  // of the usual distance
+constexpr std::size_t kMuch = 100;         // features of an image that shows much
+constexpr int kProven = 3;                 // images that have shown a point
+constexpr double kFewShared = 0.5;         // of the points of the reference
+constexpr double kNearKeyframe = 0.4;      // of the usual distance
+constexpr double kWayWithoutPoints = 3.0;  // without points, although images show much [m]
 
 Eigen::Matrix3d initialCovariance() { return kInitialVariance * Eigen::Matrix3d::Identity(); }
 
@@ -83,6 +84,7 @@ void MonoGraph::reset() {
   continuity_.settle();
   standstill_.settle();
   way_ = {};
+  way_without_points_ = 0.0;
   reference_.reset();
   unrecognised_.reset();
   putAt({}, initialCovariance());
@@ -309,7 +311,21 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   anchor_.place(pose_, covariance_);
   way_.place({}, Eigen::Matrix3d::Zero());
   is_way_known_ = true;
-  return Status::ok();
+  return judgeMapping(map_.keyframe(number), way.pose.position().norm());
+}
+
+/// @param way from the keyframe before [m]
+Status MonoGraph::judgeMapping(const Keyframe& keyframe, double way) {
+  if (countOfPoints(keyframe) >= config_.least_points)
+    way_without_points_ = 0.0;
+  else if (keyframe.features.size() >= kMuch)
+    way_without_points_ += way;
+  if (way_without_points_ < kWayWithoutPoints) return Status::ok();
+  counters_.add("without_points");
+  return Status::warning(
+      "the camera sees much, but no points that fit the way which odometry tells: the pose is "
+      "odometry's; check the direction and scale of odometry, and the camera's mount and "
+      "calibration");
 }
 
 /// The pose where points do not show the robot: what the last keyframe saw tells the heading.

@@ -43,8 +43,9 @@ namespace slam::mono_graph {
 /// is found.
 ///
 /// Counted: "untracked" (images that show too few points of the map), "blank" (too few features),
-/// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full", "loops" (that
-/// were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
+/// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full", "without_points"
+/// (keyframes that see much, but no points that fit odometry's way), "loops" (that were believed),
+/// "loops_rejected" (that the map contradicts, or that wait for another one).
 class MonoGraph final : public Backend,
                         CorrectionReporter,
                         EventReporter,
@@ -74,9 +75,9 @@ class MonoGraph final : public Backend,
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, reference_,
-            unrecognised_, last_, doubt_, continuity_, standstill_, agreement_, is_tracked_, pose_,
-            covariance_, path_, events_, inputs_, counters_);
+    archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, way_without_points_,
+            reference_, unrecognised_, last_, doubt_, continuity_, standstill_, agreement_,
+            is_tracked_, pose_, covariance_, path_, events_, inputs_, counters_);
   }
 
  private:
@@ -147,6 +148,7 @@ class MonoGraph final : public Backend,
   bool wantsKeyframe(const TrackedView& tracked) const;
   bool isFarFromKeyframes(double share) const;
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
+  Status judgeMapping(const Keyframe& keyframe, double way);
   Pose2 poseByImages(const Features& features) const;
   void recognise();
   void closeLoop(int keyframe);
@@ -171,6 +173,7 @@ class MonoGraph final : public Backend,
   Features last_;                    ///< of the image with which the anchor's step began
   OdometryAnchor way_;               ///< odometry since the newest keyframe
   bool is_way_known_ = false;        ///< there is one, and no jump came since
+  double way_without_points_ = 0.0;  ///< since a keyframe had enough points [m]
   std::optional<int> reference_;     ///< the keyframe that the robot is tracked by
   std::optional<int> unrecognised_;  ///< the newest one, whose place has not been looked up yet
   TrackingDoubt doubt_;

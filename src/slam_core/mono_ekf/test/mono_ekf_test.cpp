@@ -24,13 +24,14 @@ class MonoEkfInARoom : public testing::Test {
     filter_.configure(MonoEkfConfig());
   }
 
-  Motion move(double seconds = 0.1) {
+  /// @param sign -1 for odometry whose directions are reversed
+  Motion move(double seconds = 0.1, double sign = 1.0) {
     const Pose2 step = Pose2::exp({0.5 * seconds, 0.0, 0.2 * seconds});
     truth_ = truth_ * step;
     Motion motion;
     motion.start = at(time_);
     motion.end = at(time_ += seconds);
-    motion.increment = step;
+    motion.increment = Pose2::exp({sign * 0.5 * seconds, 0.0, sign * 0.2 * seconds});
     motion.covariance = (Eigen::Vector3d(1e-4, 1e-4, 1e-3) * seconds).asDiagonal();
     inputs_.input("motion", kindOf<Motion>())->set(&motion);
     return motion;
@@ -99,6 +100,25 @@ TEST_F(MonoEkfInARoom, CorrectsOdometryThatTurnsTooFar) {
     take(seen());
   }
   EXPECT_LT(std::abs(filter_.pose().pose.theta() - truth_.theta()), 0.02) << "of 0.18 rad";
+}
+
+TEST_F(MonoEkfInARoom, SaysThatOdometryIsReversedAndThatNothingCorrectsIt) {
+  int said = 0;
+  for (int i = 0; i < 60; ++i) {
+    move(0.1, -1.0);
+    if (take(seen()).message.find("as if it were behind the camera") == std::string::npos) continue;
+    ++said;
+    EXPECT_EQ(as<CorrectionReporter>(filter_).correctedBy(), std::nullopt) << "image " << i;
+  }
+  EXPECT_GT(said, 30);
+  EXPECT_EQ(filter_.counters()["behind"], static_cast<std::uint64_t>(said));
+}
+
+TEST_F(MonoEkfInARoom, IsCorrectedByWhatItHasSeenBefore) {
+  drive(60);
+  EXPECT_EQ(filter_.counters()["behind"], 0U);
+  ASSERT_NE(as<CorrectionReporter>(filter_).correctedBy(), std::nullopt);
+  EXPECT_LT(*as<CorrectionReporter>(filter_).correctedBy(), at(time_));
 }
 
 TEST_F(MonoEkfInARoom, ShowsWhatItDoes) {

@@ -72,6 +72,20 @@ TEST(MonoGraph, KnowsItsHeadingBeforeItKnowsAnyPoint) {
   EXPECT_LT(std::sqrt(squares), 0.35 * kTurnSigma * std::sqrt(kSteps));
 }
 
+TEST(MonoGraph, SaysThatOdometryTellsAnotherWayThanTheImages) {
+  PictureDrive drive(13);
+  std::string said;
+  for (int i = 0; i < 100; ++i) {
+    auto motion = drive.round().drive();
+    motion.increment = Pose2(-motion.increment.x(), 0.0, motion.increment.theta());
+    drive.inputs().set(motion);
+    drive.inputs().set(drive.round().room().view(motion.end, drive.round().place()));
+    said += drive.graph().execute().message;
+  }
+  EXPECT_NE(said.find("no points that fit the way which odometry tells"), std::string::npos);
+  EXPECT_GT(drive.graph().counters()["without_points"], 0U);
+}
+
 TEST(MonoGraph, TakesImagesThatComeSeldom) {
   PictureDrive drive(8);
   drive.step();
