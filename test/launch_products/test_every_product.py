@@ -9,7 +9,7 @@ import unittest
 from product_launches import ProductLaunches
 from slam_launch.covering import covering
 
-# features whose combinations are all tried: faults of more at once are rare
+# features whose combinations are all tried: faults of more than three at once are rare
 TOGETHER = 3 if "SLAM_TEST_ALL" in os.environ else 1
 
 

@@ -11,12 +11,12 @@ import subprocess
 
 from runner.results import list_tests, read_catkin, read_junit
 
-JOBS = f"-j{os.cpu_count() or 1}"
+JOBS = f"-j{len(os.sched_getaffinity(0))}"
 TIMEOUT = 900  # [s], a test that takes longer hangs
 PART_SIZE = 60  # cases of a sanitized program that run together
 LIVE = r"_rostest_|_nosetests_(test\.)?(launch|two_machines|docs\.test_commands)"  # by the wall clock
-# Long drives and many runs, for the sake of what comes of them in the mean: left out of the sanitized
-# core, where they take minutes and other tests of the same code serve as well.
+# Long drives and many runs, for the sake of what comes of them in the mean: left out of the
+# sanitized core, where they take minutes and other tests of the same code serve as well.
 STATISTICS = ("*FindsTheNoiseOfASimulatedLog*:*TellsUncertaintiesThatHoldTheTruth*:"
               "*MarkerPoseMonteCarlo*:FastSlamConsistency.*:*IsAsWrongAsItSays*:"
               "NoiseTunerTest.FindsTheSame*:NoiseTunerTest.KeepsWhat*:NoiseTunerTest.IsNotMisled*:"
@@ -54,8 +54,8 @@ def catkin_tests(build, space=None):
 
 
 def build_core(report, title, source, build, options, target="all"):
-    """Builds slam_core, or a target of it, as a plain CMake project, as where there is no ROS; returns
-    whether it could."""
+    """Builds slam_core, or a target of it, as a plain CMake project, as where there is no ROS;
+    returns whether it could."""
     options = [*options, "-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON"]
     steps = (("configure", ["cmake", "-S", source, "-B", build, *options]),
              ("build", ["cmake", "--build", build, JOBS, "--target", target]))

@@ -10,8 +10,11 @@ namespace {
 
 constexpr double kSamePosition = 0.15;  // [m]
 constexpr double kSameHeading = 0.1;    // [rad]
-constexpr double kNewPosition = 0.03;   // [m], from where an image is another one
-constexpr double kNewHeading = 0.05;    // [rad]
+// The way or turn after which an image counts as a new one. They are larger than what counts as the
+// same place, so that a picture that stays the same never agrees with odometry.
+constexpr double kNewPosition = 0.2;  // [m]
+constexpr double kNewHeading = 0.15;  // [rad]
+static_assert(kNewPosition > kSamePosition && kNewHeading > kSameHeading);
 constexpr int kEnoughInARow = 3;
 
 bool areNear(const Pose2& a, const Pose2& b, double distance, double turn) {

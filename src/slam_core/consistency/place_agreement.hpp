@@ -10,9 +10,9 @@
 
 namespace slam {
 
-/// Whether a lost robot has been found: several images in a row have to show the places that
-/// odometry leads to between them. An image from where the last one was taken shows the same once
-/// more, right or wrong, and does not count.
+/// Whether a lost robot has been found: several images in a row, each 0.2 m or 0.15 rad after the
+/// one before, have to show the places that odometry leads to between them. An image from nearer
+/// shows the same once more, right or wrong, and does not count.
 class PlaceAgreement {
  public:
   void move(const Motion& motion) { way_ = way_ * motion.increment; }

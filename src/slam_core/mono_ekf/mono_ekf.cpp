@@ -28,7 +28,8 @@ constexpr std::size_t kLeastMatches = 4;   // fewer may agree by chance
 // of a feature: images after which it has left the view, matches that make it worth to be kept
 // although its depth is not known
 constexpr int kImagesInView = 3, kEnoughMatches = 10;
-constexpr double kBehindSigmas = 2.0;  // of the inverse depth of a feature behind the camera
+// of the inverse depth of a feature that is clearly before the camera, or behind it
+constexpr double kClearSigmas = 2.0;
 
 PoseEstimate start() { return {Pose2(), kInitialVariance * Eigen::Matrix3d::Identity()}; }
 
@@ -37,9 +38,10 @@ std::size_t countOf(const std::vector<Search>& searches, Search::Outcome outcome
       searches.begin(), searches.end(), [&](const auto& each) { return each.outcome == outcome; }));
 }
 
-bool isBehind(const MonoState& state, const Feature& feature) {
+/// @return the inverse depth of a feature in its standard deviations
+double depthScore(const MonoState& state, const Feature& feature) {
   const int at = feature.offset + 4;
-  return state.mean()(at) < -kBehindSigmas * std::sqrt(state.covariance()(at, at));
+  return state.mean()(at) / std::sqrt(state.covariance()(at, at));
 }
 
 Status lost() {
@@ -288,17 +290,16 @@ Status MonoEkf::judgeDepths() {
   for (const auto& search : seen_.searches) {
     if (search.outcome != Search::Outcome::kMatched) continue;
     const auto& feature = state_.features()[search.feature];
-    if (!feature.is_point && isBehind(state_, feature))
-      ++behind;
-    else
-      ++before;
+    const double score = feature.is_point ? kClearSigmas : depthScore(state_, feature);
+    before += score >= kClearSigmas ? 1 : 0;
+    behind += score <= -kClearSigmas ? 1 : 0;
   }
   if (behind < kLeastCorners || behind <= before) return Status::ok();
   counters_.add("behind");
   corrected_by_.reset();
   return Status::warning(
-      "what the camera sees moves as if it were behind the camera: odometry tells the reverse of "
-      "how the robot drives, or the camera looks the other way than its mount says; check both");
+      "what the camera sees moves as if it were behind the camera: odometry reports the reverse "
+      "of how the robot drives, or the camera looks the other way than its mount says; check both");
 }
 
 /// Features that began in the doubt agree with the pose whether it is right or not.

@@ -84,7 +84,6 @@ void MonoGraph::reset() {
   continuity_.settle();
   standstill_.settle();
   way_ = {};
-  way_without_points_ = 0.0;
   reference_.reset();
   unrecognised_.reset();
   putAt({}, initialCovariance());
@@ -121,6 +120,7 @@ void MonoGraph::putAt(const Pose2& pose, const Eigen::Matrix3d& covariance) {
   anchor_.place(pose, covariance);
   last_ = {};
   is_way_known_ = false;
+  way_without_points_ = 0.0;
   doubt_.settle();
   continuity_.settle();
   standstill_.settle();
@@ -311,19 +311,23 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   anchor_.place(pose_, covariance_);
   way_.place({}, Eigen::Matrix3d::Zero());
   is_way_known_ = true;
-  return judgeMapping(map_.keyframe(number), way.pose.position().norm());
+  return judgeMapping(number);
 }
 
-/// @param way from the keyframe before [m]
-Status MonoGraph::judgeMapping(const Keyframe& keyframe, double way) {
+/// Where two keyframes see much, they see points: if they do not on a longer way, it is another way
+/// than odometry reports. A way on which nothing was seen says nothing.
+Status MonoGraph::judgeMapping(int number) {
+  const auto& keyframe = map_.keyframe(number);
+  const double most = 2.0 * config_.keyframe_distance;
   if (countOfPoints(keyframe) >= config_.least_points)
     way_without_points_ = 0.0;
-  else if (keyframe.features.size() >= kMuch)
-    way_without_points_ += way;
+  else if (keyframe.way && keyframe.features.size() >= kMuch &&
+           map_.keyframe(number - 1).features.size() >= kMuch)
+    way_without_points_ += std::min(keyframe.way->position().norm(), most);
   if (way_without_points_ < kWayWithoutPoints) return Status::ok();
   counters_.add("without_points");
   return Status::warning(
-      "the camera sees much, but no points that fit the way which odometry tells: the pose is "
+      "the camera sees much, but no points that fit the motion that odometry reports: the pose is "
       "odometry's; check the direction and scale of odometry, and the camera's mount and "
       "calibration");
 }

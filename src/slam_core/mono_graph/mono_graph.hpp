@@ -43,9 +43,9 @@ namespace slam::mono_graph {
 /// is found.
 ///
 /// Counted: "untracked" (images that show too few points of the map), "blank" (too few features),
-/// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full", "without_points"
-/// (keyframes that see much, but no points that fit odometry's way), "loops" (that were believed),
-/// "loops_rejected" (that the map contradicts, or that wait for another one).
+/// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full",
+/// "without_points" (keyframes that see much, but no points that fit odometry's way), "loops" (that
+/// were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
 class MonoGraph final : public Backend,
                         CorrectionReporter,
                         EventReporter,
@@ -148,7 +148,7 @@ class MonoGraph final : public Backend,
   bool wantsKeyframe(const TrackedView& tracked) const;
   bool isFarFromKeyframes(double share) const;
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
-  Status judgeMapping(const Keyframe& keyframe, double way);
+  Status judgeMapping(int number);
   Pose2 poseByImages(const Features& features) const;
   void recognise();
   void closeLoop(int keyframe);

@@ -8,54 +8,57 @@
 namespace slam {
 namespace {
 
-Motion straightOn(double way) {
+Motion motionBy(const Pose2& increment) {
   Motion motion;
-  motion.increment = Pose2(way, 0.0, 0.0);
+  motion.increment = increment;
   return motion;
 }
 
-/// Drives on by a way between each two images.
-/// @return how many images it took; 0 if ten do not do
-int imagesUntilFound(double way, const Pose2& first, const Pose2& apart) {
+/// @param step of odometry between two images @param apart how far their places are apart
+/// @return how many images it took; 0 if a hundred do not do
+int imagesUntilFound(const Pose2& step, const Pose2& apart) {
   PlaceAgreement agreement;
-  Pose2 place = first;
-  for (int image = 1; image <= 10; ++image) {
+  Pose2 place(3.0, -1.0, 2.0);
+  for (int image = 1; image <= 100; ++image) {
     if (agreement.add(place)) return image;
-    agreement.move(straightOn(way));
+    agreement.move(motionBy(step));
     place = place * apart;
   }
   return 0;
 }
 
-const Pose2 kStart(3.0, -1.0, 2.0);
-
 TEST(PlaceAgreement, TakesThreeImagesWhosePlacesAreWhereOdometryLeads) {
-  EXPECT_EQ(imagesUntilFound(0.1, kStart, Pose2(0.1, 0.0, 0.0)), 3);
+  const Pose2 step(0.3, 0.0, 0.0), turn(0.0, 0.0, 0.2);
+  EXPECT_EQ(imagesUntilFound(step, step), 3);
+  EXPECT_EQ(imagesUntilFound(turn, turn), 3) << "a robot that turns sees its place anew, too";
 }
 
 TEST(PlaceAgreement, LeavesOutImagesBetweenWhichTheRobotHasHardlyMoved) {
-  EXPECT_EQ(imagesUntilFound(0.02, kStart, Pose2(0.02, 0.0, 0.0)), 5);
+  const Pose2 step(0.06, 0.0, 0.0);
+  EXPECT_EQ(imagesUntilFound(step, step), 9) << "every fourth image counts";
 }
 
 TEST(PlaceAgreement, IsNeverReachedByARobotThatStands) {
-  EXPECT_EQ(imagesUntilFound(0.0, kStart, Pose2()), 0);
+  EXPECT_EQ(imagesUntilFound(Pose2(), Pose2()), 0);
 }
 
-TEST(PlaceAgreement, IsNeverReachedByAPictureThatStaysWhileTheRobotDrives) {
-  EXPECT_EQ(imagesUntilFound(0.2, kStart, Pose2()), 0);
+TEST(PlaceAgreement, IsNeverReachedByAPictureThatStaysWhileTheRobotDrivesOrTurns) {
+  for (const double way : {0.0, 0.02, 0.06, 0.1, 0.14, 0.2, 0.3})
+    for (const double turn : {0.0, 0.02, 0.06, 0.09, 0.12, 0.2})
+      EXPECT_EQ(imagesUntilFound(Pose2(way, 0.0, turn), Pose2()), 0) << way << " m, " << turn;
 }
 
 TEST(PlaceAgreement, BeginsAnewWhereAPlaceIsElsewhere) {
   PlaceAgreement agreement;
   const auto seen = [&](double x) {
-    agreement.move(straightOn(0.1));
+    agreement.move(motionBy(Pose2(0.3, 0.0, 0.0)));
     return agreement.add(Pose2(x, 0.0, 0.0));
   };
   EXPECT_FALSE(seen(0.0));
-  EXPECT_FALSE(seen(0.1));
+  EXPECT_FALSE(seen(0.3));
   EXPECT_FALSE(seen(5.0));
-  EXPECT_FALSE(seen(5.1));
-  EXPECT_TRUE(seen(5.2));
+  EXPECT_FALSE(seen(5.3));
+  EXPECT_TRUE(seen(5.6));
 }
 
 }  // namespace

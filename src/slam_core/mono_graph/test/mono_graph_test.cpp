@@ -82,8 +82,21 @@ TEST(MonoGraph, SaysThatOdometryTellsAnotherWayThanTheImages) {
     drive.inputs().set(drive.round().room().view(motion.end, drive.round().place()));
     said += drive.graph().execute().message;
   }
-  EXPECT_NE(said.find("no points that fit the way which odometry tells"), std::string::npos);
+  EXPECT_NE(said.find("no points that fit the motion that odometry reports"), std::string::npos);
   EXPECT_GT(drive.graph().counters()["without_points"], 0U);
+}
+
+TEST(MonoGraph, MissesNoPointsOnAWayOnWhichItSawNothing) {
+  constexpr int kWay = 100;  // steps of 0.06 m
+  PictureDrive late(14);
+  for (int i = 0; i < kWay; ++i) late.stepWith(nullptr);
+  late.steps(10);
+  EXPECT_EQ(late.graph().counters()["without_points"], 0U);
+  PictureDrive gap(15);
+  gap.steps(40);
+  for (int i = 0; i < kWay; ++i) gap.stepWith(nullptr);
+  gap.steps(10);
+  EXPECT_EQ(gap.graph().counters()["without_points"], 0U);
 }
 
 TEST(MonoGraph, TakesImagesThatComeSeldom) {
