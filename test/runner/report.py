@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Counts what tests say: a line for each, those that need attention at the end."""
 
+import math
 import os
 import re
 import threading
@@ -17,9 +18,11 @@ NO_LEAKS = {"ASAN_OPTIONS": "detect_leaks=0"}
 class Report:
     """Runs tests, also from several threads, prints a line for each and keeps the sum."""
 
-    def __init__(self, logs):
-        """logs: the folder that each test's output goes to."""
+    def __init__(self, logs, latest=math.inf):
+        """logs: the folder that each test's output goes to. latest: by the monotonic clock; tests
+        that have not begun by then are skipped."""
         self.logs = logs
+        self.latest = latest
         self.lock = threading.Lock()
         self.passed = 0
         self.skipped = []
@@ -33,8 +36,11 @@ class Report:
         second attempt, and its name stands at the end when it needed one. A test whose search for
         leaks crashed is run again without it, and its leaks count as skipped.
         """
-        log = self.logs / (re.sub(r"[^\w.-]+", "_", name) + ".log")
         start = time.monotonic()
+        if start > self.latest:
+            self.skip(name, "the time was over")
+            return False
+        log = self.logs / (re.sub(r"[^\w.-]+", "_", name) + ".log")
         cases, failed = attempt(name, command, read_cases, log, options)
         if failed and BROKEN_TRACER in log.read_text(errors="replace"):
             self.skip(f"{name}: leaks", "the sanitizer's search for them crashed")

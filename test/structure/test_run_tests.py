@@ -92,6 +92,17 @@ class Leftovers(unittest.TestCase):
         self.assertFalse(is_alive(hanging))
 
 
+class TimeThatIsOver(unittest.TestCase):
+    def test_nothing_begins_any_more(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report = Report(pathlib.Path(folder), time.monotonic() + 3600)
+            self.assertTrue(report.run("first", ["true"]))
+            report.latest = time.monotonic() - 1
+            self.assertFalse(report.run("second", ["false"]))
+            self.assertEqual((report.passed, report.failed), (1, []))
+            self.assertEqual(report.skipped, ["second: the time was over"])
+
+
 class BrokenTracer(unittest.TestCase):
     PROGRAM = ("case $ASAN_OPTIONS in *=0) exit {0};; esac; "
                'echo "==1==LeakSanitizer has encountered a fatal error."; exit 1')
