@@ -10,6 +10,7 @@
 #include <rviz/tool.h>
 #include <slam_msgs/Consistency.h>
 #include <slam_msgs/LandmarkMap.h>
+#include <std_srvs/Trigger.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -33,6 +34,13 @@ class SlamPanelTest : public testing::Test {
   SlamPanelTest()
       : loader_("rviz", "rviz::Panel"),
         panel_(loader_.createUnmanagedInstance("slam_rviz_plugins/SlamPanel")) {}
+
+  /// The map that a test has loaded is an older one, in which the robot is not recognised at once.
+  void SetUp() override {
+    ASSERT_TRUE(ros::service::waitForService("reset", ros::Duration(30.0)));
+    std_srvs::Trigger reset;
+    ASSERT_TRUE(ros::service::call("reset", reset));
+  }
 
   template <class Widget>
   Widget& find(const char* name) const {
