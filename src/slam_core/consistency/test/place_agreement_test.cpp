@@ -8,7 +8,7 @@
 namespace slam {
 namespace {
 
-Motion motionBy(const Pose2& increment) {
+Motion odometryStep(const Pose2& increment) {
   Motion motion;
   motion.increment = increment;
   return motion;
@@ -21,7 +21,7 @@ int imagesUntilFound(const Pose2& step, const Pose2& apart) {
   Pose2 place(3.0, -1.0, 2.0);
   for (int image = 1; image <= 100; ++image) {
     if (agreement.add(place)) return image;
-    agreement.move(motionBy(step));
+    agreement.move(odometryStep(step));
     place = place * apart;
   }
   return 0;
@@ -51,7 +51,7 @@ TEST(PlaceAgreement, IsNeverReachedByAPictureThatStaysWhileTheRobotDrivesOrTurns
 TEST(PlaceAgreement, BeginsAnewWhereAPlaceIsElsewhere) {
   PlaceAgreement agreement;
   const auto seen = [&](double x) {
-    agreement.move(motionBy(Pose2(0.3, 0.0, 0.0)));
+    agreement.move(odometryStep(Pose2(0.3, 0.0, 0.0)));
     return agreement.add(Pose2(x, 0.0, 0.0));
   };
   EXPECT_FALSE(seen(0.0));
