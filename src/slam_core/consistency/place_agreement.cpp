@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kSamePosition = 0.15;  // [m]
 constexpr double kSameHeading = 0.1;    // [rad]
-// The way or turn after which an image counts as a new one. They are larger than what counts as the
-// same place, so that a picture that stays the same never agrees with odometry.
-constexpr double kNewPosition = 0.2;  // [m]
-constexpr double kNewHeading = 0.15;  // [rad]
-static_assert(kNewPosition > kSamePosition && kNewHeading > kSameHeading);
+// The way or turn over which images have to agree. It is larger than what counts as the same place,
+// so that a picture that stays the same never agrees with odometry.
+constexpr double kLeastWay = 0.2;    // [m]
+constexpr double kLeastTurn = 0.15;  // [rad]
+static_assert(kLeastWay > kSamePosition && kLeastTurn > kSameHeading);
 constexpr int kEnoughInARow = 3;
 
 bool areNear(const Pose2& a, const Pose2& b, double distance, double turn) {
@@ -25,12 +25,14 @@ bool areNear(const Pose2& a, const Pose2& b, double distance, double turn) {
 }  // namespace
 
 bool PlaceAgreement::add(const Pose2& place) {
-  if (place_ && areNear(Pose2(), way_, kNewPosition, kNewHeading)) return false;
-  const bool is_same = place_ && areNear(*place_ * way_, place, kSamePosition, kSameHeading);
-  in_a_row_ = is_same ? in_a_row_ + 1 : 1;
-  place_ = place;
-  way_ = Pose2();
-  return in_a_row_ >= kEnoughInARow;
+  if (!first_ || !areNear(*first_ * way_, place, kSamePosition, kSameHeading)) {
+    first_ = place;
+    way_ = Pose2();
+    in_a_row_ = 1;
+    return false;
+  }
+  ++in_a_row_;
+  return in_a_row_ >= kEnoughInARow && !areNear(Pose2(), way_, kLeastWay, kLeastTurn);
 }
 
 }  // namespace slam

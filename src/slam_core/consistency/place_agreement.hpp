@@ -10,9 +10,9 @@
 
 namespace slam {
 
-/// Whether a lost robot has been found: several images in a row, each 0.2 m or 0.15 rad after the
-/// one before, have to show the places that odometry leads to between them. An image from nearer
-/// shows the same once more, right or wrong, and does not count.
+/// Whether a lost robot has been found: three images in a row or more, over 0.2 m or 0.15 rad, have
+/// to show the places that odometry leads to from the first one's. Images from one pose show the
+/// same, right or wrong, however many they are.
 class PlaceAgreement {
  public:
   void move(const Motion& motion) { way_ = way_ * motion.increment; }
@@ -23,11 +23,11 @@ class PlaceAgreement {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(place_, way_, in_a_row_);
+    archive(first_, way_, in_a_row_);
   }
 
  private:
-  std::optional<Pose2> place_;  ///< of the last image that counted
+  std::optional<Pose2> first_;  ///< the place of the first image in the row
   Pose2 way_;                   ///< of odometry since then
   int in_a_row_ = 0;
 };
