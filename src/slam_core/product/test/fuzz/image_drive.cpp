@@ -144,10 +144,7 @@ SLAM_FUZZ_TARGET(image_drive) {
       {{"backend=pf", "odometry=visual", kHeight}, "ceiling_camera"},
       {{"backend=ekf", "odometry=visual_wheel", kHeight}, "ceiling_camera"},
       {{"backend=ekf", "detector=apriltag"}, "camera"},
-      {{"backend=graph", "detector=aruco"}, "camera"},
-      {{"backend=mono_ekf", "detector=none"}, "camera"},
-      {{"backend=mono_graph", "detector=none"}, "camera"},
-      {{"backend=rat", "detector=none"}, "camera"}};
+      {{"backend=graph", "detector=aruco"}, "camera"}};
   slam::test::FuzzBytes input(bytes, size);
   const auto& product = kProducts[input.below(kProducts.size())];
   slam::test::ImageDrive(product, input).run();

@@ -13,7 +13,6 @@ SLAM_FUZZ_TARGET(landmark_drive) {
       {{"backend=pf", "pf.particles=5"}, false, 40},
       {{"backend=pf", "pf.particles=5", "association=nearest"}, false, 30},
       {{"backend=graph"}, false, 30},
-      {{"backend=graph", "association=nearest"}, false, 30},
-      {{"backend=seif"}, false, 30}};
+      {{"backend=graph", "association=nearest"}, false, 30}};
   slam::test::driveOneOf(kProducts, {bytes, size});
 }
