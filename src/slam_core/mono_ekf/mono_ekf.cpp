@@ -283,8 +283,8 @@ Status MonoEkf::judge(Stamp stamp, std::size_t corners) {
   return lost();
 }
 
-/// What the camera sees lies before it, or the robot drives another way than odometry tells, and
-/// nothing corrects that.
+/// Judges whether most features lie clearly behind the camera. Then odometry or the mount is wrong,
+/// and the image corrects nothing.
 Status MonoEkf::judgeDepths() {
   std::size_t behind = 0, before = 0;
   for (const auto& search : seen_.searches) {

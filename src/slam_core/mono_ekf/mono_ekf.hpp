@@ -29,7 +29,8 @@ namespace slam::mono_ekf {
 /// An image that shows nothing leaves the pose to odometry, which is counted and reported:
 /// "unusable" (without calibration, mount or pixels, or repeated), "blank" (nothing to track),
 /// "contradicted" (features are not where they are predicted).
-/// Where they seem to be "behind" the camera, odometry or the mount is wrong, which is reported.
+/// "behind" counts images most of whose features seem to lie behind the camera. A warning says that
+/// odometry or the mount is wrong.
 /// Further counted: features "matched", "rejected" (found, but the others do not agree),
 /// "not_found", "added", "given_up"; "tracking_lost" (times).
 class MonoEkf final : public Backend, CorrectionReporter, FeatureMapper, LostReporter, ViewDrawer {

@@ -314,8 +314,8 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   return judgeMapping(number);
 }
 
-/// Where two keyframes see much, they see points: if they do not on a longer way, it is another way
-/// than odometry reports. A way on which nothing was seen says nothing.
+/// Judges whether the map gets points. Two keyframes that see much share points if odometry reports
+/// the way between them as the robot drove it. A way on which nothing was seen does not count.
 Status MonoGraph::judgeMapping(int number) {
   const auto& keyframe = map_.keyframe(number);
   const double most = 2.0 * config_.keyframe_distance;
