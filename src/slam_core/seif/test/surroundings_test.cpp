@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 the SLAM product line authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "slam_core/seif/surroundings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace slam::seif {
+namespace {
+
+constexpr std::size_t kLandmarks = 40, kMost = 5;
+
+/// Landmarks at 1, 2, ... 40 m before the robot, which it has seen from where it began. The first
+/// 30 of them are in one local map.
+class RowOfLandmarks : public testing::Test {
+ protected:
+  RowOfLandmarks() {
+    MappedPart part;
+    for (std::size_t i = 0; i < kLandmarks; ++i) {
+      LandmarkObservation z;
+      z.range = 1.0 + static_cast<double>(i);
+      z.covariance = 1e-4 * Eigen::Matrix2d::Identity();
+      const Eigen::Vector2d place(z.range, 0.0);
+      landmarks_.append(static_cast<LandmarkId>(i), place, z, Pose2());
+      if (i >= kInMap) continue;
+      part.landmarks.push_back(i);
+      part.map.points.push_back(place);
+    }
+    const auto size = 2 * static_cast<Eigen::Index>(kInMap);
+    part.map.covariance = 1e-4 * Eigen::MatrixXd::Identity(size, size);
+    maps_.add(std::move(part));
+  }
+
+  std::vector<graph::Key> keysOf(std::size_t first, std::size_t last) const {
+    std::vector<graph::Key> keys;
+    for (std::size_t i = first; i <= last; ++i) keys.push_back(keyOf(landmarks_, i));
+    return keys;
+  }
+
+  static constexpr std::size_t kInMap = 30;
+  landmark_graph::PathGraph path_{{0.05, 0.05}, {Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}};
+  landmark_graph::LandmarkGraph landmarks_{path_};
+  LocalMaps maps_{{45, 0.05}, path_, landmarks_};
+  Surroundings surroundings_{kMost, path_, landmarks_, maps_};
+};
+
+TEST_F(RowOfLandmarks, GathersNothingWhileOnlyNewLandmarksAreSeen) {
+  EXPECT_TRUE(surroundings_.follow({kInMap, kInMap + 1}).gathered.empty());
+}
+
+TEST_F(RowOfLandmarks, GathersTheNearestLandmarksOfTheMapThatIsSeenAgain) {
+  EXPECT_EQ(surroundings_.follow({2}).gathered, keysOf(0, kMost - 1));
+}
+
+TEST_F(RowOfLandmarks, GathersAgainOnlyWhereSomethingFurtherIsSeen) {
+  surroundings_.follow({2});
+  EXPECT_TRUE(surroundings_.follow({0, kMost - 1}).gathered.empty());
+  EXPECT_FALSE(surroundings_.follow({kMost}).gathered.empty());
+}
+
+TEST_F(RowOfLandmarks, PutsWhatIsTwiceAsFarIntoTheNextShell) {
+  const auto vicinity = surroundings_.follow({2});
+  const auto shell = [&](double distance) {  // of the landmark at this distance [m]
+    return vicinity.shell(keyOf(landmarks_, static_cast<std::size_t>(distance) - 1));
+  };
+  EXPECT_EQ(shell(1), 0);
+  EXPECT_EQ(shell(kMost), 0);
+  EXPECT_EQ(shell(kMost + 1), 1);
+  EXPECT_EQ(shell(2 * kMost - 1), 1);
+  EXPECT_EQ(shell(2 * kMost + 1), 2);
+  EXPECT_EQ(shell(4 * kMost + 1), 3);
+}
+
+}  // namespace
+}  // namespace slam::seif
