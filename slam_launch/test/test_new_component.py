@@ -5,11 +5,13 @@ a back-end, with --all one of each role, and runs its contract."""
 
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+import rospkg
 from slam_launch import new_component, packages, ports, products
 from slam_launch.errors import ProductError
 from slam_launch.feature_model import FeatureModel
@@ -56,6 +58,15 @@ class NewComponent(unittest.TestCase):
         for piece in ("MyOwnBackend::execute()", 'kRegistrar("my_own")', "namespace slam_my_own"):
             self.assertIn(piece, text)
 
+    def test_names_no_target_as_another_package_does(self):
+        """The targets of all packages are in one namespace."""
+        for role in new_component.ROLES:
+            package = self.write("active", role)
+            text = (package / "CMakeLists.txt").read_text(encoding="utf-8")
+            targets = set(re.findall(r"(?:add_library|add_executable|gtest)\((\w+)", text))
+            self.assertIn(package.name, targets)
+            self.assertFalse(targets & set(rospkg.RosPack().list()), role)
+
     def test_is_a_feature(self):
         keys = {"backend": "backend", "odometry": "odometry", "detector": "detector"}
         files = [packages.share() / "features" / "Kconfig"]
@@ -92,7 +103,8 @@ class NewComponent(unittest.TestCase):
         self.assertIn("backend, odometry, detector, map", said)
 
     def test_refuses_a_name_that_is_no_ros_name(self):
-        for name in ("My", "1st", "a-b", "a b", "", "_a", "a_", "a__b", "../up", "häß"):
+        for name in ("My", "1st", "a-b", "a b", "", "_a", "a_", "a__b", "../up", "häß",
+                     300 * "a"):
             self.assertIn("is no name of a ROS package", self.refusal(name), name)
 
     def test_refuses_a_name_that_exists(self):

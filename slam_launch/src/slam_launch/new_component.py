@@ -22,6 +22,7 @@ ROLES = {"backend": "estimates pose and map: the textbook's EKF-SLAM to begin wi
          "detector": "finds landmarks: edges in a laser's scans to begin with",
          "map": "an additional module, which draws something of what the back-end says: the cells "
                 "where the robot was to begin with"}
+LONGEST_NAME = 50
 TOP_LEVEL = ("version", "product", "sentence", "libraries", "seed")  # keys of product files
 
 
@@ -53,9 +54,10 @@ def require_role(role):
 
 def require_name(name, role, model):
     """Refuses what cannot be the name of a package, and what has that name already."""
-    if not re.fullmatch(r"[a-z](_?[a-z0-9])*", name):
-        raise ProductError(f"'{name}' is no name of a ROS package: small letters, digits and single "
-                           "_ between them, a letter first")
+    if not re.fullmatch(r"[a-z](_?[a-z0-9])*", name) or len(name) > LONGEST_NAME:
+        raise ProductError(f"'{name[:LONGEST_NAME]}' is no name of a ROS package: small letters, "
+                           f"digits and single _ between them, a letter first, {LONGEST_NAME} "
+                           "characters at most")
     package = f"slam_{role}_{name}"
     if package in rospkg.RosPack().list():
         raise ProductError(f"there is a package {package} already; give another name")

@@ -21,7 +21,7 @@ class ToyBackendLaunch(ReplayOfProduct, unittest.TestCase):
         self.assertIn("toy_wheel", [product.name for product in products.named(model)])
         features = model.require_valid({"backend": "toy", "odometry": "visual"})
         self.assertEqual(products.without_file(features, model).content["libraries"],
-                         ["libslam_toy.so"])
+                         ["libslam_toy_backend.so"])
         self.assertEqual(model.needed_by("toy", {**features, "backend": "ekf"}), "backend=toy")
 
 
