@@ -175,6 +175,17 @@ class WrongUse(InFolder):
         text = TINY.replace("ekf_wheel]", "{foreign: mrpt_rbpf, set: {particle: 3}}]")
         self.refuses(self.write(text), *self.out(), says=["(did you mean 'particles'?)"])
 
+    def test_is_told_of_values_that_a_foreign_system_cannot_take(self):
+        for system, parameter, value, says in (
+                ("mrpt_rbpf", "particles", 0, "it has to be above 0"),
+                ("mrpt_rbpf", "particles", 2.5, "it has to be a whole number"),
+                ("mrpt_rbpf", "distance", -1, "it has to be above 0"),
+                ("mrpt_kf", "range_sigma", 0, "it has to be above 0")):
+            text = TINY.replace("ekf_wheel]",
+                                f"{{foreign: {system}, set: {{{parameter}: {value}}}}}]")
+            self.refuses(self.write(text), *self.out(),
+                         says=[f"the parameter {parameter} is '{value}'; {says}"])
+
     def test_is_told_of_files_that_are_none(self):
         self.refuses(self.folder / "nothing.yaml", *self.out(), says=["there is no such file"])
         self.refuses(self.write("- a\n- [\n"), *self.out(), says=["no valid YAML"])

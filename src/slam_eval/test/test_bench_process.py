@@ -57,7 +57,8 @@ class Process(Folder):
         with self.assertRaisesRegex(BenchError, "/nowhere/x cannot be run"):
             process.run(["/nowhere/x"], self.folder / "log")
 
-    def test_a_benchmark_that_is_given_up_leaves_no_program_behind(self):
+    def leaves_nothing_behind(self, script):
+        """The process whose id a script prints is gone when the script is given up."""
         pids = []
 
         def give_up(_):
@@ -66,9 +67,15 @@ class Process(Folder):
                 raise KeyboardInterrupt
 
         with self.assertRaises(KeyboardInterrupt):
-            self.run_shell("echo $$; exec sleep 60", give_up)
+            self.run_shell(script, give_up)
         with self.assertRaises(ProcessLookupError):
             os.kill(pids[-1], 0)
+
+    def test_a_benchmark_that_is_given_up_leaves_no_program_behind(self):
+        self.leaves_nothing_behind("echo $$; exec sleep 60")
+
+    def test_a_program_that_is_given_up_has_time_to_end_what_it_started(self):
+        self.leaves_nothing_behind("sleep 60 & trap 'kill $!; wait; exit 1' INT; echo $!; wait")
 
 
 class Programs(Folder):

@@ -18,7 +18,7 @@ from slam_eval.foreign.mrpt_kf import MrptKf
 from slam_eval.foreign.mrpt_rawlog import MotionNoise, Observations, write_rawlog
 from slam_eval.foreign.results import (
     with_odometry_between, write_grid, write_landmarks, write_trajectory)
-from slam_eval.foreign.ros_node import map_base
+from slam_eval.foreign.ros_node import complaint, map_base
 from slam_eval.geometry import se2
 from slam_eval.io.grid_map import FREE, OCCUPIED, read_grid, UNKNOWN
 from slam_eval.io.landmarks import read_landmarks
@@ -97,6 +97,20 @@ class Rawlog(InFolder):
         with rosbag.Bag(str(self.bag)) as bag:
             first = next(iter(bag.read_messages(topics=["/odom"]))).message
         self.assertEqual(planar(first.pose.pose), (0.0, 0.0, 0.0))
+
+
+class Complaints(InFolder):
+    def of(self, text):
+        (self.folder / "log.txt.err").write_text(text, encoding="utf-8")
+        return complaint(self.folder / "log.txt")
+
+    def test_name_the_node_that_did_not_start_or_has_died(self):
+        self.assertEqual(self.of("WARNING\n\x1b[31m[slow-2] process has died [pid 7]\x1b[0m\nend\n"),
+                         "; roslaunch said: [slow-2] process has died [pid 7]")
+        self.assertIn("cannot launch node of type [a/b]", self.of("ERROR: cannot launch node of type [a/b]"))
+
+    def test_else_say_where_to_look(self):
+        self.assertEqual(self.of("shutting down\n"), "; the run's log.txt says more")
 
 
 class Answers(InFolder):

@@ -33,7 +33,9 @@ class Driver:
     """
 
     required = ()  # the parameters that need a value
-    numbers = ()   # of these, those that are numbers
+    numbers = ()   # those that are numbers
+    positive = ()  # those that are numbers above 0
+    counts = ()    # those that are whole numbers above 0
 
     def __init__(self, parameters):
         """parameters: those of the system's file, with the values that the campaign sets, and
@@ -59,6 +61,16 @@ class Driver:
                                  "'parameters' in the system's file")
         for name in self.numbers:
             self.number(name)
+        for name in (*self.positive, *self.counts):
+            self.require(name, self.number(name) > 0.0, "above 0")
+        for name in self.counts:
+            self.require(name, self.number(name).is_integer(), "a whole number")
+
+    def require(self, name, is_so, what):
+        """Refuses the value of a parameter that is not what it has to be. Raises BenchError."""
+        if not is_so:
+            raise BenchError(f"the parameter {name} is '{self.parameters[name]}'; it has to be "
+                             f"{what}")
 
     def programs(self):
         """The files (paths) whose content the result depends on, beside the driver. Raises

@@ -29,6 +29,12 @@ class MrptKf(Driver):
     numbers = ("motion_sigma_per_metre", "motion_sigma_per_radian", "motion_sigma_deg_per_metre",
                "motion_sigma", "motion_sigma_deg")
 
+    def check(self):
+        super().check()
+        for name in _SIGMAS:
+            if self.parameters.get(name) is not None:
+                self.require(name, self.number(name) > 0.0, "above 0")
+
     def programs(self):
         return [program("kf-slam"), workspace_program("slam_eval", "slam_eval_observations")]
 

@@ -44,7 +44,8 @@ class MrptRbpf(Driver):
     odometry between, its trajectory_final.tum the path of the most likely particle at the end."""
 
     required = ("configuration",)
-    numbers = ("particles", "distance", "angle")
+    positive = ("distance", "angle")
+    counts = ("particles",)
 
     def programs(self):
         configured = CONFIGURATIONS / str(self.parameters["configuration"])

@@ -14,9 +14,11 @@ from tf2_msgs.msg import TFMessage
 
 from slam_eval.foreign.bag_data import planar, planar_transform
 from slam_eval.foreign.results import write_grid, write_trajectory
-from slam_eval.foreign.ros_node import MAP_ODOM
+from slam_eval.foreign.ros_node import MAP_ODOM, UNHEARD
+from slam_eval.io.bag import open_bag
 from slam_eval.io.trajectory import Trajectory
 
+_PATIENCE = 60.0   # [s] of the wall clock, for nodes that start
 _AFTERWARDS = 1.0  # [s] of the wall clock, for what is on its way when the bag ends
 _UNKNOWN = 0.5
 
@@ -61,11 +63,36 @@ class Recorder:
             self._write_grid(folder)
 
 
+def _unheard(topics):
+    """Those of the topics to which nobody listens when time is over."""
+    end = time.monotonic() + _PATIENCE
+    while True:
+        _, _, (_, subscribed, _) = rospy.get_master().getSystemState()
+        missing = sorted(set(topics) - {topic for topic, _ in subscribed})
+        if not missing or time.monotonic() > end:
+            return missing
+        time.sleep(0.2)
+
+
+def _topics_of(bag, topics):
+    """Those of the topics that are in a bag, as the nodes name them."""
+    with open_bag(bag) as opened:
+        there = opened.get_type_and_topic_info().topics
+    return [rospy.resolve_name(topic) for topic in topics
+            if {topic, f"/{topic}", topic.lstrip("/")} & set(there)]
+
+
 def main():
     """Entry point: BAG FOLDER MAP_FRAME ODOM_FRAME RATE TOPIC..."""
     bag, folder, map_frame, odom_frame, rate, *topics = rospy.myargv(sys.argv)[1:]
     rospy.init_node("foreign_recorder")
     recorder = Recorder(map_frame, odom_frame)
+    unheard = _unheard(_topics_of(bag, topics))
+    if unheard:
+        pathlib.Path(folder, UNHEARD).write_text(
+            f"nobody listened to {', '.join(unheard)} {_PATIENCE:g} s after the start; under "
+            "'topics' name those that the node takes", encoding="utf-8")
+        return 1
     code = subprocess.call(["rosbag", "play", "--quiet", "--clock", "--wait-for-subscribers",
                             "--rate", rate, bag, "--topics", *topics])
     time.sleep(_AFTERWARDS)

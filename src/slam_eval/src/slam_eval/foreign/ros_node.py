@@ -3,12 +3,14 @@
 """Any ROS node that publishes map -> odom as a foreign system: started by its launch file, it gets
 the bag replayed, and its transform is recorded."""
 import pathlib
+import shlex
 import socket
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from slam_eval.bench.harness.error import BenchError
+from slam_eval.bench.harness.error import BenchError, ProgramError
+from slam_eval.bench.harness.process import without_colours
 from slam_eval.bench.harness.programs import system_program, workspace_program
 from slam_eval.foreign.bag_data import messages, read_odometry, robot_of
 from slam_eval.foreign.driver import Driver
@@ -18,7 +20,9 @@ from slam_eval.io.errors import InputError
 from slam_eval.io.trajectory import interpolate, read_trajectory, Trajectory
 
 MAP_ODOM = "map_odom.tum"  # what the recorder has heard
+UNHEARD = "unheard.txt"    # the recorder's words where nobody listens to the bag
 _LONGEST_GAP = 5.0  # [s] between two transforms
+_COMPLAINTS = ("cannot launch node", "process has died", "error:")  # of roslaunch
 _ARGUMENT = "arg."  # before the name of an argument of the launch file
 _LAUNCH = """<launch>
   <param name="/use_sim_time" value="true"/>
@@ -46,6 +50,15 @@ def map_base(map_odom, odometry, stamps):
     return Trajectory(np.asarray(stamps)[valid], np.array(poses).reshape(-1, 3))
 
 
+def complaint(log):
+    """What roslaunch said of a node that did not start or has died, else where to look."""
+    said = without_colours(log.with_name(log.name + ".err").read_text("utf-8", errors="replace"))
+    for line in said.splitlines():
+        if any(words in line.lower() for words in _COMPLAINTS):
+            return f"; roslaunch said: {line.strip()}"
+    return "; the run's log.txt says more"
+
+
 def _filled(name, text, seed, robot):
     """The value of an argument for a run. Raises BenchError."""
     try:
@@ -61,7 +74,7 @@ class RosNode(Driver):
     which {seed} and {robot} stand for the run's."""
 
     required = ("launch", "map_frame", "odom_frame", "topics", "stamps")
-    numbers = ("rate",)
+    positive = ("rate",)
 
     def check(self):
         super().check()
@@ -90,19 +103,30 @@ class RosNode(Driver):
         path = job.folder / "foreign.launch"
         path.write_text(_LAUNCH.format(
             launch=quoteattr(str(self._launch())), arguments=self._arguments(job.seed, robot),
-            recorder=quoteattr(" ".join(f"'{word}'" for word in words))), encoding="utf-8")
+            recorder=quoteattr(shlex.join(words))), encoding="utf-8")
         return path
 
-    def run(self, job):
-        robot = job.robot or robot_of(job.bag)
-        job.call([system_program("roslaunch"), "-p", free_port(), self._write_launch(job, robot)],
-                 job.folder / "log.txt")
+    def _heard(self, job, robot):
+        """The transform map -> odom while the bag is replayed. Raises BenchError."""
+        log = job.folder / "log.txt"
         try:
-            heard = read_trajectory(job.folder / MAP_ODOM)
+            job.call([system_program("roslaunch"), "-p", free_port(),
+                      self._write_launch(job, robot)], log)
+        except ProgramError as error:
+            raise ProgramError(f"{error}{complaint(log)}", error.code) from None
+        unheard = job.folder / UNHEARD
+        if unheard.exists():
+            raise BenchError(unheard.read_text(encoding="utf-8").strip() + complaint(log))
+        try:
+            return read_trajectory(job.folder / MAP_ODOM)
         except InputError:
             raise BenchError("it published no transform "
                              f"{self.parameters['map_frame']} -> {self.parameters['odom_frame']} "
-                             "while the bag was replayed; the run's log.txt says more") from None
+                             f"while the bag was replayed{complaint(log)}") from None
+
+    def run(self, job):
+        robot = job.robot or robot_of(job.bag)
+        heard = self._heard(job, robot)
         odometry = read_odometry(job.bag)
         stamps = [stamp for stamp, _ in messages(job.bag, str(self.parameters["stamps"]))]
         found = map_base(heard, odometry, stamps)

@@ -4,12 +4,16 @@
 import dataclasses
 import os
 import pathlib
+import re
+import signal
 import subprocess
 import time
 
 from slam_eval.bench.harness.error import BenchError, ProgramError
 
-_POLL = 0.02  # [s]
+_POLL = 0.02      # [s]
+_PATIENCE = 30.0  # [s] for a program that is to end what it has started, as roslaunch does
+_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,17 +53,30 @@ def _wait(process, watch):
         time.sleep(_POLL)
 
 
+def without_colours(text):
+    """What a program printed for a terminal, as plain text."""
+    return _COLOUR.sub("", text)
+
+
 def _last_line(path):
     lines = path.read_text(encoding="utf-8", errors="replace").split("\n")
-    lines = [line.strip() for line in lines if line.strip()]
+    lines = [without_colours(line).strip() for line in lines if line.strip()]
     return lines[-1] if lines else "it printed nothing"
 
 
 def _stop(process):
-    """Ends a program whose benchmark was given up."""
-    if process.returncode is None:
-        process.kill()
-        process.wait()
+    """Ends a program that was given up, with all that it has started."""
+    if process.returncode is not None:
+        return
+    process.send_signal(signal.SIGINT)
+    try:
+        process.wait(_PATIENCE)
+    except subprocess.TimeoutExpired:
+        pass
+    finally:
+        if process.returncode is None:
+            process.kill()
+            process.wait()
 
 
 def run(command, log, cwd=None, watch=None):
