@@ -76,6 +76,9 @@ class InFolder(unittest.TestCase):
             bag.write("/robot", String("ring"), time)
             step = stamped(PoseStamped(), stamp, lambda m: m.pose, (np.nan, 0.0, 0.0))
             bag.write("/broken", step, time)
+            step = stamped(PoseStamped(), stamp, lambda m: m.pose, (0.0, 0.0, 1.0))
+            step.pose.orientation.w *= 0.5
+            bag.write("/stretched", step, time)
 
     def evaluate(self, *arguments):
         """(exit code, metrics, what was said) of ./slam eval."""
@@ -96,8 +99,9 @@ class Truth(InFolder):
             found = read_bag_poses(bag, topic)
             np.testing.assert_array_equal(found.stamps, self.truth.stamps, topic)
             np.testing.assert_allclose(found.poses, self.truth.poses, atol=1e-7, err_msg=topic)
-        np.testing.assert_allclose(read_bag_poses(bag, "/tf", "mocap_base").poses, self.truth.poses,
-                                   atol=1e-7)
+        for frame in ("mocap_base", "/mocap_base"):
+            np.testing.assert_allclose(read_bag_poses(bag, "/tf", frame).poses, self.truth.poses,
+                                       atol=1e-7)
         self.assertFalse(read_bag_poses(bag, "/gps").has_heading)
 
     def test_gives_the_same_figures_in_each_form(self):
@@ -147,10 +151,31 @@ class BadTruth(InFolder):
         self.refuses("holds no pose that was asked for", "--truth", bag, "--truth-topic", "/tf",
                      "--truth-frame", "nobody")
         self.refuses("not finite", "--truth", bag, "--truth-topic", "/broken")
+        self.refuses("a quaternion has not length 1", "--truth", bag, "--truth-topic", "/stretched")
         self.refuses("no such file", "--truth", self.folder / "nothing.tum")
         self.refuses("cannot be read as a bag", "--truth", self.folder / "nothing.bag")
         (self.folder / "text.bag").write_text("no bag", encoding="utf-8")
         self.refuses("cannot be read as a bag", "--truth", self.folder / "text.bag")
+
+    def test_with_headings_in_some_lines_only_is_refused(self):
+        lines = self.own.read_text(encoding="utf-8").splitlines()
+        fields = lines[-1].split()
+        lines[-1] = " ".join([*fields[:4], "0", "0", "0", "0"])
+        half = self.folder / "half.tum"
+        half.write_text("\n".join(lines), encoding="utf-8")
+        self.refuses("some poses have a heading and others none", "--truth", half)
+
+    def test_that_knows_fewer_than_two_poses_gives_no_figures(self):
+        second, millisecond = 1_000_000_000, 1_000_000
+        first = self.truth.stamps[0] + millisecond
+        for stamps in ((first - 2 * millisecond, first), first + second * np.arange(10)):
+            few = self.folder / "few.tum"
+            few.write_text("\n".join(f"{stamp / second:.9f} 0 0 0 0 0 0 1" for stamp in stamps),
+                           encoding="utf-8")
+            code, found, _ = self.evaluate("--truth", few)
+            self.assertEqual(code, 0)
+            for key in ("ate_rmse_m", "nees_mean", "confidently_wrong_s"):
+                self.assertNotIn(key, found)
 
     def test_options_that_contradict_each_other_are_wrong_use(self):
         topic = ["--truth-topic", "/pose"]

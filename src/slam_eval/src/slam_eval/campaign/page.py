@@ -36,6 +36,10 @@ def cell_text(metric, made):
     return text + (f", {made.failed} failed" if made.failed else "")
 
 
+def _counted(things, name):
+    return f"{len(things)} {name}" + ("" if len(things) == 1 else "s")
+
+
 def _rows(tables, metric):
     return [[product, *(cell_text(metric, tables.cells[metric, product, bag])
                         for bag in tables.bags)] for product in tables.products]
@@ -48,7 +52,7 @@ def text_table(tables, metric):
     lines = ["  ".join([row[0].ljust(widths[0]), *(text.rjust(width) for text, width in
                                                    zip(row[1:], widths[1:]))]).rstrip()
              for row in rows]
-    title = f"{_label(metric)}: median [quartiles] over {len(tables.seeds)} seeds"
+    title = f"{_label(metric)}: median [quartiles] over {_counted(tables.seeds, 'seed')}"
     return "\n".join([title, *lines])
 
 
@@ -157,6 +161,6 @@ def render(campaign, folder, tables):
     """The page as HTML text; its pictures are written into the folder."""
     sections = [*(_metric_section(folder, tables, metric) for metric in tables.metrics),
                 _paths_section(folder, tables), _failure_section(tables), _file_section(campaign)]
-    remark = (f"{len(tables.products)} products on {len(tables.bags)} bags with "
-              f"{len(tables.seeds)} seeds: {summary(tables)}.")
+    remark = (f"{_counted(tables.products, 'product')} on {_counted(tables.bags, 'bag')} with "
+              f"{_counted(tables.seeds, 'seed')}: {summary(tables)}.")
     return page(f"Campaign {campaign.name}", remark, sections, "wide")

@@ -5,7 +5,7 @@ import numpy as np
 
 from slam_eval.io.bag import open_bag, yaw
 from slam_eval.io.errors import did_you_mean, InputError
-from slam_eval.io.trajectory import Trajectory
+from slam_eval.io.trajectory import is_rotation, require_headings_alike, Trajectory
 
 DEFAULT_TOPIC = "/ground_truth/pose"
 _PATH, _TRANSFORMS = "nav_msgs/Path", "tf2_msgs/TFMessage"
@@ -28,7 +28,8 @@ def _poses_of(kind, message, frame):
                 for each in message.poses]
     found = message.transforms if kind == _TRANSFORMS else [message]
     return [(_stamp(each.header), each.transform.translation, each.transform.rotation)
-            for each in found if frame is None or each.child_frame_id.lstrip("/") == frame]
+            for each in found
+            if frame is None or each.child_frame_id.lstrip("/") == frame.lstrip("/")]
 
 
 KINDS = ("nav_msgs/Odometry", _PATH, "geometry_msgs/PoseStamped",
@@ -36,14 +37,17 @@ KINDS = ("nav_msgs/Odometry", _PATH, "geometry_msgs/PoseStamped",
          "geometry_msgs/TransformStamped", _TRANSFORMS)
 
 
-def _planar(position, q):
+def _planar(where, position, q):
     """x, y, heading; no heading (NaN) where there is no quaternion or one of zeros."""
-    if q is None or (q.x, q.y, q.z, q.w) == (0.0, 0.0, 0.0, 0.0):
+    rotation = (0.0, 0.0, 0.0, 0.0) if q is None else (q.x, q.y, q.z, q.w)
+    if not np.all(np.isfinite((position.x, position.y, *rotation))):
+        raise InputError(f"{where}: a pose is not finite (NaN or infinite)")
+    if rotation == (0.0, 0.0, 0.0, 0.0):
         return position.x, position.y, np.nan
-    heading = yaw(q)
-    if not np.isfinite(heading):
-        return np.inf, np.inf, 0.0  # told apart from a heading that is not known
-    return position.x, position.y, heading
+    if not is_rotation(*rotation):
+        raise InputError(f"{where}: a quaternion has not length 1, so that it says no heading; mend "
+                         "what writes it")
+    return position.x, position.y, yaw(q)
 
 
 def _chosen(path, topics, topic, frame):
@@ -69,13 +73,10 @@ def _trajectory(path, name, found):
         raise InputError(f"{path}: {name} holds no pose that was asked for; check topic and frame")
     rows = {}
     for stamp, position, quaternion in found:
-        rows.setdefault(stamp, _planar(position, quaternion))
+        rows.setdefault(stamp, _planar(f"{path}: {name}", position, quaternion))
     stamps = sorted(rows)
     poses = np.array([rows[stamp] for stamp in stamps], dtype=float)
-    if not np.all(np.isfinite(poses[:, :2])):
-        raise InputError(f"{path}: a pose of {name} is not finite (NaN or infinite)")
-    if np.any(np.isfinite(poses[:, 2])) and not np.all(np.isfinite(poses[:, 2])):
-        raise InputError(f"{path}: some poses of {name} have a heading and others none")
+    require_headings_alike(f"{path}: {name}", poses)
     return Trajectory(np.array(stamps, dtype=np.int64), poses)
 
 

@@ -14,6 +14,7 @@ _COLUMNS = "stamp tx ty tz qx qy qz qw".split()
 
 
 _POINT = "# point of the robot:"
+_REMEDY = "run the product again, or mend the file if it is your own"
 
 
 @dataclasses.dataclass
@@ -49,25 +50,39 @@ def parse_line(where, line, separator, columns):
     if len(fields) != len(columns):
         raise InputError(f"{where}: {len(fields)} fields where {len(columns)} belong "
                          f"({(separator or ' ').join(columns)}): the line is cut off or of another "
-                         "format; run the product again")
+                         f"format; {_REMEDY}")
     try:
         stamp, numbers = parse_stamp(fields[0]), [float(field) for field in fields[1:]]
     except (ValueError, decimal.InvalidOperation):
         raise InputError(f'{where}: "{line[:60]}" holds something that is no number; '
-                         "run the product again") from None
+                         f"{_REMEDY}") from None
     if not np.all(np.isfinite(numbers)):
-        raise InputError(f"{where}: a value is not finite (NaN or infinite); the run that wrote "
-                         "it failed, look at its messages")
+        raise InputError(f"{where}: a value is not finite (NaN or infinite); if a run wrote "
+                         "it, that failed: look at its messages")
     return stamp, numbers
+
+
+def is_rotation(x, y, z, w):
+    """Whether a quaternion has length 1."""
+    return abs(x * x + y * y + z * z + w * w - 1.0) <= 1e-3
+
+
+def require_headings_alike(where, poses):
+    """Refuses true poses (N x 3) of which some have a heading and others none. Raises
+    InputError."""
+    known = np.isfinite(poses[:, 2])
+    if np.any(known) and not np.all(known):
+        raise InputError(f"{where}: some poses have a heading and others none; give all of them one, "
+                         "or none")
 
 
 def _pose(where, numbers):
     x, y, _, qx, qy, qz, qw = numbers
     if (qx, qy, qz, qw) == (0.0, 0.0, 0.0, 0.0):
         return x, y, np.nan
-    if abs(qx * qx + qy * qy + qz * qz + qw * qw - 1.0) > 1e-3:
+    if not is_rotation(qx, qy, qz, qw):
         raise InputError(f"{where}: the quaternion has not length 1: the line is cut off or of "
-                         "another format; run the product again")
+                         f"another format; {_REMEDY}")
     return x, y, np.arctan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
 
 
@@ -76,7 +91,7 @@ def _point(where, line):
         x, y = (float(field) for field in line[len(_POINT):].split())
     except ValueError:
         raise InputError(f'{where}: "{line[:60]}" does not name a point by two numbers; '
-                         "run the product again") from None
+                         f"{_REMEDY}") from None
     return x, y
 
 
@@ -92,12 +107,14 @@ def read_truth(path):
         stamp, numbers = parse_line(where, line, None, _COLUMNS)
         if stamps and stamp <= stamps[-1]:
             raise InputError(f"{where}: the stamp {line.split()[0]} is not after the one before; "
-                             "stamps have to rise, sort the file or run the product again")
+                             "stamps have to rise; sort the file or run the product again")
         stamps.append(stamp)
         poses.append(_pose(where, numbers))
     if not stamps:
-        raise InputError(f"{path}: no pose in the file; run the product again")
-    return Trajectory(np.array(stamps, dtype=np.int64), np.array(poses, dtype=float), point)
+        raise InputError(f"{path}: no pose in the file; {_REMEDY}")
+    poses = np.array(poses, dtype=float)
+    require_headings_alike(path, poses)
+    return Trajectory(np.array(stamps, dtype=np.int64), poses, point)
 
 
 def read_trajectory(path):
@@ -109,7 +126,10 @@ def read_trajectory(path):
     return trajectory
 
 
-def interpolate(truth, stamps, max_gap=0.5):
+LONGEST_GAP = 0.5  # [s] between two true poses, for one between them
+
+
+def interpolate(truth, stamps, max_gap=LONGEST_GAP):
     """Truth at the given stamps [ns]: (poses N x 3, valid N).
 
     Position linearly, heading along the shorter way. Not valid: before the first and after the

@@ -45,11 +45,12 @@ class PositionClaim:
 
 def truth_in_map(trajectory, truth):
     """(poses N x 3, valid N) of truth at the trajectory's stamps, moved into the map's frame by the
-    first pose that has truth, without a fit; None where no pose has truth, or truth no headings."""
+    first pose that has truth, without a fit; None where fewer than two poses have truth, or truth
+    has no headings."""
     if not truth.has_heading:
         return None
     true, valid = interpolate(truth, trajectory.stamps)
-    if not np.any(valid):
+    if np.count_nonzero(valid) < 2:
         return None
     first = int(np.argmax(valid))
     T_map_truth = se2.compose(trajectory.poses[first], se2.inverse(true[first]))

@@ -9,7 +9,7 @@ from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.bag_poses import DEFAULT_TOPIC, read_bag_poses
 from slam_eval.io.errors import exit_code_of
 from slam_eval.io.run_folder import read_run
-from slam_eval.io.trajectory import NANOSECONDS, read_truth
+from slam_eval.io.trajectory import LONGEST_GAP, NANOSECONDS, read_truth
 from slam_eval.io.world_plan import read_world
 from slam_eval.metrics.evaluation import evaluate
 from slam_eval.metrics.map_agreement import judge_map
@@ -33,8 +33,8 @@ def missing_parts(run, result):
         notes.append("The run has no ground truth of the poses (ground_truth.tum): no trajectory "
                      "error and no NEES.")
     elif result.ate is None:
-        notes.append("Fewer than two poses of the run fall into the time of ground truth: no "
-                     "trajectory error and no NEES.")
+        notes.append("Fewer than two poses of the run lie between true poses that are at most "
+                     f"{LONGEST_GAP:g} s apart: no trajectory error and no NEES.")
     if run.landmarks is not None and run.true_landmarks is None:
         notes.append("The run has no ground truth of the landmarks (ground_truth_landmarks.yaml): "
                      "no landmark error.")
