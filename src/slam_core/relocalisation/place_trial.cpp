@@ -35,12 +35,21 @@ std::pair<int, int> patchOf(const Eigen::Vector2d& point) {
           static_cast<int>(std::floor(point.y() / kPatch))};
 }
 
-/// The ends of a scan from a place by the patches that they lie in [cells, in the robot's frame].
-std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>> byPatches(
-    const grid_map::ScanPoints& scan, const Pose2& place) {
-  std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>> patches;
-  for (const auto& end : scan.ends)
-    patches[patchOf(place.transform(Eigen::Vector2d(end / scan.cells_per_metre)))].push_back(end);
+/// The ends of a scan from a place, each with the laser that saw it, by the patches that they lie
+/// in.
+std::map<std::pair<int, int>, grid_map::ScanPoints> byPatches(const grid_map::ScanPoints& scan,
+                                                              const Pose2& place) {
+  std::map<std::pair<int, int>, grid_map::ScanPoints> patches;
+  scan.forEachFan([&](const auto& fan, const auto&, const auto& ends) {
+    for (const auto& end : ends) {
+      const Eigen::Vector2d point = end / scan.cells_per_metre;
+      auto& part = patches[patchOf(place.transform(point))];
+      part.cells_per_metre = scan.cells_per_metre;
+      if (part.fans.empty() || part.fans.back().origin != fan.origin)
+        part.startFan(fan.origin, fan.relative_sigma);
+      part.ends.push_back(end);
+    }
+  });
   return patches;
 }
 
@@ -82,7 +91,7 @@ double ofShare(const scan_matching::Agreement& agreement) {
 PlaceTrial::PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen, double prior)
     : map_local_(map_local), last_(seen.back().pose), evidence_(prior) {
   for (const auto& scan : seen)
-    for (const auto& [patch, ends] : byPatches(scan.points[0], placeOf(scan.pose)))
+    for (const auto& [patch, part] : byPatches(scan.points[0], placeOf(scan.pose)))
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy) seen_.emplace(patch.first + dx, patch.second + dy);
 }
@@ -112,10 +121,8 @@ double PlaceTrial::ofNewSurfaces(const grid_map::ScanPoints& scan,
   const auto& [model, grid] = map.finest();
   double sum = 0.0;
   std::set<Patch> missing;
-  auto part = scan;
-  for (auto& [patch, ends] : byPatches(scan, place)) {
+  for (const auto& [patch, part] : byPatches(scan, place)) {
     if (seen_.count(patch) > 0) continue;
-    part.ends = std::move(ends);
     const auto agreement = scan_matching::agreementOf(model, grid, part, place);
     if (agreement.surplus() < 0)
       missing.insert(patch);

@@ -38,15 +38,18 @@ constexpr SearchWindow kOtherPlace{0.5, 0.3};  // [m], [rad]
 /// smaller. They are doubled, so that the last one may be up to twice as large.
 constexpr SearchWindow kWidestGuess{2.0, 1.6};  // [m], [rad]
 
-/// The scan with fewer ends, that are as far apart as about two cells: they show as well where
-/// it fits roughly, and sooner.
-grid_map::ScanPoints thinned(grid_map::ScanPoints scan) {
+/// Ends of the scan, without its beams, that are as far apart as about two cells: they show as well
+/// where it fits roughly, and sooner.
+grid_map::ScanPoints thinned(const grid_map::ScanPoints& scan) {
   constexpr double kApart = 2.5;  // [cells]
-  std::vector<Eigen::Vector2d> kept;
-  for (const auto& end : scan.ends)
-    if (kept.empty() || (end - kept.back()).norm() >= kApart) kept.push_back(end);
-  scan.ends = std::move(kept);
-  return scan;
+  grid_map::ScanPoints kept;
+  kept.cells_per_metre = scan.cells_per_metre;
+  scan.forEachFan([&](const auto& fan, const auto&, const auto& ends) {
+    kept.startFan(fan.origin, fan.relative_sigma);
+    for (const auto& end : ends)
+      if (kept.ends.empty() || (end - kept.ends.back()).norm() >= kApart) kept.ends.push_back(end);
+  });
+  return kept;
 }
 
 /// The search runs in the finest resolution that leaves it within memory.

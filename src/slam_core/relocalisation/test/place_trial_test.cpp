@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "slam_core/grid_map/grid_conversion.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
@@ -123,6 +124,32 @@ TEST_F(PlaceTrialTest, FollowsTheRobotThoughItsLocalPosesDrift) {
     EXPECT_LT((trial.placeOf(scan.pose).position() - truth.position()).norm(), 0.1);
   }
   EXPECT_GT(trial.evidence(), std::log(100.0));
+}
+
+/// The scan as if one laser had seen its first half and another one at the same place the rest.
+LaserScan ofTwoLasers(LaserScan scan) {
+  const auto half = scan.beams.begin() + static_cast<std::ptrdiff_t>(scan.beams.size() / 2);
+  LaserFan other = scan;
+  other.beams = {half, scan.beams.end()};
+  scan.beams.erase(half, scan.beams.end());
+  scan.further.push_back(other);
+  return scan;
+}
+
+TEST_F(PlaceTrialTest, TwoLasersTellWhatOneDoes) {
+  const auto local = [this](const LaserScan& scan, const Pose2& pose) {
+    return LocalScan{scan_matching::pointsOf(scan, models, 0.02), pose, 0.0};
+  };
+  const auto first = robot.next();
+  PlaceTrial of_one(Pose2(), {local(first.scan, first.truth)});
+  PlaceTrial of_two(Pose2(), {local(ofTwoLasers(first.scan), first.truth)});
+  for (int i = 0; i < 4; ++i) {
+    const auto step = robot.next();
+    of_one.see(local(step.scan, step.truth), map.view(), matcher, kMost);
+    of_two.see(local(ofTwoLasers(step.scan), step.truth), map.view(), matcher, kMost);
+  }
+  EXPECT_GT(of_one.evidence(), 0.5);
+  EXPECT_NEAR(of_two.evidence(), of_one.evidence(), 0.1);
 }
 
 TEST_F(PlaceTrialTest, SumsUpNoMoreThanItIsTold) {
