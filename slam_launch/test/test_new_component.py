@@ -58,8 +58,8 @@ class NewComponent(unittest.TestCase):
         for piece in ("MyOwnBackend::execute()", 'kRegistrar("my_own")', "namespace slam_my_own"):
             self.assertIn(piece, text)
 
-    def test_names_no_target_as_another_package_does(self):
-        """The targets of all packages are in one namespace."""
+    def test_its_targets_have_no_other_package_s_name(self):
+        """All packages that are built together share one list of targets."""
         for role in new_component.ROLES:
             package = self.write("active", role)
             text = (package / "CMakeLists.txt").read_text(encoding="utf-8")

@@ -68,6 +68,19 @@ class Foreign(InFolder):
         self.assertLess(found["dead_reckoning"]["ate_rmse_m"], found["bent"]["ate_rmse_m"])
 
 
+class Silent(InFolder):
+    def test_is_told_of_topics_to_which_nobody_listens(self):
+        (self.folder / "deaf.launch").write_text("<launch/>", encoding="utf-8")
+        text = (SYSTEMS / "own_nodelets.yaml").read_text(encoding="utf-8")
+        text = text.replace("own_nodelets.launch", "deaf.launch").replace("/tf /tf_static", "/tf")
+        text = "\n".join(line for line in text.splitlines() if "arg." not in line)
+        path = self.write(f"{text}\n  patience: 1\n", "deaf.yaml")
+        campaign = CAMPAIGN.replace("SENSORS", "odom, scan").replace(
+            "PRODUCTS", f"  - foreign: {path}\n")
+        done = self.call(self.write(campaign), "--out", self.folder / "ap'os")
+        self.assertIn("nobody listened to /odom, /scan, /tf 1 s after the start", done.stdout)
+
+
 class WrongUse(InFolder):
     def refuses_system(self, text, *says):
         path = self.write(text, "some.yaml")

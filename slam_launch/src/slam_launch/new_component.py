@@ -22,7 +22,7 @@ ROLES = {"backend": "estimates pose and map: the textbook's EKF-SLAM to begin wi
          "detector": "finds landmarks: edges in a laser's scans to begin with",
          "map": "an additional module, which draws something of what the back-end says: the cells "
                 "where the robot was to begin with"}
-LONGEST_NAME = 50
+LONGEST_NAME = 50  # characters; paths in a build are a few times as long
 TOP_LEVEL = ("version", "product", "sentence", "libraries", "seed")  # keys of product files
 
 
@@ -54,8 +54,10 @@ def require_role(role):
 
 def require_name(name, role, model):
     """Refuses what cannot be the name of a package, and what has that name already."""
-    if not re.fullmatch(r"[a-z](_?[a-z0-9])*", name) or len(name) > LONGEST_NAME:
-        raise ProductError(f"'{name[:LONGEST_NAME]}' is no name of a ROS package: small letters, "
+    is_short = len(name) <= LONGEST_NAME
+    if not is_short or not re.fullmatch(r"[a-z](_?[a-z0-9])*", name):
+        shown = name if is_short else f"{name[:LONGEST_NAME]}..."
+        raise ProductError(f"'{shown}' is no name of a ROS package: small letters, "
                            f"digits and single _ between them, a letter first, {LONGEST_NAME} "
                            "characters at most")
     package = f"slam_{role}_{name}"

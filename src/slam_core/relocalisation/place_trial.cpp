@@ -35,8 +35,7 @@ std::pair<int, int> patchOf(const Eigen::Vector2d& point) {
           static_cast<int>(std::floor(point.y() / kPatch))};
 }
 
-/// The ends of a scan from a place, each with the laser that saw it, by the patches that they lie
-/// in.
+/// A scan's ends, seen from a place, sorted into patches. Each keeps the place of its laser.
 std::map<std::pair<int, int>, grid_map::ScanPoints> byPatches(const grid_map::ScanPoints& scan,
                                                               const Pose2& place) {
   std::map<std::pair<int, int>, grid_map::ScanPoints> patches;
@@ -91,7 +90,7 @@ double ofShare(const scan_matching::Agreement& agreement) {
 PlaceTrial::PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen, double prior)
     : map_local_(map_local), last_(seen.back().pose), evidence_(prior) {
   for (const auto& scan : seen)
-    for (const auto& [patch, part] : byPatches(scan.points[0], placeOf(scan.pose)))
+    for (const auto& [patch, ends] : byPatches(scan.points[0], placeOf(scan.pose)))
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy) seen_.emplace(patch.first + dx, patch.second + dy);
 }

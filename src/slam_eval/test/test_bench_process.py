@@ -75,7 +75,7 @@ class Process(Folder):
         self.leaves_nothing_behind("echo $$; exec sleep 60")
 
     def test_a_program_that_is_given_up_has_time_to_end_what_it_started(self):
-        self.leaves_nothing_behind("sleep 60 & trap 'kill $!; wait; exit 1' INT; echo $!; wait")
+        self.leaves_nothing_behind("sleep 60 & trap 'kill $!; wait; exit 1' TERM; echo $!; wait")
 
 
 class Programs(Folder):

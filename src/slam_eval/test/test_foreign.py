@@ -99,18 +99,24 @@ class Rawlog(InFolder):
         self.assertEqual(planar(first.pose.pose), (0.0, 0.0, 0.0))
 
 
-class Complaints(InFolder):
+class Complaint(InFolder):
     def of(self, text):
         (self.folder / "log.txt.err").write_text(text, encoding="utf-8")
         return complaint(self.folder / "log.txt")
 
-    def test_name_the_node_that_did_not_start_or_has_died(self):
-        self.assertEqual(self.of("WARNING\n\x1b[31m[slow-2] process has died [pid 7]\x1b[0m\nend\n"),
-                         "; roslaunch said: [slow-2] process has died [pid 7]")
-        self.assertIn("cannot launch node of type [a/b]", self.of("ERROR: cannot launch node of type [a/b]"))
+    def test_names_the_node_that_has_died(self):
+        self.assertEqual(
+            self.of("[ERROR] [1.0]: Error: late\n\x1b[31m[slow-2] process has died [pid 7, exit code "
+                    "1, cmd /a/slow].\nlog file: /b\x1b[0m\n"),
+            "; its node slow has died with exit code 1")
 
-    def test_else_say_where_to_look(self):
-        self.assertEqual(self.of("shutting down\n"), "; the run's log.txt says more")
+    def test_names_the_node_that_cannot_be_started(self):
+        self.assertEqual(self.of("ERROR: cannot launch node of type [a/b]: a\n"),
+                         "; roslaunch said: ERROR: cannot launch node of type [a/b]: a")
+
+    def test_else_names_the_log(self):
+        self.assertEqual(self.of("[foreign_recorder-3] process has died [pid 7, exit code 1]\n"),
+                         "; the run's log.txt says more")
 
 
 class Answers(InFolder):

@@ -70,7 +70,7 @@ class ReadTrajectory(unittest.TestCase):
 
     def test_only_truth_may_have_no_heading(self):
         text = "# point of the robot: 3.78 0.5\n1.0 4 5 0 0 0 0 0\n2.0 4 5 0 0 0 0 0\n"
-        self.refused(text, "length 1")
+        self.refused(text, "no pose has a heading")
         found = read_truth(self.path)
         self.assertFalse(found.has_heading)
         self.assertEqual(found.point, (3.78, 0.5))

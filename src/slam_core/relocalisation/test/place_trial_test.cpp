@@ -126,11 +126,17 @@ TEST_F(PlaceTrialTest, FollowsTheRobotThoughItsLocalPosesDrift) {
   EXPECT_GT(trial.evidence(), std::log(100.0));
 }
 
-/// The scan as if one laser had seen its first half and another one at the same place the rest.
+/// The scan as if its laser had seen the first half, and another one beside it the rest.
 LaserScan ofTwoLasers(LaserScan scan) {
   const auto half = scan.beams.begin() + static_cast<std::ptrdiff_t>(scan.beams.size() / 2);
   LaserFan other = scan;
-  other.beams = {half, scan.beams.end()};
+  other.sensor_pose = scan.sensor_pose * Pose2(0.1, 0.0, 0.0);
+  other.beams.clear();
+  for (auto beam = half; beam != scan.beams.end(); ++beam) {
+    const Eigen::Vector2d end = beam->end() - Eigen::Vector2d(0.1, 0.0);
+    other.beams.push_back({static_cast<float>(std::atan2(end.y(), end.x())),
+                           static_cast<float>(end.norm()), beam->hit});
+  }
   scan.beams.erase(half, scan.beams.end());
   scan.further.push_back(other);
   return scan;

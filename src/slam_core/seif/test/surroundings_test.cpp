@@ -6,15 +6,17 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace slam::seif {
 namespace {
 
-constexpr std::size_t kLandmarks = 40, kMost = 5;
+/// The first landmarks are in one local map, and so many are gathered.
+constexpr std::size_t kLandmarks = 40, kInMap = 30, kMost = 5;
 
-/// Landmarks at 1, 2, ... 40 m before the robot, which it has seen from where it began. The first
-/// 30 of them are in one local map.
+/// Landmarks at 1, 2, ... 40 m before the robot, all seen from its first pose.
 class RowOfLandmarks : public testing::Test {
  protected:
   RowOfLandmarks() {
@@ -40,7 +42,6 @@ class RowOfLandmarks : public testing::Test {
     return keys;
   }
 
-  static constexpr std::size_t kInMap = 30;
   landmark_graph::PathGraph path_{{0.05, 0.05}, {Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}};
   landmark_graph::LandmarkGraph landmarks_{path_};
   LocalMaps maps_{{45, 0.05}, path_, landmarks_};
@@ -55,7 +56,7 @@ TEST_F(RowOfLandmarks, GathersTheNearestLandmarksOfTheMapThatIsSeenAgain) {
   EXPECT_EQ(surroundings_.follow({2}).gathered, keysOf(0, kMost - 1));
 }
 
-TEST_F(RowOfLandmarks, GathersAgainOnlyWhereSomethingFurtherIsSeen) {
+TEST_F(RowOfLandmarks, GathersAgainOnlyWhereALandmarkThatWasNotGatheredIsSeen) {
   surroundings_.follow({2});
   EXPECT_TRUE(surroundings_.follow({0, kMost - 1}).gathered.empty());
   EXPECT_FALSE(surroundings_.follow({kMost}).gathered.empty());

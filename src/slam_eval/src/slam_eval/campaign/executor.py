@@ -18,7 +18,7 @@ from slam_eval.campaign.plan import read_result
 from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.errors import InputError, UsageError
 
-_POLL = 0.2      # [s]
+_POLL = 0.2       # [s]
 _PATIENCE = 60.0  # [s] for Snakemake, whose programs end what they have started
 _RETRIES = 1  # of a job that was killed
 _SAID = 400  # characters of Snakemake's last words

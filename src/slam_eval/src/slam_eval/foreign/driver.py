@@ -36,6 +36,7 @@ class Driver:
     numbers = ()   # those that are numbers
     positive = ()  # those that are numbers above 0
     counts = ()    # those that are whole numbers above 0
+    optional = ()  # those that need no value, or else a number above 0
 
     def __init__(self, parameters):
         """parameters: those of the system's file, with the values that the campaign sets, and
@@ -62,12 +63,14 @@ class Driver:
         for name in self.numbers:
             self.number(name)
         for name in (*self.positive, *self.counts):
-            self.require(name, self.number(name) > 0.0, "above 0")
+            self._require(name, self.number(name) > 0.0, "above 0")
         for name in self.counts:
-            self.require(name, self.number(name).is_integer(), "a whole number")
+            self._require(name, self.number(name).is_integer(), "a whole number")
+        for name in self.optional:
+            if self.parameters.get(name) is not None:
+                self._require(name, self.number(name) > 0.0, "above 0")
 
-    def require(self, name, is_so, what):
-        """Refuses the value of a parameter that is not what it has to be. Raises BenchError."""
+    def _require(self, name, is_so, what):
         if not is_so:
             raise BenchError(f"the parameter {name} is '{self.parameters[name]}'; it has to be "
                              f"{what}")

@@ -26,14 +26,9 @@ class MrptKf(Driver):
     of observations."""
 
     required = ("detector_product",)
-    numbers = ("motion_sigma_per_metre", "motion_sigma_per_radian", "motion_sigma_deg_per_metre",
-               "motion_sigma", "motion_sigma_deg")
-
-    def check(self):
-        super().check()
-        for name in _SIGMAS:
-            if self.parameters.get(name) is not None:
-                self.require(name, self.number(name) > 0.0, "above 0")
+    positive = ("motion_sigma_per_metre", "motion_sigma_per_radian", "motion_sigma_deg_per_metre",
+                "motion_sigma", "motion_sigma_deg")
+    optional = _SIGMAS
 
     def programs(self):
         return [program("kf-slam"), workspace_program("slam_eval", "slam_eval_observations")]

@@ -14,11 +14,10 @@ from tf2_msgs.msg import TFMessage
 
 from slam_eval.foreign.bag_data import planar, planar_transform
 from slam_eval.foreign.results import write_grid, write_trajectory
-from slam_eval.foreign.ros_node import MAP_ODOM, UNHEARD
+from slam_eval.foreign.ros_node import MAP_ODOM, UNREPLAYED
 from slam_eval.io.bag import open_bag
 from slam_eval.io.trajectory import Trajectory
 
-_PATIENCE = 60.0   # [s] of the wall clock, for nodes that start
 _AFTERWARDS = 1.0  # [s] of the wall clock, for what is on its way when the bag ends
 _UNKNOWN = 0.5
 
@@ -63,35 +62,45 @@ class Recorder:
             self._write_grid(folder)
 
 
-def _unheard(topics):
-    """Those of the topics to which nobody listens when time is over."""
-    end = time.monotonic() + _PATIENCE
+def _unheard(topics, patience):
+    """Those of the topics to which no other node listens when time is over; patience: [s] of the
+    wall clock."""
+    end, own = time.monotonic() + patience, {rospy.get_name()}
     while True:
         _, _, (_, subscribed, _) = rospy.get_master().getSystemState()
-        missing = sorted(set(topics) - {topic for topic, _ in subscribed})
+        heard = {topic for topic, nodes in subscribed if set(nodes) - own}
+        missing = [topic for topic in topics if rospy.resolve_name(topic) not in heard]
         if not missing or time.monotonic() > end:
             return missing
         time.sleep(0.2)
 
 
 def _topics_of(bag, topics):
-    """Those of the topics that are in a bag, as the nodes name them."""
+    """Those of the topics that are in a bag, as it names them."""
     with open_bag(bag) as opened:
         there = opened.get_type_and_topic_info().topics
-    return [rospy.resolve_name(topic) for topic in topics
-            if {topic, f"/{topic}", topic.lstrip("/")} & set(there)]
+    return [name for topic in topics for name in (topic.lstrip("/"), f"/{topic.lstrip('/')}")
+            if name in there]
+
+
+def _fault(topics, patience):
+    """Why the bag cannot be replayed to the nodes, in a sentence; None where it can."""
+    if not topics:
+        return "the bag has none of the topics; under 'topics' name those that it has"
+    unheard = _unheard(topics, patience)
+    return unheard and (f"nobody listened to {', '.join(unheard)} {patience:g} s after the start; "
+                        "under 'topics' name those to which the nodes listen")
 
 
 def main():
-    """Entry point: BAG FOLDER MAP_FRAME ODOM_FRAME RATE TOPIC..."""
-    bag, folder, map_frame, odom_frame, rate, *topics = rospy.myargv(sys.argv)[1:]
+    """Entry point: BAG FOLDER MAP_FRAME ODOM_FRAME RATE PATIENCE TOPIC..."""
+    bag, folder, map_frame, odom_frame, rate, patience, *topics = rospy.myargv(sys.argv)[1:]
     rospy.init_node("foreign_recorder")
     recorder = Recorder(map_frame, odom_frame)
-    unheard = _unheard(_topics_of(bag, topics))
-    if unheard:
-        pathlib.Path(folder, UNHEARD).write_text(
-            f"nobody listened to {', '.join(unheard)} {_PATIENCE:g} s after the start; under "
-            "'topics' name those that the node takes", encoding="utf-8")
+    topics = _topics_of(bag, topics)
+    fault = _fault(topics, float(patience))
+    if fault:
+        pathlib.Path(folder, UNREPLAYED).write_text(fault, encoding="utf-8")
         return 1
     code = subprocess.call(["rosbag", "play", "--quiet", "--clock", "--wait-for-subscribers",
                             "--rate", rate, bag, "--topics", *topics])

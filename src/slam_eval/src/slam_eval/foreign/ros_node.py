@@ -3,6 +3,7 @@
 """Any ROS node that publishes map -> odom as a foreign system: started by its launch file, it gets
 the bag replayed, and its transform is recorded."""
 import pathlib
+import re
 import shlex
 import socket
 from xml.sax.saxutils import quoteattr
@@ -20,9 +21,13 @@ from slam_eval.io.errors import InputError
 from slam_eval.io.trajectory import interpolate, read_trajectory, Trajectory
 
 MAP_ODOM = "map_odom.tum"  # what the recorder has heard
-UNHEARD = "unheard.txt"    # the recorder's words where nobody listens to the bag
+UNREPLAYED = "unreplayed.txt"  # why the recorder did not replay the bag
 _LONGEST_GAP = 5.0  # [s] between two transforms
-_COMPLAINTS = ("cannot launch node", "process has died", "error:")  # of roslaunch
+_PATIENCE = 60.0    # [s] for the nodes to start, where the system's file says nothing else
+# of roslaunch; what differs from call to call, as the process id, is left out
+_COMPLAINT = re.compile(r"^(?:(?P<start>ERROR: cannot launch node.*|Value error:.*)|"
+                        r"\[(?P<died>(?!foreign_recorder)\S+)-\d+\] process has died"
+                        r"(?: \[pid \d+, (?P<code>exit code -?\d+))?.*)$", re.MULTILINE)
 _ARGUMENT = "arg."  # before the name of an argument of the launch file
 _LAUNCH = """<launch>
   <param name="/use_sim_time" value="true"/>
@@ -51,12 +56,15 @@ def map_base(map_odom, odometry, stamps):
 
 
 def complaint(log):
-    """What roslaunch said of a node that did not start or has died, else where to look."""
+    """What roslaunch said first of a node of the system that did not start or has died, else where
+    to look."""
     said = without_colours(log.with_name(log.name + ".err").read_text("utf-8", errors="replace"))
-    for line in said.splitlines():
-        if any(words in line.lower() for words in _COMPLAINTS):
-            return f"; roslaunch said: {line.strip()}"
-    return "; the run's log.txt says more"
+    found = _COMPLAINT.search(said)
+    if not found:
+        return "; the run's log.txt says more"
+    if found["start"]:
+        return f"; roslaunch said: {found['start']}"
+    return f"; its node {found['died']} has died" + (f" with {found['code']}" if found["code"] else "")
 
 
 def _filled(name, text, seed, robot):
@@ -70,11 +78,13 @@ def _filled(name, text, seed, robot):
 
 class RosNode(Driver):
     """Its parameters: launch (a file beside the system's own), frames, topics that are replayed,
-    stamps (the topic whose stamps the trajectory has), rate, and arg.NAME of the launch file, in
-    which {seed} and {robot} stand for the run's."""
+    stamps (the topic whose stamps the trajectory has), rate, patience (how long nodes may take to
+    subscribe [s]), and arg.NAME of the launch file, in which {seed} and {robot} stand for the
+    run's."""
 
     required = ("launch", "map_frame", "odom_frame", "topics", "stamps")
     positive = ("rate",)
+    optional = ("patience",)
 
     def check(self):
         super().check()
@@ -99,7 +109,8 @@ class RosNode(Driver):
     def _write_launch(self, job, robot):
         topics = str(self.parameters["topics"]).split()
         words = [str(job.bag), str(job.folder), str(self.parameters["map_frame"]),
-                 str(self.parameters["odom_frame"]), str(self.number("rate")), *topics]
+                 str(self.parameters["odom_frame"]), str(self.number("rate")),
+                 str(self.parameters.get("patience") or _PATIENCE), *topics]
         path = job.folder / "foreign.launch"
         path.write_text(_LAUNCH.format(
             launch=quoteattr(str(self._launch())), arguments=self._arguments(job.seed, robot),
@@ -114,9 +125,9 @@ class RosNode(Driver):
                       self._write_launch(job, robot)], log)
         except ProgramError as error:
             raise ProgramError(f"{error}{complaint(log)}", error.code) from None
-        unheard = job.folder / UNHEARD
-        if unheard.exists():
-            raise BenchError(unheard.read_text(encoding="utf-8").strip() + complaint(log))
+        unreplayed = job.folder / UNREPLAYED
+        if unreplayed.exists():
+            raise BenchError(unreplayed.read_text(encoding="utf-8").strip() + complaint(log))
         try:
             return read_trajectory(job.folder / MAP_ODOM)
         except InputError:

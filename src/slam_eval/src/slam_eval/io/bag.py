@@ -20,5 +20,5 @@ def open_bag(path):
 
 
 def yaw(q):
-    """The heading [rad] of a geometry_msgs/Quaternion."""
-    return math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
+    """The heading [rad] of a geometry_msgs/Quaternion, whatever its length."""
+    return math.atan2(2.0 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z)

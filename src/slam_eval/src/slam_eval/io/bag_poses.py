@@ -5,7 +5,7 @@ import numpy as np
 
 from slam_eval.io.bag import open_bag, yaw
 from slam_eval.io.errors import did_you_mean, InputError
-from slam_eval.io.trajectory import is_rotation, require_headings_alike, Trajectory
+from slam_eval.io.trajectory import require_headings_alike, Trajectory
 
 DEFAULT_TOPIC = "/ground_truth/pose"
 _PATH, _TRANSFORMS = "nav_msgs/Path", "tf2_msgs/TFMessage"
@@ -41,12 +41,9 @@ def _planar(where, position, q):
     """x, y, heading; no heading (NaN) where there is no quaternion or one of zeros."""
     rotation = (0.0, 0.0, 0.0, 0.0) if q is None else (q.x, q.y, q.z, q.w)
     if not np.all(np.isfinite((position.x, position.y, *rotation))):
-        raise InputError(f"{where}: a pose is not finite (NaN or infinite)")
+        raise InputError(f"{where}: a pose is not finite (NaN or infinite); mend what writes it")
     if rotation == (0.0, 0.0, 0.0, 0.0):
         return position.x, position.y, np.nan
-    if not is_rotation(*rotation):
-        raise InputError(f"{where}: a quaternion has not length 1, so that it says no heading; mend "
-                         "what writes it")
     return position.x, position.y, yaw(q)
 
 

@@ -13,7 +13,9 @@ NANOSECONDS = 1_000_000_000
 _COLUMNS = "stamp tx ty tz qx qy qz qw".split()
 
 
+LONGEST_GAP = 0.5  # [s] inside which poses of a trajectory are interpolated
 _POINT = "# point of the robot:"
+_OF_LENGTH = 0.01  # by which a quaternion's length may differ from 1, as rounded ones do
 _REMEDY = "run the product again, or mend the file if it is your own"
 
 
@@ -58,13 +60,8 @@ def parse_line(where, line, separator, columns):
                          f"{_REMEDY}") from None
     if not np.all(np.isfinite(numbers)):
         raise InputError(f"{where}: a value is not finite (NaN or infinite); if a run wrote "
-                         "it, that failed: look at its messages")
+                         "it, that run failed: look at its messages")
     return stamp, numbers
-
-
-def is_rotation(x, y, z, w):
-    """Whether a quaternion has length 1."""
-    return abs(x * x + y * y + z * z + w * w - 1.0) <= 1e-3
 
 
 def require_headings_alike(where, poses):
@@ -80,7 +77,7 @@ def _pose(where, numbers):
     x, y, _, qx, qy, qz, qw = numbers
     if (qx, qy, qz, qw) == (0.0, 0.0, 0.0, 0.0):
         return x, y, np.nan
-    if not is_rotation(qx, qy, qz, qw):
+    if abs(np.linalg.norm((qx, qy, qz, qw)) - 1.0) > _OF_LENGTH:
         raise InputError(f"{where}: the quaternion has not length 1: the line is cut off or of "
                          f"another format; {_REMEDY}")
     return x, y, np.arctan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
@@ -121,12 +118,8 @@ def read_trajectory(path):
     """Read a trajectory file. Raises InputError that names file and line."""
     trajectory = read_truth(path)
     if not trajectory.has_heading:
-        raise InputError(f"{path}: a quaternion has not length 1: a line is cut off or of another "
-                         "format; run the product again")
+        raise InputError(f"{path}: no pose has a heading; {_REMEDY}")
     return trajectory
-
-
-LONGEST_GAP = 0.5  # [s] between two true poses, for one between them
 
 
 def interpolate(truth, stamps, max_gap=LONGEST_GAP):

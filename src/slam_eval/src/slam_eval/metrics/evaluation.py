@@ -140,7 +140,7 @@ def landmark_error(estimate, truth, align=True):
 
 def pose_consistency(trajectory, updates, truth):
     """Errors against the filter's own covariance; truth is moved by its first pose, no fit. None
-    where truth has no headings."""
+    where truth has no headings, or fewer than two poses have truth and a covariance."""
     moved = truth_in_map(trajectory, truth)
     if moved is None:
         return None
@@ -149,7 +149,7 @@ def pose_consistency(trajectory, updates, truth):
     errors[:, 2] = se2.wrap_angle(errors[:, 2])
     P = updates.covariances
     valid = valid & (np.linalg.eigvalsh(P)[:, 0] > _SINGULAR)
-    if not np.any(valid):
+    if np.count_nonzero(valid) < 2:  # the first one is right by definition
         return None
     errors, P = errors[valid], P[valid]
     nees = np.einsum("ni,ni->n", errors, np.linalg.solve(P, errors[:, :, None])[:, :, 0])

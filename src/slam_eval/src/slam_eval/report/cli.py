@@ -33,8 +33,10 @@ def missing_parts(run, result):
         notes.append("The run has no ground truth of the poses (ground_truth.tum): no trajectory "
                      "error and no NEES.")
     elif result.ate is None:
-        notes.append("Fewer than two poses of the run lie between true poses that are at most "
-                     f"{LONGEST_GAP:g} s apart: no trajectory error and no NEES.")
+        between = ("poses of the run lie between true poses" if run.truth.has_heading else
+                   "true positions lie between poses of the run")
+        notes.append(f"Fewer than two {between} that are at most {LONGEST_GAP:g} s apart: no "
+                     "trajectory error and no NEES.")
     if run.landmarks is not None and run.true_landmarks is None:
         notes.append("The run has no ground truth of the landmarks (ground_truth_landmarks.yaml): "
                      "no landmark error.")

@@ -12,7 +12,7 @@ import time
 from slam_eval.bench.harness.error import BenchError, ProgramError
 
 _POLL = 0.02      # [s]
-_PATIENCE = 30.0  # [s] for a program that is to end what it has started, as roslaunch does
+_PATIENCE = 30.0  # [s] in which a program may end what it has started, as roslaunch does
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -65,10 +65,10 @@ def _last_line(path):
 
 
 def _stop(process):
-    """Ends a program that was given up, with all that it has started."""
+    """Ends a program that was given up, and gives it time to end what it has started."""
     if process.returncode is not None:
         return
-    process.send_signal(signal.SIGINT)
+    process.send_signal(signal.SIGTERM)
     try:
         process.wait(_PATIENCE)
     except subprocess.TimeoutExpired:
