@@ -177,9 +177,10 @@ class WrongUse(InFolder):
 
     def test_is_told_of_values_that_a_foreign_system_cannot_take(self):
         for system, parameter, value, says in (
-                ("mrpt_rbpf", "particles", 0, "it has to be above 0"),
-                ("mrpt_rbpf", "particles", 2.5, "it has to be a whole number"),
+                ("mrpt_rbpf", "particles", 0, "it has to be a whole number above 0"),
+                ("mrpt_rbpf", "particles", 2.5, "it has to be a whole number above 0"),
                 ("mrpt_rbpf", "distance", -1, "it has to be above 0"),
+                ("mrpt_kf", "motion_sigma", -1, "it has to be 0 or above"),
                 ("mrpt_kf", "range_sigma", 0, "it has to be above 0")):
             text = TINY.replace("ekf_wheel]",
                                 f"{{foreign: {system}, set: {{{parameter}: {value}}}}}]")

@@ -90,7 +90,7 @@ double ofShare(const scan_matching::Agreement& agreement) {
 PlaceTrial::PlaceTrial(const Pose2& map_local, const std::deque<LocalScan>& seen, double prior)
     : map_local_(map_local), last_(seen.back().pose), evidence_(prior) {
   for (const auto& scan : seen)
-    for (const auto& [patch, ends] : byPatches(scan.points[0], placeOf(scan.pose)))
+    for (const auto& [patch, part] : byPatches(scan.points[0], placeOf(scan.pose)))
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy) seen_.emplace(patch.first + dx, patch.second + dy);
 }

@@ -106,8 +106,8 @@ class Complaint(InFolder):
 
     def test_names_the_node_that_has_died(self):
         self.assertEqual(
-            self.of("[ERROR] [1.0]: Error: late\n\x1b[31m[slow-2] process has died [pid 7, exit code "
-                    "1, cmd /a/slow].\nlog file: /b\x1b[0m\n"),
+            self.of("[ERROR] [1.0]: Error: late\n\x1b[31m[slow-2] process has died [pid 7, exit "
+                    "code 1, cmd /a/slow].\nlog file: /b\x1b[0m\n"),
             "; its node slow has died with exit code 1")
 
     def test_names_the_node_that_cannot_be_started(self):

@@ -32,11 +32,12 @@ class Driver:
     The system's file names the class and gives the defaults of its parameters.
     """
 
-    required = ()  # the parameters that need a value
-    numbers = ()   # those that are numbers
-    positive = ()  # those that are numbers above 0
-    counts = ()    # those that are whole numbers above 0
-    optional = ()  # those that need no value, or else a number above 0
+    required = ()      # the parameters that need a value
+    numbers = ()       # those that are numbers
+    not_negative = ()  # those that are numbers, 0 or above
+    positive = ()      # those that are numbers above 0
+    counts = ()        # those that are whole numbers above 0
+    optional = ()      # of all these, those that need no value
 
     def __init__(self, parameters):
         """parameters: those of the system's file, with the values that the campaign sets, and
@@ -60,20 +61,17 @@ class Driver:
             if self.parameters.get(name) is None:
                 raise BenchError(f"the parameter {name} has no value; give it one under "
                                  "'parameters' in the system's file")
-        for name in self.numbers:
-            self.number(name)
-        for name in (*self.positive, *self.counts):
-            self._require(name, self.number(name) > 0.0, "above 0")
-        for name in self.counts:
-            self._require(name, self.number(name).is_integer(), "a whole number")
-        for name in self.optional:
-            if self.parameters.get(name) is not None:
-                self._require(name, self.number(name) > 0.0, "above 0")
-
-    def _require(self, name, is_so, what):
-        if not is_so:
-            raise BenchError(f"the parameter {name} is '{self.parameters[name]}'; it has to be "
-                             f"{what}")
+        for names, is_right, words in (
+                (self.numbers, lambda value: True, "a number"),
+                (self.not_negative, lambda value: value >= 0.0, "0 or above"),
+                (self.positive, lambda value: value > 0.0, "above 0"),
+                (self.counts, lambda value: value > 0.0 and value.is_integer(),
+                 "a whole number above 0")):
+            for name in names:
+                is_needed = name not in self.optional or self.parameters.get(name) is not None
+                if is_needed and not is_right(self.number(name)):
+                    raise BenchError(f"the parameter {name} is '{self.parameters[name]}'; it has "
+                                     f"to be {words}")
 
     def programs(self):
         """The files (paths) whose content the result depends on, beside the driver. Raises

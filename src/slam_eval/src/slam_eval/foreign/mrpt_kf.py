@@ -26,9 +26,9 @@ class MrptKf(Driver):
     of observations."""
 
     required = ("detector_product",)
-    positive = ("motion_sigma_per_metre", "motion_sigma_per_radian", "motion_sigma_deg_per_metre",
-                "motion_sigma", "motion_sigma_deg")
-    optional = _SIGMAS
+    not_negative = ("motion_sigma_per_metre", "motion_sigma_per_radian",
+                    "motion_sigma_deg_per_metre", "motion_sigma", "motion_sigma_deg")
+    positive = optional = _SIGMAS
 
     def programs(self):
         return [program("kf-slam"), workspace_program("slam_eval", "slam_eval_observations")]

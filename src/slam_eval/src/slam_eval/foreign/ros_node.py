@@ -64,7 +64,8 @@ def complaint(log):
         return "; the run's log.txt says more"
     if found["start"]:
         return f"; roslaunch said: {found['start']}"
-    return f"; its node {found['died']} has died" + (f" with {found['code']}" if found["code"] else "")
+    code = f" with {found['code']}" if found["code"] else ""
+    return f"; its node {found['died']} has died{code}"
 
 
 def _filled(name, text, seed, robot):
@@ -83,7 +84,7 @@ class RosNode(Driver):
     run's."""
 
     required = ("launch", "map_frame", "odom_frame", "topics", "stamps")
-    positive = ("rate",)
+    positive = ("rate", "patience")
     optional = ("patience",)
 
     def check(self):

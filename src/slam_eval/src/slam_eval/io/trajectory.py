@@ -15,7 +15,6 @@ _COLUMNS = "stamp tx ty tz qx qy qz qw".split()
 
 LONGEST_GAP = 0.5  # [s] inside which poses of a trajectory are interpolated
 _POINT = "# point of the robot:"
-_OF_LENGTH = 0.01  # by which a quaternion's length may differ from 1, as rounded ones do
 _REMEDY = "run the product again, or mend the file if it is your own"
 
 
@@ -69,15 +68,15 @@ def require_headings_alike(where, poses):
     InputError."""
     known = np.isfinite(poses[:, 2])
     if np.any(known) and not np.all(known):
-        raise InputError(f"{where}: some poses have a heading and others none; give all of them one, "
-                         "or none")
+        raise InputError(f"{where}: some poses have a heading and others none; give all of them "
+                         "one, or none")
 
 
 def _pose(where, numbers):
     x, y, _, qx, qy, qz, qw = numbers
     if (qx, qy, qz, qw) == (0.0, 0.0, 0.0, 0.0):
         return x, y, np.nan
-    if abs(np.linalg.norm((qx, qy, qz, qw)) - 1.0) > _OF_LENGTH:
+    if abs(qx * qx + qy * qy + qz * qz + qw * qw - 1.0) > 1e-3:
         raise InputError(f"{where}: the quaternion has not length 1: the line is cut off or of "
                          f"another format; {_REMEDY}")
     return x, y, np.arctan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz))
