@@ -37,6 +37,14 @@ bool isSilence(const Motion& motion, const UsualInterval& usual) {
   return usual.isExceededBy(motion.end - motion.start, kLongestGuess);
 }
 
+/// Whether it follows the one before far sooner than motions usually do: a driver that was held up
+/// reports at once what was driven meanwhile. So it tells neither a speed nor a noise in time.
+bool isOfBurst(const Motion& motion, const UsualInterval& usual) {
+  constexpr int kTimesSooner = 12;  // a quarter of the usual interval, of which three are a silence
+  const bool is_known = usual.isExceededBy(std::chrono::hours(1), Duration());
+  return is_known && !usual.isExceededBy(kTimesSooner * (motion.end - motion.start), Duration());
+}
+
 bool hasMoved(const Motion& motion) {
   constexpr double kStands = 0.05;  // [m], [rad]
   return motion.increment.position().norm() > kStands ||
@@ -107,7 +115,8 @@ MotionGap::Bridge MotionGap::bridge(Motion& motion) {
   const bool is_silence = isSilence(motion, usual);
   usual_.note(motion.end - motion.start);
   last_ = motion;
-  if (!is_silence || worst_rate_.isZero()) learnRate(motion);
+  const bool is_of_burst = isOfBurst(motion, usual);
+  if (!is_of_burst && (!is_silence || worst_rate_.isZero())) learnRate(motion);
   learnScales(motion);
   const bool is_gap = before && isGap(*before, motion);
   const bool tells = is_gap && !is_unknown && posesTell(*before, motion);
@@ -115,7 +124,7 @@ MotionGap::Bridge MotionGap::bridge(Motion& motion) {
   if (is_silence) motion.covariance = worse(motion.covariance, onAnyWay(motion).covariance);
   if (is_gap) motion = joined(tells ? across(*before, motion) : coasted(*before, motion), motion);
   if (isSilence(motion, usual) && hasMoved(motion)) unknown_way_ = {motion.start, own_end};
-  coasting_.add(last_->increment, last_->end - last_->start);
+  if (!is_of_burst) coasting_.add(last_->increment, last_->end - last_->start);
   if (!is_gap) return Bridge::kNone;
   return tells ? Bridge::kByPoses : Bridge::kByVelocity;
 }

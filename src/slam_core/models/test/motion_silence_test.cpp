@@ -103,5 +103,36 @@ TEST_F(SilentOdometry, IsNotMeantByOneThatIsAlwaysSlow) {
   }
 }
 
+/// A driver that is held up from time to time reports ten motions then, stamped one after the
+/// other.
+TEST_F(SilentOdometry, IsNoMoreUncertainForBurstsBeforeIt) {
+  constexpr Duration kUsual = std::chrono::milliseconds(100), kBurst = std::chrono::microseconds(1);
+  const auto afterSilence = [&](bool has_bursts) {
+    MotionGap gap;
+    Motion motion;
+    motion.end = Stamp() + std::chrono::seconds(1);
+    motion.increment = Pose2(0.05, 0.0, 0.0);
+    motion.covariance = Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal();
+    const auto report = [&](Duration interval) {
+      motion.start = motion.end;
+      motion.end = motion.start + interval;
+      motion.odometry_start = motion.odometry_end;
+      motion.odometry_end = motion.odometry_start * motion.increment;
+      auto bridged = motion;
+      gap.bridge(bridged);
+      return bridged;
+    };
+    for (int i = 0; i < 200; ++i) {
+      const bool is_held_up = has_bursts && i % 20 == 10;
+      report(is_held_up ? 10 * kUsual : kUsual);
+      for (int j = 1; is_held_up && j < 10; ++j) report(kBurst);
+    }
+    return report(20 * kUsual).covariance;
+  };
+  const auto usual = afterSilence(false), after_bursts = afterSilence(true);
+  EXPECT_LT(after_bursts(0, 0), 2.0 * usual(0, 0));
+  EXPECT_LT(after_bursts(2, 2), 2.0 * usual(2, 2));
+}
+
 }  // namespace
 }  // namespace slam
