@@ -66,10 +66,16 @@ void GridRecogniser::begin(const OccupancyGrid& grid, const std::optional<Pose2>
   box_ = Eigen::AlignedBox2d();
   box_.extend(grid.origin);
   box_.extend(grid.origin + grid.resolution * Eigen::Vector2d(grid.width, grid.height));
-  saved_ = saved;
+  expected_ = saved;
+  is_carried_rarely_ = false;
   trials_.forget();
   confirmed_at_.reset();
   is_due_ = true;
+}
+
+void expect(GridRecogniser& recogniser, const Pose2& place) {
+  recogniser.expected_ = place;
+  recogniser.is_carried_rarely_ = true;
 }
 
 void GridRecogniser::end() {
@@ -113,15 +119,28 @@ Recognition::Verdict GridRecogniser::weigh(const scan_matching::Match& best,
   const auto rival = matcher_.rivalAnywhere(best, map_->view(), scans, box_);
   const bool is_only =
       !rival || best.agreement.surplus() - rival->agreement.surplus() > kBetterThanRival * ends;
-  trials_.lead(best, robot, local_.kept(), isSaved(best.pose));
+  trials_.lead(best, robot, local_.kept(), priorOf(best.pose));
+  if (is_carried_rarely_) leadExpected();
   if (is_only)
     return trials_.isEnoughFor(best.pose, robot) ? Verdict::kConfirmed : Verdict::kLikely;
-  trials_.lead(*rival, robot, local_.kept(), isSaved(rival->pose));
+  trials_.lead(*rival, robot, local_.kept(), priorOf(rival->pose));
   return Verdict::kAmbiguous;
 }
 
-bool GridRecogniser::isSaved(const Pose2& place) const {
-  return saved_ && areOnePlace(*saved_ * local_.robot(), place);
+/// The place that motion has led to is a rival of any other one.
+void GridRecogniser::leadExpected() {
+  scan_matching::Match expected;
+  expected.pose = *expected_ * local_.robot();
+  trials_.lead(expected, local_.robot(), local_.kept(), PlaceTrials::Prior::kExpected);
+}
+
+PlaceTrials::Prior GridRecogniser::priorOf(const Pose2& place) const {
+  if (isExpected(place)) return PlaceTrials::Prior::kExpected;
+  return is_carried_rarely_ ? PlaceTrials::Prior::kUnlikely : PlaceTrials::Prior::kNone;
+}
+
+bool GridRecogniser::isExpected(const Pose2& place) const {
+  return expected_ && areOnePlace(*expected_ * local_.robot(), place);
 }
 
 GridRecogniser::Test GridRecogniser::test(const Pose2& believed) {

@@ -42,6 +42,11 @@ class GridRecogniser {
   /// @return nothing if the robot has not moved far enough since the last search
   std::optional<Recognition> find();
 
+  /// The robot is at or near this place (T_map_base), unless it was carried unnoticed, which is far
+  /// less common than a map that errs. So other places need more evidence. To be called after
+  /// begin().
+  friend void expect(GridRecogniser& recogniser, const Pose2& place);
+
   enum class Test { kGoesOn, kPassed, kRefuted };
   /// Starts to test the place that find() has just confirmed by the scans of the next metres,
   /// instead of searching for other places.
@@ -59,14 +64,16 @@ class GridRecogniser {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(local_, box_.min(), box_.max(), saved_, confirmed_at_, searched_, is_due_, has_news_,
-            trials_);
+    archive(local_, box_.min(), box_.max(), expected_, is_carried_rarely_, confirmed_at_, searched_,
+            is_due_, has_news_, trials_);
     archive.made(map_, [this] { return std::make_unique<scan_matching::ScanMap>(grid_config_); });
   }
 
  private:
   bool isDue() const;
-  bool isSaved(const Pose2& place) const;
+  void leadExpected();
+  PlaceTrials::Prior priorOf(const Pose2& place) const;
+  bool isExpected(const Pose2& place) const;
   /// Puts the places that a search has found on trial. @return the verdict of the search
   Recognition::Verdict weigh(const scan_matching::Match& best,
                              const scan_matching::ScanLevels& scans);
@@ -77,11 +84,14 @@ class GridRecogniser {
   LocalScans local_;
   std::unique_ptr<scan_matching::ScanMap> map_;  ///< the grid, while it is searched
   Eigen::AlignedBox2d box_;                      ///< of the map [m]
-  std::optional<Pose2> saved_;                   ///< T_map_local, if the robot was not carried
+  std::optional<Pose2> expected_;                ///< T_map_local, if the robot was not carried
+  bool is_carried_rarely_ = false;               ///< see expect()
   PlaceTrials trials_;                           ///< of the places that searches have found
   std::optional<double> confirmed_at_;           ///< distance driven when a test began [m]
   double searched_ = 0.0;                        ///< distance driven at the last search [m]
   bool is_due_ = false, has_news_ = false;
 };
+
+void expect(GridRecogniser& recogniser, const Pose2& place);
 
 }  // namespace slam::relocalisation

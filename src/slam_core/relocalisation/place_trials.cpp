@@ -55,12 +55,17 @@ PlaceTrials::Trials::const_iterator PlaceTrials::find(const Pose2& place,
 }
 
 void PlaceTrials::lead(const scan_matching::Match& found, const Pose2& local,
-                       const std::deque<LocalScan>& seen, bool is_expected) {
+                       const std::deque<LocalScan>& seen, Prior prior) {
   if (find(found.pose, local) != trials_.end()) return;
   if (trials_.size() >= kMostTrials) dropWorst();
   ++tried_;
-  const double prior = is_expected ? enough() : PlaceTrial::evidenceAgainst(found.agreement);
-  trials_.emplace_back(found.pose * local.inverse(), seen, prior);
+  trials_.emplace_back(found.pose * local.inverse(), seen, evidenceAtFirst(found, prior));
+}
+
+double PlaceTrials::evidenceAtFirst(const scan_matching::Match& found, Prior prior) const {
+  if (prior == Prior::kExpected) return enough();
+  const double of_scans = PlaceTrial::evidenceAgainst(found.agreement);
+  return prior == Prior::kUnlikely ? of_scans - std::log(odds_) : of_scans;
 }
 
 void PlaceTrials::dropWorst() {

@@ -26,13 +26,17 @@ class PlaceTrials {
   /// same are merged.
   void see(const LocalScan& scan, const scan_matching::MapView& map,
            const scan_matching::ScanToMapMatcher& matcher);
+  enum class Prior {
+    kNone,      ///< the robot may be anywhere
+    kExpected,  ///< the robot is there unless it was carried
+    kUnlikely   ///< the robot is elsewhere unless it was carried, which nothing shows
+  };
   /// To be called when a search has found a place: puts it on trial, unless it is already. @param
   /// found T_map_base at the last scan, and how much of the scans fits there @param local
   /// T_local_base of the last scan
-  /// @param seen the scans that the search has used @param is_expected the place is where the robot
-  /// is unless it was carried
+  /// @param seen the scans that the search has used
   void lead(const scan_matching::Match& found, const Pose2& local,
-            const std::deque<LocalScan>& seen, bool is_expected);
+            const std::deque<LocalScan>& seen, Prior prior);
   /// Whether the evidence for this place is enough, and that for all other places on trial is much
   /// smaller.
   /// @param local T_local_base, where the robot would be at `place`
@@ -59,6 +63,7 @@ class PlaceTrials {
   void dropWorst();
   /// Logarithm of the odds that a place must reach.
   double enough() const;
+  double evidenceAtFirst(const scan_matching::Match& found, Prior prior) const;
   /// The limit of the evidence, so that a refuted place may still turn out to be right.
   double most() const;
 

@@ -243,6 +243,7 @@ void Relocaliser::lose(const Pose2& believed, Cause cause) {
   removeLandmarks(doubtful);
   is_lost_by_scans_ = cause == Cause::kScans;
   was_carried_ = cause == Cause::kChange;
+  if (is_lost_by_scans_ && searches_grid_) expect(*grid_, believed);
   if (belief_ == Belief::kSure) unsearched_radius_ = radiusOfMap(believed);
 }
 

@@ -34,8 +34,8 @@ class PlaceTrialsTest : public testing::Test {
     for (int i = 0; i < kSteps; ++i) step = robot.next();
     last = {scan_matching::pointsOf(step.scan, models, 0.02), step.truth, 0.0};
   }
-  void lead(const Pose2& map_local, bool is_expected = false) {
-    trials.lead(foundAt(map_local), last.pose, {last}, is_expected);
+  void lead(const Pose2& map_local, PlaceTrials::Prior prior = PlaceTrials::Prior::kNone) {
+    trials.lead(foundAt(map_local), last.pose, {last}, prior);
   }
   scan_matching::Match foundAt(const Pose2& map_local) const {
     scan_matching::Match found;
@@ -131,9 +131,9 @@ TEST_F(PlaceTrialsTest, APlaceThatTheSearchedScansContradictNeedsMoreEvidence) {
   auto doubtful = trials, clear = trials;
   auto found = foundAt(kRight);
   found.agreement.agreeing = 300;
-  clear.lead(found, last.pose, {last}, false);
+  clear.lead(found, last.pose, {last}, PlaceTrials::Prior::kNone);
   found.agreement.contradicting = 100;
-  doubtful.lead(found, last.pose, {last}, false);
+  doubtful.lead(found, last.pose, {last}, PlaceTrials::Prior::kNone);
   const auto see = [this](PlaceTrials& some) { some.see(last, map.view(), matcher); };
   for (int i = 0; i < 20 && !clear.hasEnough(); ++i) {
     drive(1);
@@ -150,17 +150,35 @@ TEST_F(PlaceTrialsTest, APlaceThatTheSearchedScansContradictNeedsMoreEvidence) {
 }
 
 TEST_F(PlaceTrialsTest, TheExpectedPlaceNeedsNoOtherEvidence) {
-  lead(kRight, true);
+  lead(kRight, PlaceTrials::Prior::kExpected);
   EXPECT_TRUE(isEnoughFor(kRight));
 }
 
 /// But what comes next may refute it.
 TEST_F(PlaceTrialsTest, TheExpectedPlaceIsRefutedByScansThatDoNotFit) {
-  lead(kWrong, true);
+  lead(kWrong, PlaceTrials::Prior::kExpected);
   drive(12);
   EXPECT_FALSE(isEnoughFor(kWrong));
-  lead(kWrong, true);
+  lead(kWrong, PlaceTrials::Prior::kExpected);
   EXPECT_FALSE(isEnoughFor(kWrong));
+}
+
+/// As where the map errs, and the robot was not carried.
+TEST_F(PlaceTrialsTest, APlaceWhereTheRobotCanOnlyHaveBeenCarriedNeedsMoreEvidence) {
+  auto rarely = trials;
+  trials.lead(foundAt(kRight), last.pose, {last}, PlaceTrials::Prior::kNone);
+  rarely.lead(foundAt(kRight), last.pose, {last}, PlaceTrials::Prior::kUnlikely);
+  for (int i = 0; i < 20 && !trials.hasEnough(); ++i) {
+    drive(1);
+    rarely.see(last, map.view(), matcher);
+  }
+  ASSERT_TRUE(trials.hasEnough());
+  EXPECT_FALSE(rarely.hasEnough());
+  for (int i = 0; i < 40 && !rarely.hasEnough(); ++i) {
+    drive(1);
+    rarely.see(last, map.view(), matcher);
+  }
+  EXPECT_TRUE(rarely.hasEnough());
 }
 
 TEST_F(PlaceTrialsTest, OnlyTheBelievedPlaceIsTestedOn) {
@@ -173,7 +191,7 @@ TEST_F(PlaceTrialsTest, OnlyTheBelievedPlaceIsTestedOn) {
 }
 
 TEST_F(PlaceTrialsTest, NothingIsLeftOfAForgottenTrial) {
-  lead(kRight, true);
+  lead(kRight, PlaceTrials::Prior::kExpected);
   trials.forget();
   EXPECT_FALSE(trials.hasEnough());
   EXPECT_FALSE(isEnoughFor(kRight));
