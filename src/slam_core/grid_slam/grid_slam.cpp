@@ -111,7 +111,7 @@ Status GridSlam::replaceMap() {
   if (status.level == Status::Level::kError) return status;  // all stays as it is
   map_ = std::move(loaded);
   ++revision_;
-  drift_.restart({map.robot.pose, Eigen::Matrix3d::Zero()});
+  drift_.restartInLoadedMap(map.robot.pose);
   if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
   return status;
 }
@@ -119,6 +119,7 @@ Status GridSlam::replaceMap() {
 void GridSlam::relocate() {
   if (!inputs_.initial_pose) return;
   tracker_.restart(*std::exchange(inputs_.initial_pose, std::nullopt));
+  drift_.relocate(tracker_.robot().pose);
   trigger_.restart();
   carried_.reset();
   doubt_.forget();
@@ -132,7 +133,12 @@ void GridSlam::move() {
 
 Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
   const auto motion = std::exchange(carried_, std::nullopt);
-  const auto found = tracker_.track(map_->view(), scan, stamp, motion);
+  const auto drift =
+      mapIsFixed() ? std::nullopt : std::optional(drift_.covarianceAt(tracker_.robot().pose));
+  const auto found = tracker_.track(map_->view(), scan, stamp, motion, drift);
+  if (found.is_among_older) drift_.relocate(found.pose);
+  if (!mapIsFixed())
+    drift_.follow(tracker_.robot(), found.information, tracker_.fittedEnds(map_->view(), scan));
   watch_.note(scan, map_->isEmpty(), found, motion.has_value(), counters_);
   doubt_.judge(found, stamp);
   is_corrected_ = hasCorrected(doubt_);
@@ -165,11 +171,10 @@ Status GridSlam::insert(const ScanLevels& scan, const Match& found) {
   const auto beyond = map_->insert(scan, pose);
   trigger_.note(pose);
   if (!found.is_determined || drift_.isSurerThan(tracker_.robot())) {
-    drift_.restart(this->pose());
+    drift_.anchor(tracker_.robot().covariance);
     tracker_.anchor();
-  } else {
-    drift_.add(pose);
   }
+  drift_.add(scan[0], pose);
   ++revision_;
   if (beyond == 0) return Status::ok();
   counters_.add("beams_beyond_map", beyond);

@@ -6,9 +6,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
-#include "slam_core/geometry/angle.hpp"
+#include "slam_core/geometry/difference.hpp"
 #include "slam_core/geometry/principal_axes.hpp"
+#include "slam_core/scan_matching/rows.hpp"
 #include "slam_core/scan_matching/surface.hpp"
 
 // Symbols: p end of a beam in the map [cells], r its offset from the surface, n and t directions
@@ -83,50 +86,97 @@ NormalEquations NormalEquations::withoutNoise() const {
   return rest;
 }
 
+/// An end of a beam on a surface: its offset from it across and along, the information that each of
+/// these has, and their Jacobians. Lengths in cells.
+struct EndOnSurface {
+  Eigen::Vector2d surface;  ///< a point of it
+  double across, along;
+  double W_across, W_along;
+  double tilt;  ///< variance of the direction across [rad^2]
+  Eigen::Vector3d J_across, J_along;
+
+  double squared() const { return W_across * across * across + W_along * along * along; }
+  double weight() const {
+    const double root = 1.0 / (1.0 + squared());
+    return root * root;
+  }
+  Eigen::Matrix3d information() const {
+    return W_across * J_across * J_across.transpose() + W_along * J_along * J_along.transpose();
+  }
+};
+
 class Fit {
  public:
   Fit(const grid_map::GridMap& map, const ScanPoints& scan, double sigma)
-      : scan_(scan), finder_(map), variance_(std::pow(scan.cells_per_metre * sigma, 2)) {}
+      : scan_(scan),
+        rows_(rowsOf(scan)),
+        finder_(map),
+        variance_(std::pow(scan.cells_per_metre * sigma, 2)) {}
 
-  NormalEquations at(const Pose2& pose) {
-    NormalEquations sum;
+  /// Calls visit(end, weight) for each end that lies on a surface.
+  template <class Visit>
+  void forEachEnd(const Pose2& pose, const Visit& visit) {
     const double c = std::cos(pose.theta()), s = std::sin(pose.theta());
     const Eigen::Vector2d position = scan_.cells_per_metre * pose.position();
     scan_.forEachFan([&](const auto& fan, const auto&, const auto& ends) {
       for (const auto& end : ends) {
         const Eigen::Vector2d turned(c * end.x() - s * end.y(), s * end.x() + c * end.y());
+        const auto* const surface = finder_.nearest(turned + position);
+        if (surface == nullptr) continue;
         const double range_variance =
             fan.relative_sigma * fan.relative_sigma * (end - fan.origin).squaredNorm();
-        add(turned, turned + position, range_variance, sum);
+        const auto& row = rows_[static_cast<std::size_t>(&end - scan_.ends.data())];
+        const auto seen = row.length > 0.0 ? alongRow(*surface, row, c, s) : *surface;
+        const auto fitted = onSurface(seen, turned, turned + position, range_variance);
+        const double w = fitted.weight();
+        if (w >= kLeastWeight) visit(fitted, w);
       }
+    });
+  }
+
+  NormalEquations at(const Pose2& pose) {
+    NormalEquations sum;
+    forEachEnd(pose, [&sum](const EndOnSurface& end, double w) {
+      sum.add(w * end.W_across, end.across, end.J_across);
+      sum.addNoise(w * end.W_across, end.tilt, end.J_along);
+      if (end.W_along > 0.0) sum.add(w * end.W_along, end.along, end.J_along);
+      ++sum.ends;
+      sum.weights += w;
+      sum.squares += w * end.squared();
     });
     return sum;
   }
 
  private:
-  void add(const Eigen::Vector2d& turned, const Eigen::Vector2d& p, double range_variance,
-           NormalEquations& sum) {
-    const auto* const surface = finder_.nearest(p);
-    if (surface == nullptr) return;
+  /// What looks like a place in the map is a part of the surface that the scan shows.
+  Surface alongRow(const Surface& surface, const Row& row, double c, double s) const {
+    if (!surface.is_isolated) return surface;
+    const auto& d = row.direction;
+    Surface seen = surface;
+    seen.normal = {-s * d.x() - c * d.y(), c * d.x() - s * d.y()};
+    seen.across = surface.along;
+    seen.along = std::numeric_limits<double>::infinity();
+    seen.tilt = 2.0 * variance_ / (row.length * row.length);
+    return seen;
+  }
+
+  EndOnSurface onSurface(const Surface& surface, const Eigen::Vector2d& turned,
+                         const Eigen::Vector2d& p, double range_variance) const {
     const double variance = variance_ + range_variance;
-    const Eigen::Vector2d& n = surface->normal;
-    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface->point;
-    const double across = r.dot(n), along = r.dot(t);
-    const double W_across = 1.0 / (variance + surface->across);
-    const double W_along = surface->goesOn() ? 0.0 : 1.0 / (variance + surface->along);
-    const double squared = W_across * across * across + W_along * along * along;
-    const double root = 1.0 / (1.0 + squared), w = root * root;
-    if (!(w >= kLeastWeight)) return;
-    const auto J_along = jacobian(t, turned, scan_.cells_per_metre);
-    sum.add(w * W_across, across, jacobian(n, turned, scan_.cells_per_metre));
-    sum.addNoise(w * W_across, surface->tilt, J_along);
-    if (W_along > 0.0) sum.add(w * W_along, along, J_along);
-    ++sum.ends;
-    sum.weights += w;
-    sum.squares += w * squared;
+    const Eigen::Vector2d& n = surface.normal;
+    const Eigen::Vector2d t(-n.y(), n.x()), r = p - surface.point;
+    return {surface.point,
+            r.dot(n),
+            r.dot(t),
+            1.0 / (variance + surface.across),
+            surface.goesOn() ? 0.0 : 1.0 / (variance + surface.along),
+            surface.tilt,
+            jacobian(n, turned, scan_.cells_per_metre),
+            jacobian(t, turned, scan_.cells_per_metre)};
   }
 
   const ScanPoints& scan_;
+  std::vector<Row> rows_;
   SurfaceFinder finder_;
   double variance_;
 };
@@ -141,6 +191,16 @@ double weightOfPrior(double squared_sigmas) {
 
 }  // namespace
 
+/// The covariance of the prior gets as much along the error e as makes e^T information e smaller by
+/// the weight.
+Eigen::Matrix3d informationLeft(const PosePrior& prior, const Pose2& found, double weight) {
+  const Eigen::Vector3d e = difference(found, prior.pose);
+  const Eigen::Vector3d pull = prior.information * e;
+  const double squared = e.dot(pull);
+  if (!(squared > 0.0)) return prior.information;
+  return prior.information - (1.0 - weight) / squared * pull * pull.transpose();
+}
+
 Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, const Pose2& start,
                           const PosePrior& prior, double sigma) {
   Registration found;
@@ -154,16 +214,26 @@ Registration registerScan(const grid_map::GridMap& map, const ScanPoints& scan, 
     found.ends = equations.ends;
     if (!found.isDetermined()) break;
     found.information = sure.H / sure.shownVariance();
-    Eigen::Vector3d error = found.pose.vector() - prior.pose.vector();
-    error.z() = wrapAngle(error.z());
+    const Eigen::Vector3d error = difference(found.pose, prior.pose);
     found.prior_weight = weightOfPrior(error.dot(prior.information * error));
-    const Eigen::Matrix3d of_prior = found.prior_weight * prior.information;
+    const Eigen::Matrix3d of_prior = informationLeft(prior, found.pose, found.prior_weight);
     const Eigen::Matrix3d H = equations.H + of_prior + kDamping * Eigen::Matrix3d::Identity();
     const Eigen::Vector3d step = H.ldlt().solve(equations.g + of_prior * error);
     found.pose = Pose2::fromVector(found.pose.vector() - step);
     if (step.head<2>().norm() < kSmallStep && std::abs(step.z()) < kSmallStep) break;
   }
   return found;
+}
+
+std::vector<FittedEnd> fittedEnds(const grid_map::GridMap& map, const ScanPoints& scan,
+                                  const Pose2& pose, double sigma) {
+  std::vector<FittedEnd> fitted;
+  if (!scan.isOnMap(pose)) return fitted;
+  fitted.reserve(scan.ends.size());
+  Fit(map, scan, sigma).forEachEnd(pose, [&](const EndOnSurface& end, double w) {
+    fitted.push_back({end.surface / scan.cells_per_metre, w * end.information()});
+  });
+  return fitted;
 }
 
 }  // namespace slam::scan_matching

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/grid_map/grid_map.hpp"
@@ -18,6 +20,9 @@ struct PosePrior {
   /// If false, the pose is extrapolated from the last velocity. Then a scan corrects it also in
   /// directions in which the scan's information may only be noise of the surfaces' normals.
   bool is_measured = true;
+  /// The same information relative to the older surfaces of the map, which the newest ones have
+  /// drifted away from. Nothing if this is not known.
+  std::optional<Eigen::Matrix3d> information_among_older = std::nullopt;
 };
 
 /// Where a scan fits a map.
@@ -29,6 +34,12 @@ struct Registration {
   bool isDetermined() const { return ends >= 5; }
 };
 
+/// What is left of the information of a prior at the pose where a scan has been found. A scan that
+/// contradicts the prior lessens it in the direction of the contradiction: wheels that slip
+/// sideways still tell how far a robot has come along a corridor.
+/// @param weight what is left in this direction, 0 to 1: Registration::prior_weight
+Eigen::Matrix3d informationLeft(const PosePrior& prior, const Pose2& found, double weight);
+
 /// Moves a scan from `start` to where its ends lie on the map's surfaces, by Gauss-Newton with the
 /// prior as one more residual. Each end is matched with the nearest surface (Segal, Haehnel, Thrun
 /// 2009). Its residuals are the distance across the surface and, where the surface is like a point,
@@ -38,5 +49,17 @@ struct Registration {
 /// the laser's own noise
 Registration registerScan(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
                           const Pose2& start, const PosePrior& prior, double sigma);
+
+/// An end of a beam that fits a surface of the map.
+struct FittedEnd {
+  Eigen::Vector2d surface;      ///< a point of it [m], in the map
+  Eigen::Matrix3d information;  ///< of the robot's (x, y, theta), from this end
+};
+
+/// The ends that registerScan() uses at the pose where it has found the scan, and their shares of
+/// its information. They err as they do there: the information of all together is larger than that
+/// of the registration, which knows of noise that they share.
+std::vector<FittedEnd> fittedEnds(const grid_map::GridMap& map, const grid_map::ScanPoints& scan,
+                                  const Pose2& pose, double sigma);
 
 }  // namespace slam::scan_matching

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "slam_core/geometry/difference.hpp"
 #include "slam_core/geometry/principal_axes.hpp"
 
 namespace slam::scan_matching {
@@ -81,21 +82,42 @@ bool isBetter(const Match& found, const Match& best, double surplus) {
   return found.is_determined && found.agreement.surplus() > best.agreement.surplus() + surplus;
 }
 
+/// Whether motion may have led to this place, if the map has drifted as usual.
+bool isPlausible(const Match& match, const PosePrior& prior) {
+  constexpr double kSquaredSigmas = 16.27;  // 0.999 of chi-square with three degrees of freedom
+  if (!prior.information_among_older) return true;
+  const Eigen::Vector3d error = difference(match.pose, prior.pose);
+  return error.dot(*prior.information_among_older * error) < kSquaredSigmas;
+}
+
+/// Whether the place that was found explains most of what contradicted the map nearby.
+bool explainsMost(const Match& found, const Match& nearby) {
+  return 2 * found.agreement.contradicting <= nearby.agreement.contradicting;
+}
+
 }  // namespace
 
 Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                               bool may_use_wide_window) const {
   auto best = matchNearby(map, scan, prior);
+  if (prior.information_among_older && isDoubtful(best)) {
+    const auto found = searchedAmongOlder(map, scan, prior);
+    if (isBetter(found, best, kWorthAStep * endsOf(scan)) && explainsMost(found, best))
+      best = found;
+  }
   for (const auto& window : windowsAround(prior)) {
-    if (!isDoubtful(best)) break;
+    if (prior.information_among_older || !isDoubtful(best)) break;
     const auto found = searched(map, scan, prior.pose, window.position, window.heading);
     const bool is_local = window.position <= config_.window_position;
     if (isBetter(found, best, kWorthAStep * endsOf(scan)) &&
         (is_local || !hasRival(found, map, scan, found.pose, kAround, kBetterThanRivals)))
       best = found;
   }
-  if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
-    best = foundFarAway(map, scan, prior, best);
+  if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict) {
+    const auto far = foundFarAway(map, scan, prior, best);
+    if (isPlausible(far, prior) || best.agreement.mostlyContradicts()) best = far;
+    best.wide_search_done = true;
+  }
   return believed(best, prior);
 }
 
@@ -235,6 +257,23 @@ Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, con
                                  double position, double heading) const {
   const auto search = searchOf(map, scan, middle, {position, heading});
   return refinedWithin(map, scan, search.best().value_or(middle), {position, heading});
+}
+
+/// The older surfaces may be as far away as the map has drifted since they were drawn. In
+/// directions in which the scan does not tell the place, as along a corridor, the prior does: there
+/// the search has found one of many places by chance.
+Match ScanToMapMatcher::searchedAmongOlder(const MapView& map, const ScanLevels& scan,
+                                           const PosePrior& prior) const {
+  const PosePrior among_older{prior.pose, *prior.information_among_older};
+  const Eigen::Matrix3d P = among_older.information.inverse();
+  const double drift = std::sqrt(largestVariance(P.topLeftCorner<2, 2>()));
+  const SearchWindow window{
+      std::max(config_.window_position, std::min(drift, kWidestGuess.position)),
+      config_.window_heading};
+  const auto search = searchOf(map, scan, prior.pose, window);
+  auto match = refined(map, scan, search.best().value_or(prior.pose), among_older);
+  match.was_searched = match.is_among_older = match.is_determined;
+  return match;
 }
 
 /// What a search has found is all that is known of the place.

@@ -23,6 +23,7 @@ struct Match {
   double prior_weight = 1.0;      ///< robust weight of the prior, 0 to 1; 0 after a search
   bool is_determined = false;     ///< enough ends fit the map
   bool was_searched = false;      ///< nothing fitted at the prior
+  bool is_among_older = false;    ///< the prior was that among the older surfaces of the map
   bool wide_search_done = false;  ///< it may have found nothing
   /// Motion was missing for so long that the robot may be anywhere around; the scan was not
   /// matched.
@@ -37,6 +38,10 @@ struct Match {
 /// better place (Olson 2009); without odometry this window grows until it covers the sigma of the
 /// guess. If necessary it searches a wide window, so that the robot is found again after its wheels
 /// slipped or stood still.
+///
+/// Where the drift of the map is known (PosePrior::information_among_older), the first window is as
+/// large as the drift, and a place counts there if it explains most of what contradicted. The wide
+/// window leads no further than motion and drift may have led, unless most of the scan contradicts.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
@@ -68,6 +73,12 @@ class ScanToMapMatcher {
   std::optional<Match> rivalAnywhere(const Match& found, const MapView& map, const ScanLevels& scan,
                                      const Eigen::AlignedBox2d& places) const;
 
+  /// What the ends of a scan that was matched at this pose fit.
+  std::vector<FittedEnd> fittedEnds(const MapView& map, const ScanLevels& scan,
+                                    const Pose2& pose) const {
+    return scan_matching::fittedEnds(map.finest().map, scan[0], pose, config_.sigma);
+  }
+
   // The steps of match(), for callers that search once for many maps.
   /// The match; or, if most of the scan contradicts the map at the matched pose, the prior's pose
   /// without any information.
@@ -94,6 +105,8 @@ class ScanToMapMatcher {
   /// Searches the wide window. @return a place there that justifies a jump, otherwise `nearby`
   Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
+  Match searchedAmongOlder(const MapView& map, const ScanLevels& scan,
+                           const PosePrior& prior) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                 const PosePrior& prior) const;
   Match searched(const MapView& map, const ScanLevels& scan, const Pose2& middle, double position,

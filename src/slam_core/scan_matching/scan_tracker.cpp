@@ -101,7 +101,8 @@ Motion ScanTracker::motionOf(Duration interval) const {
 }
 
 Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp,
-                         const std::optional<Motion>& told) {
+                         const std::optional<Motion>& told,
+                         const std::optional<Eigen::Matrix3d>& drift) {
   Duration interval{}, gap{};
   if (stamp_ && stamp > *stamp_) {
     interval = sweeps_.plausible(stamp - *stamp_);
@@ -114,9 +115,9 @@ Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp
   is_anywhere_ = is_anywhere_ || (told && !map.isEmpty() && leadsAnywhere(*told));
   const auto found = map.isEmpty() || is_anywhere_
                          ? move(motion)
-                         : match(map, scan, stamp, motion, told.has_value());
+                         : match(map, scan, stamp, {motion, told.has_value(), drift});
   if (gap > Duration::zero())
-    learnVelocity(before.between(found.pose), gap, found.jumped.has_value());
+    learnVelocity(before.between(found.pose), gap, found.jumped || found.is_among_older);
   stamp_ = stamp;
   return found;
 }
@@ -140,20 +141,22 @@ bool ScanTracker::mayUseWideWindow(Stamp stamp) const {
   return !wide_search_ || stamp - *wide_search_ >= kPause || stamp < *wide_search_;
 }
 
-Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp,
-                         const Motion& motion, bool is_told) {
+Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Way& way) {
+  const auto& increment = way.motion.increment;
   const Eigen::Matrix3d noise =
-      motion.covariance + (is_told ? slip_ : SlipEstimate()).covarianceOf(motion.increment);
-  auto prior = priorAfter(robot_.pose, robot_.covariance, motion.increment, noise);
-  prior.is_measured = is_told;
+      way.motion.covariance + (way.is_told ? slip_ : SlipEstimate()).covarianceOf(increment);
+  auto prior = priorAfter(robot_.pose, robot_.covariance, increment, noise);
+  prior.is_measured = way.is_told;
+  if (way.is_told && way.drift)
+    prior.information_among_older = (prior.information.inverse() + *way.drift).inverse();
   const auto found = matcher_.match(map, scan, prior, mayUseWideWindow(stamp));
   if (found.wide_search_done) wide_search_ = stamp;
-  if (is_told && found.is_determined)
-    slip_.learn(motion.increment, prior.pose.between(found.pose), sharesOf(found, prior));
-  const auto usual = SlipEstimate().covarianceOf(motion.increment);
-  shares_ =
-      sharesOf(found, priorAfter(robot_.pose, Eigen::Matrix3d::Zero(), motion.increment, usual));
-  update(found, prior, motion, noise);
+  if (way.is_told && found.is_determined && !found.is_among_older)
+    slip_.learn(increment, prior.pose.between(found.pose), sharesOf(found, prior));
+  const auto usual = SlipEstimate().covarianceOf(increment);
+  shares_ = sharesOf(found, priorAfter(robot_.pose, Eigen::Matrix3d::Zero(), increment, usual));
+  if (found.is_among_older) prior.information = *prior.information_among_older;
+  update(found, prior, way.motion, noise);
   return found;
 }
 
@@ -164,7 +167,8 @@ Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp
 // error by those of the pose before and of the motion.
 void ScanTracker::update(const Match& found, const PosePrior& prior, const Motion& motion,
                          const Eigen::Matrix3d& noise) {
-  const Eigen::Matrix3d prior_left = found.prior_weight * prior.information;
+  Eigen::Matrix3d prior_left = Eigen::Matrix3d::Zero();
+  if (found.prior_weight > 0.0) prior_left = informationLeft(prior, found.pose, found.prior_weight);
   const Eigen::Matrix3d P = symmetric((prior_left + found.information).inverse());
   const Eigen::Matrix3d left = P * prior_left;  // I - K
   Eigen::Matrix3d F, G, J_inverse, J_to_before, J_after;

@@ -65,9 +65,18 @@ class ScanTracker {
 
   /// Starts at this pose; the velocity, the slip and the stamps known so far are dropped.
   void restart(const PoseEstimate& place);
-  /// @param motion since the last scan @return what the scan fits; an empty map fits nothing
+  /// @param motion since the last scan
+  /// @param drift covariance of the surfaces around the robot relative to the oldest ones, which it
+  /// may meet again; nothing: they have not drifted @return what the scan fits; an empty map fits
+  /// nothing
   Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
-              const std::optional<Motion>& motion);
+              const std::optional<Motion>& motion,
+              const std::optional<Eigen::Matrix3d>& drift = std::nullopt);
+
+  /// The ends of the scan that the last track() has matched, if it was, and what they fit.
+  std::vector<FittedEnd> fittedEnds(const MapView& map, const ScanLevels& scan) const {
+    return matcher_.fittedEnds(map, scan, robot_.pose);
+  }
 
   /// Moves the robot, for example into another map, or because something else has changed its pose
   /// since the last scan.
@@ -96,8 +105,13 @@ class ScanTracker {
  private:
   Motion motionOf(Duration interval) const;
   Match move(const Motion& motion);
-  Match match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Motion& motion,
-              bool is_told);
+  /// The way since the last scan.
+  struct Way {
+    const Motion& motion;
+    bool is_told;  ///< or else extrapolated from the last velocity
+    const std::optional<Eigen::Matrix3d>& drift;
+  };
+  Match match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Way& way);
   /// A wide search for each scan of a lost robot would take too long.
   bool mayUseWideWindow(Stamp stamp) const;
   /// Updates the pose by a match. @param noise of the motion to the scan

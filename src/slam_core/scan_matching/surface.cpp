@@ -92,7 +92,8 @@ Surface surfaceAbout(const GridMap& map, CellIndex middle) {
     if (cell == middle) surface.point = mean;
     moments.add(mean - origin, ends);
   });
-  if (moments.cells() < kFewestOfLine) {  // a part of what may go on unseen, as far as was looked
+  surface.is_isolated = moments.cells() < kFewestOfLine;
+  if (surface.is_isolated) {  // a part of what may go on unseen, as far as was looked
     surface.across = surface.along = kReach * kReach;
     return surface;
   }

@@ -17,8 +17,9 @@ struct Surface {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();    ///< mean of the ends
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< across it, of unit length
   double across = 0.0;                                ///< variance of the ends along the normal
-  double along = 0.0;  ///< the same along it; infinite if it is a line
-  double tilt = 0.0;   ///< variance of the normal's direction, as the ends lie about a line [rad^2]
+  double along = 0.0;        ///< the same along it; infinite if it is a line
+  bool is_isolated = false;  ///< of so few cells that it may go on unseen
+  double tilt = 0.0;  ///< variance of the normal's direction, as the ends lie about a line [rad^2]
 
   bool goesOn() const { return std::isinf(along); }
 };

@@ -90,7 +90,7 @@ Status FastSlam::replaceMap() {
   const double inflation = has_joint ? 1.0 : config_.load_inflation;
   particles_->replaceMaps(map.landmarks, inflation, grid, coarse);
   landmarks_.load(map.landmarks);
-  if (scans_) scans_->restart({map.robot.pose, Eigen::Matrix3d::Zero()});
+  if (scans_) scans_->restartInLoadedMap(map.robot.pose);
   belief_.bound.load(map.landmarks, inflation);
   if (!inputs_.initial_pose) inputs_.initial_pose = map.robot;
   return status;

@@ -6,15 +6,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "slam_core/geometry/angle.hpp"
-
 namespace slam::particle_filter {
-
-Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
-  Eigen::Vector3d d = to.vector() - from.vector();
-  d.z() = wrapAngle(d.z());
-  return d;
-}
 
 PoseGaussian PoseGaussian::moved(const Motion& motion) const {
   PoseGaussian after;

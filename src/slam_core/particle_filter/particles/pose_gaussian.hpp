@@ -6,13 +6,11 @@
 #include <Eigen/Core>
 
 #include "slam_core/common/random.hpp"
+#include "slam_core/geometry/difference.hpp"
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::particle_filter {
-
-/// From `from` to `to`, (x, y, theta) apart, the angle wrapped.
-Eigen::Vector3d difference(const Pose2& to, const Pose2& from);
 
 /// A Gaussian over a pose; the covariance may be zero.
 struct PoseGaussian {

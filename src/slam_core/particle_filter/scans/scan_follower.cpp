@@ -3,6 +3,7 @@
 
 #include "slam_core/particle_filter/scans/scan_follower.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
 
@@ -14,10 +15,19 @@ namespace {
 
 constexpr double kMetresPerRadian = 0.5;  // a turn errs as much as such a way
 
-/// The covariance without its negative part.
-Eigen::Matrix3d positivePart(const Eigen::Matrix3d& P) {
-  const auto [variances, V] = principalAxes(symmetric(P));
-  return V * variances.cwiseMax(0.0).asDiagonal() * V.transpose();
+/// The part of a growth of the covariance that is neither negative nor more than the wheels' noise:
+/// in directions that a scan does not tell, the way is as certain as the wheels say. There the
+/// matcher has to allow for a slip, but nobody has seen one.
+Eigen::Matrix3d withinNoise(const Eigen::Matrix3d& growth, const Eigen::Matrix3d& noise) {
+  constexpr double kFloor = 1e-12;
+  const Eigen::LLT<Eigen::Matrix3d> root(noise + kFloor * Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d L = root.matrixL();
+  const Eigen::Matrix3d half = L.triangularView<Eigen::Lower>().solve(growth);
+  const Eigen::Matrix3d relative =
+      L.triangularView<Eigen::Lower>().solve(Eigen::Matrix3d(half.transpose()));
+  const auto [shares, V] = principalAxes(symmetric(relative));
+  const Eigen::Matrix3d LV = L * V;
+  return LV * shares.cwiseMax(0.0).cwiseMin(1.0).asDiagonal() * LV.transpose();
 }
 
 Eigen::Matrix3d turnOf(const Pose2& increment) {
@@ -70,11 +80,12 @@ void ScanFollower::move(const Motion& motion) {
 
 scan_matching::Match ScanFollower::follow(const scan_matching::MapView& map,
                                           const scan_matching::ScanLevels& scan, Stamp stamp,
-                                          const Pose2& pose) {
+                                          const Pose2& pose,
+                                          const std::optional<Eigen::Matrix3d>& drift) {
   const auto wheels = std::exchange(wheels_, std::nullopt).value_or(Motion());
   tracker_.moveTo(pose * wheels.increment.inverse());
   const auto before = tracker_.robot();
-  const auto found = tracker_.track(map, scan, stamp, wheels);
+  const auto found = tracker_.track(map, scan, stamp, wheels, drift);
   const auto& after = tracker_.robot();
   correction_ = {pose.between(after.pose),
                  afterMotion(tracker_.step().increment, tracker_.step().of_motion)};
@@ -86,7 +97,7 @@ scan_matching::Match ScanFollower::follow(const scan_matching::MapView& map,
       after.covariance - J_before * before.covariance * J_before.transpose();
   const double way =
       step.increment.position().norm() + kMetresPerRadian * std::abs(step.increment.theta());
-  step.covariance = J_u.transpose() * positivePart(growth) * J_u;
+  step.covariance = withinNoise(J_u.transpose() * growth * J_u, wheels.covariance);
   step.covariance.diagonal() += way * variance_per_metre_;
   motion_ = joined(motion_, step);
   return found;

@@ -43,11 +43,11 @@ class ScanFollower {
   /// What the wheels say of the way to the next scan.
   void move(const Motion& motion);
   /// @param map of the particle that is followed
-  /// @param pose where the wheels have put it
+  /// @param pose where the wheels have put it @param drift see ScanTracker::track()
   /// @return what the scan fits there
   scan_matching::Match follow(const scan_matching::MapView& map,
                               const scan_matching::ScanLevels& scan, Stamp stamp,
-                              const Pose2& pose);
+                              const Pose2& pose, const std::optional<Eigen::Matrix3d>& drift);
 
   /// Of the last scan.
   const ScanCorrection& correction() const { return correction_; }
@@ -55,8 +55,13 @@ class ScanFollower {
   /// wheels, and the drift of the map that they were matched with.
   const Motion& motion() const { return motion_; }
   void beginMotion() { motion_ = {}; }
-  /// Of the robot among the parts of the map around it, in (x, y, theta).
-  const Eigen::Matrix3d& covariance() const { return tracker_.robot().covariance; }
+  /// Its covariance, in (x, y, theta), is that relative to the parts of the map around it.
+  const PoseEstimate& robot() const { return tracker_.robot(); }
+  /// What the ends of the last scan fit in the map of the particle that is followed.
+  std::vector<scan_matching::FittedEnd> fittedEnds(const scan_matching::MapView& map,
+                                                   const scan_matching::ScanLevels& scan) const {
+    return tracker_.fittedEnds(map, scan);
+  }
 
   template <class Archive>
   void persist(Archive& archive) {

@@ -55,8 +55,13 @@ ScanUpdate::ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& sca
 }
 
 void ScanUpdate::restart(const PoseEstimate& first) {
-  drift_.restart(first);
   relocate({first.pose});
+  drift_.restart(first);
+}
+
+void ScanUpdate::restartInLoadedMap(const Pose2& robot) {
+  relocate({robot});
+  drift_.restartInLoadedMap(robot);
 }
 
 void ScanUpdate::relocate(const PoseEstimate& around) {
@@ -64,6 +69,7 @@ void ScanUpdate::relocate(const PoseEstimate& around) {
   doubt_.forget();
   watch_.restart();
   follower_.restart();
+  drift_.relocate(around.pose);
   Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
   to_robot.topLeftCorner<2, 2>() = around.pose.rotation().transpose();
   told_.emplace();
@@ -77,8 +83,12 @@ bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& 
   correction_ = {};
   auto levels = scan_matching::pointsOf(scan, models_, spacing_);
   const auto map = mapOf(best);
-  const auto found = follower_.follow(map, levels, scan.stamp, pose);
+  const auto drift = map_is_fixed_ ? std::nullopt : std::optional(drift_.covarianceAt(pose));
+  const auto found = follower_.follow(map, levels, scan.stamp, pose, drift);
+  if (found.is_among_older) drift_.relocate(found.pose);
   watch_.note(levels, map.isEmpty(), found, true, account.counters);
+  if (!map_is_fixed_)
+    drift_.follow(follower_.robot(), found.information, follower_.fittedEnds(map, levels));
   doubt_.judge(found, scan.stamp);
   correction_ = follower_.correction();
   motion_ = follower_.motion();
@@ -128,7 +138,7 @@ Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Mot
 /// show.
 void ScanUpdate::inform(const PoseEstimate& moments, const ParticleSet&,
                         KnowledgeBound& bound) const {
-  const Eigen::Matrix3d drifted = follower_.covariance() + drift_.covarianceAt(moments.pose);
+  const Eigen::Matrix3d drifted = follower_.robot().covariance + drift_.covarianceAt(moments.pose);
   bound.setPose(atLeast<3>(drifted, moments.covariance));
 }
 
@@ -154,7 +164,7 @@ Lesson ScanUpdate::insert(ParticleSet& particles, const Execution& execution, Ac
     beyond += grid_map::insertScan(models_[0], scan_[0], particle.pose, particle.grid);
     grid_map::insertScan(models_[1], scan_[1], particle.pose, particle.coarse_grid);
   });
-  drift_.add(particles[particles.best()].pose);
+  drift_.add(scan_[0], particles[particles.best()].pose);
   account.counters.add("beams_beyond_map", beyond);
   if (beyond == 0) return {Status::ok(), true};
   return {Status::warning("beams end beyond the largest grid map, what lies there is not mapped: "

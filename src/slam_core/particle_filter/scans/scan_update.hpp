@@ -28,8 +28,10 @@ class ScanUpdate final : public SensorUpdate {
   ScanUpdate(const grid_map::GridMapConfig& map, const ScanConfig& scan,
              const scan_matching::MatcherConfig& matcher, bool map_is_fixed);
 
-  /// The map begins there, or is a loaded one that the robot is in there.
+  /// The map starts, empty, at this pose.
   void restart(const PoseEstimate& first);
+  /// A map was loaded, with the robot at this pose.
+  void restartInLoadedMap(const Pose2& robot);
   /// The next scan is used wherever the robot is.
   /// @param around a pose: by its covariance a particle may be off, beyond what it was drawn by
   void relocate(const PoseEstimate& around);

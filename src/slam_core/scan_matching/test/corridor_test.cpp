@@ -88,6 +88,35 @@ TEST_F(Corridor, AScanDoesNotTellHowFarAlongItIs) {
   EXPECT_LT(along, 1e-2 * across);
 }
 
+/// A laser that looks ahead has seen the walls from afar, as dots that are further apart than
+/// cells. When it stands beside them, they look like posts in the map.
+TEST_F(Corridor, DotsOfAWallTellNothingAlongIt) {
+  map.insert(pointsAt({-4.0, 0, 0}), {-4.0, 0, 0});
+  constexpr int kScans = 40;
+  double held = 0.0, information = 0.0;
+  for (int i = 0; i < kScans; ++i) {
+    const Pose2 truth(-1.5 + 0.04 * i, 0, 0);
+    const Pose2 prior(truth.x() + (i % 2 == 0 ? 0.1 : -0.1), 0.0, 0.0);
+    const auto match =
+        ScanToMapMatcher().matchNearby(map.view(), pointsAt(truth), priorAt(prior, 0.05));
+    held += std::abs(match.pose.x() - prior.x()) / kScans;
+    information += match.information(0, 0) / kScans;
+  }
+  EXPECT_LT(held, 0.02);
+  EXPECT_LT(information, 6000.0) << "13000 with posts instead of rows";
+}
+
+TEST_F(Corridor, ARobotComesBackToOlderWallsWithWhatMotionTellsAlongThem) {
+  draw(4.0);
+  const Pose2 truth(2.0, 0, 0);
+  auto prior = priorAt({2.1, -0.4, 0.0}, 0.02);  // relative to the walls that were drawn last
+  prior.information_among_older = priorAt(prior.pose, 0.3).information;
+  const auto match = ScanToMapMatcher().match(map.view(), pointsAt(truth), prior);
+  EXPECT_TRUE(match.is_among_older);
+  EXPECT_NEAR(match.pose.y(), truth.y(), 0.02);
+  EXPECT_NEAR(match.pose.x(), prior.pose.x(), 0.1) << "nothing else tells";
+}
+
 TEST_F(Corridor, WheelsSayHowFarTheRobotHasGone) {
   ScanTracker tracker;
   RandomStream slips(2, 0);

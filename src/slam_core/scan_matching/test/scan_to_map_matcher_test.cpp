@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "slam_core/geometry/angle.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
@@ -50,6 +52,23 @@ class MatchingInARoom : public testing::Test {
   Pose2 truth;
 };
 
+TEST_F(MatchingInARoom, TellsWhichEndsFitWhichSurfaces) {
+  const auto points = pointsOf(scan, kModels, kSpacing);
+  const auto& ends = points[0].ends;
+  const auto fitted = matcher.fittedEnds(map.view(), points, truth);
+  EXPECT_GT(fitted.size(), ends.size() / 2);
+  EXPECT_LE(fitted.size(), ends.size());
+  const double cells = points[0].cells_per_metre;
+  for (const auto& [surface, information] : fitted) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& end : ends)
+      nearest = std::min(nearest, (truth.transform(end / cells) - surface).norm());
+    EXPECT_LT(nearest, 0.15);
+    EXPECT_GT(information.trace(), 0.0);
+    EXPECT_TRUE(information.isApprox(information.transpose()));
+  }
+}
+
 TEST_F(MatchingInARoom, FindsBackFromWhatOdometryErrsBy) {
   for (const auto& offset : {Pose2(), Pose2(0.08, 0.05, 0.04), Pose2(-0.1, -0.1, -0.1)}) {
     const auto match = matched(priorAt(truth * offset, 0.2));
@@ -68,6 +87,19 @@ TEST_F(MatchingInARoom, FindsBackAfterWheelsThatStoodStillWhileTheRobotMoved) {
   const auto match = matched(priorAt(truth * Pose2(0.9, 0.3, -1.5), 0.05));
   EXPECT_TRUE(match.was_searched);
   expectTruth(match.pose);
+}
+
+TEST(InformationLeft, IsLessInTheDirectionOfTheContradictionAlone) {
+  PosePrior prior;
+  prior.information << 400.0, 100.0, 20.0, 100.0, 300.0, -30.0, 20.0, -30.0, 900.0;
+  const Pose2 found(0.1, -0.2, 0.3);
+  const Eigen::Vector3d e = found.vector();
+  constexpr double kWeight = 0.25;
+  const auto left = informationLeft(prior, found, kWeight);
+  EXPECT_NEAR(e.dot(left * e), kWeight * e.dot(prior.information * e), 1e-9);
+  const Eigen::Matrix3d more = left.inverse() - prior.information.inverse();  // covariance
+  EXPECT_NEAR((more - more.trace() / e.squaredNorm() * e * e.transpose()).norm(), 0.0, 1e-9);
+  EXPECT_TRUE(informationLeft(prior, prior.pose, 1.0).isApprox(prior.information));
 }
 
 /// Carried from anywhere to anywhere in the room, mostly out of reach of any window.
