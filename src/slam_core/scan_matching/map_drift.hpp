@@ -29,8 +29,8 @@ class MapDrift {
 
   /// The map starts, empty, at this pose.
   void restart(const PoseEstimate& first);
-  /// A map was loaded, with the robot at this pose. It is the reference, so that its surfaces do
-  /// not err.
+  /// A map was loaded, with the robot at this pose. It is the reference: its surfaces do not err,
+  /// until the robot draws at the same places.
   void restartInLoadedMap(const Pose2& robot);
   /// The robot is elsewhere. Its whole covariance is that relative to the surfaces.
   void relocate(const Pose2& pose);
@@ -39,8 +39,8 @@ class MapDrift {
   /// @param information of the match; 0: it was not matched
   void follow(const PoseEstimate& robot, const Eigen::Matrix3d& information,
               const std::vector<FittedEnd>& ends);
-  /// What the robot draws from now on is drawn from a pose that has this covariance relative to the
-  /// surfaces so far: it is misplaced relative to them.
+  /// The robot draws from a pose that has this covariance relative to the surfaces so far, so that
+  /// it misplaces the next ones by as much.
   void anchor(const Eigen::Matrix3d& covariance);
   /// A scan was drawn at this pose, where the robot is.
   void add(const grid_map::ScanPoints& scan, const Pose2& pose);

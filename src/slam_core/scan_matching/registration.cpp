@@ -148,7 +148,7 @@ class Fit {
   }
 
  private:
-  /// What looks like a place in the map is a part of the surface that the scan shows.
+  /// The map shows no more than a place here. The row shows the direction of its surface.
   Surface alongRow(const Surface& surface, const Row& row, double c, double s) const {
     if (!surface.is_isolated) return surface;
     const auto& d = row.direction;

@@ -34,10 +34,11 @@ struct Registration {
   bool isDetermined() const { return ends >= 5; }
 };
 
-/// What is left of the information of a prior at the pose where a scan has been found. A scan that
-/// contradicts the prior lessens it in the direction of the contradiction: wheels that slip
-/// sideways still tell how far a robot has come along a corridor.
-/// @param weight what is left in this direction, 0 to 1: Registration::prior_weight
+/// Lessens a prior that the scan contradicts, in the direction of the contradiction alone: wheels
+/// that slip sideways still tell how far a robot has come along a corridor.
+/// @param found where the scan was found
+/// @param weight the share that the prior keeps in this direction: Registration::prior_weight
+/// @return the information that the prior keeps
 Eigen::Matrix3d informationLeft(const PosePrior& prior, const Pose2& found, double weight);
 
 /// Moves a scan from `start` to where its ends lie on the map's surfaces, by Gauss-Newton with the

@@ -39,9 +39,10 @@ struct Match {
 /// guess. If necessary it searches a wide window, so that the robot is found again after its wheels
 /// slipped or stood still.
 ///
-/// Where the drift of the map is known (PosePrior::information_among_older), the first window is as
-/// large as the drift, and a place counts there if it explains most of what contradicted. The wide
-/// window leads no further than motion and drift may have led, unless most of the scan contradicts.
+/// If the prior says how far the map has drifted (PosePrior::information_among_older), the first
+/// window is as large as that, and a place in it counts if it explains half of the ends that
+/// contradicted. The wide window then leads only to where motion and drift may have led the robot,
+/// unless most of the scan contradicts the map.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
@@ -73,7 +74,7 @@ class ScanToMapMatcher {
   std::optional<Match> rivalAnywhere(const Match& found, const MapView& map, const ScanLevels& scan,
                                      const Eigen::AlignedBox2d& places) const;
 
-  /// What the ends of a scan that was matched at this pose fit.
+  /// @return the surfaces that the ends of a scan fit, if it was matched at this pose
   std::vector<FittedEnd> fittedEnds(const MapView& map, const ScanLevels& scan,
                                     const Pose2& pose) const {
     return scan_matching::fittedEnds(map.finest().map, scan[0], pose, config_.sigma);

@@ -73,7 +73,7 @@ class ScanTracker {
               const std::optional<Motion>& motion,
               const std::optional<Eigen::Matrix3d>& drift = std::nullopt);
 
-  /// The ends of the scan that the last track() has matched, if it was, and what they fit.
+  /// @return the surfaces that the ends of a scan fit; to be called after track() with this scan
   std::vector<FittedEnd> fittedEnds(const MapView& map, const ScanLevels& scan) const {
     return matcher_.fittedEnds(map, scan, robot_.pose);
   }

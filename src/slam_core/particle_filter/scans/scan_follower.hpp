@@ -46,8 +46,8 @@ class ScanFollower {
   /// @param pose where the wheels have put it @param drift see ScanTracker::track()
   /// @return what the scan fits there
   scan_matching::Match follow(const scan_matching::MapView& map,
-                              const scan_matching::ScanLevels& scan, Stamp stamp,
-                              const Pose2& pose, const std::optional<Eigen::Matrix3d>& drift);
+                              const scan_matching::ScanLevels& scan, Stamp stamp, const Pose2& pose,
+                              const std::optional<Eigen::Matrix3d>& drift);
 
   /// Of the last scan.
   const ScanCorrection& correction() const { return correction_; }
@@ -57,7 +57,7 @@ class ScanFollower {
   void beginMotion() { motion_ = {}; }
   /// Its covariance, in (x, y, theta), is that relative to the parts of the map around it.
   const PoseEstimate& robot() const { return tracker_.robot(); }
-  /// What the ends of the last scan fit in the map of the particle that is followed.
+  /// @return the surfaces that the ends of a scan fit; to be called after follow() with this scan
   std::vector<scan_matching::FittedEnd> fittedEnds(const scan_matching::MapView& map,
                                                    const scan_matching::ScanLevels& scan) const {
     return tracker_.fittedEnds(map, scan);

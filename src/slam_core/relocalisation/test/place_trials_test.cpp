@@ -163,7 +163,7 @@ TEST_F(PlaceTrialsTest, TheExpectedPlaceIsRefutedByScansThatDoNotFit) {
   EXPECT_FALSE(isEnoughFor(kWrong));
 }
 
-/// As where the map errs, and the robot was not carried.
+/// Scans contradict a map that errs as well, without anybody having carried the robot.
 TEST_F(PlaceTrialsTest, APlaceWhereTheRobotCanOnlyHaveBeenCarriedNeedsMoreEvidence) {
   auto rarely = trials;
   trials.lead(foundAt(kRight), last.pose, {last}, PlaceTrials::Prior::kNone);
