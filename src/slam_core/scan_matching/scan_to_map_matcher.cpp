@@ -100,25 +100,25 @@ bool explainsMost(const Match& found, const Match& nearby) {
 Match ScanToMapMatcher::match(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                               bool may_use_wide_window) const {
   auto best = matchNearby(map, scan, prior);
-  if (prior.information_among_older && isDoubtful(best)) {
-    const auto found = searchedAmongOlder(map, scan, prior);
-    if (isBetter(found, best, kWorthAStep * endsOf(scan)) && explainsMost(found, best))
-      best = found;
-  }
+  if (isDoubtful(best))
+    best = prior.information_among_older ? orAmongOlder(map, scan, prior, best)
+                                         : orInWindows(map, scan, prior, best);
+  if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict)
+    best = foundFarAway(map, scan, prior, best);
+  return believed(best, prior);
+}
+
+Match ScanToMapMatcher::orInWindows(const MapView& map, const ScanLevels& scan,
+                                    const PosePrior& prior, Match best) const {
   for (const auto& window : windowsAround(prior)) {
-    if (prior.information_among_older || !isDoubtful(best)) break;
+    if (!isDoubtful(best)) break;
     const auto found = searched(map, scan, prior.pose, window.position, window.heading);
     const bool is_local = window.position <= config_.window_position;
     if (isBetter(found, best, kWorthAStep * endsOf(scan)) &&
         (is_local || !hasRival(found, map, scan, found.pose, kAround, kBetterThanRivals)))
       best = found;
   }
-  if (may_use_wide_window && best.agreement.contradictingShare() > kManyContradict) {
-    const auto far = foundFarAway(map, scan, prior, best);
-    if (isPlausible(far, prior) || best.agreement.mostlyContradicts()) best = far;
-    best.wide_search_done = true;
-  }
-  return believed(best, prior);
+  return best;
 }
 
 std::vector<SearchWindow> ScanToMapMatcher::windowsAround(const PosePrior& prior) const {
@@ -186,6 +186,7 @@ Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
   const bool is_worth_it = found.agreement.agreeing > kExplained * endsOf(scan) &&
                            !isDoubtful(found) &&
                            isBetter(found, nearby, kWorthAJump * endsOf(scan)) &&
+                           (isPlausible(found, prior) || nearby.agreement.mostlyContradicts()) &&
                            !hasRival(found, map, scan, found.pose, kAround, kBetterThanRivals);
   auto best = is_worth_it ? found : nearby;
   best.wide_search_done = true;
@@ -262,8 +263,8 @@ Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, con
 /// The older surfaces may be as far away as the map has drifted since they were drawn. In
 /// directions in which the scan does not tell the place, as along a corridor, the prior does: there
 /// the search has found one of many places by chance.
-Match ScanToMapMatcher::searchedAmongOlder(const MapView& map, const ScanLevels& scan,
-                                           const PosePrior& prior) const {
+Match ScanToMapMatcher::orAmongOlder(const MapView& map, const ScanLevels& scan,
+                                     const PosePrior& prior, const Match& nearby) const {
   const PosePrior among_older{prior.pose, *prior.information_among_older};
   const Eigen::Matrix3d P = among_older.information.inverse();
   const double drift = std::sqrt(largestVariance(P.topLeftCorner<2, 2>()));
@@ -271,9 +272,11 @@ Match ScanToMapMatcher::searchedAmongOlder(const MapView& map, const ScanLevels&
       std::max(config_.window_position, std::min(drift, kWidestGuess.position)),
       config_.window_heading};
   const auto search = searchOf(map, scan, prior.pose, window);
-  auto match = refined(map, scan, search.best().value_or(prior.pose), among_older);
-  match.was_searched = match.is_among_older = match.is_determined;
-  return match;
+  auto found = refined(map, scan, search.best().value_or(prior.pose), among_older);
+  found.was_searched = found.is_among_older = true;
+  const bool is_worth_it =
+      isBetter(found, nearby, kWorthAStep * endsOf(scan)) && explainsMost(found, nearby);
+  return is_worth_it ? found : nearby;
 }
 
 /// What a search has found is all that is known of the place.

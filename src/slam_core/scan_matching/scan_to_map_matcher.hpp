@@ -106,8 +106,12 @@ class ScanToMapMatcher {
   /// Searches the wide window. @return a place there that justifies a jump, otherwise `nearby`
   Match foundFarAway(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
-  Match searchedAmongOlder(const MapView& map, const ScanLevels& scan,
-                           const PosePrior& prior) const;
+  /// The better one of two matches: `best`, and one in the windows around the prior.
+  Match orInWindows(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
+                    Match best) const;
+  /// The better one of two matches: `nearby`, and one among the older surfaces of the map.
+  Match orAmongOlder(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
+                     const Match& nearby) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                 const PosePrior& prior) const;
   Match searched(const MapView& map, const ScanLevels& scan, const Pose2& middle, double position,
