@@ -31,18 +31,10 @@ bool isGap(const Motion& before, const Motion& after) {
   return after.start > before.end + kRounding && after.base_frame == before.base_frame;
 }
 
-/// Whether motion that usually comes more often is missing in this one.
-bool isSilence(const Motion& motion, const UsualInterval& usual) {
+/// Whether motion that usually comes more often is missing in this one, or the robot stood.
+bool isPause(const Motion& motion, const UsualInterval& usual) {
   constexpr Duration kLongestGuess = std::chrono::seconds(1);
   return usual.isExceededBy(motion.end - motion.start, kLongestGuess);
-}
-
-/// Whether it follows the one before far sooner than motions usually do: a driver that was held up
-/// reports at once what was driven meanwhile. So it tells neither a speed nor a noise in time.
-bool isOfBurst(const Motion& motion, const UsualInterval& usual) {
-  constexpr int kTimesSooner = 12;  // a quarter of the usual interval, of which three are a silence
-  const bool is_known = usual.isExceededBy(std::chrono::hours(1), Duration());
-  return is_known && !usual.isExceededBy(kTimesSooner * (motion.end - motion.start), Duration());
 }
 
 bool hasMoved(const Motion& motion) {
@@ -112,19 +104,21 @@ MotionGap::Bridge MotionGap::bridge(Motion& motion) {
   }
   const auto before = predecessorOf(motion);
   const auto usual = usual_;
-  const bool is_silence = isSilence(motion, usual);
+  const bool is_pause = isPause(motion, usual);
+  const bool stood = is_pause && usual_step_.countOf(motion.increment);
+  const bool is_of_burst = usual.isOfBurst(motion.end - motion.start);
   usual_.note(motion.end - motion.start);
+  usual_step_.note(motion.increment);
   last_ = motion;
-  const bool is_of_burst = isOfBurst(motion, usual);
-  if (!is_of_burst && (!is_silence || worst_rate_.isZero())) learnRate(motion);
+  if (!is_of_burst && (!is_pause || worst_rate_.isZero())) learnRate(motion);
   learnScales(motion);
   const bool is_gap = before && isGap(*before, motion);
   const bool tells = is_gap && !is_unknown && posesTell(*before, motion);
   const auto own_end = is_gap ? motion.start : motion.end;
-  if (is_silence) motion.covariance = worse(motion.covariance, onAnyWay(motion).covariance);
+  if (is_pause && !stood) motion.covariance = worse(motion.covariance, onAnyWay(motion).covariance);
   if (is_gap) motion = joined(tells ? across(*before, motion) : coasted(*before, motion), motion);
-  if (isSilence(motion, usual) && hasMoved(motion)) unknown_way_ = {motion.start, own_end};
-  if (!is_of_burst) coasting_.add(last_->increment, last_->end - last_->start);
+  if (isPause(motion, usual) && hasMoved(motion)) unknown_way_ = {motion.start, own_end};
+  if (!is_of_burst && !stood) coasting_.add(last_->increment, last_->end - last_->start);
   if (!is_gap) return Bridge::kNone;
   return tells ? Bridge::kByPoses : Bridge::kByVelocity;
 }
@@ -201,7 +195,10 @@ Pose2 MotionGap::scaled(const Pose2& measured) const {
 Motion MotionGap::across(const Motion& before, const Motion& after) const {
   Motion rest = between(before, after);
   rest.increment = scaled(rest.odometry_start.between(rest.odometry_end));
-  return onAnyWay(std::move(rest));
+  const auto steps = usual_step_.countOf(rest.increment);
+  if (!steps) return onAnyWay(std::move(rest));
+  rest.covariance = *steps * seconds(usual_.value()) * worst_rate_;
+  return rest;
 }
 
 /// @return the motion with the covariance that it has if only both of its ends are known

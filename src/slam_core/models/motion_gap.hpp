@@ -9,6 +9,7 @@
 #include "slam_core/models/coasting.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/models/usual_interval.hpp"
+#include "slam_core/models/usual_step.hpp"
 
 namespace slam {
 
@@ -24,9 +25,11 @@ enum class Interruption {
 /// measured them, and are scaled as the increments were so far. They have no covariance: the noise
 /// is assumed to have been, all the while, that of the odometry's worst tenth of a second so far.
 /// They do not tell the way between them either: the robot may have driven a detour at its largest
-/// speed so far, on which an error of the heading leads further away. Where the poses do not belong
+/// speed so far, on which an error of the heading leads further away. An odometry that reports
+/// by way (UsualStep) sends nothing while the robot stands: a usual step after a pause has the
+/// noise of one, though nobody knows when in the pause it was made. Where the poses do not belong
 /// together, as of an odometry that was restarted as well, the robot is assumed to have gone on at
-/// its last velocity.
+/// its last velocity. Motions of a burst tell neither a speed nor a noise in time.
 class MotionGap {
  public:
   enum class Bridge {
@@ -40,8 +43,8 @@ class MotionGap {
   /// one ended; one that is older than the last one is left alone
   Bridge bridge(Motion& motion);
 
-  /// From when to when nobody knows which way the robot took, of the motion that bridge() had last:
-  /// motion that came more often is missing, and the robot has moved meanwhile.
+  /// From when to when nobody knows where on its way the robot was, of the motion that bridge() had
+  /// last: motion that came more often is missing, and the robot has moved meanwhile.
   const std::optional<std::pair<Stamp, Stamp>>& unknownWay() const { return unknown_way_; }
 
   /// The motions so far are those of a saved state, and the next one comes from a process that runs
@@ -56,8 +59,8 @@ class MotionGap {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(last_, before_jump_, since_jump_, usual_, span_, span_covariance_, worst_rate_,
-            knows_rate_, way_scale_, turn_scale_, coasting_);
+    archive(last_, before_jump_, since_jump_, usual_, usual_step_, span_, span_covariance_,
+            worst_rate_, knows_rate_, way_scale_, turn_scale_, coasting_);
   }
 
  private:
@@ -96,6 +99,7 @@ class MotionGap {
   std::optional<Motion> before_jump_;  ///< of the stamps, ahead or back
   int since_jump_ = 0;                 ///< motions
   UsualInterval usual_;                ///< of the motions
+  UsualStep usual_step_;               ///< of the motions
   Duration span_{};                    ///< of increments since the last rate
   Eigen::Matrix3d span_covariance_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d worst_rate_ = Eigen::Matrix3d::Zero();  ///< covariance in a second

@@ -3,23 +3,34 @@
 
 #pragma once
 
+#include <algorithm>
+
 #include "slam_core/common/time.hpp"
 
 namespace slam {
 
 /// The usual interval between the messages of a source, of which a silence stands out. A silence
-/// hardly changes it, but a source that is slower from now on is usual after some messages.
+/// doubles it at most, and a source that is slower from now on is usual after some messages.
 class UsualInterval {
  public:
   void note(Duration interval) {
     constexpr int kMessagesMeant = 20;
-    usual_ += usual_ > Duration() ? (interval - usual_) / kMessagesMeant : interval;
+    if (usual_ == Duration()) usual_ = interval;
+    usual_ += (std::min(interval, kMessagesMeant * usual_) - usual_) / kMessagesMeant;
   }
   /// Whether messages are missing in an interval of this length.
   /// @param patience shorter intervals are never too long
   bool isExceededBy(Duration interval, Duration patience) const {
     return usual_ > Duration() && interval > patience && interval > 3 * usual_;
   }
+  /// Whether a message that comes after this interval is one of a burst: a driver that was held up
+  /// sends at once what it should have sent meanwhile.
+  bool isOfBurst(Duration interval) const {
+    constexpr int kTimesSooner = 4;
+    return usual_ > Duration() && kTimesSooner * interval <= usual_;
+  }
+  /// @return zero if there was none yet
+  Duration value() const { return usual_; }
 
   template <class Archive>
   void persist(Archive& archive) {

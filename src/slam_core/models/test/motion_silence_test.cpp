@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <utility>
+#include <vector>
 
 #include "slam_core/models/motion_gap.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
@@ -132,6 +133,68 @@ TEST_F(SilentOdometry, IsNoMoreUncertainForBurstsBeforeIt) {
   const auto usual = afterSilence(false), after_bursts = afterSilence(true);
   EXPECT_LT(after_bursts(0, 0), 2.0 * usual(0, 0));
   EXPECT_LT(after_bursts(2, 2), 2.0 * usual(2, 2));
+}
+
+/// An odometry that reports after each metre, or turns and short steps as well, each after a
+/// second.
+class MotionByWay : public testing::Test {
+ protected:
+  static constexpr Duration kSecond = std::chrono::seconds(1), kPause = std::chrono::seconds(15);
+  static constexpr double kVariance = 1e-3;  // of a step [m^2]
+
+  MotionByWay() {
+    motion_.end = Stamp() + kSecond;
+    motion_.covariance = Eigen::Vector3d(kVariance, kVariance, 1e-4).asDiagonal();
+  }
+  void go(double step, Duration interval) {
+    motion_.increment = Pose2(step, 0.0, 0.1);
+    motion_.start = motion_.end;
+    motion_.end = motion_.start + interval;
+    motion_.odometry_start = motion_.odometry_end;
+    motion_.odometry_end = motion_.odometry_start * motion_.increment;
+  }
+  /// @return the motion, bridged
+  Motion report(double step, Duration interval = kSecond) {
+    go(step, interval);
+    auto bridged = motion_;
+    bridge = gap.bridge(bridged);
+    return bridged;
+  }
+  void drive(const std::vector<double>& steps = {1.0}) {
+    for (std::size_t i = 0; i < 40; ++i) report(steps[i % steps.size()]);
+  }
+
+  MotionGap gap;
+  Bridge bridge = Bridge::kNone;
+
+ private:
+  Motion motion_;
+};
+
+TEST_F(MotionByWay, HasTheNoiseOfAStepAfterAPauseInWhichTheRobotStood) {
+  drive();
+  EXPECT_DOUBLE_EQ(report(1.2, kPause).covariance(0, 0), kVariance);
+  EXPECT_TRUE(gap.unknownWay()) << "nobody knows when it went on";
+  report(1.0);
+  EXPECT_FALSE(gap.unknownWay());
+}
+
+TEST_F(MotionByWay, IsAsUncertainAsAGapAfterALongerStep) {
+  drive();
+  EXPECT_GT(report(4.0, kPause).covariance(0, 0), 10.0 * kVariance);
+}
+
+TEST_F(MotionByWay, IsNotThatOfAnOdometryThatAlsoReportsStanding) {
+  drive({1.0, 0.01, 0.01, 0.01});
+  EXPECT_GT(report(1.0, kPause).covariance(0, 0), 10.0 * kVariance);
+}
+
+TEST_F(MotionByWay, HasTheNoiseOfItsStepsWhereAMessageWasLostBesideThePause) {
+  drive();
+  go(0.9, kPause);
+  const auto bridged = report(1.0);
+  EXPECT_EQ(bridge, Bridge::kByPoses);
+  EXPECT_LT(bridged.covariance(0, 0), 4.0 * kVariance);
 }
 
 }  // namespace
