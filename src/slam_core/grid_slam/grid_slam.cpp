@@ -136,9 +136,8 @@ Match GridSlam::match(const ScanLevels& scan, Stamp stamp) {
   const auto drift =
       mapIsFixed() ? std::nullopt : std::optional(drift_.covarianceAt(tracker_.robot().pose));
   const auto found = tracker_.track(map_->view(), scan, stamp, motion, drift);
-  if (found.is_among_older) drift_.relocate(found.pose);
   if (!mapIsFixed())
-    drift_.follow(tracker_.robot(), found.information, tracker_.fittedEnds(map_->view(), scan));
+    drift_.follow(tracker_.robot(), found, tracker_.fittedEnds(map_->view(), scan));
   watch_.note(scan, map_->isEmpty(), found, motion.has_value(), counters_);
   doubt_.judge(found, stamp);
   is_corrected_ = hasCorrected(doubt_);

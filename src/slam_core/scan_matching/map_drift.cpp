@@ -110,8 +110,10 @@ const PoseEstimate* MapDrift::placeOf(const Eigen::Vector2d& surface) const {
   return found == drawn_from_.end() ? nullptr : &places_[found->second];
 }
 
-void MapDrift::follow(const PoseEstimate& robot, const Eigen::Matrix3d& information,
+void MapDrift::follow(const PoseEstimate& robot, const Match& found,
                       const std::vector<FittedEnd>& ends) {
+  if (found.is_among_older) relocate(robot.pose);
+  const Eigen::Matrix3d& information = found.information;
   const Eigen::Matrix3d before = carried(robot_, robot.pose);
   robot_ = {robot.pose, before};
   const Eigen::LLT<Eigen::Matrix3d> root(robot.covariance);

@@ -11,6 +11,7 @@
 
 #include "slam_core/grid_map/scan_points.hpp"
 #include "slam_core/models/landmark_map.hpp"
+#include "slam_core/scan_matching/match.hpp"
 #include "slam_core/scan_matching/registration.hpp"
 
 namespace slam::scan_matching {
@@ -34,11 +35,11 @@ class MapDrift {
   void restartInLoadedMap(const Pose2& robot);
   /// The robot is elsewhere. Its whole covariance is that relative to the surfaces.
   void relocate(const Pose2& pose);
-  /// The robot was matched with the map.
-  /// @param robot its pose, and covariance relative to the surfaces
-  /// @param information of the match; 0: it was not matched
-  void follow(const PoseEstimate& robot, const Eigen::Matrix3d& information,
-              const std::vector<FittedEnd>& ends);
+  /// The robot was matched with the map, or not: then the match has no information.
+  /// @param robot its pose, and covariance relative to the surfaces; all of it, if it was found
+  /// among the older ones
+  /// @param ends that were used
+  void follow(const PoseEstimate& robot, const Match& found, const std::vector<FittedEnd>& ends);
   /// The robot draws from a pose that has this covariance relative to the surfaces so far, so that
   /// it misplaces the next ones by as much.
   void anchor(const Eigen::Matrix3d& covariance);

@@ -181,14 +181,21 @@ std::optional<Match> ScanToMapMatcher::rivalAnywhere(const Match& found, const M
 
 Match ScanToMapMatcher::foundFarAway(const MapView& map, const ScanLevels& scan,
                                      const PosePrior& prior, const Match& nearby) const {
-  auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
-  found.jumped = prior.pose.between(found.pose);
-  const bool is_worth_it = found.agreement.agreeing > kExplained * endsOf(scan) &&
-                           !isDoubtful(found) &&
-                           isBetter(found, nearby, kWorthAJump * endsOf(scan)) &&
-                           (isPlausible(found, prior) || nearby.agreement.mostlyContradicts()) &&
-                           !hasRival(found, map, scan, found.pose, kAround, kBetterThanRivals);
-  auto best = is_worth_it ? found : nearby;
+  const auto found = searched(map, scan, prior.pose, config_.wide_position, config_.wide_heading);
+  const bool is_worth_a_jump = found.agreement.agreeing > kExplained * endsOf(scan) &&
+                               !isDoubtful(found) &&
+                               isBetter(found, nearby, kWorthAJump * endsOf(scan)) &&
+                               (isPlausible(found, prior) || nearby.agreement.mostlyContradicts());
+  std::optional<Match> elsewhere;
+  if (is_worth_a_jump)
+    elsewhere = found;
+  else if (prior.information_among_older && isPlausible(found, prior))
+    elsewhere = amongOlder(found.pose, map, scan, prior, nearby);
+  auto best = nearby;
+  if (elsewhere && !hasRival(*elsewhere, map, scan, elsewhere->pose, kAround, kBetterThanRivals)) {
+    best = *elsewhere;
+    best.jumped = prior.pose.between(best.pose);
+  }
   best.wide_search_done = true;
   return best;
 }
@@ -260,23 +267,32 @@ Match ScanToMapMatcher::searched(const MapView& map, const ScanLevels& scan, con
   return refinedWithin(map, scan, search.best().value_or(middle), {position, heading});
 }
 
-/// The older surfaces may be as far away as the map has drifted since they were drawn. In
-/// directions in which the scan does not tell the place, as along a corridor, the prior does: there
-/// the search has found one of many places by chance.
+/// The older surfaces may be as far away as the map has drifted since they were drawn. The local
+/// window comes first: a robot whose wheels slipped is near where they say, and a larger window may
+/// hold places that look alike.
 Match ScanToMapMatcher::orAmongOlder(const MapView& map, const ScanLevels& scan,
                                      const PosePrior& prior, const Match& nearby) const {
-  const PosePrior among_older{prior.pose, *prior.information_among_older};
-  const Eigen::Matrix3d P = among_older.information.inverse();
+  const auto foundWithin = [&](double reach) {
+    const auto search = searchOf(map, scan, prior.pose, {reach, config_.window_heading});
+    return amongOlder(search.best().value_or(prior.pose), map, scan, prior, nearby);
+  };
+  if (const auto found = foundWithin(config_.window_position)) return *found;
+  const Eigen::Matrix3d P = prior.information_among_older->inverse();
   const double drift = std::sqrt(largestVariance(P.topLeftCorner<2, 2>()));
-  const SearchWindow window{
-      std::max(config_.window_position, std::min(drift, kWidestGuess.position)),
-      config_.window_heading};
-  const auto search = searchOf(map, scan, prior.pose, window);
-  auto found = refined(map, scan, search.best().value_or(prior.pose), among_older);
+  if (!(drift > config_.window_position)) return nearby;
+  return foundWithin(std::min(drift, kWidestGuess.position)).value_or(nearby);
+}
+
+/// In directions in which the scan does not tell the place, as along a corridor, the prior does:
+/// there a search has found one of many places by chance.
+std::optional<Match> ScanToMapMatcher::amongOlder(const Pose2& place, const MapView& map,
+                                                  const ScanLevels& scan, const PosePrior& prior,
+                                                  const Match& nearby) const {
+  auto found = refined(map, scan, place, {prior.pose, *prior.information_among_older});
   found.was_searched = found.is_among_older = true;
-  const bool is_worth_it =
-      isBetter(found, nearby, kWorthAStep * endsOf(scan)) && explainsMost(found, nearby);
-  return is_worth_it ? found : nearby;
+  if (!isBetter(found, nearby, kWorthAStep * endsOf(scan)) || !explainsMost(found, nearby))
+    return std::nullopt;
+  return found;
 }
 
 /// What a search has found is all that is known of the place.

@@ -7,30 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "slam_core/scan_matching/agreement.hpp"
+#include "slam_core/scan_matching/match.hpp"
 #include "slam_core/scan_matching/matcher_config.hpp"
 #include "slam_core/scan_matching/place_search.hpp"
 #include "slam_core/scan_matching/registration.hpp"
 #include "slam_core/scan_matching/scan_map.hpp"
 
 namespace slam::scan_matching {
-
-/// The result of matching a scan with a map.
-struct Match {
-  Pose2 pose;                                             ///< T_map_base, from scan and prior
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the pose, from the scan
-  Agreement agreement;
-  double prior_weight = 1.0;      ///< robust weight of the prior, 0 to 1; 0 after a search
-  bool is_determined = false;     ///< enough ends fit the map
-  bool was_searched = false;      ///< nothing fitted at the prior
-  bool is_among_older = false;    ///< the prior was that among the older surfaces of the map
-  bool wide_search_done = false;  ///< it may have found nothing
-  /// Motion was missing for so long that the robot may be anywhere around; the scan was not
-  /// matched.
-  bool is_anywhere = false;
-  /// The pose that a wide search found, relative to the prior's.
-  std::optional<Pose2> jumped;
-};
 
 /// Finds where a scan fits a map. It starts at the prior in the fine resolution (registerScan()).
 /// If that does not explain most of the scan, it starts from the result in the coarse resolution.
@@ -39,10 +22,10 @@ struct Match {
 /// guess. If necessary it searches a wide window, so that the robot is found again after its wheels
 /// slipped or stood still.
 ///
-/// If the prior says how far the map has drifted (PosePrior::information_among_older), the first
-/// window is as large as that, and a place in it counts if it explains half of the ends that
-/// contradicted. The wide window then leads only to where motion and drift may have led the robot,
-/// unless most of the scan contradicts the map.
+/// If the prior says how far the map has drifted (PosePrior::information_among_older), a place in
+/// the first window counts if it explains half of the ends that contradicted, and where there is
+/// none a window follows that is as large as the drift, up to 2 m. The wide window then leads only
+/// to where motion and drift may have led the robot, unless most of the scan contradicts the map.
 class ScanToMapMatcher {
  public:
   explicit ScanToMapMatcher(const MatcherConfig& config = {}) : config_(config) {}
@@ -112,6 +95,10 @@ class ScanToMapMatcher {
   /// The better one of two matches: `nearby`, and one among the older surfaces of the map.
   Match orAmongOlder(const MapView& map, const ScanLevels& scan, const PosePrior& prior,
                      const Match& nearby) const;
+  /// The match around a place that was found among the older surfaces. @return nothing if it does
+  /// not explain most of what contradicts the map nearby
+  std::optional<Match> amongOlder(const Pose2& place, const MapView& map, const ScanLevels& scan,
+                                  const PosePrior& prior, const Match& nearby) const;
   Match refined(const MapView& map, const ScanLevels& scan, const Pose2& start,
                 const PosePrior& prior) const;
   Match searched(const MapView& map, const ScanLevels& scan, const Pose2& middle, double position,

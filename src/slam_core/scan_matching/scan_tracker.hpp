@@ -67,8 +67,8 @@ class ScanTracker {
   void restart(const PoseEstimate& place);
   /// @param motion since the last scan
   /// @param drift covariance of the surfaces around the robot relative to the oldest ones, which it
-  /// may meet again; nothing: they have not drifted @return what the scan fits; an empty map fits
-  /// nothing
+  /// may meet again; nothing if the map is fixed, or too small to have drifted
+  /// @return what the scan fits; an empty map fits nothing
   Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
               const std::optional<Motion>& motion,
               const std::optional<Eigen::Matrix3d>& drift = std::nullopt);

@@ -49,11 +49,14 @@ Eigen::Matrix3d covarianceOf(const PoseGaussian& prior, const Match& match) {
 
 }  // namespace
 
-std::optional<Pose2> MatchedScanProposal::search(const ScanInMap& scan,
-                                                 const PoseGaussian& prior) const {
+std::optional<Pose2> MatchedScanProposal::search(
+    const ScanInMap& scan, const PoseGaussian& prior,
+    const std::optional<Eigen::Matrix3d>& drift) const {
   if (tellsNothing(scan, prior)) return std::nullopt;
+  auto wide = searchPrior(prior);
+  if (drift) wide.information_among_older = (widened(prior.covariance) + *drift).inverse();
   constexpr bool kMayUseWideWindow = false;  // ScanFollower has done so
-  const auto match = matcher_.match(scan.map, scan.scan, searchPrior(prior), kMayUseWideWindow);
+  const auto match = matcher_.match(scan.map, scan.scan, wide, kMayUseWideWindow);
   if (!match.was_searched) return std::nullopt;
   return prior.mean.between(match.pose);
 }

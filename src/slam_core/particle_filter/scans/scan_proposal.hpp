@@ -36,9 +36,12 @@ class ScanProposal {
 
   /// To be called once a scan, for the most likely particle.
   /// @param prior where motion alone puts it
+  /// @param drift covariance of the surfaces around it relative to the oldest ones, which it may
+  /// meet again; nothing if the map is fixed
   /// @return where else the others should look, seen from where motion puts them
-  virtual std::optional<Pose2> search([[maybe_unused]] const ScanInMap& scan,
-                                      [[maybe_unused]] const PoseGaussian& prior) const {
+  virtual std::optional<Pose2> search(
+      [[maybe_unused]] const ScanInMap& scan, [[maybe_unused]] const PoseGaussian& prior,
+      [[maybe_unused]] const std::optional<Eigen::Matrix3d>& drift) const {
     return std::nullopt;
   }
   /// For several threads at once.
@@ -62,7 +65,8 @@ class MatchedScanProposal final : public ScanProposal {
  public:
   explicit MatchedScanProposal(const scan_matching::MatcherConfig& matcher) : matcher_(matcher) {}
 
-  std::optional<Pose2> search(const ScanInMap& scan, const PoseGaussian& prior) const override;
+  std::optional<Pose2> search(const ScanInMap& scan, const PoseGaussian& prior,
+                              const std::optional<Eigen::Matrix3d>& drift) const override;
   ScanDraft propose(const ScanInMap& scan, const PoseGaussian& prior,
                     const std::optional<Pose2>& elsewhere, RandomStream& random) const override;
 

@@ -83,12 +83,9 @@ bool ScanUpdate::take(const LaserScan& scan, const Particle& best, const Pose2& 
   correction_ = {};
   auto levels = scan_matching::pointsOf(scan, models_, spacing_);
   const auto map = mapOf(best);
-  const auto drift = map_is_fixed_ ? std::nullopt : std::optional(drift_.covarianceAt(pose));
-  const auto found = follower_.follow(map, levels, scan.stamp, pose, drift);
-  if (found.is_among_older) drift_.relocate(found.pose);
+  const auto found = follower_.follow(map, levels, scan.stamp, pose, driftAt(pose));
   watch_.note(levels, map.isEmpty(), found, true, account.counters);
-  if (!map_is_fixed_)
-    drift_.follow(follower_.robot(), found.information, follower_.fittedEnds(map, levels));
+  if (!map_is_fixed_) drift_.follow(follower_.robot(), found, follower_.fittedEnds(map, levels));
   doubt_.judge(found, scan.stamp);
   correction_ = follower_.correction();
   motion_ = follower_.motion();
@@ -114,6 +111,10 @@ Eigen::Matrix3d ScanUpdate::covarianceAt(const Pose2& pose) const {
   return J_u * motion_.covariance * J_u.transpose();
 }
 
+std::optional<Eigen::Matrix3d> ScanUpdate::driftAt(const Pose2& pose) const {
+  return map_is_fixed_ ? std::nullopt : std::optional(drift_.covarianceAt(pose));
+}
+
 Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Motion>& motion,
                            const PoseBelief&, const Execution& execution) {
   Drafts drafts(particles.size());
@@ -123,7 +124,8 @@ Drafts ScanUpdate::propose(const ParticleSet& particles, const std::optional<Mot
     prior.covariance = covarianceAt(prior.mean);
   }
   const auto best = particles.best();
-  const auto elsewhere = proposal_->search(inMapOf(particles[best]), drafts.priors[best]);
+  const auto elsewhere = proposal_->search(inMapOf(particles[best]), drafts.priors[best],
+                                           driftAt(drafts.priors[best].mean));
   execution.workers->forEach(particles.size(), [&](std::size_t i, unsigned) {
     const auto scan = inMapOf(particles[i]);
     auto stream = execution.streams.of(RandomStreams::Purpose::kPropose, i);

@@ -19,6 +19,13 @@ const Eigen::Matrix3d kFirst = 1e-6 * Eigen::Matrix3d::Identity();
 const Eigen::Matrix3d kMatched = 1e-5 * Eigen::Matrix3d::Identity();
 const Eigen::Matrix3d kInformation = 1e6 * Eigen::Matrix3d::Identity();
 
+/// A match that determines the pose as a whole.
+Match matched() {
+  Match match;
+  match.information = kMatched.inverse();
+  return match;
+}
+
 /// A scan whose beams end at these points of the map.
 grid_map::ScanPoints scanOf(const Points& points, const Pose2& pose) {
   grid_map::ScanPoints scan;
@@ -39,7 +46,7 @@ class Drive {
   void match(const Points& points, const Pose2& pose) {
     std::vector<FittedEnd> ends;
     for (const auto& point : points) ends.push_back({point, kInformation});
-    drift.follow({pose, kMatched}, kMatched.inverse(), ends);
+    drift.follow({pose, kMatched}, matched(), ends);
   }
   void goTo(double metres) {
     for (; x_ <= metres; x_ += 0.5) {
@@ -100,8 +107,7 @@ TEST(MapDrift, IsSureInTheDirectionsThatTheSurfacesTell) {
   const Eigen::Matrix3d across = Eigen::Vector3d(0.0, 1e6, 1e6).asDiagonal();
   const Eigen::Matrix3d along = Eigen::Vector3d(1e6, 0.0, 0.0).asDiagonal();
   // an old wall, and a new one at its end
-  drive.drift.follow({pose, kMatched}, kMatched.inverse(),
-                     {{{3.0, 0.0}, across}, {{53.0, 0.0}, along}});
+  drive.drift.follow({pose, kMatched}, matched(), {{{3.0, 0.0}, across}, {{53.0, 0.0}, along}});
   const auto after = drive.at(50.0);
   EXPECT_GT(after(0, 0), 0.8 * before(0, 0));
   EXPECT_LT(after(1, 1), 0.5 * before(1, 1));
@@ -111,7 +117,7 @@ TEST(MapDrift, GrowsWhereNothingIsMatched) {
   Drive drive;
   drive.goTo(5.0);
   for (double x = 6.0; x <= 30.0; x += 1.0)
-    drive.drift.follow({{x, 0.0, 0.0}, kMatched}, Eigen::Matrix3d::Zero(), {});
+    drive.drift.follow({{x, 0.0, 0.0}, kMatched}, Match(), {});
   EXPECT_NEAR(std::sqrt(drive.at(30.0)(0, 0)), 0.01 * std::sqrt(30.0), 0.01);
 }
 
@@ -119,7 +125,7 @@ TEST(MapDrift, WhatIsDrawnFromAVagueRobotIsNoSurer) {
   Drive drive;
   drive.goTo(5.0);
   const Pose2 pose(30.0, 0.0, 0.0);
-  drive.drift.follow({pose, kMatched}, Eigen::Matrix3d::Zero(), {});
+  drive.drift.follow({pose, kMatched}, Match(), {});
   drive.drift.anchor(Eigen::Matrix3d::Identity());
   drive.draw({{33.0, 0.0}}, pose);
   EXPECT_GE(drive.at(30.0)(0, 0), 1.0);
@@ -127,6 +133,17 @@ TEST(MapDrift, WhatIsDrawnFromAVagueRobotIsNoSurer) {
   EXPECT_LT(drive.at(1.0)(0, 0), 0.01) << "it sees what it drew before";
   drive.match({{33.0, 0.0}}, pose);
   EXPECT_GE(drive.at(30.0)(0, 0), 1.0) << "it sees what it drew then";
+}
+
+TEST(MapDrift, IsNotThatOfTheWayWhereTheRobotIsFoundAmongOlderSurfaces) {
+  Drive drive;
+  drive.goTo(50.0);
+  Match found;
+  found.is_among_older = true;
+  found.information = 200.0 * Eigen::Matrix3d::Identity();  // as much as the robot knew before
+  const PoseEstimate robot{{1.0, 0.0, 0.0}, Eigen::Matrix3d::Identity() / 400.0};
+  drive.drift.follow(robot, found, {{{3.0, 0.0}, found.information}});
+  EXPECT_LT(drive.at(1.0)(0, 0), 1e-3) << "robot.covariance holds what the way has added";
 }
 
 TEST(MapDrift, ALoadedMapIsTheReference) {

@@ -89,6 +89,31 @@ TEST_F(MatchingInARoom, FindsBackAfterWheelsThatStoodStillWhileTheRobotMoved) {
   expectTruth(match.pose);
 }
 
+/// A loop comes back to walls that were drawn long ago. Some things have moved since.
+TEST_F(MatchingInARoom, MeetsOlderSurfacesAsFarAwayAsTheMapHasDrifted) {
+  for (std::size_t i = 0; i < scan.beams.size(); i += 6) scan.beams[i].range *= 0.6F;
+  auto prior = priorAt(truth * Pose2(2.6, -1.2, 0.05), 0.02);
+  prior.information_among_older = priorAt(prior.pose, 0.3).information;
+  EXPECT_FALSE(matched(prior).is_among_older) << "it has not drifted so far";
+  prior.information_among_older = priorAt(prior.pose, 2.0).information;
+  const auto match = matched(prior);
+  EXPECT_TRUE(match.is_among_older);
+  EXPECT_TRUE(match.jumped) << "a wide window's find is no usual one";
+  EXPECT_LT(truth.between(match.pose).position().norm(), 0.03);
+}
+
+TEST_F(MatchingInARoom, SearchesAsFarAsTheMapHasDriftedEachTime) {
+  constexpr bool kMayUseWideWindow = false;
+  const auto points = pointsOf(scan, kModels, kSpacing);
+  auto prior = priorAt(truth * Pose2(1.1, -0.4, 0.05), 0.02);
+  for (const double drift : {0.3, 1.5}) {
+    prior.information_among_older = priorAt(prior.pose, drift).information;
+    const auto match = matcher.match(map.view(), points, prior, kMayUseWideWindow);
+    EXPECT_EQ(match.is_among_older, drift > 1.0);
+    if (match.is_among_older) expectTruth(match.pose);
+  }
+}
+
 TEST(InformationLeft, IsLessInTheDirectionOfTheContradictionAlone) {
   PosePrior prior;
   prior.information << 400.0, 100.0, 20.0, 100.0, 300.0, -30.0, 20.0, -30.0, 900.0;
