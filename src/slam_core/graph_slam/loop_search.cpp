@@ -18,6 +18,12 @@ constexpr double kSigmas = 3.0;
 /// A scan is looked for in so many submaps, the nearest ones.
 constexpr std::size_t kMostCandidates = 4;
 
+/// Submaps that follow each other share scans: what is recognised in both counts once.
+bool joins(const std::vector<LoopClosure>& closures, graph::Key node) {
+  return std::any_of(closures.begin(), closures.end(),
+                     [node](const LoopClosure& closure) { return closure.node == node; });
+}
+
 double largestSigma(const Eigen::Matrix3d& covariance) {
   return std::sqrt(largestVariance(covariance.topLeftCorner<2, 2>()));
 }
@@ -44,8 +50,10 @@ std::vector<LoopClosure> LoopSearch::find(const scan_matching::ScanLevels& scan,
                    [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   candidates.resize(std::min(candidates.size(), kMostCandidates));
   std::vector<LoopClosure> closures;
-  for (const auto& candidate : candidates)
-    if (const auto found = closure(candidate, submaps, scan)) closures.push_back(*found);
+  for (const auto& candidate : candidates) {
+    const auto found = closure(candidate, submaps, scan);
+    if (found && !joins(closures, found->node)) closures.push_back(*found);
+  }
   return closures;
 }
 
@@ -71,9 +79,9 @@ std::optional<LoopSearch::Candidate> LoopSearch::candidate(std::size_t number,
 
 std::optional<LoopClosure> LoopSearch::closure(const Candidate& candidate, Submaps& submaps,
                                                const scan_matching::ScanLevels& scan) const {
-  const Pose2 T_odom_origin = submaps.finished()[candidate.submap].submap.odomOrigin();
-  const Pose2 place = T_odom_origin * candidate.origin_node;
-  const Eigen::Matrix3d variance = variance_.asDiagonal();
+  const auto& submap = submaps.finished()[candidate.submap].submap;
+  const Pose2 place = submap.odomOrigin() * candidate.origin_node;
+  const Eigen::Matrix3d variance = (way_ * variance_per_metre_).asDiagonal();
   const Eigen::Matrix3d P = coordinateCovariance(place, candidate.covariance + variance);
   const scan_matching::PosePrior prior{place, P.inverse()};
   const scan_matching::SearchWindow window{
@@ -81,12 +89,9 @@ std::optional<LoopClosure> LoopSearch::closure(const Candidate& candidate, Subma
       std::min(config_.wide_heading, kSigmas * std::sqrt(P(2, 2)))};
   const auto found = matcher_.recognise(submaps.view(candidate.submap), scan, prior, window);
   if (!found) return std::nullopt;
-  LoopClosure closure;
-  closure.submap = candidate.submap;
-  closure.origin_node = T_odom_origin.between(found->pose);
-  closure.covariance = covarianceOf(*found, variance_);
-  closure.was_searched = found->was_searched;
-  return closure;
+  const auto [node, pose] = nearestAnchor(submap, found->pose);
+  return LoopClosure{node, pose.between(found->pose),
+                     covarianceOf(*found, kInView * variance_per_metre_), found->was_searched};
 }
 
 }  // namespace slam::graph_slam

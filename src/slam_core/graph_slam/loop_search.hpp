@@ -12,11 +12,12 @@
 
 namespace slam::graph_slam {
 
-/// A scan that was recognised in a submap.
+/// A scan that was recognised in a submap. It joins the robot to the node at which the submap's
+/// nearest scan was taken, so that it does not claim to know the way between the submap's nodes.
 struct LoopClosure {
-  std::size_t submap = 0;
-  Pose2 origin_node;           ///< T_origin_node
-  Eigen::Matrix3d covariance;  ///< of a twist of the node
+  graph::Key node = -1;
+  Pose2 node_robot;            ///< T_node_base
+  Eigen::Matrix3d covariance;  ///< of a twist of the robot
   bool was_searched = false;   ///< too far from where the graph had it for a local match
 };
 
@@ -29,10 +30,10 @@ Eigen::Matrix3d covarianceOf(const scan_matching::Match& match, const Eigen::Vec
 class LoopSearch {
  public:
   /// @param way a submap counts as long ago that was finished so long a way before [m]
-  /// @param variance_per_metre by which a submap errs, of (x, y, theta), for each metre of its way
+  /// @param variance_per_metre by which a submap errs, of (x, y, theta), for each metre of the way
   LoopSearch(const scan_matching::MatcherConfig& matcher, double way,
              const Eigen::Vector3d& variance_per_metre)
-      : config_(matcher), matcher_(matcher), way_(way), variance_(way * variance_per_metre) {}
+      : config_(matcher), matcher_(matcher), way_(way), variance_per_metre_(variance_per_metre) {}
 
   /// @param path whose last node is that of the scan
   std::vector<LoopClosure> find(const scan_matching::ScanLevels& scan, const PathGraph& path,
@@ -54,7 +55,7 @@ class LoopSearch {
   scan_matching::MatcherConfig config_;
   scan_matching::ScanToMapMatcher matcher_;
   double way_;
-  Eigen::Vector3d variance_;
+  Eigen::Vector3d variance_per_metre_;
 };
 
 }  // namespace slam::graph_slam

@@ -130,10 +130,9 @@ Status ScanGraph::insert(const LaserScan& scan, const ScanLevels& points,
 void ScanGraph::closeLoops(const ScanLevels& scan, graph::Key node, Counters& counters) {
   const auto closures = search_.find(scan, path_, submaps_);
   for (const auto& closure : closures) {
-    const auto origin = submaps_.finished()[closure.submap].submap.origin();
     const auto W = graph::weightOfCovariance(closure.covariance);
     const bool is_believed =
-        loops_.add(std::make_shared<graph::Between>(origin, node, closure.origin_node, W));
+        loops_.add(std::make_shared<graph::Between>(closure.node, node, closure.node_robot, W));
     counters.add(is_believed ? "loops" : "loops_that_wait");
     if (closure.was_searched) counters.add("searched_loops");
   }

@@ -3,6 +3,7 @@
 
 #include "slam_core/graph_slam/submap.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace slam::graph_slam {
@@ -44,6 +45,18 @@ const scan_matching::ScanMap& Submap::map() {
   for (std::size_t i = 0; i < scans_.size(); ++i)
     map_->insert(scan_matching::pointsOf(*scans_[i], models, kNoMatter), places_[i]);
   return *map_;
+}
+
+Anchor nearestAnchor(const Submap& submap, const Pose2& pose) {
+  if (submap.isLoaded()) return {submap.origin(), submap.odomOrigin()};
+  const auto distance = [&](const Pose2& place) {
+    return (place.position() - pose.position()).squaredNorm();
+  };
+  const auto& places = submap.places();
+  const auto nearest =
+      std::min_element(places.begin(), places.end(),
+                       [&](const Pose2& a, const Pose2& b) { return distance(a) < distance(b); });
+  return {submap.nodes()[static_cast<std::size_t>(nearest - places.begin())], *nearest};
 }
 
 }  // namespace slam::graph_slam

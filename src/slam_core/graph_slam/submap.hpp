@@ -76,4 +76,14 @@ class Submap {
   std::vector<SharedScan> scans_;
 };
 
+/// A node on which a submap hangs, and where it was drawn.
+struct Anchor {
+  graph::Key node;
+  Pose2 pose;  ///< T_odom_base of a scan, T_odom_origin of a loaded grid
+};
+
+/// @return the node of the scan that was taken nearest to this place, or the variable of a loaded
+/// grid @param pose T_odom_base @pre the submap is not empty
+Anchor nearestAnchor(const Submap& submap, const Pose2& pose);
+
 }  // namespace slam::graph_slam

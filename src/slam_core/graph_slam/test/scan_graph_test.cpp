@@ -242,5 +242,20 @@ TEST(Submap, IsDrawnAgainToTheBit) {
   EXPECT_EQ(cells(), before);
 }
 
+TEST(Submap, HangsOnTheNodeOfTheNearestScanOrOnTheLoadedGrid) {
+  constexpr graph::Key kLoaded = 3, kFirst = 10;
+  const grid_map::GridMapConfig config;
+  Submap drawn(config);
+  Submap loaded(std::make_unique<scan_matching::ScanMap>(config), kLoaded, {Pose2(-5.0, 0.0, 0.0)});
+  const auto scan = std::make_shared<const LaserScan>();
+  const auto points = scan_matching::pointsOf(*scan, scan_matching::levelModels(config), 0.02);
+  for (int i = 0; i < 5; ++i)
+    for (auto* submap : {&drawn, &loaded})
+      submap->insert(scan, points, kFirst + i, Pose2(0.4 * i, 0.0, 0.0));
+  EXPECT_EQ(nearestAnchor(drawn, {1.3, 0.5, 2.0}).node, kFirst + 3);
+  EXPECT_EQ(nearestAnchor(drawn, {1.3, 0.5, 2.0}).pose.x(), 0.4 * 3);
+  EXPECT_EQ(nearestAnchor(loaded, {1.3, 0.5, 2.0}).node, kLoaded) << "what was loaded is rigid";
+}
+
 }  // namespace
 }  // namespace slam::graph_slam
