@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Error figures with known answers."""
+import dataclasses
 import pathlib
 import sys
 import unittest
@@ -59,6 +60,18 @@ class TrajectoryError(unittest.TestCase):
         result = evaluation.trajectory_error(turned, truth, align=False)
         self.assertAlmostEqual(result.errors[0], 0.0)
         self.assertAlmostEqual(result.max, 100.0 * 2.0 * np.sin(0.05))
+
+    def test_a_robot_that_is_elsewhere_in_its_loaded_map_has_that_error_along_the_whole_way(self):
+        off = se2.transform_poses(np.array([10.0, 0.0, 0.0]), self.poses)
+        world = trajectory(se2.transform_poses(T, self.poses))
+        first = evaluation.trajectory_error(trajectory(off), world, align=False)
+        self.assertLess(first.max, 1e-9)  # judged from its first pose on
+        world = dataclasses.replace(world, T_truth_map=T)
+        result = evaluation.trajectory_error(trajectory(off), world, align=False)
+        np.testing.assert_allclose(result.errors, 10.0)
+        P = np.tile(np.eye(3), (len(off), 1, 1))
+        nees = evaluation.pose_consistency(trajectory(off), updates(trajectory(off), P), world).nees
+        np.testing.assert_allclose(nees, 100.0)
 
     def test_a_scaled_copy_keeps_its_error(self):
         line = np.column_stack([np.linspace(-1.0, 1.0, 201), np.zeros((201, 2))])

@@ -154,6 +154,27 @@ class SlamEval(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
             self.assertIn("world.yaml", done.stderr)
 
+    def test_judges_a_run_in_the_map_that_another_run_has_made(self):
+        made = self.run_folder.parent / "made"
+        run_maker.make_run(made, count=60)
+        run_maker.make_run(self.run_folder, count=60)
+        path = self.run_folder / "trajectory.tum"
+        rows = [line.split() for line in path.read_text().splitlines()]
+        path.write_text("".join(" ".join([row[0], str(float(row[1]) + 10.0), *row[2:]]) + "\n"
+                                for row in rows))
+        errors = []
+        for arguments in ((), ("--map-run", made)):
+            self.assertEqual(self.evaluate(self.run_folder, *arguments).returncode, 0)
+            metrics = json.loads((self.run_folder / "metrics.json").read_text())
+            errors.append(metrics["ate_unaligned_rmse_m"])
+        self.assertLess(errors[0], 1.0)
+        self.assertAlmostEqual(errors[1], 10.0, delta=1.0)
+        self.assertGreater(metrics["confidently_wrong_s"], 0.0)
+        (made / "ground_truth.tum").unlink()
+        done = self.evaluate(self.run_folder, "--map-run", made)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nobody knows where its map lies", done.stderr)
+
     def test_works_without_truth_and_says_what_is_missing(self):
         run_maker.make_run(self.run_folder, count=300, truth=False)
         done = self.evaluate(self.run_folder)

@@ -3,6 +3,7 @@
 """Trajectories as a run writes them: lines `stamp tx ty tz qx qy qz qw`."""
 import dataclasses
 import decimal
+from typing import Optional
 
 import numpy as np
 
@@ -22,12 +23,14 @@ _REMEDY = "run the product again, or mend the file if it is your own"
 class Trajectory:
     """Stamps [ns] (int64, rising) and poses (N x 3: x [m], y [m], heading [rad]).
 
-    Headings are NaN where truth has none; point: the point of the robot that they tell of [m].
+    Headings are NaN where truth has none; point: the point of the robot that they tell of [m];
+    T_truth_map: of truth, where a map lies that the run has loaded, if that is known.
     """
 
     stamps: np.ndarray
     poses: np.ndarray
     point: tuple = (0.0, 0.0)
+    T_truth_map: Optional[np.ndarray] = None
 
     @property
     def has_heading(self):

@@ -12,7 +12,7 @@ from slam_eval.io.trajectory import at_stamps, interpolate
 from slam_eval.metrics.chi_square import two_sided_bounds
 from slam_eval.metrics.drift import Drift, segment_drift
 from slam_eval.metrics.honesty import (
-    DOUBTFUL, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
+    DOUBTFUL, frame_of_map, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
 from slam_eval.metrics.landmark_detection import landmark_detection, LandmarkDetection
 from slam_eval.metrics.map_agreement import MapAgreement
 from slam_eval.metrics.place_recognition import place_recognition, PlaceRecognition
@@ -101,18 +101,14 @@ def position_error(trajectory, truth):
 
 def trajectory_error(trajectory, truth, align=True):
     """ATE of a trajectory, or None where fewer than two poses have truth. Without alignment the map
-    is moved to truth by its first pose that has truth, as for NEES; truth without headings has
-    none."""
+    lies in truth where frame_of_map() says, as for NEES; truth without headings has none."""
     if not truth.has_heading:
         return position_error(trajectory, truth) if align else None
     true, valid = interpolate(truth, trajectory.stamps)
     if np.count_nonzero(valid) < 2:
         return None
-    first = int(np.argmax(valid))
-    T = se2.compose(true[first], se2.inverse(trajectory.poses[first]))
     estimate, true = trajectory.poses[valid, :2], true[valid, :2]
-    if align:
-        T = se2.align_rigid(estimate, true)
+    T = se2.align_rigid(estimate, true) if align else frame_of_map(trajectory, truth)
     errors = np.linalg.norm(se2.transform_points(T, estimate) - true, axis=1)
     return TrajectoryError(T, valid, errors)
 
@@ -139,7 +135,7 @@ def landmark_error(estimate, truth, align=True):
 
 
 def pose_consistency(trajectory, updates, truth):
-    """Errors against the filter's own covariance; truth is moved by its first pose, no fit. None
+    """Errors against the filter's own covariance; truth lies where frame_of_map() says, no fit. None
     where truth has no headings, or fewer than two poses have truth and a covariance."""
     moved = truth_in_map(trajectory, truth)
     if moved is None:

@@ -43,18 +43,28 @@ class PositionClaim:
         return float(np.sum(self.durations[chosen & self.is_confidently_wrong]) / time)
 
 
-def truth_in_map(trajectory, truth):
-    """(poses N x 3, valid N) of truth at the trajectory's stamps, moved into the map's frame by the
-    first pose that has truth, without a fit; None where fewer than two poses have truth, or truth
-    has no headings."""
+def frame_of_map(trajectory, truth):
+    """T_truth_map, without a fit: that of the loaded map where it is known, else by the first pose
+    that has truth; None where fewer than two poses have truth, or truth has no headings."""
     if not truth.has_heading:
         return None
     true, valid = interpolate(truth, trajectory.stamps)
     if np.count_nonzero(valid) < 2:
         return None
+    if truth.T_truth_map is not None:
+        return truth.T_truth_map
     first = int(np.argmax(valid))
-    T_map_truth = se2.compose(trajectory.poses[first], se2.inverse(true[first]))
-    return se2.transform_poses(T_map_truth, true), valid
+    return se2.compose(true[first], se2.inverse(trajectory.poses[first]))
+
+
+def truth_in_map(trajectory, truth):
+    """(poses N x 3, valid N) of truth at the trajectory's stamps, in the frame_of_map(); None where
+    there is none."""
+    T_truth_map = frame_of_map(trajectory, truth)
+    if T_truth_map is None:
+        return None
+    true, valid = interpolate(truth, trajectory.stamps)
+    return se2.transform_poses(se2.inverse(T_truth_map), true), valid
 
 
 def _mahalanobis(errors, covariances):

@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program behind `./slam eval DIR`."""
 import argparse
+import dataclasses
 import json
 import pathlib
 
 from slam_eval.io.atomic_file import write_atomically
 from slam_eval.io.bag_poses import DEFAULT_TOPIC, read_bag_poses
-from slam_eval.io.errors import exit_code_of
+from slam_eval.io.errors import exit_code_of, InputError
 from slam_eval.io.run_folder import read_run
 from slam_eval.io.trajectory import LONGEST_GAP, NANOSECONDS, read_truth
 from slam_eval.io.world_plan import read_world
 from slam_eval.metrics.evaluation import evaluate
+from slam_eval.metrics.honesty import frame_of_map
 from slam_eval.metrics.map_agreement import judge_map
 from slam_eval.metrics.relations import judge_run, TOLERANCE
 from slam_eval.plot.consistency import plot_consistency
@@ -80,15 +82,29 @@ def draw(run, result, reference, world):
     return pictures
 
 
+def frame_of_run(folder):
+    """T_truth_map of the map that a run has made. Raises InputError."""
+    run = read_run(folder)
+    T_truth_map = run.truth and frame_of_map(run.trajectory, run.truth)
+    if T_truth_map is None:
+        raise InputError(f"{folder}: this run has no true poses with headings "
+                         "(ground_truth.tum), so that nobody knows where its map lies; name the run "
+                         "that made the map, of a bag with ground truth")
+    return T_truth_map
+
+
 def evaluate_folder(folder, reference="ground truth", world_file=None, judge_relations=None,
-                    truth=None):
+                    truth=None, map_run=None):
     """Evaluate a run folder: metrics.json, pictures, report and a table on stdout.
 
-    judge_relations returns the RelationErrors of a run; truth: true poses instead of the run's own.
+    judge_relations returns the RelationErrors of a run; truth: true poses instead of the run's own;
+    map_run: folder of the run that made the map which this one has loaded.
     """
     run = read_run(folder)
     if truth is not None:
         run.truth, run.truth_is_given = truth, True
+    if map_run is not None and run.truth is not None:
+        run.truth = dataclasses.replace(run.truth, T_truth_map=frame_of_run(map_run))
     world = read_world(world_file) if world_file else None
     relations = judge_relations(run) if judge_relations else None
     result = evaluate(run, relations, judge_map(run, world, world_file))
@@ -162,9 +178,13 @@ def main(arguments=None):
                         + DEFAULT_TOPIC)
     parser.add_argument("--truth-frame", metavar="FRAME",
                         help="of transforms the robot's frame, as a child")
+    parser.add_argument("--map-run", metavar="DIR", type=pathlib.Path,
+                        help="run that made the map which this one has loaded: errors that are not "
+                        "aligned, NEES and 'confidently wrong' are those in this map, and not from "
+                        "the first pose on")
     options = parser.parse_args(arguments)
     require_together(parser, options)
     judge = relation_judge(options) if options.relations else None
     return exit_code_of("slam_eval", lambda: evaluate_folder(
-        options.folder, options.reference_title, options.world, judge, given_truth(options)),
-        options.folder)
+        options.folder, options.reference_title, options.world, judge, given_truth(options),
+        options.map_run), options.folder)
