@@ -60,11 +60,11 @@ std::vector<LoopClosure> LoopSearch::find(const scan_matching::ScanLevels& scan,
 std::optional<LoopSearch::Candidate> LoopSearch::candidate(std::size_t number,
                                                            const PathGraph& path,
                                                            const Submap& submap) const {
+  if (submap.isEmpty()) return std::nullopt;
   Candidate result{number, path.graph().pose(submap.origin()).between(path.robot().pose), {}, 0.0};
   const Pose2 place = submap.odomOrigin() * result.origin_node;
-  double nearest = INFINITY;
-  for (const auto& scan : submap.places())
-    nearest = std::min(nearest, (scan.position() - place.position()).norm());
+  const auto& scan = submap.places()[nearestPlace(submap, place)];
+  const double nearest = (scan.position() - place.position()).norm();
   if (nearest > kInView + config_.wide_position) return std::nullopt;
   const Eigen::MatrixXd P = path.covariance({submap.origin()});  // robot, then origin
   const Eigen::Matrix3d A = result.origin_node.inverse().adjoint();

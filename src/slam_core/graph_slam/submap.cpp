@@ -47,8 +47,7 @@ const scan_matching::ScanMap& Submap::map() {
   return *map_;
 }
 
-Anchor nearestAnchor(const Submap& submap, const Pose2& pose) {
-  if (submap.isLoaded()) return {submap.origin(), submap.odomOrigin()};
+std::size_t nearestPlace(const Submap& submap, const Pose2& pose) {
   const auto distance = [&](const Pose2& place) {
     return (place.position() - pose.position()).squaredNorm();
   };
@@ -56,7 +55,13 @@ Anchor nearestAnchor(const Submap& submap, const Pose2& pose) {
   const auto nearest =
       std::min_element(places.begin(), places.end(),
                        [&](const Pose2& a, const Pose2& b) { return distance(a) < distance(b); });
-  return {submap.nodes()[static_cast<std::size_t>(nearest - places.begin())], *nearest};
+  return static_cast<std::size_t>(nearest - places.begin());
+}
+
+Anchor nearestAnchor(const Submap& submap, const Pose2& pose) {
+  if (submap.isLoaded()) return {submap.origin(), submap.odomOrigin()};
+  const auto nearest = nearestPlace(submap, pose);
+  return {submap.nodes()[nearest], submap.places()[nearest]};
 }
 
 }  // namespace slam::graph_slam

@@ -82,8 +82,11 @@ struct Anchor {
   Pose2 pose;  ///< T_odom_base of a scan, T_odom_origin of a loaded grid
 };
 
-/// @return the node of the scan that was taken nearest to this place, or the variable of a loaded
-/// grid @param pose T_odom_base @pre the submap is not empty
+/// @param pose T_odom_base @pre the submap is not empty
+/// @return which of its places() is the nearest one
+std::size_t nearestPlace(const Submap& submap, const Pose2& pose);
+/// @return the node of the scan that was taken nearest to this pose, or the variable of a loaded
+/// grid
 Anchor nearestAnchor(const Submap& submap, const Pose2& pose);
 
 }  // namespace slam::graph_slam

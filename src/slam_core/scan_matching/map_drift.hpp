@@ -36,9 +36,9 @@ class MapDrift {
   /// The robot is elsewhere. Its whole covariance is that relative to the surfaces.
   void relocate(const Pose2& pose);
   /// The robot was matched with the map, or not: then the match has no information.
-  /// @param robot its pose, and covariance relative to the surfaces; all of it, if it was found
-  /// among the older ones
-  /// @param ends that were used
+  /// @param robot its pose, and its covariance relative to the surfaces; if it was found among the
+  /// older ones, this is the whole covariance that it has before the match
+  /// @param ends the ends that the match has used
   void follow(const PoseEstimate& robot, const Match& found, const std::vector<FittedEnd>& ends);
   /// The robot draws from a pose that has this covariance relative to the surfaces so far, so that
   /// it misplaces the next ones by as much.

@@ -70,8 +70,8 @@ class ScanUpdate final : public SensorUpdate {
   /// The covariance by which a particle that is here may be off since the last scan. What landmarks
   /// have said since has moved the particles: that tells where to look, not how sure the place is.
   Eigen::Matrix3d covarianceAt(const Pose2& pose) const;
-  /// Of the surfaces around a robot that is here, relative to the oldest ones. @return nothing if
-  /// the map is fixed
+  /// @return the covariance that the surfaces around this pose have relative to the oldest ones;
+  /// nothing if the map is fixed
   std::optional<Eigen::Matrix3d> driftAt(const Pose2& pose) const;
   Lesson insert(ParticleSet& particles, const Execution& execution, Account& account);
   /// Whether as many maps may take the scan in without needing more memory than there is.
