@@ -25,11 +25,13 @@ class UsualStep {
     mean_ += (size - mean_) / known_;
   }
   /// @return how many usual steps of a source that reports by way this is; nothing if the source
-  /// reports by time, or lets no such step pass: less than half of one, or more than two
+  /// reports by time, or lets no such step pass: less than half of one, or more than three. After a
+  /// pause it may be two, since the first message may be left out (StampJump), and either of them
+  /// longer than the mean.
   std::optional<double> countOf(const Pose2& step) const {
     constexpr double kLeastStep = 0.2;           // [m]
     constexpr double kMostDeviation = 0.5;       // of the mean
-    constexpr double kLeast = 0.5, kMost = 2.0;  // usual steps
+    constexpr double kLeast = 0.5, kMost = 3.0;  // usual steps
     const bool is_by_way =
         known_ == kMeant && mean_ >= kLeastStep && deviation_ <= kMostDeviation * mean_;
     if (!is_by_way) return std::nullopt;
