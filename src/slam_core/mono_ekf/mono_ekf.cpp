@@ -63,6 +63,7 @@ void MonoEkf::describe(Capabilities& capabilities) {
   capabilities.offer<FeatureMapper>(*this);
   capabilities.offer<LostReporter>(*this);
   capabilities.offer<ViewDrawer>(*this);
+  capabilities.offer<ViewReporter>(*this);
 }
 
 void MonoEkf::configure(const MonoEkfConfig& config) {
@@ -351,6 +352,16 @@ std::vector<MappedFeature> MonoEkf::features() const {
 
 cv::Mat MonoEkf::drawing() const {
   return draw(seen_.gray, seen_.searches, seen_.are_points, seen_.added);
+}
+
+std::optional<ViewStatistics> MonoEkf::viewStatistics() const {
+  if (seen_.gray.empty()) return std::nullopt;
+  ViewStatistics view;
+  view.expected = seen_.searches.size();
+  view.matched = countOf(seen_.searches, Search::Outcome::kMatched);
+  view.rejected = countOf(seen_.searches, Search::Outcome::kRejected);
+  view.features = view.matched + view.rejected + seen_.added.size();
+  return view;
 }
 
 Component::Figures MonoEkf::figures() const {

@@ -14,6 +14,7 @@
 #include "slam_core/contract/correction_reporter.hpp"
 #include "slam_core/contract/feature_mapper.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
+#include "slam_core/contract/view_reporter.hpp"
 #include "slam_core/mono_ekf/active_search.hpp"
 #include "slam_core/mono_ekf/mono_state.hpp"
 #include "slam_core/mono_ekf/odometry_errors.hpp"
@@ -33,7 +34,12 @@ namespace slam::mono_ekf {
 /// odometry or the mount is wrong.
 /// Further counted: features "matched", "rejected" (found, but the others do not agree),
 /// "not_found", "added", "given_up"; "tracking_lost" (times).
-class MonoEkf final : public Backend, CorrectionReporter, FeatureMapper, LostReporter, ViewDrawer {
+class MonoEkf final : public Backend,
+                      CorrectionReporter,
+                      FeatureMapper,
+                      LostReporter,
+                      ViewDrawer,
+                      ViewReporter {
  public:
   /// @throw ConfigError
   void configure(const MonoEkfConfig& config);
@@ -90,6 +96,7 @@ class MonoEkf final : public Backend, CorrectionReporter, FeatureMapper, LostRep
   std::optional<Stamp> lostSince() const override { return doubt_.lostSince(); }
   bool findsItself() const override { return true; }
   cv::Mat drawing() const override;
+  std::optional<ViewStatistics> viewStatistics() const override;
 
   void relocate();
   Status look(const CameraView& view);

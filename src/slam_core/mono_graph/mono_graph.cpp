@@ -63,6 +63,7 @@ void MonoGraph::describe(Capabilities& capabilities) {
   capabilities.offer<PathReviser>(*this);
   capabilities.offer<PlaceReporter>(*this);
   capabilities.offer<ViewDrawer>(*this);
+  capabilities.offer<ViewReporter>(*this);
 }
 
 void MonoGraph::configure(const MonoGraphConfig& config) {
@@ -179,6 +180,9 @@ Status MonoGraph::follow(const CameraView& view, const Features& features) {
   if (!showsRobot(seen) && correctStep(features)) seen = tracked(features);
   const auto of_map = viewOfMap(features, seen);
   seen_.tracked = seen;
+  const auto statistics = *viewStatistics();
+  counters_.add("matched", statistics.matched);
+  counters_.add("rejected", statistics.rejected);
   is_tracked_ = showsRobot(seen);
   if (is_tracked_)
     believe(seen);

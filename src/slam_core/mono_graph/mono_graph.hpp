@@ -21,6 +21,7 @@
 #include "slam_core/contract/lost_reporter.hpp"
 #include "slam_core/contract/place_reporter.hpp"
 #include "slam_core/contract/trajectory_capabilities.hpp"
+#include "slam_core/contract/view_reporter.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/mono_graph/image_continuity.hpp"
 #include "slam_core/mono_graph/local_mapper.hpp"
@@ -44,8 +45,9 @@ namespace slam::mono_graph {
 ///
 /// Counted: "untracked" (images that show too few points of the map), "blank" (too few features),
 /// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full",
-/// "without_points" (keyframes that see much, but no points that fit odometry's way), "loops" (that
-/// were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
+/// "matched" and "rejected" (points that were found; that do not fit the pose, or are too few for
+/// one), "without_points" (keyframes that see much, but no points that fit odometry's way), "loops"
+/// (that were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
 class MonoGraph final : public Backend,
                         CorrectionReporter,
                         EventReporter,
@@ -54,7 +56,8 @@ class MonoGraph final : public Backend,
                         LostReporter,
                         PathReviser,
                         PlaceReporter,
-                        ViewDrawer {
+                        ViewDrawer,
+                        ViewReporter {
  public:
   /// @throw ConfigError
   void configure(const MonoGraphConfig& config);
@@ -127,6 +130,7 @@ class MonoGraph final : public Backend,
   std::vector<PlaceVisit> visits() const override;
   std::vector<MappedFeature> features() const override;
   cv::Mat drawing() const override;
+  std::optional<ViewStatistics> viewStatistics() const override;
 
   // the lines of execute()
   void relocate();

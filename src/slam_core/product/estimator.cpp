@@ -342,6 +342,8 @@ void Estimator::reportStep(const Intake::Step& step) {
   frames_.complete(report.odometry_frame, report.base_frame);
   report.has_motion = carrier_ != nullptr;
   report.statistics = statistics();
+  if (const auto* viewer = capabilities_.find<ViewReporter>())
+    report.view = viewer->viewStatistics();
   report.doubt = doubt();
   report.trust = trust(report.doubt);
   report.restarted = step.restart;

@@ -53,6 +53,14 @@ std::string associationLine(Stamp stamp, const AssociatedObservation& observatio
                      nameOf(observation.taken_for, namesOfTakenFor()), observation.landmark);
 }
 
+constexpr const char* kViewsHeader = "stamp,features,expected,matched,rejected\n";
+constexpr const char* kViews = "views.csv";
+
+std::string viewLine(Stamp stamp, const ViewStatistics& view) {
+  return fmt::format("{},{},{},{},{}\n", stampText(stamp), view.features, view.expected,
+                     view.matched, view.rejected);
+}
+
 constexpr const char* kEventsHeader = "stamp,kind,distance,turn,reason\n";
 
 std::string eventLine(const Event& event) {
@@ -161,6 +169,7 @@ void RunWriter::restart() {
     keep("updates.csv", updates_);
     keep("events.csv", events_);
     if (associations_.is_open()) keep(kAssociations, associations_);
+    if (views_.is_open()) keep(kViews, views_);
   }
   begin();
 }
@@ -194,6 +203,7 @@ void RunWriter::write(const StepReport& report) {
   const auto before = is_same_stamp ? pending_->statistics : UpdateStatistics();
   if (!is_same_stamp) writePending();
   writeAssociations(report);
+  writeView(report);
   pending_ = report;
   addCounts(before, pending_->statistics);
   last_stamp_ = report.stamp;
@@ -212,6 +222,15 @@ void RunWriter::writeAssociations(const StepReport& report) {
   for (const auto& observation : now) associations_ << associationLine(report.stamp, observation);
 }
 
+void RunWriter::writeView(const StepReport& report) {
+  if (!report.view) return;
+  if (!views_.is_open()) {
+    open(kViews, views_);
+    views_ << kViewsHeader;
+  }
+  views_ << viewLine(report.stamp, *report.view);
+}
+
 void RunWriter::writePending() {
   if (!pending_) return;
   trajectory_ << tumLine(pending_->stamp, pending_->pose.pose);
@@ -223,12 +242,13 @@ void RunWriter::writePending() {
     throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
 }
 
-std::array<std::pair<std::string, std::ofstream*>, 5> RunWriter::files() {
+std::array<std::pair<std::string, std::ofstream*>, 6> RunWriter::files() {
   return {{{"trajectory.tum", &trajectory_},
            {"odometry.tum", &odometry_},
            {"updates.csv", &updates_},
            {"events.csv", &events_},
-           {kAssociations, &associations_}}};
+           {kAssociations, &associations_},
+           {kViews, &views_}}};
 }
 
 void RunWriter::saveState(ArchiveWriter& archive) {
@@ -276,7 +296,7 @@ void RunWriter::undoRestart() {
 void RunWriter::finish(const Capabilities& backend, const std::string& map_frame,
                        const std::string& config) {
   writePending();
-  for (auto* file : {&trajectory_, &odometry_, &updates_, &events_, &associations_})
+  for (auto* file : {&trajectory_, &odometry_, &updates_, &events_, &associations_, &views_})
     if (!file->flush())
       throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
   const auto* reviser = backend.find<PathReviser>();

@@ -24,11 +24,12 @@ std::string tumLine(Stamp stamp, const Pose2& pose);
 std::string tumLineWithoutHeading(Stamp stamp, const Eigen::Vector2d& position);
 
 /// Writes a run's folder while it goes on: trajectory.tum, trajectory_final.tum, odometry.tum,
-/// updates.csv, events.csv, associations.csv where observations are associated by place;
-/// landmarks.yaml, of a grid map.yaml and map.pgm, of a graph graph.csv, of recognised places
-/// places.csv, of sessions that were not merged unmerged_1.session, ..., and config.yaml at the
-/// end. Every driver of an Estimator uses this one, so that offline and online runs can be compared
-/// byte for byte. Until finish() they stand in unfinished(), beside what an earlier run has left.
+/// updates.csv, events.csv, associations.csv where observations are associated by place, views.csv
+/// where features are followed through images; landmarks.yaml, of a grid map.yaml and map.pgm, of a
+/// graph graph.csv, of recognised places places.csv, of sessions that were not merged
+/// unmerged_1.session, ..., and config.yaml at the end. Every driver of an Estimator uses this one,
+/// so that offline and online runs can be compared byte for byte. Until finish() they stand in
+/// unfinished(), beside what an earlier run has left.
 class RunWriter {
  public:
   using Start = RunFolder::Start;
@@ -79,16 +80,17 @@ class RunWriter {
   static constexpr std::size_t kMostKept = 100;
 
   void begin();
-  std::array<std::pair<std::string, std::ofstream*>, 5> files();
+  std::array<std::pair<std::string, std::ofstream*>, 6> files();
   void undoRestart();
   void keep(const std::string& name, std::ofstream& file) const;
   void writePending();
   void writeAssociations(const StepReport& report);
+  void writeView(const StepReport& report);
 
   RunFolder folder_;
   bool is_resumed_;
   std::ofstream trajectory_, odometry_, updates_, events_;
-  std::ofstream associations_;  ///< opened when there is something to write
+  std::ofstream associations_, views_;  ///< opened when there is something to write
   std::optional<StepReport> pending_;
   Stamp last_stamp_;
   std::size_t lines_ = 0;

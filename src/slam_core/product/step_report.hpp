@@ -9,6 +9,7 @@
 
 #include "slam_core/contract/event_reporter.hpp"
 #include "slam_core/contract/landmark_mapper.hpp"
+#include "slam_core/contract/view_reporter.hpp"
 #include "slam_core/models/trust.hpp"
 
 namespace slam {
@@ -32,8 +33,9 @@ struct StepReport {
   PoseEstimate pose;    ///< in the map frame
   Pose2 odometry_pose;  ///< T_odom_base at the same stamp; of a product without motion the identity
   std::string odometry_frame, base_frame;
-  bool has_motion = true;       ///< else nobody knows where the odometry has the robot
-  UpdateStatistics statistics;  ///< of back-ends that map landmarks
+  bool has_motion = true;              ///< else nobody knows where the odometry has the robot
+  UpdateStatistics statistics;         ///< of back-ends that map landmarks
+  std::optional<ViewStatistics> view;  ///< of back-ends that follow features through images
   Trust trust = Trust::kConfident;
   std::string doubt;          ///< a clause on why the pose is in doubt; else empty
   bool restarted = false;     ///< time started over with this step
@@ -47,7 +49,7 @@ struct StepReport {
   template <class Archive>
   void persist(Archive& archive) {
     archive(stamp, trigger, pose, odometry_pose, odometry_frame, base_frame, has_motion, statistics,
-            trust, doubt, restarted, is_relocated, events, correction);
+            view, trust, doubt, restarted, is_relocated, events, correction);
   }
 };
 

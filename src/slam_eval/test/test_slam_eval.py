@@ -83,7 +83,8 @@ class SlamEval(unittest.TestCase):
         self.assertEqual(metrics["landmarks"], 18)
         self.assertEqual(metrics["cpu_s"], 0.8)
         self.assertLess(metrics["ate_rmse_m"], 0.15)
-        for name in ("map.png", "trajectory.png", "landmark_errors.png", "consistency.png"):
+        for name in ("map.png", "trajectory.png", "landmark_errors.png", "consistency.png",
+                     "seen.png"):
             self.assertEqual((self.run_folder / name).read_bytes()[:4], b"\x89PNG")
         self.assertIn("Absolute trajectory error", done.stdout)
         self.assertFalse([n for n in self.names() if n.startswith(".")])
@@ -92,11 +93,29 @@ class SlamEval(unittest.TestCase):
         run_maker.make_run(self.run_folder, count=300)
         self.evaluate(self.run_folder)
         report = (self.run_folder / "report.html").read_text()
-        self.assertEqual(report.count('src="data:image/png;base64,'), 4)
+        self.assertEqual(report.count('src="data:image/png;base64,'), 5)
         self.assertNotIn("http", report)
         self.assertIn("gate_probability: 0.99", report)
         self.assertIn("3 is expected", report)
         self.assertIn('Steps with landmarks</td><td class="v">', report)
+
+    def test_the_report_tells_what_became_of_the_features_in_the_images(self):
+        run_maker.make_run(self.run_folder, count=60)
+        (self.run_folder / "views.csv").write_text(
+            "stamp,features,expected,matched,rejected\n1000.1,300,40,35,2\n1000.2,290,42,36,4\n")
+        self.assertEqual(self.evaluate(self.run_folder).returncode, 0)
+        report = (self.run_folder / "report.html").read_text()
+        for text in ('Images</td><td class="v">2<', 'Features</td><td class="v">590<',
+                     'Matched</td><td class="v">71<', "35.5 an image", "What was seen"):
+            self.assertIn(text, report)
+
+    def test_names_the_line_of_views_that_is_cut_off(self):
+        run_maker.make_run(self.run_folder, count=60)
+        views = self.run_folder / "views.csv"
+        views.write_text("stamp,features,expected,matched,rejected\n1000.1,300\n")
+        self.fails("views.csv:2:", "cut off")
+        views.write_text("stamp,features\n")
+        self.fails("views.csv:1:", "run the product again")
 
     def test_the_report_names_bag_version_date_and_command(self):
         run_maker.make_run(self.run_folder, count=60)

@@ -117,6 +117,22 @@ TEST_F(RunWriterTest, WritesEveryColumnOfAnUpdate) {
             "landmarks\n1.500000000,1,0.2,0.3,4,0.5,6,7.5,4,2,3,5,6,9\n");
 }
 
+TEST_F(RunWriterTest, WritesWhatBecameOfTheFeaturesOfEachImage) {
+  RunWriter writer(folder / "run");
+  StepReport report;
+  report.stamp = stampFromNanoseconds(1500000000);
+  report.trigger = "camera";
+  writer.write(report);
+  EXPECT_FALSE(std::filesystem::exists(writer.unfinished() + "/views.csv")) << "nothing was seen";
+  report.stamp = stampFromNanoseconds(2500000000);
+  report.view = ViewStatistics{300, 40, 35, 2};
+  writer.write(report);
+  const auto backend = Registry<Backend>::instance().create("ekf");
+  writer.finish(capabilitiesOf(*backend), "map", "");
+  EXPECT_EQ(contentOf(folder / "run/views.csv"),
+            "stamp,features,expected,matched,rejected\n2.500000000,300,40,35,2\n");
+}
+
 TEST_F(RunWriterTest, WritesTheEventsOfAllStepsAlsoOfThoseOfOneStamp) {
   RunWriter writer(folder / "run");
   StepReport report;

@@ -18,6 +18,7 @@ from slam_eval.io.places import PlaceVisits, read_places
 from slam_eval.io.point_cloud import read_points
 from slam_eval.io.trajectory import Trajectory, read_trajectory, read_truth
 from slam_eval.io.updates import Updates, read_updates
+from slam_eval.io.views import read_views, Views
 
 
 @dataclasses.dataclass
@@ -42,6 +43,7 @@ class RunFolder:
     points: Optional[np.ndarray] = None
     graph: Optional[Graph] = None
     places: Optional[PlaceVisits] = None
+    views: Optional[Views] = None
     events: Optional[list] = None
     true_landmarks: Optional[LandmarkMap] = None
     metrics: dict = dataclasses.field(default_factory=dict)
@@ -113,6 +115,7 @@ def read_run(path):
     run.grid = _optional(path / "map.yaml", read_grid)
     run.graph = _optional(path / "graph.csv", read_graph)
     run.places = _optional(path / "places.csv", read_places)
+    run.views = _optional(path / "views.csv", read_views)
     run.events = _optional(path / "events.csv", read_events)
     run.points = _optional(path / "points.pcd", read_points)
     run.true_landmarks = _optional(path / "ground_truth_landmarks.yaml", read_landmarks)

@@ -22,6 +22,7 @@ from slam_eval.plot.landmark_errors import plot_landmark_errors
 from slam_eval.plot.map import plot_map, plot_trajectory
 from slam_eval.plot.odometry import plot_beside_wheels
 from slam_eval.plot.relations import plot_relations
+from slam_eval.plot.seen import plot_seen
 from slam_eval.report.metric_table import merge, terminal_table
 from slam_eval.report.run_report import render
 
@@ -73,7 +74,7 @@ def draw(run, result, reference, world):
     if plot_beside_wheels(run, result, run.path / "odometry.png", reference, world):
         pictures.append(run.path / "odometry.png")
     for plot, name in ((plot_graph, "graph.png"), (plot_landmark_errors, "landmark_errors.png"),
-                       (plot_consistency, "consistency.png")):
+                       (plot_consistency, "consistency.png"), (plot_seen, "seen.png")):
         if plot(run, result, run.path / name):
             pictures.append(run.path / name)
     if result.relations is not None:

@@ -45,6 +45,13 @@ CAPTIONS = {
         "Errors in the map frame, truth moved there by its first pose and not fitted. A consistent "
         "filter keeps 95 of 100 steps inside its bounds; the bounds drawn are those of the most "
         "frequent degrees of freedom, dots are coloured by the bounds of their own."),
+    "seen.png": (
+        "What was seen",
+        "Over time: how many features an image has, how many features of the map it was searched "
+        "for, how many of these were found in agreement with the pose (matched) and in "
+        "contradiction to the others (rejected). Of products with landmarks: observations, "
+        "those that were used, those that fitted their landmark too badly (gated), and first ones. "
+        "Of long runs each point is a mean."),
 }
 
 
@@ -87,6 +94,22 @@ def _observation_section(updates):
     cells = "".join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
                     f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
     return f'<section><h2>Observations</h2><table class="facts">{cells}</table></section>'
+
+
+def _view_section(views):
+    """What became of the features in the images, by views.csv."""
+    totals = {name: int(np.sum(values)) for name, values in views.counts.items()}
+    each = max(len(views), 1)
+    lines = [("Images", len(views), "That the back-end could use.")]
+    for name, label, meaning in (
+            ("features", "Features", "In the images, whether the map had them or not."),
+            ("expected", "Searched for", "Features of the map that were to be seen."),
+            ("matched", "Matched", "Of these: found, and in agreement with the pose."),
+            ("rejected", "Rejected", "Of these: found, but in contradiction to the others.")):
+        lines.append((label, totals[name], f"{totals[name] / each:.1f} an image. {meaning}"))
+    cells = "".join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
+                    f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
+    return f'<section><h2>Features</h2><table class="facts">{cells}</table></section>'
 
 
 def _event_section(run):
@@ -154,7 +177,9 @@ def render(run, metrics, pictures, notes, relations=None):
         parts.append(_relation_section(relations))
     if run.events:
         parts.append(_event_section(run))
-    if run.updates is not None:
+    if run.views is not None:
+        parts.append(_view_section(run.views))
+    elif run.updates is not None:
         parts.append(_observation_section(run.updates))
     if origin:
         parts.append(_origin_section(origin))

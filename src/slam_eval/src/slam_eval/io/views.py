@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: 2026 the SLAM product line authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What became of the features of each image (views.csv)."""
+import dataclasses
+
+import numpy as np
+
+from slam_eval.io.errors import InputError, read_text
+from slam_eval.io.trajectory import parse_line
+
+COLUMNS = ["stamp", "features", "expected", "matched", "rejected"]
+
+
+@dataclasses.dataclass
+class Views:
+    """Stamps of the images [ns], and the counts of each by name."""
+
+    stamps: np.ndarray
+    counts: dict
+
+    def __len__(self):
+        return len(self.stamps)
+
+
+def read_views(path):
+    """Read views.csv. Raises InputError that names file and line."""
+    lines = read_text(path).splitlines()
+    if not lines or lines[0].strip().split(",") != COLUMNS:
+        raise InputError(f'{path}:1: the header is not "{",".join(COLUMNS)}"; '
+                         "run the product again with this release")
+    rows = [parse_line(f"{path}:{number}", line, ",", COLUMNS)
+            for number, line in enumerate(lines[1:], start=2) if line.strip()]
+    counts = np.array([row[1] for row in rows], dtype=int).reshape(-1, len(COLUMNS) - 1)
+    return Views(np.array([row[0] for row in rows], dtype=np.int64),
+                 dict(zip(COLUMNS[1:], counts.T)))
