@@ -183,6 +183,47 @@ TEST_F(MonoEkfInARoom, FindsItsFeaturesAfterAGapOfTenSeconds) {
   EXPECT_FALSE(lostSince());
 }
 
+TEST_F(MonoEkfInARoom, FindsItsFeaturesAfterAGapOfTenSecondsOfDriving) {
+  drive(60);
+  for (int i = 0; i < 100; ++i) move();
+  for (int i = 0; i < 10; ++i) step();
+  EXPECT_GT(figure("features_in_view"), 8.0);
+  EXPECT_LT(error(), 0.15);
+  EXPECT_FALSE(lostSince());
+}
+
+TEST_F(MonoEkfInARoom, GoesOnByOdometryWhereTheSameImageComesAgain) {
+  drive(30);
+  const auto before = filter_.state().features().size();
+  auto stuck = seen();
+  stuck.is_repeated = true;  // as the camera's gate says
+  for (int i = 0; i < 10; ++i) {
+    move();
+    stuck.stamp = at(time_);
+    EXPECT_TRUE(take(stuck).isOk()) << "the gate has said why";
+  }
+  EXPECT_EQ(filter_.counters()["unusable"], 10U);
+  EXPECT_EQ(filter_.state().features().size(), before);
+  drive(10);
+  EXPECT_LT(error(), 0.1);
+  EXPECT_FALSE(lostSince());
+}
+
+TEST_F(MonoEkfInARoom, CountsWhatBecameOfTheFeaturesOfAnImage) {
+  EXPECT_FALSE(as<ViewReporter>(filter_).viewStatistics()) << "no image yet";
+  drive(30);
+  const auto view = as<ViewReporter>(filter_).viewStatistics();
+  ASSERT_TRUE(view);
+  EXPECT_EQ(static_cast<double>(view->matched), figure("features_in_view"));
+  EXPECT_GE(view->expected, view->matched + view->rejected);
+  EXPECT_GE(view->features, view->matched + view->rejected);
+  move();
+  auto unusable = seen();
+  unusable.camera = nullptr;
+  take(unusable);
+  EXPECT_FALSE(as<ViewReporter>(filter_).viewStatistics()) << "not of an earlier image";
+}
+
 TEST_F(MonoEkfInARoom, MovesTimeOnWithoutACalibration) {
   drive(3);
   move();

@@ -125,6 +125,22 @@ TEST(MonoGraph, ShowsWhatItTracksAndItsMapOfPoints) {
   }
 }
 
+TEST(MonoGraph, CountsWhatBecameOfTheFeaturesOfAnImage) {
+  PictureDrive drive(9);
+  drive.steps(40);
+  const auto view = as<ViewReporter>(drive.graph()).viewStatistics();
+  ASSERT_TRUE(view);
+  EXPECT_GT(view->matched, 10U);
+  EXPECT_GE(view->expected, view->matched);
+  EXPECT_GE(view->features, view->matched + view->rejected);
+  EXPECT_GE(drive.graph().counters()["matched"], view->matched);
+  CameraView unusable;
+  unusable.stamp = stampFromNanoseconds(1004100000000);
+  drive.inputs().set(unusable);
+  drive.graph().execute();
+  EXPECT_FALSE(as<ViewReporter>(drive.graph()).viewStatistics()) << "not of an earlier image";
+}
+
 TEST(MonoGraph, TakesTheSameImageTwice) {
   PictureDrive drive(9);
   drive.steps(40);
