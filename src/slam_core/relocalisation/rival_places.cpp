@@ -11,7 +11,6 @@
 namespace slam::relocalisation {
 namespace {
 
-constexpr double kNearlyAll = 0.8;       ///< of the landmarks around the robot
 constexpr std::size_t kMostPlaces = 32;  ///< places that are followed
 constexpr std::size_t kOnTheMap = 2;     ///< so many landmarks within reach contradict, if unseen
 
@@ -34,10 +33,8 @@ void RivalPlaces::update(const std::vector<association::Place>& places, double a
                          const association::ConstellationEvidence& evidence,
                          const std::vector<association::LocalLandmark>& around,
                          const association::SensorReach& reach) {
-  const auto nearly_all = kNearlyAll * static_cast<double>(around.size());
   for (const auto& place : places)
-    if (place.log_odds >= at_least && static_cast<double>(place.matches) >= nearly_all)
-      add(place.robot.pose);
+    if (place.log_odds >= at_least) add(place.robot.pose);
   for (const auto& pose : std::exchange(poses_, {}))
     if (evidence.within(reach, pose) < kOnTheMap)
       add(pose);

@@ -13,11 +13,11 @@
 namespace slam::relocalisation {
 
 /// The places at which a lost robot may be, since the search for it began: each of them has
-/// explained nearly all landmarks around the robot. If places look alike, as under a ceiling of
-/// tiles, small random differences decide which of them has more evidence, and a place loses
-/// evidence as soon as the robot would have left the map there. So each place is moved with the
-/// robot, and remains until the map contradicts it (multiple hypotheses: Jensfelt and Kristensen
-/// 2001). Driving beyond the border of the map contradicts no place.
+/// explained what is around the robot well enough to be put there. If places look alike, as under a
+/// ceiling of tiles, small random differences decide which of them has more evidence, and a place
+/// loses evidence as soon as the robot would have left the map there. So each place is moved with
+/// the robot, and remains until the map contradicts it (multiple hypotheses: Jensfelt and
+/// Kristensen 2001). Driving beyond the border of the map contradicts no place.
 class RivalPlaces {
  public:
   void move(const Motion& motion);

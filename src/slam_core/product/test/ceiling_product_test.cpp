@@ -127,7 +127,7 @@ TEST_P(UnderACeiling, FindsItsLandmarksAfterAGapOfTenSeconds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BackEnds, UnderACeiling, testing::Values("ekf", "graph"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& back_end) { return std::string(back_end.param); });
 
 }  // namespace
 }  // namespace slam

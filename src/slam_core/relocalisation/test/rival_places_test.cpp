@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "slam_core/common/random.hpp"
@@ -90,6 +91,20 @@ TEST_F(RivalPlacesTest, RemainWhereTheyLeaveTheMap) {
       EXPECT_TRUE(rivals.hasOtherThan(places[0].robot.pose)) << i;
     }
   }
+}
+
+/// The robot drives at the edge of the map, or beyond it: what it sees there is in no place.
+TEST_F(RivalPlacesTest, CountWhereTheyExplainAPartOfWhatIsSeen) {
+  for (const auto& spot : tiles(40))
+    world.push_back({spot.id + 1000, spot.position + Eigen::Vector2d(0.0, kTile), kExact});
+  truth = {4.0, 2.0, 0.0};
+  look(tiles(6));
+  ASSERT_FALSE(places.empty());
+  const auto seen = std::count_if(world.begin(), world.end(), [&](const auto& spot) {
+    return (spot.position - truth.position()).norm() < kReach;
+  });
+  EXPECT_LT(places[0].matches, 0.8 * static_cast<double>(seen));
+  EXPECT_TRUE(rivals.hasOtherThan(places[0].robot.pose));
 }
 
 /// Two tiles are alike, and what comes after them is not.
