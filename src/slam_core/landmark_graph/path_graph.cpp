@@ -8,6 +8,7 @@
 
 #include "slam_core/geometry/covariance.hpp"
 #include "slam_core/graph/factors.hpp"
+#include "slam_core/models/moved_pose.hpp"
 
 // Symbols: a twist of the robot is a small motion in its own frame, J takes it to the coordinates
 // (x, y, theta); P a covariance.
@@ -36,10 +37,7 @@ PoseEstimate PathGraph::robot(const std::optional<graph::Key>& at) const {
   }
   if (node) from.covariance = coordinateCovariance(from.pose, graph_.covariance({*node}));
   if (at || !tail_.motion) return from;
-  Eigen::Matrix3d J_from, J_motion;
-  const Pose2 pose = from.pose.compose(tail_.motion->increment, &J_from, &J_motion);
-  return {pose, symmetric(J_from * from.covariance * J_from.transpose() +
-                          J_motion * tail_.motion->covariance * J_motion.transpose())};
+  return moved(from, *tail_.motion);
 }
 
 Eigen::MatrixXd PathGraph::covariance(const std::vector<graph::Key>& keys,

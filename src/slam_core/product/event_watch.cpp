@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/geometry/covariance.hpp"
+#include "slam_core/models/moved_pose.hpp"
 
 namespace slam {
 namespace {
@@ -37,11 +37,7 @@ void EventsConfig::describe(Fields& fields) {
 }
 
 void EventWatch::predict(const Motion& motion) {
-  if (!pose_) return;
-  Eigen::Matrix3d J_pose, J_motion;
-  pose_->pose = pose_->pose.compose(motion.increment, &J_pose, &J_motion);
-  pose_->covariance = symmetric(J_pose * pose_->covariance * J_pose.transpose() +
-                                J_motion * motion.covariance * J_motion.transpose());
+  if (pose_) pose_ = moved(*pose_, motion);
 }
 
 void EventWatch::complete(StepReport& report, const Capabilities& backend) {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "slam_core/geometry/one_place.hpp"
+#include "slam_core/models/moved_pose.hpp"
+#include "slam_core/relocalisation/pose_agreement.hpp"
 
 namespace slam::relocalisation {
 namespace {
@@ -23,12 +25,19 @@ LandmarkObservationArray aroundBase(LandmarkObservationArray array) {
   return array;
 }
 
+/// Whether a search shows the place to which odometry leads. Maps and searches are uncertain, too.
+bool isLedTo(const PoseEstimate& predicted, PoseEstimate place) {
+  constexpr double kInAnyCase = 0.05;  // [m, rad]
+  place.covariance += kInAnyCase * kInAnyCase * Eigen::Matrix3d::Identity();
+  return areOnePlace(predicted.pose, place.pose) && agree(predicted, place);
+}
+
 }  // namespace
 
 void LandmarkRecogniser::move(const Motion& motion) {
   local_.move(motion);
   rivals_.move(motion);
-  if (candidate_) candidate_->pose = candidate_->pose * motion.increment;
+  if (candidate_) candidate_->robot = moved(candidate_->robot, motion);
 }
 
 void LandmarkRecogniser::see(const LandmarkObservationArray& array) {
@@ -81,18 +90,18 @@ std::optional<Recognition> LandmarkRecogniser::find(Stamp stamp) {
     return found;
   }
   found.robot = places[0].robot;
-  if (stays(found.robot.pose, stamp)) found.verdict = Recognition::Verdict::kConfirmed;
+  if (stays(found.robot, stamp)) found.verdict = Recognition::Verdict::kConfirmed;
   return found;
 }
 
-/// Whether the place has been the best one for long enough to be confirmed.
-bool LandmarkRecogniser::stays(const Pose2& place, Stamp stamp) {
+/// Whether the place has been the best one for long enough to be confirmed. Odometry has to lead
+/// there from where it was found first: a camera that was turned by hand shows another motion.
+bool LandmarkRecogniser::stays(const PoseEstimate& place, Stamp stamp) {
   constexpr int kLeastTimes = 3;
-  if (!candidate_ || !areOnePlace(candidate_->pose, place)) {
+  if (!candidate_ || !isLedTo(candidate_->robot, place)) {
     candidate_ = Candidate{place, stamp};
     return false;
   }
-  candidate_->pose = place;
   ++candidate_->times;
   return candidate_->times >= kLeastTimes &&
          seconds(stamp - candidate_->since) >= config_.confirmation;

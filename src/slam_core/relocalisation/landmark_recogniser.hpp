@@ -48,19 +48,19 @@ class LandmarkRecogniser {
  private:
   /// The best place, and since when it has been the best.
   struct Candidate {
-    Pose2 pose;  ///< T_map_base now
+    PoseEstimate robot;  ///< T_map_base now, as odometry leads there from where it was found first
     Stamp since;
     int times = 1;
 
     template <class Archive>
     void persist(Archive& archive) {
-      archive(pose, since, times);
+      archive(robot, since, times);
     }
   };
 
   Recognition::Verdict verdictOn(const std::vector<association::Place>& places);
   double leastLogOdds() const;
-  bool stays(const Pose2& place, Stamp stamp);
+  bool stays(const PoseEstimate& place, Stamp stamp);
 
   RelocalisationConfig config_;
   bool has_ids_;

@@ -3,7 +3,6 @@
 
 #include "slam_core/relocalisation/relocaliser.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,8 +13,8 @@
 #include "slam_core/contract/landmark_mapper.hpp"
 #include "slam_core/contract/landmark_remover.hpp"
 #include "slam_core/contract/lost_reporter.hpp"
-#include "slam_core/geometry/angle.hpp"
 #include "slam_core/relocalisation/grid_fit.hpp"
+#include "slam_core/relocalisation/pose_agreement.hpp"
 
 namespace slam::relocalisation {
 namespace {
@@ -39,15 +38,6 @@ constexpr const char* kLostUnsearched =
 constexpr const char* kOnlyLines =
     "the robot sees only lines, and the loaded map is searched by points, so that its pose is "
     "believed as it is: set an initial pose where the robot is elsewhere";
-
-/// Whether the pose that was found is compatible with the back-end's (chi-square gate).
-bool agree(const PoseEstimate& found, const PoseEstimate& believed) {
-  constexpr double kPoseGate = 16.27;  // 0.999 of chi-square with three degrees of freedom
-  Eigen::Vector3d e = found.pose.vector() - believed.pose.vector();
-  e.z() = wrapAngle(e.z());
-  const Eigen::Matrix3d S = found.covariance + believed.covariance;
-  return e.dot(S.llt().solve(e)) <= kPoseGate;
-}
 
 /// Few of a filter's particles, or none, are near the robot.
 bool isVague(const PoseEstimate& estimate) {
