@@ -29,7 +29,7 @@ def landmark_map(ids):
 def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None, own_ids=False):
     """The numbers of a seed's line."""
     run = types.SimpleNamespace(landmarks=landmark_map(mapped), true_landmarks=landmark_map(true),
-                                metrics={"update_ms_p99": 3.0})
+                                metrics={"update_ms_p50": 2.0, "update_ms_p99": 3.0})
     run.landmarks.has_own_ids = own_ids
     result = types.SimpleNamespace(metrics={
         "ate_rmse_m": ate, "odometry_ate_rmse_m": drift, "landmark_rmse_m": 0.01,
@@ -39,9 +39,10 @@ def seed_row(seed, ate, mapped, true, nees=3.0, drift=0.4, twin=None, own_ids=Fa
 
 class Office(unittest.TestCase):
 
-    def verdicts(self, rows, world="office", twin=None):
+    def verdicts(self, rows, world="office", twin=None, product="ekf_wheel"):
         """The lines below the table."""
-        return office.verdicts(world, mean_row("mean", rows), office.worst_row(rows), twin)
+        return office.verdicts(office.goals_of(world, product), mean_row("mean", rows),
+                               office.worst_row(rows), twin)
 
     def cell(self, row, column):
         """A number of a line."""
@@ -90,6 +91,15 @@ class Office(unittest.TestCase):
             row = office.values(1, run, result, Usage(5.0, 6.0, 30.0))
             line = [line for line in self.verdicts([row], "gallery").split("\n") if "scale" in line]
             self.assertIn(word, line[0])
+
+    def test_a_product_may_have_goals_of_its_own(self):
+        row = seed_row(1, 0.02, [], [], nees=0.5, own_ids=True)
+        missed = {product: [line for line in self.verdicts([row], "gallery", product=product)
+                            .split("\n") if "MISSED" in line]
+                  for product in ("ekf_mono", "graph_mono")}
+        self.assertIn("mean NEES", missed["ekf_mono"][0])
+        self.assertIn("worst ATE", missed["graph_mono"][0])
+        self.assertEqual([len(lines) for lines in missed.values()], [1, 1])
 
     def test_a_product_that_looks_up_is_measured_by_that_with_wheels(self):
         for name, twin in (("pf_visual", Twin("pf_wheel", 1.1)),
