@@ -131,7 +131,6 @@ void LocalMapper::map(VisualMap& map) {
   const int newest = static_cast<int>(map.keyframes().size()) - 1;
   cull(map, newest);
   addPoints(map, newest);
-  adjustAround(map, newest, window_);
 }
 
 void LocalMapper::cull(VisualMap& map, int newest) {

@@ -11,13 +11,9 @@
 namespace slam::mono_graph {
 
 /// Makes the map around the newest keyframe (Mur-Artal et al. 2015, VI): new points that few
-/// images show are removed, more are triangulated, and all nearby are adjusted together.
+/// images show are removed, and more are triangulated.
 class LocalMapper {
  public:
-  LocalMapper() = default;
-  /// @param window how many keyframes are adjusted at once
-  explicit LocalMapper(int window) : window_(window) {}
-
   /// To be called when a keyframe was added, with its sightings of known points.
   void map(VisualMap& map);
 
@@ -39,7 +35,6 @@ class LocalMapper {
   void cull(VisualMap& map, int newest);
   void addPoints(VisualMap& map, int newest);
 
-  int window_ = 0;
   std::vector<Recent> recent_;  ///< points that have not proved themselves yet
 };
 
@@ -47,6 +42,7 @@ class LocalMapper {
 /// both one.
 void joinPoints(VisualMap& map, const std::vector<int>& points, const std::vector<int>& keyframes);
 /// Adjusts a keyframe with those that share most points with it, their points, and odometry.
+/// @param window how many keyframes are adjusted at once
 void adjustAround(VisualMap& map, int keyframe, int window);
 
 }  // namespace slam::mono_graph

@@ -78,7 +78,7 @@ void MonoGraph::configure(Settings& settings) { configure(settings.read<MonoGrap
 
 void MonoGraph::reset() {
   map_ = {};
-  mapper_ = LocalMapper(config_.window);
+  mapper_ = {};
   recogniser_ = PlaceRecogniser(config_.least_place_points, seed_);
   closer_ = {};
   doubt_ = TrackingDoubt();
@@ -86,6 +86,7 @@ void MonoGraph::reset() {
   standstill_.settle();
   way_ = {};
   reference_.reset();
+  unadjusted_.reset();
   unrecognised_.reset();
   putAt({}, initialCovariance());
   is_tracked_ = false;
@@ -159,7 +160,7 @@ void MonoGraph::predict() {
 
 Status MonoGraph::see(const CameraView& view) {
   seen_ = {};
-  recognise();
+  finishKeyframe();
   if (!view.isUsable() || view.image.gray.empty()) {
     counters_.add("unusable");
     return Status::ok();  // the camera's gate has said why
@@ -309,7 +310,7 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
       chainedCovariance(map_, number)
           .value_or(ChainCovariance{covariance_, Eigen::Matrix3d::Zero(), 0.0});
   recogniser_.add(vocabulary_.wordsOf(features.all()));
-  unrecognised_ = reference_ = number;
+  unadjusted_ = reference_ = number;
   pose_ = map_.keyframe(number).pose;
   covariance_ = initialCovariance();
   anchor_.place(pose_, covariance_);
@@ -356,18 +357,26 @@ std::set<int> MonoGraph::knownAround(int keyframe) const {
   return known;
 }
 
-/// It runs with the image after a keyframe, so that no image takes the time of both. The robot
-/// still stands on the keyframe, and moves with it.
-void MonoGraph::recognise() {
-  if (!unrecognised_) return;
-  const int keyframe = *std::exchange(unrecognised_, std::nullopt);
-  closeLoop(keyframe);
-  if (!is_way_known_ || reference_ != keyframe) return;  // it was put elsewhere
-  anchor_.moveAnchorTo(map_.keyframe(keyframe).pose);
+/// What a keyframe leads to is divided among the two images after it, so that no image takes the
+/// time of all. The robot moves with the keyframe that it is tracked by.
+void MonoGraph::finishKeyframe() {
+  if (!unadjusted_ && !unrecognised_) return;
+  const Pose2 before = reference_ ? map_.keyframe(*reference_).pose : Pose2();
+  if (const auto keyframe = std::exchange(unrecognised_, std::nullopt)) recognise(*keyframe);
+  unrecognised_ = std::exchange(unadjusted_, std::nullopt);
+  if (unrecognised_) adjust(*unrecognised_);
+  if (!reference_) return;
+  anchor_.moveAnchorTo(map_.keyframe(*reference_).pose * before.between(anchor_.pose()));
   predict();
 }
 
-void MonoGraph::closeLoop(int keyframe) {
+void MonoGraph::adjust(int keyframe) {
+  adjustAround(map_, keyframe, config_.window);
+  auto& adjusted = map_.keyframe(keyframe);
+  adjusted.covariance = chainedCovariance(map_, keyframe).value_or(adjusted.covariance);
+}
+
+void MonoGraph::recognise(int keyframe) {
   const auto place =
       recogniser_.find(map_, map_.keyframe(keyframe).features, recogniser_.index()[keyframe],
                        knownAround(keyframe), config_.least_similarity);
@@ -375,10 +384,8 @@ void MonoGraph::closeLoop(int keyframe) {
   const Pose2 before = map_.keyframe(keyframe).pose;
   if (!closer_.close(map_, *place, keyframe)) return counters_.add("loops_rejected");
   joinPlaces(map_, *place, keyframe);
-  adjustAround(map_, keyframe, config_.window);
-  auto& joined = map_.keyframe(keyframe);
-  joined.covariance = chainedCovariance(map_, keyframe).value_or(joined.covariance);
-  noteLoop(*place, before, joined.pose);
+  adjust(keyframe);
+  noteLoop(*place, before, map_.keyframe(keyframe).pose);
 }
 
 void MonoGraph::noteStep(Stamp stamp) {

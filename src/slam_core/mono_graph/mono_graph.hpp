@@ -79,8 +79,8 @@ class MonoGraph final : public Backend,
   template <class Archive>
   void persist(Archive& archive) {
     archive(map_, mapper_, recogniser_, closer_, anchor_, way_, is_way_known_, way_without_points_,
-            reference_, unrecognised_, last_, doubt_, continuity_, standstill_, agreement_,
-            is_tracked_, pose_, covariance_, path_, events_, inputs_, counters_);
+            reference_, unadjusted_, unrecognised_, last_, doubt_, continuity_, standstill_,
+            agreement_, is_tracked_, pose_, covariance_, path_, events_, inputs_, counters_);
   }
 
  private:
@@ -154,8 +154,9 @@ class MonoGraph final : public Backend,
   Status addKeyframe(const CameraView& view, const Features& features, const TrackedView& tracked);
   Status judgeMapping(int number);
   Pose2 poseByImages(const Features& features) const;
-  void recognise();
-  void closeLoop(int keyframe);
+  void finishKeyframe();
+  void adjust(int keyframe);
+  void recognise(int keyframe);
   std::set<int> knownAround(int keyframe) const;
   void noteLoop(const RecognisedPlace& place, const Pose2& before, const Pose2& after);
   /// The robot is somewhere else than odometry leads to.
@@ -179,7 +180,8 @@ class MonoGraph final : public Backend,
   bool is_way_known_ = false;        ///< there is one, and no jump came since
   double way_without_points_ = 0.0;  ///< since a keyframe had enough points [m]
   std::optional<int> reference_;     ///< the keyframe that the robot is tracked by
-  std::optional<int> unrecognised_;  ///< the newest one, whose place has not been looked up yet
+  std::optional<int> unadjusted_;    ///< the newest one, if the map around it was not adjusted yet
+  std::optional<int> unrecognised_;  ///< one whose place has not been looked up yet
   TrackingDoubt doubt_;
   ImageContinuity continuity_;
   StandstillWatch standstill_;

@@ -14,6 +14,7 @@ class OdometryAnchor {
   /// @param covariance of (x, y, theta), without what odometry adds to it
   void place(const Pose2& pose, const Eigen::Matrix3d& covariance);
   void move(const Motion& motion);
+  const Pose2& pose() const { return pose_; }
   /// The anchor itself lies elsewhere; odometry since then stays as it is.
   void moveAnchorTo(const Pose2& pose) { pose_ = pose; }
   /// From here on odometry may be corrected. What it measured before this step stays as it is.
