@@ -82,6 +82,13 @@ class ConfidentlyWrong(unittest.TestCase):
         self.assertAlmostEqual(found.share_wrong(np.array([1, 1, 0, 0, 0], bool)), 0.5)
         self.assertIsNone(found.share_wrong(np.zeros(5, bool)))
 
+    def test_is_a_missed_loss_where_it_lasts_for_more_than_five_seconds(self):
+        self.assertEqual(claim(0.5, (0.05, 0.05)).missed_losses, 1)
+        self.assertEqual(claim(0.5, (0.05, 0.05), count=50).missed_losses, 0)
+        twice = claim(0.5, (0.05, 0.05), count=121)
+        twice.errors[60] = 0.1
+        self.assertEqual(twice.missed_losses, 2)
+
     def test_is_not_known_where_truth_has_no_headings_or_another_time(self):
         stamps = np.arange(3, dtype=np.int64) * STEP
         poses = Trajectory(stamps, np.zeros((3, 3)))
@@ -142,6 +149,19 @@ class Runs(unittest.TestCase):
         lines = '1002.0,lost,0,0,"a"\n1005.5,found,0,0,"b"\n1030.0,lost,0,0,"c"\n'
         self.assertAlmostEqual(self.metrics(lines)["lost_s"], 3.5 + 39.8 - 30.0)
         self.assertAlmostEqual(self.metrics(lines, truth=False)["lost_s"], 12.8 + 0.5)
+
+    def test_a_loss_is_false_where_the_position_was_right(self):
+        lines = '1002.0,lost,0,0,"a"\n1005.5,found,0,0,"b"\n1030.0,lost,0,0,"c"\n'
+        self.assertNotIn("lost_false", self.metrics(lines, truth=False))
+        self.assertEqual(self.metrics(lines)["lost_false"], 2)
+        self.assertNotIn("lost_false", self.metrics())
+        estimate = self.folder / "trajectory.tum"
+        moved = [line.split() for line in estimate.read_text().splitlines()]
+        estimate.write_text("".join(
+            " ".join([t, str(float(x) + 2.0 * (float(t) > 1020.0)), *rest]) + "\n"
+            for t, x, *rest in moved))
+        (self.folder / "events.csv").write_text("stamp,kind,distance,turn,reason\n" + lines)
+        self.assertEqual(evaluate(read_run(self.folder)).metrics["lost_false"], 1)
 
     def test_a_run_that_can_tell_and_does_not_was_never_lost(self):
         self.assertEqual(self.metrics(stored={"lost_alarms": 0})["lost_s"], 0.0)

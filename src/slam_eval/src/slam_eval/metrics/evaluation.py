@@ -12,7 +12,8 @@ from slam_eval.io.trajectory import at_stamps, interpolate
 from slam_eval.metrics.chi_square import two_sided_bounds
 from slam_eval.metrics.drift import Drift, segment_drift
 from slam_eval.metrics.honesty import (
-    DOUBTFUL, frame_of_map, LOST, position_claim, PositionClaim, seconds_in, truth_in_map)
+    DOUBTFUL, false_losses, frame_of_map, LOST, position_claim, PositionClaim, seconds_in,
+    truth_in_map)
 from slam_eval.metrics.landmark_detection import landmark_detection, LandmarkDetection
 from slam_eval.metrics.map_agreement import MapAgreement
 from slam_eval.metrics.place_recognition import place_recognition, PlaceRecognition
@@ -229,6 +230,8 @@ def _collect(run, result):
         "nis_mean": None if run.updates is None else nis_mean(run.updates),
         "confidently_wrong_s": result.claim and result.claim.seconds_wrong,
         "lost_s": seconds_in(LOST, run),
+        "lost_missed": result.claim and result.claim.missed_losses,
+        "lost_false": false_losses(result.claim, run),
         "doubtful_s": seconds_in(DOUBTFUL, run),
         **(result.places.metrics if result.places else {}),
         **(result.relations.metrics if result.relations else {}),

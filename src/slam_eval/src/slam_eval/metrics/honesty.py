@@ -11,6 +11,7 @@ from slam_eval.io.trajectory import interpolate, NANOSECONDS
 
 WRONG = 0.3      # an error of the position beyond this matters [m]
 CONFIDENT = 5.0  # and contradicts the covariance beyond so many standard deviations
+MISSED_AFTER = 5.0  # a pose that is confidently wrong for longer on end is a missed loss [s]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -33,6 +34,19 @@ class PositionClaim:
     def seconds_wrong(self):
         """Time for which the pose was confidently wrong [s]."""
         return float(np.sum(self.durations[self.is_confidently_wrong]))
+
+    @property
+    def missed_losses(self):
+        """How often the pose was confidently wrong for more than MISSED_AFTER on end."""
+        count, lasted = 0, 0.0
+        for is_wrong, duration in zip(np.append(self.is_confidently_wrong, False),
+                                      np.append(self.durations, 0.0)):
+            if is_wrong:
+                lasted += duration
+                continue
+            count += int(lasted > MISSED_AFTER)
+            lasted = 0.0
+        return count
 
     def share_wrong(self, chosen):
         """Share of the time of the chosen poses (a mask) that have truth for which the pose was
@@ -124,3 +138,15 @@ def seconds_in(state, run):
     if not intervals and "lost_alarms" not in run.metrics:
         return None
     return sum(end - start for start, end in intervals) / NANOSECONDS
+
+
+def false_losses(claim, run):
+    """How often the run reported its robot as lost while the position was right, by the last pose
+    until then; None where it cannot be known, or the product cannot tell."""
+    if claim is None or seconds_in(LOST, run) is None:
+        return None
+    count = 0
+    for begin, _ in intervals_of(LOST, run.events, int(run.trajectory.stamps[-1])):
+        last = int(np.searchsorted(run.trajectory.stamps, begin, side="right")) - 1
+        count += int(last >= 0 and claim.valid[last] and claim.errors[last] <= WRONG)
+    return count

@@ -173,6 +173,13 @@ KEYS = {
     "lost_s": Key(
         "Time lost", "s", ".2f",
         "Time for which the run reported the robot as lost, by its events.", "Consistency", True),
+    "lost_missed": Key(
+        "Losses that were missed", "", "d",
+        "How often the pose was confidently wrong for more than 5 s on end.", "Consistency", True),
+    "lost_false": Key(
+        "False losses", "", "d",
+        "How often the run reported the robot as lost while its position was at most 0.3 m off.",
+        "Consistency", True),
     "doubtful_s": Key(
         "Time in doubt", "s", ".2f",
         "Time for which the run reported the pose as doubtful, by its events.", "Consistency"),
