@@ -10,7 +10,9 @@ namespace slam {
 
 /// What became of the features of an image.
 struct ViewStatistics {
-  std::size_t features = 0;  ///< that were found in the image, whether the map has them or not
+  /// that were located in the image: those of the map that it was searched for, and new ones; by a
+  /// back-end that detects all, those without a place in the map as well
+  std::size_t features = 0;
   std::size_t expected = 0;  ///< features of the map that the image was searched for
   std::size_t matched = 0;   ///< of these: found, and in agreement with the pose
   std::size_t rejected = 0;  ///< of these: found, but in contradiction to the others
@@ -25,7 +27,7 @@ struct ViewStatistics {
 class ViewReporter {
  public:
   virtual ~ViewReporter() = default;
-  /// Of the last step; nothing if it had no usable image.
+  /// @return what became of the features of the last step's image; nothing if it had no usable one
   virtual std::optional<ViewStatistics> viewStatistics() const = 0;
 };
 

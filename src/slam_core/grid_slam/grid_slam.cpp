@@ -7,8 +7,8 @@
 
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
-#include "slam_core/geometry/covariance.hpp"
 #include "slam_core/grid_map/grid_conversion.hpp"
+#include "slam_core/models/moved_pose.hpp"
 
 namespace slam::grid_slam {
 namespace {
@@ -192,12 +192,7 @@ Status GridSlam::onTheWhole() const {
 PoseEstimate GridSlam::pose() const {
   PoseEstimate told = tracker_.robot();
   told.covariance += drift_.covarianceAt(told.pose);
-  if (!carried_) return told;
-  Eigen::Matrix3d J_pose, J_u;
-  told.pose = told.pose.compose(carried_->increment, &J_pose, &J_u);
-  told.covariance = symmetric(J_pose * told.covariance * J_pose.transpose() +
-                              J_u * carried_->covariance * J_u.transpose());
-  return told;
+  return carried_ ? moved(told, *carried_) : told;
 }
 
 Component::Figures GridSlam::figures() const {

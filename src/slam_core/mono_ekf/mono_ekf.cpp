@@ -88,11 +88,13 @@ void MonoEkf::reset() {
   next_id_ = 0;
   nis_ = 0.0;
   seen_ = {};
+  has_view_ = false;
   counters_.clear();
 }
 
 Status MonoEkf::execute() {
   corrected_by_.reset();
+  has_view_ = false;
   relocate();
   for (const auto& motion : std::exchange(inputs_.motions, {})) {
     state_.predict(errors_.divide(motion));
@@ -125,6 +127,7 @@ Status MonoEkf::look(const CameraView& view) {
   }
   const PlanarCamera camera(view.camera, view.mount.T_base_camera);
   seen_.gray = gray;
+  has_view_ = true;
   if (doubt_.isLost() && !findItself(camera, gray)) return lost();
   if (!before_) before_ = state_;
   take(active_search_.searchFar(state_, camera, gray, noise_.sigma()), camera);
@@ -355,7 +358,7 @@ cv::Mat MonoEkf::drawing() const {
 }
 
 std::optional<ViewStatistics> MonoEkf::viewStatistics() const {
-  if (seen_.gray.empty()) return std::nullopt;
+  if (!has_view_) return std::nullopt;
   ViewStatistics view;
   view.expected = seen_.searches.size();
   view.matched = countOf(seen_.searches, Search::Outcome::kMatched);

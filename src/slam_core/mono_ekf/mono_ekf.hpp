@@ -128,6 +128,7 @@ class MonoEkf final : public Backend,
   std::uint64_t next_id_ = 0;
   double nis_ = 0.0;  ///< of the last update, per degree of freedom
   Seen seen_;
+  bool has_view_ = false;  ///< the last step had an image that could be used
   Counters counters_;
 };
 

@@ -90,6 +90,7 @@ void MonoGraph::reset() {
   unrecognised_.reset();
   putAt({}, initialCovariance());
   is_tracked_ = false;
+  has_view_ = false;
   seen_ = {};
   path_.clear();
   events_.clear();
@@ -100,6 +101,7 @@ void MonoGraph::reset() {
 Status MonoGraph::execute() {
   events_.clear();
   is_tracked_ = false;
+  has_view_ = false;
   relocate();
   for (const auto& motion : std::exchange(inputs_.motions, {})) move(motion);
   predict();
@@ -167,6 +169,7 @@ Status MonoGraph::see(const CameraView& view) {
   }
   const auto features = orb_.extract(view);
   seen_ = {view.image.gray, features, {}};
+  has_view_ = true;
   if (features.size() >= kLeastFeatures) return follow(view, features);
   counters_.add("blank");
   return Status::warning(
@@ -343,49 +346,6 @@ Pose2 MonoGraph::poseByImages(const Features& features) const {
   const auto& before = map_.keyframes().back();
   const auto motion = motionBetween(before.features, features, way_.since());
   return motion ? before.pose * motion->pose : pose_;
-}
-
-/// Keyframes that a keyframe is joined with already: what they show is no news.
-std::set<int> MonoGraph::knownAround(int keyframe) const {
-  constexpr int kRecent = 10;
-  std::set<int> known;
-  for (const auto& [other, shared] : sharedPoints(map_, keyframe)) {
-    const auto around = keyframesAround(map_, other);
-    known.insert(around.begin(), around.end());
-  }
-  for (int i = std::max(0, keyframe - kRecent); i <= keyframe; ++i) known.insert(i);
-  return known;
-}
-
-/// What a keyframe leads to is divided among the two images after it, so that no image takes the
-/// time of all. The robot moves with the keyframe that it is tracked by.
-void MonoGraph::finishKeyframe() {
-  if (!unadjusted_ && !unrecognised_) return;
-  const Pose2 before = reference_ ? map_.keyframe(*reference_).pose : Pose2();
-  if (const auto keyframe = std::exchange(unrecognised_, std::nullopt)) recognise(*keyframe);
-  unrecognised_ = std::exchange(unadjusted_, std::nullopt);
-  if (unrecognised_) adjust(*unrecognised_);
-  if (!reference_) return;
-  anchor_.moveAnchorTo(map_.keyframe(*reference_).pose * before.between(anchor_.pose()));
-  predict();
-}
-
-void MonoGraph::adjust(int keyframe) {
-  adjustAround(map_, keyframe, config_.window);
-  auto& adjusted = map_.keyframe(keyframe);
-  adjusted.covariance = chainedCovariance(map_, keyframe).value_or(adjusted.covariance);
-}
-
-void MonoGraph::recognise(int keyframe) {
-  const auto place =
-      recogniser_.find(map_, map_.keyframe(keyframe).features, recogniser_.index()[keyframe],
-                       knownAround(keyframe), config_.least_similarity);
-  if (!place) return;
-  const Pose2 before = map_.keyframe(keyframe).pose;
-  if (!closer_.close(map_, *place, keyframe)) return counters_.add("loops_rejected");
-  joinPlaces(map_, *place, keyframe);
-  adjust(keyframe);
-  noteLoop(*place, before, map_.keyframe(keyframe).pose);
 }
 
 void MonoGraph::noteStep(Stamp stamp) {

@@ -43,11 +43,11 @@ namespace slam::mono_graph {
 /// together. Places are recognised by visual words: a loop moves all keyframes, and a lost robot
 /// is found.
 ///
-/// Counted: "untracked" (images that show too few points of the map), "blank" (too few features),
+/// Counted: "untracked" (images that show too few points of the map), "matched" and "rejected"
+/// (points that were found, and that do not fit the pose), "blank" (images with too few features),
 /// "unusable" (without calibration, mount or pixels, or repeated), "keyframes_full",
-/// "matched" and "rejected" (points that were found; that do not fit the pose, or are too few for
-/// one), "without_points" (keyframes that see much, but no points that fit odometry's way), "loops"
-/// (that were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
+/// "without_points" (keyframes that see much, but no points that fit odometry's way), "loops" (that
+/// were believed), "loops_rejected" (that the map contradicts, or that wait for another one).
 class MonoGraph final : public Backend,
                         CorrectionReporter,
                         EventReporter,
@@ -191,6 +191,7 @@ class MonoGraph final : public Backend,
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< relative to the reference
   std::vector<WayPoint> path_;
   Seen seen_;
+  bool has_view_ = false;      ///< the last step had an image that could be used
   std::vector<Event> events_;  ///< of the last step
   Inputs inputs_;
   Counters counters_;

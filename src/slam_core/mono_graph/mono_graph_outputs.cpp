@@ -52,15 +52,14 @@ std::vector<MappedFeature> MonoGraph::features() const {
 
 cv::Mat MonoGraph::drawing() const { return draw(seen_.gray, seen_.features, seen_.tracked); }
 
-/// Too few points for a pose are rejected as those that contradict it are.
 std::optional<ViewStatistics> MonoGraph::viewStatistics() const {
-  if (seen_.gray.empty()) return std::nullopt;
+  if (!has_view_) return std::nullopt;
   const auto& tracked = seen_.tracked;
   ViewStatistics view;
   view.features = seen_.features.size();
   view.expected = tracked.expected.size();
   view.matched = tracked.matches.size();
-  view.rejected = tracked.rejected.size() + tracked.unfitted.size();
+  view.rejected = tracked.rejected.size();
   return view;
 }
 

@@ -28,6 +28,13 @@ void OdometryAnchor::move(const Motion& motion) {
   step_ = composed(step_, {motion.increment, motion.covariance});
 }
 
+void OdometryAnchor::moveWith(const Pose2& before, const Pose2& after) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = after.rotation() * before.rotation().transpose();
+  pose_ = after * before.between(pose_);
+  covariance_ = symmetric(R * covariance_ * R.transpose());
+}
+
 void OdometryAnchor::beginStep() {
   before_step_ = since();
   step_ = standing();

@@ -14,9 +14,9 @@ class OdometryAnchor {
   /// @param covariance of (x, y, theta), without what odometry adds to it
   void place(const Pose2& pose, const Eigen::Matrix3d& covariance);
   void move(const Motion& motion);
-  const Pose2& pose() const { return pose_; }
-  /// The anchor itself lies elsewhere; odometry since then stays as it is.
-  void moveAnchorTo(const Pose2& pose) { pose_ = pose; }
+  /// What the anchor was tracked by lies elsewhere, and the anchor with it. Odometry since then
+  /// stays as it is.
+  void moveWith(const Pose2& before, const Pose2& after);
   /// From here on odometry may be corrected. What it measured before this step stays as it is.
   void beginStep();
   /// The motion since the step began, or since the anchor was placed.

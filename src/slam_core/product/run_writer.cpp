@@ -164,12 +164,8 @@ void RunWriter::restart() {
   writePending();
   if (lines_ > 0) {
     ++restarts_;
-    keep("trajectory.tum", trajectory_);
-    keep("odometry.tum", odometry_);
-    keep("updates.csv", updates_);
-    keep("events.csv", events_);
-    if (associations_.is_open()) keep(kAssociations, associations_);
-    if (views_.is_open()) keep(kViews, views_);
+    for (const auto& [name, file] : files())
+      if (file->is_open()) keep(name, *file);
   }
   begin();
 }
@@ -238,8 +234,8 @@ void RunWriter::writePending() {
   updates_ << updateLine(*pending_);
   pending_.reset();
   ++lines_;
-  if (!trajectory_ || !odometry_ || !updates_ || !events_)
-    throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
+  for (const auto& [name, file] : files())
+    if (!*file) throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
 }
 
 std::array<std::pair<std::string, std::ofstream*>, 6> RunWriter::files() {
@@ -296,7 +292,7 @@ void RunWriter::undoRestart() {
 void RunWriter::finish(const Capabilities& backend, const std::string& map_frame,
                        const std::string& config) {
   writePending();
-  for (auto* file : {&trajectory_, &odometry_, &updates_, &events_, &associations_, &views_})
+  for (const auto& [name, file] : files())
     if (!file->flush())
       throw std::runtime_error("cannot write into " + folder() + ": is the disk full?");
   const auto* reviser = backend.find<PathReviser>();

@@ -9,7 +9,7 @@
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 #include "slam_core/geometry/angle.hpp"
-#include "slam_core/geometry/covariance.hpp"
+#include "slam_core/models/moved_pose.hpp"
 
 namespace slam::rat {
 namespace {
@@ -71,10 +71,7 @@ void RatSlam::relocate() {
 }
 
 void RatSlam::move(const Motion& motion) {
-  Eigen::Matrix3d J_pose, J_u;
-  map_.pose().compose(motion.increment, &J_pose, &J_u);
-  covariance_ = symmetric(J_pose * covariance_ * J_pose.transpose() +
-                          J_u * motion.covariance * J_u.transpose());
+  covariance_ = moved({map_.pose(), covariance_}, motion).covariance;
   map_.move(motion.increment);
 }
 

@@ -16,8 +16,8 @@ namespace slam::relocalisation {
 
 /// Recognises the place of a robot by the landmarks around it. Two markers may have the same id,
 /// and a marker may have been moved. So a place must be much more likely than all others, and
-/// remain so for a while. If landmarks have no ids, there must also be no other place left that was
-/// likely since the search began (RivalPlaces).
+/// remain so for a while. If landmarks have no ids, there must also be no other place left whose
+/// odds have reached the limit since the search began (RivalPlaces).
 class LandmarkRecogniser {
  public:
   explicit LandmarkRecogniser(const RelocalisationConfig& config = {},

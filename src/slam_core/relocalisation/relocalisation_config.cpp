@@ -24,7 +24,8 @@ void RelocalisationConfig::describe(Fields& fields) {
       .in(Range::open(0, 1));
   fields
       .add("confirmation", &confirmation,
-           "a place must remain the most likely one for so long before the robot is put there")
+           "a place must remain the most likely one for so long, and odometry must lead there, "
+           "before the robot is put there")
       .unit("s")
       .in(Range::atLeast(0));
   fields

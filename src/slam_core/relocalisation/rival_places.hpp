@@ -12,8 +12,8 @@
 
 namespace slam::relocalisation {
 
-/// The places at which a lost robot may be, since the search for it began: each of them has
-/// explained what is around the robot well enough to be put there. If places look alike, as under a
+/// The places at which a lost robot may be: the odds of each against being beyond the map have
+/// reached the limit since the search began. If places look alike, as under a
 /// ceiling of tiles, small random differences decide which of them has more evidence, and a place
 /// loses evidence as soon as the robot would have left the map there. So each place is moved with
 /// the robot, and remains until the map contradicts it (multiple hypotheses: Jensfelt and

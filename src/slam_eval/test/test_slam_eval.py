@@ -109,11 +109,16 @@ class SlamEval(unittest.TestCase):
                      'Matched</td><td class="v">71<', "35.5 an image", "What was seen"):
             self.assertIn(text, report)
 
-    def test_names_the_line_of_views_that_is_cut_off(self):
+    def test_names_the_line_of_views_that_is_damaged(self):
         run_maker.make_run(self.run_folder, count=60)
         views = self.run_folder / "views.csv"
-        views.write_text("stamp,features,expected,matched,rejected\n1000.1,300\n")
-        self.fails("views.csv:2:", "cut off")
+        for line, what in (("1000.1,300", "cut off"), ("1000.1,300,40,x,2", "no number"),
+                           ("1000.1,300,40,nan,2", "not finite"),
+                           ("1000.1,300,40,-1,2", "no whole number"),
+                           ("1000.1,1e300,40,35,2", "no whole number"),
+                           ("1000.1,300,40.5,35,2", "no whole number")):
+            views.write_text(f"stamp,features,expected,matched,rejected\n{line}\n")
+            self.fails("views.csv:2:", what)
         views.write_text("stamp,features\n")
         self.fails("views.csv:1:", "run the product again")
 

@@ -36,8 +36,8 @@ class ResumedWriterTest : public testing::Test {
     write(0, kSteps, writer);
     finish(writer);
   }
-  /// A step in ten has an event, one observations that are associated by place; time begins anew
-  /// with some.
+  /// A step in ten has an event, one observations that are associated by place, one an image; time
+  /// begins anew with some.
   static StepReport report(int i) {
     StepReport report;
     report.stamp = stampFromNanoseconds(1000000000 + 100000000LL * (i % 25));
@@ -47,6 +47,7 @@ class ResumedWriterTest : public testing::Test {
     report.restarted = i > 0 && i % 25 == 0;
     if (i % 10 == 5)
       report.events.push_back({Event::Kind::kJump, 0.1, 0.2, "a test", report.stamp});
+    if (i % 10 == 3) report.view = ViewStatistics{9, 8, 7, 1};
     if (i % 10 == 7) report.statistics.associations.push_back({1, 2, TakenFor::kLandmark});
     return report;
   }

@@ -133,6 +133,23 @@ TEST_F(RunWriterTest, WritesWhatBecameOfTheFeaturesOfEachImage) {
             "stamp,features,expected,matched,rejected\n2.500000000,300,40,35,2\n");
 }
 
+TEST_F(RunWriterTest, KeepsTheImagesBeforeARestart) {
+  RunWriter writer(folder / "run");
+  StepReport report;
+  report.trigger = "camera";
+  report.view = ViewStatistics{300, 40, 35, 2};
+  writer.write(report);
+  report.restarted = true;
+  report.view->matched = 12;
+  writer.write(report);
+  const auto backend = Registry<Backend>::instance().create("ekf");
+  writer.finish(capabilitiesOf(*backend), "map", "");
+  const std::string header = "stamp,features,expected,matched,rejected\n";
+  EXPECT_EQ(contentOf(folder / "run/views.before_restart_1.csv"),
+            header + "0.000000000,300,40,35,2\n");
+  EXPECT_EQ(contentOf(folder / "run/views.csv"), header + "0.000000000,300,40,12,2\n");
+}
+
 TEST_F(RunWriterTest, WritesTheEventsOfAllStepsAlsoOfThoseOfOneStamp) {
   RunWriter writer(folder / "run");
   StepReport report;

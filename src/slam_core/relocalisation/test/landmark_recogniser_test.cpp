@@ -32,6 +32,8 @@ class StandingRobot {
     return array;
   }
 
+  void move(const Pose2& step) { truth_ = truth_ * step; }
+
   Stamp stamp = stampFromNanoseconds(1000000000000);
 
  private:
@@ -50,6 +52,21 @@ class LandmarkRecogniserTest : public testing::Test {
       if (last.verdict == Verdict::kConfirmed) break;
     }
     return last;
+  }
+
+  /// Drives for three seconds. @return whether a place was confirmed
+  bool isFoundWhileDriving(const Pose2& step, const Pose2& odometry) {
+    Motion motion;
+    motion.increment = odometry;
+    motion.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
+    for (int i = 0; i < 30; ++i) {
+      robot.move(step);
+      recogniser.move(motion);
+      recogniser.see(robot.look(tags));
+      const auto found = recogniser.find(robot.stamp);
+      if (found && found->verdict == Verdict::kConfirmed) return true;
+    }
+    return false;
   }
 
   const Pose2 truth{2.0, 3.0, 0.5};
@@ -71,6 +88,18 @@ TEST_F(LandmarkRecogniserTest, ConfirmsAPlaceByTwoMarkersWithinTwoSeconds) {
   ASSERT_EQ(found.verdict, Verdict::kConfirmed);
   EXPECT_LT((found.robot.pose.position() - truth.position()).norm(), 0.15);
   EXPECT_LT(std::abs(found.robot.pose.theta() - truth.theta()), 0.05);
+}
+
+TEST_F(LandmarkRecogniserTest, ConfirmsAPlaceWhereOdometryLeads) {
+  recogniser.begin(tags);
+  const Pose2 ahead(0.05, 0.0, 0.0);
+  EXPECT_TRUE(isFoundWhileDriving(ahead, ahead));
+}
+
+TEST_F(LandmarkRecogniserTest, ConfirmsNoPlaceWhereACameraWasTurnedByHand) {
+  recogniser.begin(tags);
+  const Pose2 as_seen(0.05 * std::cos(0.5), -0.05 * std::sin(0.5), 0.0);
+  EXPECT_FALSE(isFoundWhileDriving(as_seen, Pose2(0.05, 0.0, 0.0)));
 }
 
 TEST_F(LandmarkRecogniserTest, IsNotSatisfiedWithOneMarker) {

@@ -9,6 +9,7 @@ from slam_eval.io.errors import InputError, read_text
 from slam_eval.io.trajectory import parse_line
 
 COLUMNS = ["stamp", "features", "expected", "matched", "rejected"]
+MOST = 10 ** 9  # of a count
 
 
 @dataclasses.dataclass
@@ -22,13 +23,21 @@ class Views:
         return len(self.stamps)
 
 
+def _view(where, line):
+    stamp, counts = parse_line(where, line, ",", COLUMNS)
+    if any(count < 0 or count > MOST or count != int(count) for count in counts):
+        raise InputError(f"{where}: a count is no whole number from 0 to {MOST}; "
+                         "run the product again")
+    return stamp, counts
+
+
 def read_views(path):
     """Read views.csv. Raises InputError that names file and line."""
     lines = read_text(path).splitlines()
     if not lines or lines[0].strip().split(",") != COLUMNS:
         raise InputError(f'{path}:1: the header is not "{",".join(COLUMNS)}"; '
                          "run the product again with this release")
-    rows = [parse_line(f"{path}:{number}", line, ",", COLUMNS)
+    rows = [_view(f"{path}:{number}", line)
             for number, line in enumerate(lines[1:], start=2) if line.strip()]
     counts = np.array([row[1] for row in rows], dtype=int).reshape(-1, len(COLUMNS) - 1)
     return Views(np.array([row[0] for row in rows], dtype=np.int64),

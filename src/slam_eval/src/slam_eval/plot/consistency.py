@@ -21,19 +21,12 @@ def _panel(axes, title, remark):
 def _error_panel(axes, t, error, sigma, title, unit):
     band = _BAND * sigma
     axes.fill_between(t, -band, band, color=look.BAND, alpha=0.16, linewidth=0)
-    axes.plot(*_with_gaps(t, error), color=look.ESTIMATE, linewidth=0.9, marker=".",
+    axes.plot(*look.with_gaps(t, error), color=look.ESTIMATE, linewidth=0.9, marker=".",
               markersize=1.6)
     inside = np.mean(np.abs(error) <= band)
     _panel(axes, f"{title} [{unit}]", f"{100 * inside:.0f} % inside the 95 % band")
     limit = 1.12 * max(np.max(np.abs(error)), np.percentile(band, 98), 1e-9)
     axes.set_ylim(-limit, limit)
-
-
-def _with_gaps(t, values):
-    """The series with a NaN where its steps are far apart, so that no line is drawn across."""
-    steps = np.diff(t)
-    wide = np.flatnonzero(steps > max(10.0 * np.median(steps), 3.0)) + 1 if len(steps) else []
-    return np.insert(t, wide, np.nan), np.insert(values, wide, np.nan)
 
 
 def _running_mean(values, weights, window):
@@ -58,7 +51,7 @@ def _quadratic_panel(axes, t, values, dof, title, expected):
     # Points under the edge of the picture are drawn on it.
     _scatter(axes, t, np.maximum(values, 1.2 * floor), inside)
     mean = _running_mean(values * dof, dof.astype(float), max(len(t) // 60, 5))
-    axes.plot(*_with_gaps(t, mean), color=look.TRUTH, linewidth=1.2)
+    axes.plot(*look.with_gaps(t, mean), color=look.TRUTH, linewidth=1.2)
     axes.set_yscale("log")
     axes.set_ylim(floor, 2.0 * max(np.max(values), high * 1.5))
     _panel(axes, title, f"{100 * np.mean(inside):.0f} % inside the 95 % bounds · mean "

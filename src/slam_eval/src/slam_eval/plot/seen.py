@@ -16,7 +16,7 @@ def series_of(run):
     if run.views is not None and len(run.views):
         counts = run.views.counts
         return run.views.stamps, {
-            "features in the image": counts["features"],
+            "features located": counts["features"],
             "searched for": counts["expected"],
             "matched": counts["matched"],
             "rejected": counts["rejected"]}
@@ -30,7 +30,7 @@ def series_of(run):
                                 "used": counts["used"], "gated": counts["gated"]}
 
 
-def _averaged(seconds, values):
+def averaged(seconds, values):
     """The series as means of so many neighbours that at most MOST_POINTS are left."""
     width = -(-len(values) // MOST_POINTS)
     starts = np.arange(0, len(values), width)
@@ -49,7 +49,7 @@ def plot_seen(run, _result, path):
     with look.style():
         figure, axes = look.plt.subplots(figsize=(9.2, 3.6))
         for (label, values), colour in zip(counts.items(), COLOURS):
-            axes.plot(*_averaged(seconds, values), color=colour, linewidth=1.1,
+            axes.plot(*look.with_gaps(*averaged(seconds, values)), color=colour, linewidth=1.1,
                       label=f"{label} ({np.sum(values)} in all)")
         axes.set_ylim(bottom=0.0)
         axes.margins(x=0.01)

@@ -56,6 +56,13 @@ def remark(axes, text):
     axes.set_title(text, loc="right", fontsize=9, fontweight="normal", color=MUTED)
 
 
+def with_gaps(t, values):
+    """The series with a NaN where its steps are far apart, so that no line is drawn across."""
+    steps = np.diff(t)
+    wide = np.flatnonzero(steps > max(10.0 * np.median(steps), 3.0)) + 1 if len(steps) else []
+    return np.insert(t, wide, np.nan), np.insert(values, wide, np.nan)
+
+
 def plan_axes(points, width=8.6):
     """Figure and axes with equal scales [m] that fit the points, room for the legend below."""
     low, high = np.min(points, axis=0), np.max(points, axis=0)

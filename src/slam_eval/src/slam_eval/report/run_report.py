@@ -47,11 +47,11 @@ CAPTIONS = {
         "frequent degrees of freedom, dots are coloured by the bounds of their own."),
     "seen.png": (
         "What was seen",
-        "Over time: how many features an image has, how many features of the map it was searched "
-        "for, how many of these were found in agreement with the pose (matched) and in "
-        "contradiction to the others (rejected). Of products with landmarks: observations, "
-        "those that were used, those that fitted their landmark too badly (gated), and first ones. "
-        "Of long runs each point is a mean."),
+        "How many features the back-end located in an image, how many features of its map it "
+        "searched for there, and how many of these it found in agreement with the pose (matched) "
+        "and in contradiction to the others (rejected). For products with landmarks it shows how "
+        "many observations were made, used, gated (since they fitted their landmark too badly), "
+        "and new to the map. In long runs each point is a mean."),
 }
 
 
@@ -102,7 +102,7 @@ def _view_section(views):
     each = max(len(views), 1)
     lines = [("Images", len(views), "That the back-end could use.")]
     for name, label, meaning in (
-            ("features", "Features", "In the images, whether the map had them or not."),
+            ("features", "Features", "Located in the images, whether the map had them or not."),
             ("expected", "Searched for", "Features of the map that were to be seen."),
             ("matched", "Matched", "Of these: found, and in agreement with the pose."),
             ("rejected", "Rejected", "Of these: found, but in contradiction to the others.")):
