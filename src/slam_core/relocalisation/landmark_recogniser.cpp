@@ -9,6 +9,7 @@
 
 #include "slam_core/geometry/one_place.hpp"
 #include "slam_core/models/moved_pose.hpp"
+#include "slam_core/relocalisation/map_repeats.hpp"
 #include "slam_core/relocalisation/pose_agreement.hpp"
 
 namespace slam::relocalisation {
@@ -56,6 +57,7 @@ void LandmarkRecogniser::forget() {
 void LandmarkRecogniser::begin(LandmarkMap map) {
   map_ = std::move(map);
   search_ = std::make_unique<association::ConstellationSearch>(map_, config_.outlier_share);
+  repeats_.reset();
   rivals_.forget();
   candidate_.reset();
   has_news_ = true;
@@ -73,12 +75,24 @@ Recognition::Verdict LandmarkRecogniser::verdictOn(const std::vector<association
   using Verdict = Recognition::Verdict;
   const double at_least = leastLogOdds();
   const auto& evidence = search_->evidence();
-  if (!has_ids_) rivals_.update(places, at_least, evidence, local_.all(), reach_);
+  if (!has_ids_) updateRivals(places);
   const double alone = evidence.logOddsOfOneAlone(local_.all());
   if (places.empty() || places[0].log_odds < alone + at_least) return Verdict::kNothing;
   const bool has_second = places.size() > 1 && places[0].log_odds < places[1].log_odds + at_least;
   return has_second || rivals_.hasOtherThan(places[0].robot.pose) ? Verdict::kAmbiguous
                                                                   : Verdict::kLikely;
+}
+
+/// A place of which the map has no second one may have one beyond the map, where the map repeats
+/// itself.
+void LandmarkRecogniser::updateRivals(const std::vector<association::Place>& places) {
+  const double at_least = leastLogOdds();
+  std::vector<Pose2> likely;
+  for (const auto& place : places)
+    if (place.log_odds >= at_least) likely.push_back(place.robot.pose);
+  if (!likely.empty() && !repeats_) repeats_ = repeatsOf(map_, *search_, at_least);
+  if (!likely.empty()) rivals_.add(likely, *repeats_);
+  rivals_.check(search_->evidence(), local_.all(), reach_);
 }
 
 std::optional<Recognition> LandmarkRecogniser::find(Stamp stamp) {

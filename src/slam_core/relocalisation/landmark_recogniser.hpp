@@ -60,6 +60,7 @@ class LandmarkRecogniser {
 
   Recognition::Verdict verdictOn(const std::vector<association::Place>& places);
   double leastLogOdds() const;
+  void updateRivals(const std::vector<association::Place>& places);
   bool stays(const PoseEstimate& place, Stamp stamp);
 
   RelocalisationConfig config_;
@@ -69,6 +70,7 @@ class LandmarkRecogniser {
   LandmarkMap map_;
   std::unique_ptr<association::ConstellationSearch> search_;  ///< in the map
   RivalPlaces rivals_;                                        ///< if landmarks have no ids
+  std::optional<std::vector<Pose2>> repeats_;                 ///< of the map, once they were needed
   std::optional<Candidate> candidate_;
   bool has_news_ = false;
 };

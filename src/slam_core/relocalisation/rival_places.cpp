@@ -20,21 +20,27 @@ void RivalPlaces::move(const Motion& motion) {
   for (auto& pose : poses_) pose = pose * motion.increment;
 }
 
-void RivalPlaces::add(const Pose2& place) {
+bool RivalPlaces::add(const Pose2& place) {
   const auto is_same = [&](const Pose2& pose) { return areOnePlace(pose, place); };
   const auto known = std::find_if(poses_.begin(), poses_.end(), is_same);
-  if (known != poses_.end())
+  if (known != poses_.end()) {
     *known = place;
-  else if (poses_.size() < kMostPlaces)
-    poses_.push_back(place);
+    return false;
+  }
+  if (poses_.size() < kMostPlaces) poses_.push_back(place);
+  return true;
 }
 
-void RivalPlaces::update(const std::vector<association::Place>& places, double at_least,
-                         const association::ConstellationEvidence& evidence,
-                         const std::vector<association::LocalLandmark>& around,
-                         const association::SensorReach& reach) {
-  for (const auto& place : places)
-    if (place.log_odds >= at_least) add(place.robot.pose);
+void RivalPlaces::add(const std::vector<Pose2>& places, const std::vector<Pose2>& repeats) {
+  for (const auto& place : places) {
+    if (!add(place)) continue;
+    for (const auto& repeat : repeats) add(repeat * place);
+  }
+}
+
+void RivalPlaces::check(const association::ConstellationEvidence& evidence,
+                        const std::vector<association::LocalLandmark>& around,
+                        const association::SensorReach& reach) {
   for (const auto& pose : std::exchange(poses_, {}))
     if (evidence.within(reach, pose) < kOnTheMap)
       add(pose);

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "slam_core/association/constellation_search.hpp"
+#include "slam_core/association/constellation_evidence.hpp"
 #include "slam_core/geometry/pose2.hpp"
 #include "slam_core/models/motion.hpp"
 
@@ -22,12 +22,14 @@ class RivalPlaces {
  public:
   void move(const Motion& motion);
   void forget() { poses_.clear(); }
-  /// Adds the places that the last search has found, and removes those that are contradicted.
-  /// @param at_least log-odds that a place must have to be added
-  void update(const std::vector<association::Place>& places, double at_least,
-              const association::ConstellationEvidence& evidence,
-              const std::vector<association::LocalLandmark>& around,
-              const association::SensorReach& reach);
+  /// Adds places that the last search has found, and with each new one those to which the map's
+  /// repeats lead from there, in the map or beyond it.
+  /// @param repeats as of repeatsOf()
+  void add(const std::vector<Pose2>& places, const std::vector<Pose2>& repeats);
+  /// Removes places that are contradicted.
+  void check(const association::ConstellationEvidence& evidence,
+             const std::vector<association::LocalLandmark>& around,
+             const association::SensorReach& reach);
   /// Whether the robot may be at another place than this one.
   bool hasOtherThan(const Pose2& place) const;
 
@@ -37,7 +39,8 @@ class RivalPlaces {
   }
 
  private:
-  void add(const Pose2& place);
+  /// @return whether it is a new one
+  bool add(const Pose2& place);
 
   std::vector<Pose2> poses_;  ///< T_map_base now
 };

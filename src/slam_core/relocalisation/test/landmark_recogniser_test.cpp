@@ -54,12 +54,12 @@ class LandmarkRecogniserTest : public testing::Test {
     return last;
   }
 
-  /// Drives for three seconds. @return whether a place was confirmed
+  /// Drives for 1.8 s. @return whether a place was confirmed
   bool isFoundWhileDriving(const Pose2& step, const Pose2& odometry) {
     Motion motion;
     motion.increment = odometry;
     motion.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 18; ++i) {
       robot.move(step);
       recogniser.move(motion);
       recogniser.see(robot.look(tags));
@@ -92,14 +92,14 @@ TEST_F(LandmarkRecogniserTest, ConfirmsAPlaceByTwoMarkersWithinTwoSeconds) {
 
 TEST_F(LandmarkRecogniserTest, ConfirmsAPlaceWhereOdometryLeads) {
   recogniser.begin(tags);
-  const Pose2 ahead(0.05, 0.0, 0.0);
+  const Pose2 ahead(0.1, 0.0, 0.0);
   EXPECT_TRUE(isFoundWhileDriving(ahead, ahead));
 }
 
 TEST_F(LandmarkRecogniserTest, ConfirmsNoPlaceWhereACameraWasTurnedByHand) {
   recogniser.begin(tags);
-  const Pose2 as_seen(0.05 * std::cos(0.5), -0.05 * std::sin(0.5), 0.0);
-  EXPECT_FALSE(isFoundWhileDriving(as_seen, Pose2(0.05, 0.0, 0.0)));
+  const Pose2 as_seen(0.1 * std::cos(0.5), -0.1 * std::sin(0.5), 0.0);
+  EXPECT_FALSE(isFoundWhileDriving(as_seen, Pose2(0.1, 0.0, 0.0)));
 }
 
 TEST_F(LandmarkRecogniserTest, IsNotSatisfiedWithOneMarker) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slam_core/association/constellation_search.hpp"
 #include "slam_core/common/random.hpp"
 
 namespace slam::relocalisation {
@@ -51,7 +52,11 @@ class RivalPlacesTest : public testing::Test {
     }
     const association::ConstellationSearch search(map, 0.05);
     places = search.placesOf(around, reach);
-    rivals.update(places, std::log(100.0), search.evidence(), around, reach);
+    std::vector<Pose2> likely;
+    for (const auto& place : places)
+      if (place.log_odds >= 2.0 * std::log(1000.0)) likely.push_back(place.robot.pose);
+    rivals.add(likely, repeats);
+    rivals.check(search.evidence(), around, reach);
   }
   void drive(double way) {
     Motion motion;
@@ -66,12 +71,13 @@ class RivalPlacesTest : public testing::Test {
   association::SensorReach reach;
   std::vector<association::Place> places;
   RivalPlaces rivals;
+  std::vector<Pose2> repeats;
 };
 
 TEST_F(RivalPlacesTest, AreNoneWhereAPlaceIsUnique) {
-  auto map = tiles(2);
-  truth = {2.0, 1.0, 0.0};
-  look(map);
+  world = tiles(1);
+  truth = {1.0, 1.0, 0.0};
+  look(world);
   ASSERT_FALSE(places.empty());
   EXPECT_FALSE(rivals.hasOtherThan(places[0].robot.pose));
   EXPECT_TRUE(rivals.hasOtherThan(Pose2(40.0, 0.0, 0.0)));
@@ -125,6 +131,16 @@ TEST_F(RivalPlacesTest, AreGoneWhereTheMapContradictsThem) {
   ASSERT_FALSE(places.empty());
   EXPECT_LT((places[0].robot.pose.position() - truth.position()).norm(), 0.1);
   EXPECT_FALSE(rivals.hasOtherThan(places[0].robot.pose));
+}
+
+/// The map has one tile of this look, but repeats itself elsewhere.
+TEST_F(RivalPlacesTest, MayLieBeyondTheMap) {
+  world = tiles(1);
+  truth = {1.0, 1.0, 0.0};
+  repeats = {Pose2(30.0, 0.0, 0.0), Pose2(-30.0, 0.0, 0.0)};
+  look(world);
+  ASSERT_FALSE(places.empty());
+  EXPECT_TRUE(rivals.hasOtherThan(places[0].robot.pose));
 }
 
 TEST_F(RivalPlacesTest, AreForgotten) {
