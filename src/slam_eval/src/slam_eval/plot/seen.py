@@ -7,7 +7,7 @@ import numpy as np
 from slam_eval.io.trajectory import NANOSECONDS
 from slam_eval.plot import style as look
 
-MOST_POINTS = 400  # of a line: more of them are averaged, so that the line can be read
+MOST_POINTS = 1000  # of a line: more of them are averaged, so that the line can be read
 COLOURS = (look.MUTED, look.ODOMETRY, look.LANDMARK, look.ERROR)
 
 
