@@ -113,7 +113,7 @@ def verdicts(goals, mean, worst, twin=None):
             texts.append(goal.line(value))
     if goals:
         mapped, of = (worst[HEADER.index(name)] for name in ("mapped", "of"))
-        if mapped is not None:
+        if of:
             texts.append(f"- fewest markers mapped {mapped:g} ({verdict(mapped, of, False)})")
     return "\n".join(texts)
 
