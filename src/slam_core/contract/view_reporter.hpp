@@ -8,14 +8,14 @@
 
 namespace slam {
 
-/// What became of the features of an image.
+/// It counts what became of the features of an image.
 struct ViewStatistics {
-  /// that were located in the image: those of the map that it was searched for, and new ones; by a
-  /// back-end that detects all, those without a place in the map as well
+  /// The back-end has located so many features in the image: some of its map, and others that are
+  /// new to it.
   std::size_t features = 0;
-  std::size_t expected = 0;  ///< features of the map that the image was searched for
-  std::size_t matched = 0;   ///< of these: found, and in agreement with the pose
-  std::size_t rejected = 0;  ///< of these: found, but in contradiction to the others
+  std::size_t expected = 0;  ///< it has searched for so many features of its map
+  std::size_t matched = 0;   ///< so many of these were found and agree with the pose
+  std::size_t rejected = 0;  ///< so many of these were found and contradict the others
 
   template <class Archive>
   void persist(Archive& archive) {

@@ -9,8 +9,8 @@
 
 namespace slam {
 
-/// A pose with its covariance after a motion, whose errors are taken to be independent of it
-/// (Smith, Self, Cheeseman 1990).
+/// @return the pose with its covariance after a motion whose errors are taken to be independent of
+/// those of the pose (Smith, Self, Cheeseman 1990)
 inline PoseEstimate moved(const PoseEstimate& robot, const Motion& motion) {
   Eigen::Matrix3d J_pose, J_motion;
   const Pose2 pose = robot.pose.compose(motion.increment, &J_pose, &J_motion);

@@ -14,8 +14,9 @@ class OdometryAnchor {
   /// @param covariance of (x, y, theta), without what odometry adds to it
   void place(const Pose2& pose, const Eigen::Matrix3d& covariance);
   void move(const Motion& motion);
-  /// What the anchor was tracked by lies elsewhere, and the anchor with it. Odometry since then
-  /// stays as it is.
+  /// Moves the anchor with the keyframe that it was tracked by, which was adjusted. Odometry since
+  /// then stays as it is.
+  /// @param before, after poses of the keyframe
   void moveWith(const Pose2& before, const Pose2& after);
   /// From here on odometry may be corrected. What it measured before this step stays as it is.
   void beginStep();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostParts = 16;    // that are looked at
 constexpr std::size_t kLandmarks = 8;     // of a part
-constexpr std::size_t kMostRepeats = 16;  // motions that are told, and their inverses
+constexpr std::size_t kMostRepeats = 16;  // motions that are found, and their inverses
 
 /// The landmarks around a place, in a frame there whose axes are those of the map.
 std::vector<association::LocalLandmark> partAround(const LandmarkMap& map,

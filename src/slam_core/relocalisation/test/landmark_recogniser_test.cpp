@@ -182,5 +182,32 @@ TEST_F(LandmarkRecogniserTest, SaysNothingUntilSomethingNewIsSeen) {
   EXPECT_FALSE(recogniser.find(robot.stamp));
 }
 
+/// What the robot sees stands in the map once, but other parts of the map look alike.
+TEST(LandmarkRecogniser, ConfirmsNoPlaceOfAMapThatRepeatsItself) {
+  RandomStream random(3, 0);
+  const auto add = [&](LandmarkMap& map, const Eigen::Vector2d& place) {
+    const auto id = static_cast<LandmarkId>(map.size());
+    map.push_back({id, place, 1e-6 * Eigen::Matrix2d::Identity()});
+  };
+  LandmarkMap once;
+  for (int i = 0; i < 12; ++i)
+    add(once, {2.0 + 3.0 * random.uniform(), 3.0 * random.uniform() - 1.5});
+  for (int i = 0; i < 12; ++i) add(once, {4.0 * random.uniform(), -20.0 + 4.0 * random.uniform()});
+  LandmarkMap twice = once;
+  for (std::size_t i = 12; i < once.size(); ++i)
+    add(twice, once[i].position + Eigen::Vector2d(9.0, 0.0));
+  for (const auto* map : {&once, &twice}) {
+    StandingRobot robot(Pose2(), 1);
+    LandmarkRecogniser recogniser({}, LocalLandmarks::Ids::kIgnored);
+    recogniser.begin(*map);
+    Recognition last;
+    for (int i = 0; i < 30; ++i) {
+      recogniser.see(robot.look(*map));
+      if (const auto found = recogniser.find(robot.stamp)) last = *found;
+    }
+    EXPECT_EQ(last.verdict, map == &once ? Verdict::kConfirmed : Verdict::kAmbiguous);
+  }
+}
+
 }  // namespace
 }  // namespace slam::relocalisation

@@ -6,7 +6,8 @@ import decimal
 
 import numpy as np
 
-from slam_eval.io.errors import InputError, read_text
+from slam_eval.io.csv_table import table_lines
+from slam_eval.io.errors import InputError
 from slam_eval.io.trajectory import parse_stamp
 
 COLUMNS = ["stamp", "first_visit"]
@@ -44,11 +45,6 @@ def _visit(where, line):
 
 def read_places(path):
     """Read places.csv. Raises InputError that names file and line."""
-    lines = read_text(path).splitlines()
-    if not lines or lines[0].strip().split(",") != COLUMNS:
-        raise InputError(f'{path}:1: the header is not "{",".join(COLUMNS)}"; '
-                         "run the product again with this release")
-    visits = [_visit(f"{path}:{number}", line.strip())
-              for number, line in enumerate(lines[1:], start=2) if line.strip()]
+    visits = [_visit(where, line) for where, line in table_lines(path, COLUMNS)]
     table = np.array(visits, dtype=np.int64).reshape(-1, 2)
     return PlaceVisits(table[:, 0], table[:, 1])

@@ -5,7 +5,8 @@ import dataclasses
 
 import numpy as np
 
-from slam_eval.io.errors import InputError, read_text
+from slam_eval.io.csv_table import table_lines
+from slam_eval.io.errors import InputError
 from slam_eval.io.trajectory import parse_line
 
 COLUMNS = ["stamp", "cov_xx", "cov_xy", "cov_xt", "cov_yy", "cov_yt", "cov_tt", "nis", "nis_dof",
@@ -28,12 +29,7 @@ class Updates:
 
 def read_updates(path):
     """Read updates.csv. Raises InputError that names file and line."""
-    lines = read_text(path).splitlines()
-    if lines[0].strip().split(",") != COLUMNS:
-        raise InputError(f'{path}:1: the header is not "{",".join(COLUMNS)}"; '
-                         "run the product again with this release")
-    rows = [parse_line(f"{path}:{number}", line, ",", COLUMNS)
-            for number, line in enumerate(lines[1:], start=2) if line.strip()]
+    rows = [parse_line(where, line, ",", COLUMNS) for where, line in table_lines(path, COLUMNS)]
     if not rows:
         raise InputError(f"{path}: no update in the file; run the product again")
     values = np.array([row[1] for row in rows])

@@ -5,7 +5,8 @@ import dataclasses
 
 import numpy as np
 
-from slam_eval.io.errors import InputError, read_text
+from slam_eval.io.csv_table import table_lines
+from slam_eval.io.errors import InputError
 from slam_eval.io.trajectory import parse_line
 
 COLUMNS = ["stamp", "features", "expected", "matched", "rejected"]
@@ -33,12 +34,7 @@ def _view(where, line):
 
 def read_views(path):
     """Read views.csv. Raises InputError that names file and line."""
-    lines = read_text(path).splitlines()
-    if not lines or lines[0].strip().split(",") != COLUMNS:
-        raise InputError(f'{path}:1: the header is not "{",".join(COLUMNS)}"; '
-                         "run the product again with this release")
-    rows = [_view(f"{path}:{number}", line)
-            for number, line in enumerate(lines[1:], start=2) if line.strip()]
+    rows = [_view(where, line) for where, line in table_lines(path, COLUMNS)]
     counts = np.array([row[1] for row in rows], dtype=int).reshape(-1, len(COLUMNS) - 1)
     return Views(np.array([row[0] for row in rows], dtype=np.int64),
                  dict(zip(COLUMNS[1:], counts.T)))

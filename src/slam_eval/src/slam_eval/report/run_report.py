@@ -75,6 +75,13 @@ def _metric_section(metrics, notes):
     return text + "</section>"
 
 
+def _count_section(title, lines):
+    """A table of counts: (name, value, meaning) in each line."""
+    cells = "".join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
+                    f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
+    return f'<section><h2>{title}</h2><table class="facts">{cells}</table></section>'
+
+
 def _observation_section(updates):
     """What became of the observations, by updates.csv."""
     counts = updates.counts
@@ -91,9 +98,7 @@ def _observation_section(updates):
         ("Unknown", int(np.sum(counts["unknown"])),
          "Observations without an id, or of landmarks that a fixed map has not."),
     ]
-    cells = "".join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
-                    f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
-    return f'<section><h2>Observations</h2><table class="facts">{cells}</table></section>'
+    return _count_section("Observations", lines)
 
 
 def _view_section(views):
@@ -107,9 +112,7 @@ def _view_section(views):
             ("matched", "Matched", "Of these: found, and in agreement with the pose."),
             ("rejected", "Rejected", "Of these: found, but in contradiction to the others.")):
         lines.append((label, totals[name], f"{totals[name] / each:.1f} an image. {meaning}"))
-    cells = "".join(f'<tr><td class="n">{name}</td><td class="v">{value}</td><td class="u"></td>'
-                    f'<td class="m">{meaning}</td></tr>' for name, value, meaning in lines)
-    return f'<section><h2>Features</h2><table class="facts">{cells}</table></section>'
+    return _count_section("Features", lines)
 
 
 def _event_section(run):
