@@ -107,7 +107,9 @@ function(slam_core_test_program target file)
     target_link_libraries(${target} PRIVATE slam_core_tuning GTest::gtest_main)
     add_test(NAME ${target} COMMAND ${target})
   endif()
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+  # The time of the tests is spent in the libraries; -O1 compiles the tests in three quarters of the
+  # time of -O3.
+  target_compile_options(${target} PRIVATE -O1 -Wall -Wextra -Wpedantic -Wshadow
                          $<$<BOOL:${SLAM_WERROR}>:-Werror>)
 endfunction()
 
