@@ -68,6 +68,7 @@ void CameraGate::configure(const CameraConfig& config) {
 
 void CameraGate::reset() {
   held_.clear();
+  first_.reset();
   last_.reset();
   last_gray_ = cv::Mat();
   repeats_ = 0;
@@ -78,17 +79,8 @@ void CameraGate::reset() {
 
 void CameraGate::set(const CameraCalibration& calibration) {
   if (calibration_ && *calibration_ == calibration) return;
-  auto fault = slam::faultOf(calibration);
-  const bool were_good = calibration_ && calibration_fault_.empty() && fault.empty();
-  if (were_good && isZoomed(*calibration_, calibration)) {
-    counters_.add("calibration_changed");
-    input_status_ = Status::warning(fmt::format(
-        "the camera's calibration changes its focal length from {:g} to {:g} px; what was seen "
-        "before does not fit any more: leave the zoom alone, and look for two publishers",
-        calibration_->fx, calibration.fx));
-  }
   calibration_ = calibration;
-  calibration_fault_ = std::move(fault);
+  calibration_fault_ = slam::faultOf(calibration);
   if (calibration_fault_.empty()) camera_ = std::make_shared<CameraModel>(calibration);
 }
 
@@ -130,6 +122,7 @@ Status CameraGate::letOut(Image image) {
     counters_.add(fault->reason);
     return Status::warning(fault->sentence);
   }
+  if (!first_) first_ = calibration_;
   const auto& gray = view_->image.gray;
   view_->is_repeated = isRepeated(gray, last_gray_);
   last_gray_ = gray;
@@ -182,6 +175,13 @@ std::optional<CameraGate::Fault> CameraGate::faultOf(const Image& image) const {
                                    " does not fit the calibration for " +
                                    sizeText(calibration_->width, calibration_->height) +
                                    "; calibrate the camera at the resolution in use"};
+  if (first_ && isZoomed(*first_, *calibration_))
+    return Fault{"calibration_changed",
+                 fmt::format("the camera's calibration has changed its focal length from {:g} to "
+                             "{:g} px, so that what was seen before does not fit any more; images "
+                             "are left out until it is as before: leave the zoom alone, look for "
+                             "two publishers, or start again if the new calibration is right",
+                             first_->fx, calibration_->fx)};
   return std::nullopt;
 }
 

@@ -25,8 +25,9 @@ namespace slam {
 ///
 /// Call order: configure(), set(...) of what has come, execute() until view() is empty.
 /// Counted: "late" (dropped), and of images that came out as unusable "unreadable", "image_size",
-/// "bad_calibration", "bad_mount", "no_calibration", "no_mount", "repeated". Calibrations
-/// whose focal length differs by 2 % at the same size of the image count as "calibration_changed".
+/// "bad_calibration", "bad_mount", "no_calibration", "no_mount", "repeated", and
+/// "calibration_changed": the focal length differs by 2 % from that of the first image, at the same
+/// size of the image, so that nothing of the map fits.
 class CameraGate : public Gate {
  public:
   static constexpr std::size_t kCapacity = 30;
@@ -68,7 +69,7 @@ class CameraGate : public Gate {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(mount_, calibration_, calibration_fault_, mount_fault_, camera_, held_, last_,
+    archive(mount_, calibration_, first_, calibration_fault_, mount_fault_, camera_, held_, last_,
             input_status_, repeats_, counters_);
     persistMat(archive, last_gray_);
   }
@@ -86,6 +87,7 @@ class CameraGate : public Gate {
   std::optional<Eigen::Isometry3d> configured_mount_;
   std::optional<CameraMount> mount_;
   std::optional<CameraCalibration> calibration_;
+  std::optional<CameraCalibration> first_;  ///< that of the first usable image
   std::string calibration_fault_, mount_fault_;
   std::shared_ptr<const CameraModel> camera_;
   std::deque<Image> held_;

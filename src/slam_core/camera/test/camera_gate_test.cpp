@@ -187,22 +187,30 @@ TEST_F(CameraGateTest, TakesImagesOfOneGrayForALensCap) {
   }
 }
 
-TEST_F(CameraGateTest, SaysThatTheFocalLengthChanges) {
+TEST_F(CameraGateTest, LeavesOutImagesOfAnotherFocalLengthThanTheFirst) {
   calibrate();
-  auto focused = calibration();
-  focused.fx *= 1.01;
-  gate_.set(focused);
-  EXPECT_TRUE(next().isOk()) << "as of an automatic focus";
-  auto zoomed = focused;
-  zoomed.fx *= 1.3;
-  gate_.set(zoomed);
-  EXPECT_TRUE(says(next(), "changes its focal length"));
-  auto larger = zoomed;
-  larger.width *= 2;
-  larger.fx *= 2.0;
-  gate_.set(larger);
-  EXPECT_TRUE(next().isOk()) << "another resolution has another focal length";
+  const auto take = [&](double stamp, double zoom, double size = 1.0) {
+    auto other = calibration();
+    other.fx *= zoom * size;
+    other.fy *= zoom * size;
+    other.width = static_cast<int>(size * other.width);
+    other.height = static_cast<int>(size * other.height);
+    gate_.set(other);
+    auto image = imageAt(stamp);
+    image.gray = cv::Mat(other.height, other.width, CV_8UC1, cv::Scalar(stamp * 10.0));
+    send(image);
+    return next();
+  };
+  EXPECT_TRUE(take(1.0, 1.0).isOk());
+  EXPECT_TRUE(take(1.1, 1.01).isOk()) << "as of an automatic focus";
+  EXPECT_TRUE(says(take(1.2, 1.3), "has changed its focal length"));
+  EXPECT_FALSE(isUsable());
+  EXPECT_TRUE(take(1.3, 1.0).isOk()) << "as before";
+  EXPECT_TRUE(isUsable());
+  EXPECT_TRUE(take(1.4, 1.0, 2.0).isOk()) << "another resolution has another focal length";
   EXPECT_EQ(count("calibration_changed"), 1U);
+  gate_.reset();
+  EXPECT_TRUE(take(0.5, 1.3).isOk()) << "after a fresh start";
 }
 
 TEST_F(CameraGateTest, PrefersTheConfiguredMount) {
