@@ -18,14 +18,9 @@ constexpr double kSamePlace = 13.8;     ///< 0.999 of chi-square with two degree
 constexpr double kRightPasses = 0.999;  ///< of the descriptors of one landmark
 /// Of views that are compared [m], [1] of the mean range, [rad].
 constexpr double kNear = 0.3, kNearOfRange = 0.15, kNearTurn = 0.5;
+/// Within these the sensor stands still between two views [m], [rad].
+constexpr double kStill = 0.005, kStillTurn = 0.005;
 constexpr double kVague = 2.0;  ///< a landmark that is less certain is left out [m]
-/// The two kinds of odds are those of landmarks that are told apart by their ids, or by their
-/// places.
-struct Odds {
-  double by_chance;  ///< probability that a lost robot sees one that was there before
-  double most_sure;  ///< bound of the learnt rates, since errors of a view are not independent
-};
-constexpr Odds kOfIds{0.002, 0.98}, kOfPlaces{0.25, 0.95};
 /// Landmarks of a view are not independent: they count as so many at most.
 constexpr double kMostIndependentInView = 8.0;
 /// What is gone and what is new have to say the same: the sum of both is so many times the lesser
@@ -33,13 +28,10 @@ constexpr double kMostIndependentInView = 8.0;
 constexpr double kMostOfLesser = 3.0;
 constexpr double kRememberedInView = 500.0;  ///< landmarks that a learnt rate goes by
 
-/// The log-likelihood ratio of "lost" to "right" of a binomial number of hits.
-double ratioOf(double hits, double misses, double learnt, const Odds& odds) {
-  const double right = std::min(learnt, odds.most_sure);
-  const double lost = std::min(odds.by_chance, 0.5 * right);
-  const double ratio =
-      hits * std::log(lost / right) + misses * std::log((1.0 - lost) / (1.0 - right));
-  return ratio * std::min(1.0, kMostIndependentInView / std::max(1.0, hits + misses));
+/// @param gone, other evidence of what is gone and of what is new
+double bothOf(double gone, double other) {
+  const double lesser = std::min(gone, other);
+  return lesser > 0.0 ? std::min(gone + other, kMostOfLesser * lesser) : 0.0;
 }
 
 bool isSame(const LocalLandmark& a, const LocalLandmark& b) {
@@ -56,6 +48,15 @@ bool isIn(const LocalLandmark& landmark, const std::vector<LocalLandmark>& seen)
 }
 
 }  // namespace
+
+/// The log-likelihood ratio of "lost" to "right" of a binomial number of landmarks.
+double ViewChange::ratioOf(const Rate& seen, const Rate& usual, const Odds& odds) {
+  const double right = std::min(usual.share(), odds.most_sure);
+  const double lost = std::min(odds.by_chance, 0.5 * right);
+  const double ratio =
+      seen.yes * std::log(lost / right) + seen.no * std::log((1.0 - lost) / (1.0 - right));
+  return ratio * std::min(1.0, kMostIndependentInView / std::max(1.0, seen.yes + seen.no));
+}
 
 void ViewChange::Rate::learn(const Rate& more) {
   yes += more.yes;
@@ -126,6 +127,15 @@ bool ViewChange::areNear() const {
          std::abs(step.theta()) < kNearTurn;
 }
 
+/// Whether the sensor stood still from each view of the block before to that of the one after.
+bool ViewChange::areAtOnePlace() const {
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const Pose2 step = before_[i].sensor.between(after_[i].sensor);
+    if (step.position().norm() >= kStill || std::abs(step.theta()) >= kStillTurn) return false;
+  }
+  return true;
+}
+
 /// Whether all views of a block would show a landmark that is told apart by its id.
 bool ViewChange::isInView(const LocalLandmark& landmark, const Views& block) const {
   if (landmark.id == kUnknownId) return true;
@@ -153,17 +163,44 @@ double ViewChange::judge(const LandmarkObservationArray& array, bool is_right,
                          LocalLandmarks::Ids ids) {
   add(array, ids);
   if (before_.size() < kBlock || !areNear()) return 0.0;
+  constexpr Odds kOfIds{0.002, 0.98}, kOfPlaces{0.25, 0.95};
+  const auto& odds = ids == LocalLandmarks::Ids::kKnown ? kOfIds : kOfPlaces;
+  const double sudden = judgeBlocks(is_right, odds);
+  const bool may_drift = ids == LocalLandmarks::Ids::kIgnored && areAtOnePlace();
+  return may_drift ? std::max(sudden, judgeDrift(is_right, odds)) : sudden;
+}
+
+double ViewChange::judgeBlocks(bool is_right, const Odds& odds) {
   const Rate kept = seenAlso(before_, kBlock - 1, after_);
   const Rate known = seenAlso(after_, 0, before_);
-  const auto& odds = ids == LocalLandmarks::Ids::kKnown ? kOfIds : kOfPlaces;
-  const double gone = ratioOf(kept.yes, kept.no, kept_.share(), odds);
-  const double other = ratioOf(known.yes, known.no, known_.share(), odds);
+  const double evidence = bothOf(ratioOf(kept, kept_, odds), ratioOf(known, known_, odds));
   if (is_right) {
     kept_.learn(kept);
     known_.learn(known);
   }
-  const double lesser = std::min(gone, other);
-  return lesser > 0.0 ? std::min(gone + other, kMostOfLesser * lesser) : 0.0;
+  return evidence;
+}
+
+/// The blocks show nothing of this, since a landmark that drifts is not at the same place in all
+/// views of its own block. So views are compared one by one, and all of a block have to say the
+/// same: single ones may be blurred.
+double ViewChange::judgeDrift(bool is_right, const Odds& odds) {
+  double evidence = INFINITY;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const Rate kept = sharedBy(before_[i], after_[i]);
+    const Rate known = sharedBy(after_[i], before_[i]);
+    evidence =
+        std::min(evidence, bothOf(ratioOf(kept, still_, odds), ratioOf(known, still_, odds)));
+  }
+  if (is_right) still_.learn(sharedBy(before_.back(), after_.back()));
+  return evidence / static_cast<double>(kBlock);
+}
+
+/// How many landmarks of a view the other one shows as well, and how many not.
+ViewChange::Rate ViewChange::sharedBy(const View& view, const View& other) {
+  Rate rate{0.0, 0.0};
+  for (const auto& landmark : view.seen) ++(isIn(landmark, other.seen) ? rate.yes : rate.no);
+  return rate;
 }
 
 }  // namespace slam::relocalisation

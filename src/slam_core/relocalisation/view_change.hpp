@@ -26,6 +26,9 @@ namespace slam::relocalisation {
 /// few landmarks suffice; those at the edge of the sensor's view do not count then, since they come
 /// and go as the robot turns.
 ///
+/// A view that changes little by little where odometry says that the robot stands contradicts that
+/// odometry: the wheels spin in the air, their driver hangs, or the robot is being carried.
+///
 /// How often a landmark is still seen, and how often it was seen before, is learnt.
 class ViewChange {
  public:
@@ -41,7 +44,7 @@ class ViewChange {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(before_, after_, kept_, known_, reach_);
+    archive(before_, after_, kept_, known_, still_, reach_);
   }
 
  private:
@@ -84,15 +87,27 @@ class ViewChange {
     }
   };
 
+  /// Those of landmarks that are told apart by their ids, or by their places.
+  struct Odds {
+    double by_chance;  ///< probability that a lost robot sees one that was there before
+    double most_sure;  ///< bound of the learnt rates, since errors of a view are not independent
+  };
+
+  static double ratioOf(const Rate& seen, const Rate& usual, const Odds& odds);
   void add(const LandmarkObservationArray& array, LocalLandmarks::Ids ids);
+  double judgeBlocks(bool is_right, const Odds& odds);
+  double judgeDrift(bool is_right, const Odds& odds);
   bool areNear() const;
+  bool areAtOnePlace() const;
   bool isInView(const LocalLandmark& landmark, const Views& block) const;
+  static Rate sharedBy(const View& view, const View& other);
   Rate seenAlso(const Views& block, std::size_t reference, const Views& other) const;
 
   Views before_, after_;  ///< two blocks of successive views, the newest last
   /// Counts of landmarks that later views show as well, and of landmarks that earlier views show as
   /// well. The counts begin with a guess.
   Rate kept_{7.0, 3.0}, known_{7.0, 3.0};
+  Rate still_{7.0, 3.0};  ///< landmarks that a later view from the same place shows as well
   Reach reach_;
 };
 

@@ -101,6 +101,30 @@ TEST(ViewChange, IsEvidentWhileTheRobotDrivesFast) {
   EXPECT_GT(after, 10.0);
 }
 
+/// The robot drives, and its odometry says that it stands.
+TEST(ViewChange, LittleByLittleIsEvidentWhereOdometryStands) {
+  ViewChange change;
+  evidenceOf(change, kHere, 20);
+  double sum = 0.0;
+  for (int i = 1; i <= 10; ++i) {
+    change.move(motionBy(0.0));
+    sum += change.judge(viewOf(kHere, Pose2(0.05 * i, 0.0, 0.0)), true, Ids::kIgnored);
+  }
+  EXPECT_GT(sum, 15.0);
+}
+
+/// The same view from a robot that drives as its odometry says.
+TEST(ViewChange, LittleByLittleIsNoSignWhereOdometryMoves) {
+  ViewChange change;
+  evidenceOf(change, kHere, 20);
+  double sum = 0.0;
+  for (int i = 1; i <= 10; ++i) {
+    change.move(motionBy(0.05));
+    sum += change.judge(viewOf(kHere, Pose2(0.05 * i, 0.0, 0.0)), true, Ids::kIgnored);
+  }
+  EXPECT_EQ(sum, 0.0);
+}
+
 TEST(ViewChange, OfTwoViewsIsNoSign) {
   ViewChange change;
   evidenceOf(change, kHere, 100);
