@@ -17,6 +17,7 @@ void Jcbb::configure(const PolicyConfig& config) {
   gate_ = gateOf(config.gate_probability);
   places_ = config.places;
   search_.configure(config.gate_probability, places_.ambiguity, places_.nodes);
+  rivals_.configure(config.gate_probability, places_.ambiguity);
 }
 
 void Jcbb::decide(const LandmarkObservationArray& array, const CandidateSource& source,
@@ -30,15 +31,17 @@ void Jcbb::decide(const LandmarkObservationArray& array, const CandidateSource& 
   for (std::size_t i = 0; i < options_.size(); ++i) {
     if (options_.of(i).empty()) continue;
     group_.push_back(i);
-    if (group_.size() == JointSearch::kMostObservations) pairGroup(source, decisions);
+    if (group_.size() == JointSearch::kMostObservations) pairGroup(array, source, decisions);
   }
-  pairGroup(source, decisions);
+  pairGroup(array, source, decisions);
 }
 
-void Jcbb::pairGroup(const CandidateSource& source, std::vector<Decision>& decisions) {
+void Jcbb::pairGroup(const LandmarkObservationArray& array, const CandidateSource& source,
+                     std::vector<Decision>& decisions) {
   if (group_.empty()) return;
-  for (const auto& [observation, option, is_ambiguous] :
-       search_.search(group_, options_, source, taken_)) {
+  choices_ = search_.search(group_, options_, source, taken_);
+  rivals_.judge(array, options_, source, choices_);
+  for (const auto& [observation, option, is_ambiguous] : choices_) {
     if (option < 0) continue;
     const auto landmark = options_.of(observation)[static_cast<std::size_t>(option)].landmark;
     taken_.push_back(landmark);

@@ -29,11 +29,11 @@ class DescriptorPolicyTest : public testing::Test {
     array.observations.back().descriptor = descriptor;
   }
   const Descriptor thin = descriptorOf(0.1, 0.01), thick = descriptorOf(0.3, 0.01);
-  std::vector<Eigen::Vector2d> landmarks = {{4.0, 0.5}, {4.0, -0.5}};
+  std::vector<Eigen::Vector2d> landmarks = {{4.0, 0.05}, {4.0, -0.05}};
   std::vector<Descriptor> descriptors = {thin, thick};
   LandmarkObservationArray array;
-  /// The robot may be where either of the landmarks is what it sees.
-  Eigen::Matrix3d P = Eigen::Vector3d(0.5, 0.5, 1e-4).asDiagonal();
+  /// Both landmarks are within the gate of what the robot sees.
+  Eigen::Matrix3d P = Eigen::Vector3d(1e-3, 1e-3, 1e-4).asDiagonal();
   std::vector<Decision> decisions;
 };
 
@@ -45,8 +45,8 @@ TEST_F(DescriptorPolicyTest, TellsNeighboursApartThatPlaceDoesNot) {
 }
 
 TEST_F(DescriptorPolicyTest, TakesNoLandmarkWhoseDescriptorDoesNotFit) {
-  P *= 1e-3;
-  see({4.0, 0.5}, descriptorOf(0.2, 0.01));
+  landmarks = {{4.0, 0.5}, {4.0, -0.5}};
+  see(landmarks[0], descriptorOf(0.2, 0.01));
   EXPECT_EQ(decide("jcbb")[0].kind, Kind::kLandmark);
   EXPECT_EQ(decide("descriptor")[0].kind, Kind::kNew);
 }
