@@ -50,7 +50,7 @@ void addKeyframes(const VisualMap& map, graph::Optimizer& poses) {
 
 }  // namespace
 
-bool LoopCloser::close(VisualMap& map, const RecognisedPlace& place, int keyframe) {
+LoopCloser::Closed LoopCloser::close(VisualMap& map, const RecognisedPlace& place, int keyframe) {
   graph::Optimizer poses;
   addKeyframes(map, poses);
   graph::RobustLoops robust(poses, graph::RobustLoops::Noise::kAsTold);
@@ -63,19 +63,21 @@ bool LoopCloser::close(VisualMap& map, const RecognisedPlace& place, int keyfram
   const auto& earlier = map.keyframe(place.keyframe).pose;
   loops_.push_back({place.keyframe, keyframe, earlier.between(place.pose),
                     relativeTo(earlier, place.covariance)});
-  const bool is_believed = robust.add(factorOf(loops_.back()));
+  robust.add(factorOf(loops_.back()));
   robust.judge(settle);
   const auto judged = robust.states();
+  Closed closed{0, judged.back().is_believed};
   for (std::size_t i = 0; i < loops_.size(); ++i) {
+    closed.loops += judged[i].is_believed && !loops_[i].is_believed;
     loops_[i].is_believed = judged[i].is_believed;
     loops_[i].weight = judged[i].weight;
     loops_[i].is_alone = judged[i].is_alone;
   }
-  if (!is_believed || !loops_.back().is_believed) return false;
+  if (closed.loops == 0) return closed;
   std::vector<Pose2> moved;
   for (int i = 0; i < static_cast<int>(map.keyframes().size()); ++i) moved.push_back(poses.pose(i));
   moveKeyframes(map, moved);
-  return true;
+  return closed;
 }
 
 void joinPlaces(VisualMap& map, const RecognisedPlace& place, int keyframe) {

@@ -31,10 +31,15 @@ struct Loop {
 /// (graph::RobustLoops).
 class LoopCloser {
  public:
-  /// A loop from a recognised place to a keyframe. Where it is believed, all keyframes are moved,
-  /// each point with its host.
-  /// @return whether they are
-  bool close(VisualMap& map, const RecognisedPlace& place, int keyframe);
+  /// Loops that are believed from now on.
+  struct Closed {
+    int loops;       ///< one that waited may be among them
+    bool is_newest;  ///< the newest is among them
+  };
+
+  /// A loop from a recognised place to a keyframe. Where it makes a loop believed, all keyframes
+  /// are moved, each point with its host.
+  Closed close(VisualMap& map, const RecognisedPlace& place, int keyframe);
 
   const std::vector<Loop>& loops() const { return loops_; }
 

@@ -305,13 +305,14 @@ Status MonoGraph::addKeyframe(const CameraView& view, const Features& features,
   const auto way = way_.since();
   if (is_way_known_) keyframe.way = way.pose;
   keyframe.way_covariance = way.covariance;
+  const Eigen::Matrix3d covariance = pose().covariance;  // where nothing chains it to others
   const int number = map_.add(std::move(keyframe));
   for (const auto& match : tracked.matches)
     map_.addSighting(match.point, {number, static_cast<int>(match.feature)});
   mapper_.map(map_);
   map_.keyframe(number).covariance =
       chainedCovariance(map_, number)
-          .value_or(ChainCovariance{covariance_, Eigen::Matrix3d::Zero(), 0.0});
+          .value_or(ChainCovariance{covariance, Eigen::Matrix3d::Zero(), 0.0});
   recogniser_.add(vocabulary_.wordsOf(features.all()));
   unadjusted_ = reference_ = number;
   pose_ = map_.keyframe(number).pose;

@@ -47,10 +47,13 @@ void MonoGraph::recognise(int keyframe) {
                        knownAround(keyframe), config_.least_similarity);
   if (!place) return;
   const Pose2 before = map_.keyframe(keyframe).pose;
-  if (!closer_.close(map_, *place, keyframe)) return counters_.add("loops_rejected");
-  joinPlaces(map_, *place, keyframe);
+  const auto closed = closer_.close(map_, *place, keyframe);
+  if (!closed.is_newest) counters_.add("loops_rejected");
+  if (closed.loops == 0) return;
+  counters_.add("loops", static_cast<std::uint64_t>(closed.loops));
+  if (closed.is_newest) joinPlaces(map_, *place, keyframe);
   adjust(keyframe);
-  noteLoop(*place, before, map_.keyframe(keyframe).pose);
+  if (closed.is_newest) noteLoop(*place, before, map_.keyframe(keyframe).pose);
 }
 
 }  // namespace slam::mono_graph

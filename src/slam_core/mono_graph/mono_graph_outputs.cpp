@@ -114,7 +114,6 @@ void MonoGraph::noteLoop(const RecognisedPlace& place, const Pose2& before, cons
   event.reason = std::to_string(place.matches.size()) + " points that keyframe " +
                  std::to_string(place.keyframe) + " saw are seen again";
   events_.push_back(event);
-  counters_.add("loops");
 }
 
 }  // namespace slam::mono_graph

@@ -108,13 +108,17 @@ LandmarkFile loadMap(const std::string& path, const std::string& frame, bool has
   const auto files = filesToLoad(path, has_grid);
   if (!files.grid.empty() && !has_grid)
     throw std::runtime_error("cannot use the map " + path +
-                             ": it is a grid, and this product's map are landmarks");
+                             ": it is a grid, and this product's map consists of landmarks");
   LandmarkFile file;
   file.frame = frame;
   if (files.landmarks.empty())
     file.map.robot = unknownStart();
   else
     file = loadLandmarks(files.landmarks, frame);
+  if (!has_grid && file.map.landmarks.empty() && fs::exists(pairOf(files.landmarks).grid))
+    throw std::runtime_error("cannot use the map " + path +
+                             ": it holds a grid and no landmarks, and this product's map "
+                             "consists of landmarks");
   if (!files.grid.empty()) file.map.grid = grid_map::loadGrid(files.grid);
   return file;
 }

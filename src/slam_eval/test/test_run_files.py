@@ -209,6 +209,12 @@ class ReadRun(InFolder):
         self.assertEqual(len(run.updates), 60)
         self.assertEqual(len(run.true_landmarks), 18)
 
+    def test_compares_spots_of_the_ceiling_with_no_landmarks(self):
+        run_maker.make_run(self.folder, count=60)
+        with open(self.folder / "config.yaml", "a", encoding="utf-8") as config:
+            config.write("detector: ceiling_features\n")
+        self.assertIsNone(read_run(self.folder).true_landmarks)
+
     def test_refuses_a_folder_that_is_not_there(self):
         with self.assertRaisesRegex(InputError, "no such folder"):
             read_run(self.folder / "nowhere")

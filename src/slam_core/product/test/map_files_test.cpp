@@ -90,6 +90,16 @@ TEST_F(MapFilesTest, AFolderHoldsBothUnderTheirUsualNames) {
   EXPECT_FALSE(landmarks.grid) << "a back-end of landmarks leaves the grid alone";
 }
 
+TEST_F(MapFilesTest, OfAGridWithoutLandmarksIsNoMapOfLandmarks) {
+  auto grid = mapOf(true);
+  grid.map.landmarks.clear();
+  std::filesystem::create_directory(folder / "saved");
+  saveMap(folder / "saved", grid);
+  EXPECT_TRUE(
+      oneSays({sentenceOf([&] { loadMap(folder / "saved", "map", false); })},
+              {"holds a grid and no landmarks", "this product's map consists of landmarks"}));
+}
+
 TEST_F(MapFilesTest, NamedLandmarksPutTheGridBeside) {
   saveMap(folder / "landmarks.yaml", mapOf(true));
   EXPECT_TRUE(std::filesystem::exists(folder / "map.pgm"));

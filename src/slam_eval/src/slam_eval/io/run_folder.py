@@ -56,6 +56,11 @@ class RunFolder:
         names = [str(self.config[k]) for k in ("product", "robot") if self.config.get(k)]
         return " on ".join(names) if names else self.path.resolve().name
 
+    @property
+    def maps_ceiling(self):
+        """Whether its landmarks are spots of the ceiling, of which no ground truth is known."""
+        return self.config.get("detector") == "ceiling_features"
+
 
 def _optional(path, reader):
     return reader(path) if path.exists() else None
@@ -118,9 +123,10 @@ def read_run(path):
     run.views = _optional(path / "views.csv", read_views)
     run.events = _optional(path / "events.csv", read_events)
     run.points = _optional(path / "points.pcd", read_points)
-    run.true_landmarks = _optional(path / "ground_truth_landmarks.yaml", read_landmarks)
     run.metrics = read_metrics(path / "metrics.json")
     run.config_text, run.config = _read_config(path / "config.yaml")
+    if not run.maps_ceiling:
+        run.true_landmarks = _optional(path / "ground_truth_landmarks.yaml", read_landmarks)
     if run.updates is not None:
         _check_same_stamps(path / "updates.csv", run.updates.stamps, run.trajectory)
     return run

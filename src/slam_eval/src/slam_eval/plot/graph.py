@@ -9,6 +9,8 @@ SIGHTINGS = {"color": "#5b8def", "linewidth": 0.3, "alpha": 0.5, "zorder": 2}
 MOTION = {"color": "#8a8f97", "linewidth": 1.4, "zorder": 4}
 LOOPS = {"color": "#1f9d4d", "linewidth": 0.7, "zorder": 3}
 MANY = 300  # loops: more of them are drawn the paler, so that what they lie on can be seen
+FEW = 50  # loops that are drawn above all else, with their ends: short ones lie on motions
+ENDS = {"color": LOOPS["color"], "markersize": 6, "markerfacecolor": "none", "zorder": 9}
 DOUBTED_LOOPS = {"color": "#f08c00", "linewidth": 1.1, "alpha": 0.9, "zorder": 5}
 WAITING = {"color": look.ERROR, "linewidth": 1.1, "alpha": 0.9, "zorder": 6}
 
@@ -19,13 +21,21 @@ def _draw_edges(axes, edges, label, options):
                            **options)
 
 
+def _draw_loops(axes, loops):
+    if len(loops) > FEW:
+        pale = max(0.12, min(0.8, MANY / len(loops)))
+        _draw_edges(axes, loops, "loops", {**LOOPS, "alpha": pale})
+    else:
+        _draw_edges(axes, loops, "loops", {**LOOPS, "linewidth": 1.4, "zorder": 9})
+        axes.plot(*loops.reshape(-1, 2).T, "o", **ENDS)
+
+
 def _draw_graph(axes, graph):
     nodes, submaps = graph.places["node"], graph.places["submap"]
     loops, is_doubted = graph.edges["loop"], graph.weights["loop"] < DOUBTED
     _draw_edges(axes, graph.edges["sighting"], "sightings of landmarks", SIGHTINGS)
     _draw_edges(axes, graph.edges["motion"], "motions", MOTION)
-    pale = max(0.12, min(0.8, MANY / max(len(loops), 1)))
-    _draw_edges(axes, loops[~is_doubted], "loops", {**LOOPS, "alpha": pale})
+    _draw_loops(axes, loops[~is_doubted])
     _draw_edges(axes, loops[is_doubted], f"loops that count less than {DOUBTED:g}", DOUBTED_LOOPS)
     _draw_edges(axes, graph.edges["waiting_loop"], "loops that wait (not believed)", WAITING)
     axes.plot(*nodes.T, ".", color=look.TRUTH, markersize=2.2, markeredgewidth=0, zorder=7,

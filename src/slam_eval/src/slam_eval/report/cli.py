@@ -40,7 +40,10 @@ def missing_parts(run, result):
                    "true positions lie between poses of the run")
         notes.append(f"Fewer than two {between} that are at most {LONGEST_GAP:g} s apart: no "
                      "trajectory error and no NEES.")
-    if run.landmarks is not None and run.true_landmarks is None:
+    if run.landmarks is not None and run.maps_ceiling:
+        notes.append("The landmarks of the run are spots of the ceiling, of which there is no "
+                     "ground truth: no landmark error.")
+    elif run.landmarks is not None and run.true_landmarks is None:
         notes.append("The run has no ground truth of the landmarks (ground_truth_landmarks.yaml): "
                      "no landmark error.")
     elif run.landmarks is not None and run.landmarks.has_own_ids:
