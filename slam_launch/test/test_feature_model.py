@@ -247,7 +247,8 @@ class ShippedModel(unittest.TestCase):
         self.assertIsNone(self.model.needed_by("scan_to_map", features))
         features = self.model.require_valid({"backend": "pf", "odometry": "wheel"})
         self.assertEqual(self.model.needed_by("scan_to_map", features),
-                             "map=grid or odometry=laser or odometry=laser_wheel")
+                             "map=grid or odometry=laser or odometry=laser_wheel or "
+                             "odometry=laser_imu")
 
     def test_back_ends_and_odometry_are_mandatory(self):
         self.assertEqual([key for key, group in self.model.groups.items()

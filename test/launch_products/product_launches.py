@@ -35,8 +35,10 @@ PROMISED = {"backend=ekf": LANDMARKS,
             "map=grid": {"/map", "/map_metadata"},
             "odometry=visual": {"/visual_odometry/odom"},
             "odometry=visual_wheel": {"/visual_odometry/odom"},
+            "odometry=visual_imu": {"/visual_odometry/odom"},
             "odometry=laser": {"/laser_odometry/odom"},
-            "odometry=laser_wheel": {"/laser_odometry/odom"}}
+            "odometry=laser_wheel": {"/laser_odometry/odom"},
+            "odometry=laser_imu": {"/laser_odometry/odom"}}
 LOOK_THEMSELVES = {"mono_ekf", "mono_graph", "rat"}  # back-ends that take in images
 MADE_OF = {"detector": ("/observations", "/camera/"), "odometry": ("/motion", "/odom")}
 RECORDED = ALWAYS.union(BETWEEN, *PROMISED.values())

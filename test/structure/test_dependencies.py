@@ -15,8 +15,8 @@ STANDARD = re.compile(r"[a-z_0-9]+$|cxxabi\.h$|(sys/)?"
                       r"(dlfcn|fcntl|file|mman|prctl|resource|stat|types|unistd|wait)\.h$")
 
 # each may include those before it
-BELOW = ["common", "geometry", "models", "graph", "contract", "grid_map", "camera", "imu", "laser",
-         "association", "landmark_graph", "scan_matching", "consistency"]
+BELOW = ["common", "geometry", "models", "graph", "contract", "grid_map", "camera", "imu", "gyro",
+         "laser", "association", "landmark_graph", "scan_matching", "consistency"]
 ABOVE = {"product", "tuning", "tools"}  # what lies between is a component
 
 
@@ -70,8 +70,9 @@ class NoRos(unittest.TestCase):
 
 
 class OneWay(unittest.TestCase):
-    """common <- geometry <- models <- graph, contract <- grid_map, camera, imu, laser, association,
-    landmark_graph, scan_matching, consistency <- components <- product; tests may look at more."""
+    """common <- geometry <- models <- graph, contract <- grid_map, camera, imu, gyro, laser,
+    association, landmark_graph, scan_matching, consistency <- components <- product; tests may look
+    at more."""
 
     def uses(self):
         for path in sources():

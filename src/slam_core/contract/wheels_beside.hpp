@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "slam_core/contract/odometry_source.hpp"
 #include "slam_core/contract/registry.hpp"
+#include "slam_core/contract/waiting_data.hpp"
 #include "slam_core/models/motion_track.hpp"
 
 namespace slam {
@@ -41,7 +41,7 @@ class WheelsBeside {
     ports_.input("odom", kindOf<OdometrySample>())->set(&sample);
     has_sample_ = true;
   }
-  void set(const Datum& datum) { waiting_.push_back(datum); }
+  void set(const Datum& datum) { waiting_.add(datum); }
   /// Takes in the last sample of the wheels.
   Status execute() {
     if (!std::exchange(has_sample_, false)) return Status::ok();
@@ -51,13 +51,10 @@ class WheelsBeside {
   }
   /// The oldest of the sensor's data, if it need not wait any more.
   std::optional<Datum> next() {
-    if (waiting_.empty()) return std::nullopt;
-    const bool is_covered = track_.end() && *track_.end() >= waiting_.front().stamp;
-    if (!is_covered && isPatient()) return std::nullopt;
-    if (!is_covered) counters_.add("wheels_missing");
-    std::optional<Datum> datum(std::move(waiting_.front()));
-    waiting_.pop_front();
-    return datum;
+    auto due = waiting_.next(track_.end());
+    if (!due) return std::nullopt;
+    if (!due->is_covered) counters_.add("wheels_missing");
+    return std::move(due->datum);
   }
 
   /// The result is empty if the wheels do not cover the whole time.
@@ -80,19 +77,11 @@ class WheelsBeside {
   }
 
  private:
-  static constexpr Duration kPatience = std::chrono::seconds(1);
-  static constexpr std::size_t kCapacity = 100;
-
-  bool isPatient() const {
-    const auto waited = waiting_.back().stamp - waiting_.front().stamp;
-    return waited >= Duration::zero() && waited < kPatience && waiting_.size() <= kCapacity;
-  }
-
   std::unique_ptr<OdometrySource> wheels_;
   Ports ports_;
   bool has_sample_ = false;
   MotionTrack track_;
-  std::deque<Datum> waiting_;
+  WaitingData<Datum> waiting_;
   Counters counters_;
 };
 

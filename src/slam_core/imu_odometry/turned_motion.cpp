@@ -11,7 +11,7 @@
 namespace slam::imu_odometry {
 namespace {
 
-Pose2 along(const Eigen::Vector2d& way, const GyroTurn& turn, double bias) {
+Pose2 along(const Eigen::Vector2d& way, const gyro::GyroTurn& turn, double bias) {
   Pose2 pose;
   for (const auto& piece : turn.pieces) {
     const Eigen::Vector2d part = way * (piece.seconds / turn.seconds);
@@ -28,7 +28,8 @@ Eigen::Matrix2d wayCovariance(const Motion& wheels, const Eigen::Vector3d& twist
 
 }  // namespace
 
-Motion turnedMotion(const Motion& wheels, const GyroTurn& turn, double bias, double variance) {
+Motion turnedMotion(const Motion& wheels, const gyro::GyroTurn& turn, double bias,
+                    double variance) {
   const Eigen::Vector3d measured = wheels.increment.log();
   Motion motion = wheels;
   motion.increment = along(measured.head<2>(), turn, bias);

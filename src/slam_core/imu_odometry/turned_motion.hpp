@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "slam_core/imu_odometry/gyro_track.hpp"
+#include "slam_core/gyro/gyro_track.hpp"
 #include "slam_core/models/motion.hpp"
 
 namespace slam::imu_odometry {
@@ -13,6 +13,6 @@ namespace slam::imu_odometry {
 /// over the motion, and turns with each piece of the gyro's turn. The covariance is complete: what
 /// the wheels say of their way, and the heading's error, which swings the way.
 /// @param bias of the gyro [rad/s] @param variance of the turn's angle [rad^2]
-Motion turnedMotion(const Motion& wheels, const GyroTurn& turn, double bias, double variance);
+Motion turnedMotion(const Motion& wheels, const gyro::GyroTurn& turn, double bias, double variance);
 
 }  // namespace slam::imu_odometry

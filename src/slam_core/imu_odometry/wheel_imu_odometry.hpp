@@ -6,12 +6,9 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "slam_core/contract/odometry_source.hpp"
-#include "slam_core/imu_odometry/gyro_calibration.hpp"
-#include "slam_core/imu_odometry/gyro_track.hpp"
-#include "slam_core/imu_odometry/gyro_trust.hpp"
+#include "slam_core/gyro/calibrated_gyro.hpp"
 #include "slam_core/imu_odometry/standstill.hpp"
 #include "slam_core/models/imu_sample.hpp"
 
@@ -27,21 +24,20 @@ namespace slam::imu_odometry {
 /// matter; a second of the wheels later it waits no longer. It moves along the wheel driver's
 /// odometry frame, as that of calibrated wheels does.
 ///
-/// Counted: as the wheels and GyroTrack; motions with the wheels' heading by "gyro_silent",
-/// "gyro_stuck", "gyro_implausible".
+/// Counted: as the wheels and CalibratedGyro.
 class WheelImuOdometry final : public OdometrySource {
  public:
   void configure(Settings& settings) override;
   void describe(Ports& ports) override;
   void set(const OdometrySample& sample);
-  void set(const ImuSample& sample);
+  void set(const ImuSample& sample) { gyro_.add(sample); }
   Status execute() override;
   bool isBusy() const override { return !waiting_.empty() && isDue(waiting_.front()); }
 
   const std::optional<Motion>& motion() const override { return motion_; }
   Counters counters() const override;
   std::uint64_t dropped() const override;
-  Figures figures() const override;
+  Figures figures() const override { return gyro::figuresOf(gyro_.calibration()); }
   void reset() override;
   bool canResume() const override { return wheels_->canResume(); }
   void saveState(ArchiveWriter& archive) const override;
@@ -53,37 +49,23 @@ class WheelImuOdometry final : public OdometrySource {
       wheels_->restoreState(archive);
     else
       wheels_->saveState(archive);
-    archive(has_sample_, waiting_, track_, calibration_, trust_, standstill_, said_, silent_for_,
-            motion_, next_sequence_, counters_);
+    archive(has_sample_, waiting_, gyro_, standstill_, motion_, next_sequence_);
   }
 
  private:
-  /// Who says how the robot turned.
-  enum class Heading { kGyro, kRest, kSilent, kStuck, kBurst, kImplausible };
-
   Status takeWheels();
   bool isDue(const Motion& wheels) const;
   Status follow(const Motion& wheels);
-  Heading headingOf(const Motion& wheels, const std::optional<GyroTurn>& turn) const;
-  Motion turned(const Motion& wheels, const GyroTurn& turn) const;
-  void learn(const Motion& wheels, const std::optional<GyroTurn>& turn, Heading heading);
-  Status explain(Duration interval, Heading heading, bool has_measured_turn);
-  std::string sentenceOf(Heading heading) const;
+  Motion turned(const Motion& wheels, const gyro::GyroTurn& turn) const;
 
   std::unique_ptr<OdometrySource> wheels_;
   Ports wheel_ports_;
-  ImuConfig config_;
   bool has_sample_ = false;     ///< of the wheels, that has not been taken in
   std::deque<Motion> waiting_;  ///< the wheels' motions, for the gyro
-  GyroTrack track_;
-  GyroCalibration calibration_;
-  GyroTrust trust_;
+  gyro::CalibratedGyro gyro_;
   Standstill standstill_;
-  Heading said_ = Heading::kGyro;  ///< what was explained last; kGyro: nothing
-  Duration silent_for_{};
   std::optional<Motion> motion_;
   std::uint64_t next_sequence_ = 0;
-  Counters counters_;
 };
 
 }  // namespace slam::imu_odometry

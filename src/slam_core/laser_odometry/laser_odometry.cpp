@@ -68,7 +68,7 @@ void LaserOdometry::reset() {
   last_sure_.reset();
   ahead_.reset();
   agreement_ = {};
-  is_sure_ = has_slipped_ = false;
+  is_sure_ = is_measured_ = has_turn_ = has_slipped_ = false;
   motion_.reset();
   next_sequence_ = 0;
   counters_.clear();
@@ -80,14 +80,25 @@ Status LaserOdometry::execute() {
   if (!scan || isLate(scan->stamp)) return Status::ok();
   const auto stamp = scan->stamp;
   const auto points = scan_matching::pointsOf(*scan, models_, spacing_);
-  const auto told = last_ && source_ ? source_(*last_, stamp) : std::nullopt;
+  const auto known = knownOf(stamp);
   const Pose2 before = tracker_.robot().pose;
-  const auto found = tracker_.track(map_->view(), points, stamp, told);
-  is_sure_ = !map_->view().isEmpty() && judge(found, told.has_value());
-  if (last_) motion_ = motionTo(stamp, before, told.has_value());
+  const auto& map = map_->view();
+  const auto found = known.turn && !known.motion ? tracker_.track(map, points, stamp, *known.turn)
+                                                 : tracker_.track(map, points, stamp, known.motion);
+  const bool was_sure = is_sure_;
+  is_sure_ = !map.isEmpty() && judge(found, known.motion.has_value());
+  is_measured_ = was_sure && is_sure_;
+  has_turn_ = known.turn.has_value();
+  if (last_) motion_ = motionTo(stamp, before, known);
   learn(points, stamp);
   last_ = stamp;
   return explain();
+}
+
+LaserOdometry::Known LaserOdometry::knownOf(Stamp stamp) const {
+  if (!last_) return {};
+  return {source_ ? source_(*last_, stamp) : std::nullopt,
+          turn_source_ ? turn_source_(*last_, stamp) : std::nullopt};
 }
 
 /// A scan that is stamped wrongly, far ahead, must not make the rest late: it waits for another one
@@ -119,7 +130,7 @@ bool LaserOdometry::judge(const Match& found, bool is_told) {
   return found.is_determined;
 }
 
-Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, bool is_told) {
+Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, const Known& known) {
   const auto& step = tracker_.step();
   Motion motion;
   motion.sequence = next_sequence_++;
@@ -129,9 +140,9 @@ Motion LaserOdometry::motionTo(Stamp stamp, const Pose2& before, bool is_told) {
   motion.covariance = step.covariance + kLeastVariance * Eigen::Matrix3d::Identity();
   motion.odometry_start = before;
   motion.odometry_end = tracker_.robot().pose;
-  if (is_sure_ || is_told) return motion;
-  const double dt = seconds(stamp - *last_);
-  const double way = config_.max_speed * dt, turn = std::min(config_.max_turn_rate * dt, M_PI);
+  if (is_sure_ || known.motion) return motion;
+  const double dt = seconds(stamp - *last_), way = config_.max_speed * dt;
+  const double turn = known.turn ? 0.0 : std::min(config_.max_turn_rate * dt, M_PI);
   motion.covariance.diagonal() += Eigen::Vector3d(way * way, way * way, turn * turn);
   return motion;
 }
@@ -156,8 +167,9 @@ void LaserOdometry::learn(const ScanLevels& scan, Stamp stamp) {
 }
 
 Status LaserOdometry::explain() const {
-  const std::string instead =
-      source_ ? "; the wheels' motion is used meanwhile" : "; the last velocity is used meanwhile";
+  const std::string instead = source_     ? "; the wheels' motion is used meanwhile"
+                              : has_turn_ ? "; the last velocity and the gyro are used meanwhile"
+                                          : "; the last velocity is used meanwhile";
   if (!is_sure_ && motion_)
     return Status::warning(
         "the laser's scans do not tell the robot's motion: they fit nothing of "

@@ -11,6 +11,7 @@
 #include "slam_core/laser_odometry/laser_odometry_config.hpp"
 #include "slam_core/laser_odometry/local_map.hpp"
 #include "slam_core/models/laser_scan.hpp"
+#include "slam_core/models/turn.hpp"
 #include "slam_core/scan_matching/scan_tracker.hpp"
 
 namespace slam::laser_odometry {
@@ -18,7 +19,7 @@ namespace slam::laser_odometry {
 /// The motion of a robot from a laser: each scan is matched with what was seen on the last metres
 /// of the way (Kohlbrecher et al. 2011). Every scan after the first yields a motion. Where a scan
 /// fits nothing the last velocity is assumed to hold, with a standard deviation of max_speed dt,
-/// or the motion source is asked.
+/// or the motion source is asked; where a turn source knows the turn, that is taken.
 ///
 /// Counted: "unmatched" scans, that fit nothing; of them "contradicting" ones, of which most
 /// contradicts the map; "searched" ones, that a search in a window has found; "late", "stamp_jump";
@@ -33,6 +34,10 @@ class LaserOdometry final : public OdometrySource {
   void configure(Settings& settings) override;
   /// That says where to look, and how far the robot went where scans tell nothing.
   void setMotionSource(MotionSource source) { source_ = std::move(source); }
+  /// That says where to look, and how the robot turned where scans tell nothing.
+  void setTurnSource(TurnSource source) { turn_source_ = std::move(source); }
+  /// Whether the last two scans showed where the robot is.
+  bool isMeasured() const { return is_measured_; }
 
   void describe(Ports& ports) override;
   void set(const LaserScan& scan) { input_ = scan; }
@@ -50,20 +55,27 @@ class LaserOdometry final : public OdometrySource {
   template <class Archive>
   void persist(Archive& archive) {
     archive(tracker_, trigger_, input_, last_, last_sure_, ahead_, agreement_, is_sure_,
-            has_slipped_, motion_, next_sequence_, counters_, *map_);
+            is_measured_, has_turn_, has_slipped_, motion_, next_sequence_, counters_, *map_);
   }
 
  private:
   bool isLate(Stamp stamp);
   /// Whether the scan tells where the robot is.
   bool judge(const scan_matching::Match& found, bool is_told);
-  Motion motionTo(Stamp stamp, const Pose2& before, bool is_told);
+  /// What other sensors know of the way to a scan.
+  struct Known {
+    std::optional<Motion> motion;
+    std::optional<Turn> turn;
+  };
+  Known knownOf(Stamp stamp) const;
+  Motion motionTo(Stamp stamp, const Pose2& before, const Known& known);
   void learn(const scan_matching::ScanLevels& scan, Stamp stamp);
   Status explain() const;
 
   LaserOdometryConfig config_;
   double spacing_ = 0.0;
   MotionSource source_;
+  TurnSource turn_source_;
   std::optional<LocalMap> map_;
   scan_matching::LevelModels models_;
   scan_matching::ScanTracker tracker_;
@@ -73,6 +85,8 @@ class LaserOdometry final : public OdometrySource {
   std::optional<Stamp> ahead_;          ///< of a scan whose stamp jumped, until another confirms it
   scan_matching::Agreement agreement_;  ///< of the last scan
   bool is_sure_ = false;                ///< the last scan showed where the robot is
+  bool is_measured_ = false;            ///< and so did the one before it
+  bool has_turn_ = false;               ///< the turn source knew the way to the last scan
   bool has_slipped_ = false;            ///< on the way to the last scan
   std::optional<Motion> motion_;
   std::uint64_t next_sequence_ = 0;

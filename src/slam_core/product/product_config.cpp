@@ -49,9 +49,10 @@ void ProductConfig::describe(Fields& fields) {
       "odometry", &odometry,
       "name of the odometry source: wheel, wheel_imu (the wheels' way, a gyro's heading), visual "
       "(a camera that looks at the ceiling), visual_wheel (the wheels where the images tell "
-      "nothing), laser (scans matched with what was seen before), laser_wheel (the wheels as a "
-      "hint and where scans tell nothing); none: motion comes as messages, or the back-end needs "
-      "none");
+      "nothing), visual_imu (a gyro's turns as a hint and where the images tell nothing), laser "
+      "(scans matched with what was seen before), laser_wheel (the wheels as a hint and where "
+      "scans tell nothing), laser_imu (a gyro's turns as a hint and where scans tell nothing); "
+      "none: motion comes as messages, or the back-end needs none");
   fields.add("detector", &detector,
              "name of the detector that finds landmarks in the camera's images; none: they come as "
              "observations");

@@ -87,35 +87,52 @@ void ScanTracker::restart(const PoseEstimate& place) {
   is_anywhere_ = false;
 }
 
-/// By the last velocity. Where no scan has confirmed it for a time, what it is off by makes an
-/// error that grows with that time.
-Motion ScanTracker::motionOf(Duration interval) const {
+/// By the last velocity, and by the turn where it is known. Where no scan has confirmed the
+/// velocity for a time, what it is off by makes an error that grows with that time.
+Motion ScanTracker::motionOf(Duration interval, const std::optional<Turn>& turn) const {
   const double dt = seconds(interval);
+  Eigen::Vector3d twist = dt * velocity_;
+  if (turn) twist.z() = turn->angle;
   Motion motion;
-  motion.increment = Pose2::exp(dt * velocity_);
+  motion.increment = Pose2::exp(twist);
   motion.covariance = noiseOfVelocity(interval);
   const Eigen::Array3d grown = (unconfirmed_ + dt).square() - unconfirmed_.square();
   motion.covariance.diagonal().array() +=
       kFastest * kFastest * (unconfirmed_ > 0.0).select(grown, 0.0);
+  if (turn) motion.covariance(2, 2) = turn->variance;
   return motion;
+}
+
+ScanTracker::Intervals ScanTracker::intervalsTo(Stamp stamp) {
+  if (!stamp_ || stamp <= *stamp_) return {};
+  const Duration interval = stamp - *stamp_;
+  const Intervals intervals{sweeps_.plausible(interval), sweeps_.likely(interval)};
+  sweeps_.note(interval);
+  return intervals;
 }
 
 Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp,
                          const std::optional<Motion>& told,
                          const std::optional<Eigen::Matrix3d>& drift) {
-  Duration interval{}, gap{};
-  if (stamp_ && stamp > *stamp_) {
-    interval = sweeps_.plausible(stamp - *stamp_);
-    gap = sweeps_.likely(stamp - *stamp_);
-    sweeps_.note(stamp - *stamp_);
-  }
+  const auto intervals = intervalsTo(stamp);
   if (told) unconfirmed_.setZero();
-  const auto motion = told ? *told : motionOf(interval);
-  const Pose2 before = robot_.pose;
+  const auto motion = told ? *told : motionOf(intervals.plausible, std::nullopt);
   is_anywhere_ = is_anywhere_ || (told && !map.isEmpty() && leadsAnywhere(*told));
-  const auto found = map.isEmpty() || is_anywhere_
-                         ? move(motion)
-                         : match(map, scan, stamp, {motion, told.has_value(), drift});
+  return follow(map, scan, stamp, {motion, told.has_value(), drift}, intervals.likely);
+}
+
+Match ScanTracker::track(const MapView& map, const ScanLevels& scan, Stamp stamp,
+                         const Turn& turn) {
+  const auto intervals = intervalsTo(stamp);
+  const auto motion = motionOf(intervals.plausible, turn);
+  return follow(map, scan, stamp, {motion, false, std::nullopt, true}, intervals.likely);
+}
+
+Match ScanTracker::follow(const MapView& map, const ScanLevels& scan, Stamp stamp, const Way& way,
+                          Duration gap) {
+  const Pose2 before = robot_.pose;
+  const bool may_match = !map.isEmpty() && !is_anywhere_;
+  const auto found = may_match ? match(map, scan, stamp, way) : move(way.motion);
   if (gap > Duration::zero())
     learnVelocity(before.between(found.pose), gap, found.jumped || found.is_among_older);
   stamp_ = stamp;
@@ -143,8 +160,12 @@ bool ScanTracker::mayUseWideWindow(Stamp stamp) const {
 
 Match ScanTracker::match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Way& way) {
   const auto& increment = way.motion.increment;
-  const Eigen::Matrix3d noise =
-      way.motion.covariance + (way.is_told ? slip_ : SlipEstimate()).covarianceOf(increment);
+  Eigen::Matrix3d slip = (way.is_told ? slip_ : SlipEstimate()).covarianceOf(increment);
+  if (way.has_turn) {
+    slip.row(2).setZero();
+    slip.col(2).setZero();
+  }
+  const Eigen::Matrix3d noise = way.motion.covariance + slip;
   auto prior = priorAfter(robot_.pose, robot_.covariance, increment, noise);
   prior.is_measured = way.is_told;
   if (way.is_told && way.drift)

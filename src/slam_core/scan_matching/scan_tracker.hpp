@@ -7,6 +7,7 @@
 
 #include "slam_core/models/landmark_map.hpp"
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/turn.hpp"
 #include "slam_core/scan_matching/motion_prior.hpp"
 #include "slam_core/scan_matching/scan_to_map_matcher.hpp"
 
@@ -72,6 +73,8 @@ class ScanTracker {
   Match track(const MapView& map, const ScanLevels& scan, Stamp stamp,
               const std::optional<Motion>& motion,
               const std::optional<Eigen::Matrix3d>& drift = std::nullopt);
+  /// The same where nothing but the turn since the last scan is known, as from a gyro.
+  Match track(const MapView& map, const ScanLevels& scan, Stamp stamp, const Turn& turn);
 
   /// @return the surfaces that the ends of a scan fit; to be called after track() with this scan
   std::vector<FittedEnd> fittedEnds(const MapView& map, const ScanLevels& scan) const {
@@ -103,14 +106,22 @@ class ScanTracker {
   }
 
  private:
-  Motion motionOf(Duration interval) const;
-  Match move(const Motion& motion);
+  /// The times since the last scan.
+  struct Intervals {
+    Duration plausible{}, likely{};  ///< as SweepInterval says
+  };
+  Intervals intervalsTo(Stamp stamp);
+  Motion motionOf(Duration interval, const std::optional<Turn>& turn) const;
   /// The way since the last scan.
   struct Way {
     const Motion& motion;
     bool is_told;  ///< or else extrapolated from the last velocity
     const std::optional<Eigen::Matrix3d>& drift;
+    bool has_turn = false;  ///< a sensor that does not slip measured the turn
   };
+  Match follow(const MapView& map, const ScanLevels& scan, Stamp stamp, const Way& way,
+               Duration gap);
+  Match move(const Motion& motion);
   Match match(const MapView& map, const ScanLevels& scan, Stamp stamp, const Way& way);
   /// A wide search for each scan of a lost robot would take too long.
   bool mayUseWideWindow(Stamp stamp) const;

@@ -42,13 +42,26 @@ Motion IncrementMaker::follow(const View& last, const View& now, const Alignment
 Motion IncrementMaker::bridge(const View& last, View& now, Stamp gap_begin) {
   auto gap = gap_source_ ? gap_source_(last.stamp, now.stamp) : std::nullopt;
   if (!gap) gap = coast(last.stamp, now.stamp, gap_begin);
+  has_turn_ = turnBetween(last.stamp, now.stamp).has_value();
   now.T_odom_base = last.T_odom_base * gap->increment;
   gap_covariance_ += gap->covariance;
   return motionBetween(last, now, gap->covariance);
 }
 
+std::string IncrementMaker::instead() const {
+  if (gap_source_) return "the wheels' motion is used meanwhile";
+  return has_turn_ ? "the last velocity and the gyro are used meanwhile"
+                   : "the last velocity is used meanwhile";
+}
+
+std::optional<Turn> IncrementMaker::turnBetween(Stamp start, Stamp end) const {
+  return turn_source_ ? turn_source_(start, end) : std::nullopt;
+}
+
 Pose2 IncrementMaker::expected(const View& from, Stamp stamp) const {
-  return from.T_odom_base * Pose2::exp(seconds(stamp - from.stamp) * velocity_);
+  Eigen::Vector3d twist = seconds(stamp - from.stamp) * velocity_;
+  if (const auto turn = turnBetween(from.stamp, stamp)) twist.z() = turn->angle;
+  return from.T_odom_base * Pose2::exp(twist);
 }
 
 /// The last velocity may be wrong for as long as the gap lasts, so that its error adds up: the
@@ -59,9 +72,12 @@ GapMotion IncrementMaker::coast(Stamp start, Stamp end, Stamp gap_begin) const {
   const double growth = after * after - before * before;  // [s^2]
   const double way2 = growth * config_.max_speed * config_.max_speed;
   const double turn2 = growth * config_.max_turn_rate * config_.max_turn_rate;
+  const auto turn = turnBetween(start, end);
+  Eigen::Vector3d twist = (after - before) * velocity_;
+  if (turn) twist.z() = turn->angle;
   GapMotion gap;
-  gap.increment = Pose2::exp((after - before) * velocity_);
-  gap.covariance.diagonal() << way2, way2, std::min(turn2, M_PI * M_PI);
+  gap.increment = Pose2::exp(twist);
+  gap.covariance.diagonal() << way2, way2, turn ? turn->variance : std::min(turn2, M_PI * M_PI);
   return gap;
 }
 

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "slam_core/models/motion.hpp"
+#include "slam_core/models/turn.hpp"
 #include "slam_core/visual_odometry/alignment.hpp"
 #include "slam_core/visual_odometry/gap_motion.hpp"
 #include "slam_core/visual_odometry/view.hpp"
@@ -22,6 +24,10 @@ class IncrementMaker {
   /// Asked for the motion across gaps; without an answer the last velocity is taken.
   void setGapSource(GapSource source) { gap_source_ = std::move(source); }
   bool hasGapSource() const { return static_cast<bool>(gap_source_); }
+  /// Asked for the turn where nothing but the last velocity is known.
+  void setTurnSource(TurnSource source) { turn_source_ = std::move(source); }
+  /// A sentence on what is used where images tell nothing.
+  std::string instead() const;
   void reset();
   /// All is as after reset(), but the sequence goes on.
   void beginAnew();
@@ -40,10 +46,11 @@ class IncrementMaker {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(velocity_, gap_covariance_, next_sequence_);
+    archive(velocity_, gap_covariance_, has_turn_, next_sequence_);
   }
 
  private:
+  std::optional<Turn> turnBetween(Stamp start, Stamp end) const;
   GapMotion coast(Stamp start, Stamp end, Stamp gap_begin) const;
   Eigen::Matrix3d covarianceOf(const View& last, const View& now, const Eigen::Matrix3d& alignment,
                                const Pose2& T_odom_reference) const;
@@ -51,8 +58,10 @@ class IncrementMaker {
 
   VisualOdometryConfig config_;
   GapSource gap_source_;
+  TurnSource turn_source_;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();        ///< [m/s, m/s, rad/s]
   Eigen::Matrix3d gap_covariance_ = Eigen::Matrix3d::Zero();  ///< since the last good view
+  bool has_turn_ = false;  ///< the turn source knew the turn of the last gap
   std::uint64_t next_sequence_ = 0;
 };
 

@@ -68,6 +68,7 @@ void VisualOdometry::beginAnew() {
 
 Status VisualOdometry::execute() {
   motion_.reset();
+  is_measured_ = false;
   view_ = std::exchange(next_view_, std::nullopt);
   if (!view_) return Status::ok();
   auto& last = views_.last;
@@ -76,10 +77,11 @@ Status VisualOdometry::execute() {
   if (!views_.gap_begin) views_.gap_begin = now.stamp;
 
   auto fault = look(now);
-  if (last && fault.empty() && views_.keyframe)
+  if (last && fault.empty() && views_.keyframe) {
+    is_measured_ = last->stamp == views_.last_good->stamp;
     motion_ = increments_.follow(*last, now, matcher_.alignment(), views_.T_odom_reference,
-                                 last->stamp != views_.last_good->stamp);
-  else if (last)
+                                 !is_measured_);
+  } else if (last)
     motion_ = increments_.bridge(*last, now, *views_.gap_begin);
   if (!chooseKeyframe(now, fault.empty())) counters_.add(fault = "few_features");
   last = std::move(now);
@@ -180,9 +182,7 @@ Status VisualOdometry::explain(const std::string& fault) const {
   if (fault.empty() && matcher_.ceiling().tilt() > kWorthAWord)
     return Status::warning(sentenceOf("camera_direction"));
   if (fault.empty()) return Status::ok();
-  return Status::warning(sentenceOf(fault) + (increments_.hasGapSource()
-                                                  ? "; the wheels' motion is used meanwhile"
-                                                  : "; the last velocity is used meanwhile"));
+  return Status::warning(sentenceOf(fault) + "; " + increments_.instead());
 }
 
 std::string VisualOdometry::sentenceOf(const std::string& fault) const {

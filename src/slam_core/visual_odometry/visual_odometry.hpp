@@ -23,8 +23,9 @@ namespace slam::visual_odometry {
 /// does not drift.
 ///
 /// Every image after the first yields a motion. Where an image tells nothing the last velocity is
-/// assumed to hold, with a standard deviation of max_speed dt, or the gap source is asked; the next
-/// image that can be aligned puts the pose where it belongs again.
+/// assumed to hold, with a standard deviation of max_speed dt, or the gap source is asked; where a
+/// turn source knows the turn, that is taken. The next image that can be aligned puts the pose
+/// where it belongs again.
 ///
 /// Counted: of images that tell nothing "few_features" (dark, blurred,
 /// bare), "few_inliers", "scale" (another surface is seen), "speed", "camera_direction";
@@ -35,6 +36,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   void configure(Settings& settings) override;
   void seed(std::uint64_t seed) override { matcher_.seed(seed); }
   void setGapSource(GapSource source) { increments_.setGapSource(std::move(source)); }
+  void setTurnSource(TurnSource source) { increments_.setTurnSource(std::move(source)); }
 
   void describe(Ports& ports) override;
   void set(const CameraView& view) { next_view_ = view; }
@@ -51,6 +53,8 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   void saveState(ArchiveWriter& archive) const override;
   void restoreState(ArchiveReader& archive) override;
 
+  /// Whether the images measured the last motion from its start to its end.
+  bool isMeasured() const { return is_measured_; }
   /// Whether the motion up to the last image is unknown.
   bool isLost() const {
     return views_.last && (!views_.last_good || views_.last->stamp != views_.last_good->stamp);
@@ -58,7 +62,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(matcher_, views_, increments_, counters_);
+    archive(matcher_, views_, increments_, is_measured_, counters_);
   }
 
  private:
@@ -93,6 +97,7 @@ class VisualOdometry final : public OdometrySource, public ViewDrawer {
   Views views_;
   IncrementMaker increments_;
   std::optional<Motion> motion_;
+  bool is_measured_ = false;
   Counters counters_;
 };
 

@@ -9,11 +9,17 @@
 #include <vector>
 
 #include "slam_core/contract/registry.hpp"
-#include "slam_core/imu_odometry/test/turning_robot.hpp"
+#include "slam_core/gyro/test/turning_robot.hpp"
 #include "slam_core/imu_odometry/wheel_imu_odometry.hpp"
 #include "slam_core/product/product_config.hpp"
 
 namespace slam::imu_odometry::test {
+
+using gyro::test::GyroErrors;
+using gyro::test::Leg;
+using gyro::test::someDrive;
+using gyro::test::TurningRobot;
+using gyro::test::WheelErrors;
 
 inline Settings robotSettings(const std::string& robot) {
   return Settings({"product", YAML::Load("{version: 1}")},

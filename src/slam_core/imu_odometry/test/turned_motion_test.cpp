@@ -16,6 +16,8 @@
 namespace slam::imu_odometry {
 namespace {
 
+using gyro::GyroTurn;
+
 Motion wheels(const Eigen::Vector3d& twist, const Eigen::Matrix3d& covariance) {
   Motion motion;
   motion.end = motion.start + std::chrono::seconds(1);

@@ -78,6 +78,8 @@ TEST(OdometryEdge, IsTheDriversWhereTheSourceTakesInNothingElse) {
   EXPECT_FALSE(ownsEdge("wheel_imu")) << "it moves along the driver's frame";
   EXPECT_TRUE(ownsEdge("visual"));
   EXPECT_TRUE(ownsEdge("visual_wheel"));
+  EXPECT_TRUE(ownsEdge("visual_imu"));
+  EXPECT_TRUE(ownsEdge("laser_imu"));
 }
 
 TEST(PointMapPorts, GiveTheMapOnlyAfterAStepThatTookAScan) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -72,25 +73,39 @@ inline std::vector<ProductInput> landmarkInputs(std::uint64_t seed) {
   return drive.take();
 }
 
-/// The same with an IMU that hangs upside down; its mount comes after the first readings.
-inline std::vector<ProductInput> gyroInputs(std::uint64_t seed) {
-  constexpr int kReadings = 5;  // in a step
-  LateWheels drive(seed);
-  SimulatedWorld world(seed);
-  RandomStream random(seed, 2);
-  ImuReading reading;
-  reading.frame = "imu_link";
-  for (int i = 0; i < 160; ++i) {
-    const auto step = world.next();
-    const auto interval = step.motion.end - step.motion.start;
-    const double rate = step.motion.increment.theta() / seconds(interval);
+/// An IMU that hangs upside down; its mount comes after the first readings.
+class HangingImu {
+ public:
+  explicit HangingImu(std::uint64_t seed) : random_(seed, 2) {}
+
+  void measure(const Motion& motion, LateWheels& drive) {
+    constexpr int kReadings = 5;  // in a motion
+    ImuReading reading;
+    reading.frame = "imu_link";
+    const auto interval = motion.end - motion.start;
+    const double rate = motion.increment.theta() / seconds(interval);
     for (int k = 0; k < kReadings; ++k) {
-      reading.stamp = step.motion.start + k * interval / kReadings;
-      reading.angular_velocity.z() = -rate + 0.01 + 0.002 * random.gaussian();
+      reading.stamp = motion.start + k * interval / kReadings;
+      reading.angular_velocity.z() = -rate + 0.01 + 0.002 * random_.gaussian();
       drive.give("imu", reading);
     }
     const Eigen::AngleAxisd upside_down(M_PI, Eigen::Vector3d::UnitX());
-    if (i == 3) drive.give("imu", ImuMount{"imu_link", Eigen::Isometry3d(upside_down)});
+    if (++motions_ == 4) drive.give("imu", ImuMount{"imu_link", Eigen::Isometry3d(upside_down)});
+  }
+
+ private:
+  RandomStream random_;
+  int motions_ = 0;
+};
+
+/// The same with an IMU.
+inline std::vector<ProductInput> gyroInputs(std::uint64_t seed) {
+  LateWheels drive(seed);
+  SimulatedWorld world(seed);
+  HangingImu imu(seed);
+  for (int i = 0; i < 160; ++i) {
+    const auto step = world.next();
+    imu.measure(step.motion, drive);
     drive.add(step.motion, "observations", step.observations);
   }
   return drive.take();
@@ -137,8 +152,9 @@ inline LaserSweep sweepOf(const LaserScan& scan) {
   return sweep;
 }
 
-/// A drive round a room; the laser's mount comes after the first sweeps.
-inline std::vector<ProductInput> scanInputs(std::uint64_t seed, int steps) {
+/// A drive round a room; the laser's mount comes after the first sweeps. @param imu beside it
+inline std::vector<ProductInput> scanInputs(std::uint64_t seed, int steps,
+                                            std::optional<HangingImu> imu = std::nullopt) {
   LateWheels drive(seed);
   RoomDrive world(seed);
   Pose2 odometry;
@@ -147,6 +163,7 @@ inline std::vector<ProductInput> scanInputs(std::uint64_t seed, int steps) {
     auto& motion = step.motion;
     motion.odometry_start = odometry;
     odometry = motion.odometry_end = odometry * motion.increment;
+    if (imu) imu->measure(motion, drive);
     drive.add(motion, "scan", sweepOf(step.scan));
     if (i != 3) continue;
     LaserMount mount{"laser", Eigen::Isometry3d::Identity()};

@@ -86,6 +86,10 @@ class ResumeTest : public testing::TestWithParam<ResumedProduct> {
 
 std::vector<ProductInput> scans(std::uint64_t seed) { return test::scanInputs(seed, 60); }
 
+std::vector<ProductInput> scansBesideImu(std::uint64_t seed) {
+  return test::scanInputs(seed, 60, test::HangingImu(seed));
+}
+
 std::vector<ProductInput> lap(std::uint64_t seed) { return test::scanInputs(seed, 170); }
 
 const std::vector<std::string> kSmallPf = {"backend=pf", "pf.particles=12"};
@@ -115,6 +119,9 @@ std::vector<ResumedProduct> products() {
       {"grid_without_odometry", {"backend=grid", "map=grid", "odometry=none"}, scans},
       {"grid_laser_odometry", {"backend=grid", "map=grid", "odometry=laser"}, scans},
       {"grid_laser_wheel_odometry", {"backend=grid", "map=grid", "odometry=laser_wheel"}, scans},
+      {"grid_laser_imu_odometry",
+       {"backend=grid", "map=grid", "odometry=laser_imu"},
+       scansBesideImu},
       {"pf", kSmallPf, landmarkInputs},
       {"pf_kld", with(kSmallPf, {"pf.size=kld", "pf.min_particles=5"}), landmarkInputs},
       {"pf_nearest", with(kSmallPf, {"association=nearest"}), landmarkInputs},
@@ -130,6 +137,7 @@ std::vector<ResumedProduct> products() {
       {"graph_grid", {"backend=graph", "map=grid", "graph.submap_way=1.5"}, lap, 2},
       {"visual", visual, ceilingInputs},
       {"visual_tracked", with(visual, {"visual_odometry.features=klt"}), ceilingInputs},
+      {"visual_imu", with(visual, {"odometry=visual_imu"}), ceilingInputs},
       {"visual_wheel", with(visual, {"odometry=visual_wheel"}), ceilingInputs},
       {"ceiling",
        {"backend=ekf", "detector=ceiling_features", "association=descriptor",

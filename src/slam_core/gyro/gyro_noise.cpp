@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_noise.hpp"
+#include "slam_core/gyro/gyro_noise.hpp"
 
 #include <algorithm>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 constexpr double kWeightOfFile = 4.0;
@@ -30,4 +30,4 @@ void GyroNoise::add(double difference, double seconds_before, double seconds_aft
   weight_ = kMostWeight;
 }
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

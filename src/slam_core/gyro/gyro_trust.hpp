@@ -8,7 +8,7 @@
 
 #include "slam_core/models/motion.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 /// Whether the gyro measures the turns that the wheels measure, as far as wheels show it: they may
 /// be wrong by a factor of a few, not by one of 57 and not by the sign. While turns have not shown
@@ -32,6 +32,8 @@ class GyroTrust {
   /// nothing of the gyro, and is not to be added.
   /// @param rate of the gyro [rad/s]
   static bool isBurst(double rate, const Motion& wheels);
+  /// Whether robots spin so fast only where their wheels turn them. @param rate [rad/s]
+  static bool isSpin(double rate);
   /// Whether the gyro is to be believed for this motion, before add().
   bool believes(double gyro, const Motion& wheels, double bias_sigma) const;
   void reset() { *this = {}; }
@@ -73,4 +75,4 @@ class GyroTrust {
   Verdict verdict_ = Verdict::kUnproven;
 };
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/rest_blocks.hpp"
+#include "slam_core/gyro/rest_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 constexpr double kBlock = 0.25;         // [s]
@@ -32,4 +32,4 @@ std::optional<RestRate> RestBlocks::add(double angle, double seconds, GyroNoise&
   return before;
 }
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_bias.hpp"
+#include "slam_core/gyro/gyro_bias.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "slam_core/common/random.hpp"
-#include "slam_core/imu_odometry/gyro_noise.hpp"
-#include "slam_core/imu_odometry/rest_blocks.hpp"
+#include "slam_core/gyro/gyro_noise.hpp"
+#include "slam_core/gyro/rest_blocks.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 constexpr double kSigma = 0.01, kWalk = 2e-5;
@@ -135,4 +135,4 @@ TEST(RestBlocks, CountWhenTheNextOneMeasuresTheSame) {
 }
 
 }  // namespace
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

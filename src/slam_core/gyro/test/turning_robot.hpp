@@ -13,7 +13,7 @@
 #include "slam_core/models/motion_model.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 
-namespace slam::imu_odometry::test {
+namespace slam::gyro::test {
 
 /// Part of a drive.
 struct Leg {
@@ -133,4 +133,4 @@ inline std::vector<Leg> someDrive(double rest = 2.0) {
           {2.0, 0.0, 0.0},  {4.0, 0.6, -0.1}, {3.0, 0.2, 0.8}, {5.0, 0.5, 0.0}, {3.0, 0.4, -0.4}};
 }
 
-}  // namespace slam::imu_odometry::test
+}  // namespace slam::gyro::test

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_trust.hpp"
+#include "slam_core/gyro/gyro_trust.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 constexpr double kVoteTime = 0.5, kMostTime = 2.0;  // [s]
@@ -61,9 +61,11 @@ bool GyroTrust::Turns::contradict(double bias_sigma) const {
   return std::abs(gyro - wheels) > slack && !isRatioOfWheels(gyro, wheels);
 }
 
+bool GyroTrust::isSpin(double rate) { return std::abs(rate) > kFastestSpin; }
+
 bool GyroTrust::isBurst(double rate, const Motion& wheels) {
   const double turn = rate * slam::seconds(wheels.end - wheels.start);
-  return std::abs(rate) > kFastestSpin && !isRatioOfWheels(turn, wheels.increment.theta());
+  return isSpin(rate) && !isRatioOfWheels(turn, wheels.increment.theta());
 }
 
 void GyroTrust::add(double gyro, const Motion& wheels, double bias_sigma) {
@@ -111,4 +113,4 @@ bool GyroTrust::believes(double gyro, const Motion& wheels, double bias_sigma) c
   return !is_doubted_ && !turns.contradict(bias_sigma);
 }
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

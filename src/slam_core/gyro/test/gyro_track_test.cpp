@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_track.hpp"
+#include "slam_core/gyro/gyro_track.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 Stamp at(double s) { return Stamp(durationFromSeconds(s)); }
@@ -85,4 +85,4 @@ TEST_F(GyroTrackTest, ForgetsWhatIsNotAskedForAnyMore) {
 }
 
 }  // namespace
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 /// A Kalman filter of the gyro's bias, which is what it measures at rest [rad/s]. Wheels show the
 /// bias only as far as they are right. So the state has the systematic errors of their heading as
@@ -60,4 +60,4 @@ class GyroBias {
   Eigen::Vector3d P_heading_ = Eigen::Vector3d::Zero();  ///< of x_ and the heading
 };
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

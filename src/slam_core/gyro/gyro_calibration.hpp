@@ -5,17 +5,18 @@
 
 #include <array>
 
+#include "slam_core/contract/component.hpp"
+#include "slam_core/gyro/gyro_bias.hpp"
+#include "slam_core/gyro/gyro_noise.hpp"
+#include "slam_core/gyro/gyro_track.hpp"
+#include "slam_core/gyro/rest_blocks.hpp"
 #include "slam_core/imu/imu_config.hpp"
-#include "slam_core/imu_odometry/gyro_bias.hpp"
-#include "slam_core/imu_odometry/gyro_noise.hpp"
-#include "slam_core/imu_odometry/gyro_track.hpp"
-#include "slam_core/imu_odometry/rest_blocks.hpp"
 #include "slam_core/models/motion.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 /// It estimates a gyro's bias and noise from what it measures while the wheels stand, and a little
-/// from what wheels measure on the way.
+/// from what wheels, or another odometry, measure on the way.
 class GyroCalibration {
  public:
   GyroCalibration() = default;
@@ -35,7 +36,7 @@ class GyroCalibration {
   /// Time goes on. @param turned [rad] @param drifts the gyro gave the heading meanwhile
   void predict(double seconds, double turned, bool drifts);
   void learnAtRest(const GyroTurn& turn);
-  void learnBesideWheels(const GyroTurn& turn, const Motion& wheels);
+  void learnBeside(const GyroTurn& turn, const Motion& wheels);
   /// The gyro measured nothing for a while, or nothing that the calibration may learn from.
   void pause();
 
@@ -81,4 +82,7 @@ class GyroCalibration {
   OtherBias other_;
 };
 
-}  // namespace slam::imu_odometry
+/// Bias, its standard deviation, and noise, for diagnostics.
+Component::Figures figuresOf(const GyroCalibration& calibration);
+
+}  // namespace slam::gyro

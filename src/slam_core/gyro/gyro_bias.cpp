@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_bias.hpp"
+#include "slam_core/gyro/gyro_bias.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "slam_core/geometry/covariance.hpp"
-#include "slam_core/imu_odometry/squared.hpp"
+#include "slam_core/gyro/squared.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 /// The sigmas suit wheels of which nothing is known, as of a robot that steers by slipping.
@@ -69,4 +69,4 @@ void GyroBias::update(const Eigen::RowVector3d& H, double innovation, double R) 
   P_heading_ = rest * P_heading_;
 }
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

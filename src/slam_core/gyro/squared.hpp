@@ -3,8 +3,8 @@
 
 #pragma once
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 inline double squared(double x) { return x * x; }
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

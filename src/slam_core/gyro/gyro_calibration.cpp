@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_calibration.hpp"
+#include "slam_core/gyro/gyro_calibration.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "slam_core/imu_odometry/squared.hpp"
+#include "slam_core/gyro/squared.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 constexpr double kTurnMemory = 3.0;     // of the turns that a gyro's scale has made wrong [s]
@@ -77,7 +77,7 @@ void GyroCalibration::contradict(const RestRate& block) {
   bias_.observeAtRest(steady.angle / steady.seconds, noise_.variance() / steady.seconds);
 }
 
-void GyroCalibration::learnBesideWheels(const GyroTurn& turn, const Motion& wheels) {
+void GyroCalibration::learnBeside(const GyroTurn& turn, const Motion& wheels) {
   blocks_.clear();
   other_ = {};
   auto& window = beside_;
@@ -103,4 +103,10 @@ void GyroCalibration::pause() {
   other_ = {};
 }
 
-}  // namespace slam::imu_odometry
+Component::Figures figuresOf(const GyroCalibration& calibration) {
+  return {{"gyro_bias", calibration.bias()},
+          {"gyro_bias_sigma", std::sqrt(calibration.biasVariance())},
+          {"gyro_noise", std::sqrt(calibration.noiseVariance())}};
+}
+
+}  // namespace slam::gyro

@@ -11,7 +11,7 @@
 #include "slam_core/common/counters.hpp"
 #include "slam_core/models/imu_sample.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 /// A turn about the vertical as a gyro measured it, its bias included.
 struct GyroTurn {
@@ -70,4 +70,4 @@ class GyroTrack {
   std::optional<Reading> odd_;  ///< whose stamp jumped, until another confirms it
 };
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

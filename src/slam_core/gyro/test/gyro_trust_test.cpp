@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_trust.hpp"
+#include "slam_core/gyro/gyro_trust.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 using Verdict = GyroTrust::Verdict;
@@ -101,4 +101,4 @@ TEST_F(GyroTrustTest, IsRefutedAfterwardsTooWhereTurnAfterTurnIsOpposite) {
 }
 
 }  // namespace
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

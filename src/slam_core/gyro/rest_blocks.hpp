@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "slam_core/imu_odometry/gyro_noise.hpp"
+#include "slam_core/gyro/gyro_noise.hpp"
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 /// A gyro's mean rate over a time in which the robot rested.
 struct RestRate {
@@ -42,4 +42,4 @@ class RestBlocks {
   RestRate current_;
 };
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

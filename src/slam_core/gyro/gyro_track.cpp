@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the SLAM product line authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "slam_core/imu_odometry/gyro_track.hpp"
+#include "slam_core/gyro/gyro_track.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 namespace {
 
 /// Between two samples that are farther apart the rate is not known.
@@ -95,4 +95,4 @@ std::optional<GyroTurn> GyroTrack::between(Stamp start, Stamp end) const {
   return turn;
 }
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro

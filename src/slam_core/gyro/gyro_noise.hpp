@@ -3,7 +3,7 @@
 
 #pragma once
 
-namespace slam::imu_odometry {
+namespace slam::gyro {
 
 /// A gyro's noise density, measured at rest as the Allan variance of mean rates is: from the
 /// differences of neighbouring means, so that the bias does not matter (IEEE Std 952). What the
@@ -28,4 +28,4 @@ class GyroNoise {
   double sum_ = 0.0, weight_ = 1.0, least_ = 0.0;
 };
 
-}  // namespace slam::imu_odometry
+}  // namespace slam::gyro
