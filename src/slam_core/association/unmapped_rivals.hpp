@@ -19,7 +19,7 @@ namespace slam::association {
 /// moment and what looks alike (the density of new targets: Reid 1979). A pairing that is not
 /// certain on its own is left out, unless others of the same group (Jcbb) confirm it, and all such
 /// pairings together are beyond chance: of the many ways to pair them some fit well by chance.
-/// Where a stamp holds few observations nothing can confirm them, and all is left as it is.
+/// A stamp with few observations is not judged, since they cannot confirm one another.
 class UnmappedRivals {
  public:
   /// @param probability that a descriptor passes its test @param margin as Option's costs have it
@@ -44,10 +44,9 @@ class UnmappedRivals {
                        const std::vector<JointSearch::Choice>& choices);
   void leaveOutUnconfirmed(const CandidateSource& source,
                            std::vector<JointSearch::Choice>& choices);
-  /// By how much a pairing given the others costs less than its rival.
+  /// @return the cost of the rival less that of the pairing given the others
   double gainOf(std::size_t pairing) const;
-  /// By how much the pairings that are not certain together, given the others, cost less than their
-  /// rivals.
+  /// @return the same of all pairings together that are not certain, given those that are
   double gainOfUncertain() const;
 
   double probability_ = 0.0, margin_ = 0.0;

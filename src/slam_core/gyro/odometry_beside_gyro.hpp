@@ -62,7 +62,7 @@ class OdometryBesideGyro : public OdometrySource {
     source_.reset();
     is_handing_over_ = false;
   }
-  /// What is known of the gyro is kept.
+  /// The gyro's bias and the trust in it are kept.
   void goOnLive() override {
     waiting_.clear();
     source_.goOnLive();

@@ -34,7 +34,7 @@ class LaserOdometry final : public OdometrySource {
   void configure(Settings& settings) override;
   /// That says where to look, and how far the robot went where scans tell nothing.
   void setMotionSource(MotionSource source) { source_ = std::move(source); }
-  /// That says where to look, and how the robot turned where scans tell nothing.
+  /// The source says where to look, and how the robot turned where scans tell nothing.
   void setTurnSource(TurnSource source) { turn_source_ = std::move(source); }
   /// Whether the last two scans showed where the robot is.
   bool isMeasured() const { return is_measured_; }
@@ -62,7 +62,7 @@ class LaserOdometry final : public OdometrySource {
   bool isLate(Stamp stamp);
   /// Whether the scan tells where the robot is.
   bool judge(const scan_matching::Match& found, bool is_told);
-  /// What other sensors know of the way to a scan.
+  /// It holds what other sensors have measured on the way to a scan.
   struct Known {
     std::optional<Motion> motion;
     std::optional<Turn> turn;

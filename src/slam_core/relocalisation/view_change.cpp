@@ -196,7 +196,7 @@ double ViewChange::judgeDrift(bool is_right, const Odds& odds) {
   return evidence / static_cast<double>(kBlock);
 }
 
-/// How many landmarks of a view the other one shows as well, and how many not.
+/// Counts the landmarks of a view that the other one shows as well, and those that it does not.
 ViewChange::Rate ViewChange::sharedBy(const View& view, const View& other) {
   Rate rate{0.0, 0.0};
   for (const auto& landmark : view.seen) ++(isIn(landmark, other.seen) ? rate.yes : rate.no);

@@ -87,8 +87,8 @@ void ScanTracker::restart(const PoseEstimate& place) {
   is_anywhere_ = false;
 }
 
-/// By the last velocity, and by the turn where it is known. Where no scan has confirmed the
-/// velocity for a time, what it is off by makes an error that grows with that time.
+/// The robot is taken to go on at its last velocity, and to have turned as measured where that is
+/// known. If no scan has confirmed the velocity for a time, its error grows with that time.
 Motion ScanTracker::motionOf(Duration interval, const std::optional<Turn>& turn) const {
   const double dt = seconds(interval);
   Eigen::Vector3d twist = dt * velocity_;

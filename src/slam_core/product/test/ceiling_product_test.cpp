@@ -129,7 +129,7 @@ TEST_P(UnderACeiling, IsNotConfidentlyWrongWithACameraThatIsTurnedByHand) {
 TEST_P(UnderACeiling, FindsItsLandmarksAfterAGapOfTenSeconds) {
   drive(kLap + 10);
   for (int i = 0; i < 100; ++i) move();
-  drive(40);  // several landmarks have to confirm one another
+  drive(20);
   EXPECT_LT(error(), 0.03);
 }
 
