@@ -20,6 +20,9 @@ constexpr double kRightPasses = 0.999;  ///< of the descriptors of one landmark
 constexpr double kNear = 0.3, kNearOfRange = 0.15, kNearTurn = 0.5;
 /// Within these the sensor stands still between two views [m], [rad].
 constexpr double kStill = 0.005, kStillTurn = 0.005;
+/// So many views from one place are not learnt from yet: a robot that is lost is reported after
+/// fewer of them.
+constexpr std::size_t kDoubtful = 10;
 constexpr double kVague = 2.0;  ///< a landmark that is less certain is left out [m]
 /// Landmarks of a view are not independent: they count as so many at most.
 constexpr double kMostIndependentInView = 8.0;
@@ -192,8 +195,16 @@ double ViewChange::judgeDrift(bool is_right, const Odds& odds) {
     evidence =
         std::min(evidence, bothOf(ratioOf(kept, still_, odds), ratioOf(known, still_, odds)));
   }
-  if (is_right) still_.learn(sharedBy(before_.back(), after_.back()));
+  learnStill(is_right);
   return evidence / static_cast<double>(kBlock);
+}
+
+void ViewChange::learnStill(bool is_right) {
+  if (!is_right) return of_late_.clear();
+  of_late_.push_back(sharedBy(before_.back(), after_.back()));
+  if (of_late_.size() <= kDoubtful) return;
+  still_.learn(of_late_.front());
+  of_late_.pop_front();
 }
 
 /// Counts the landmarks of a view that the other one shows as well, and those that it does not.

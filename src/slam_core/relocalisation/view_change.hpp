@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <vector>
 
 #include "slam_core/geometry/pose2.hpp"
@@ -29,7 +30,9 @@ namespace slam::relocalisation {
 /// A view that changes little by little where odometry says that the robot stands contradicts that
 /// odometry: the wheels spin in the air, their driver hangs, or the robot is being carried.
 ///
-/// How often a landmark is still seen, and how often it was seen before, is learnt.
+/// How often a landmark is still seen, and how often it was seen before, is learnt. What a robot
+/// sees that seems to stand is learnt only when it has counted as right for ten views more:
+/// odometry may just have stopped.
 class ViewChange {
  public:
   /// To be called with each motion before the observations at its end.
@@ -44,7 +47,7 @@ class ViewChange {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(before_, after_, kept_, known_, still_, reach_);
+    archive(before_, after_, kept_, known_, still_, of_late_, reach_);
   }
 
  private:
@@ -97,6 +100,7 @@ class ViewChange {
   void add(const LandmarkObservationArray& array, LocalLandmarks::Ids ids);
   double judgeBlocks(bool is_right, const Odds& odds);
   double judgeDrift(bool is_right, const Odds& odds);
+  void learnStill(bool is_right);
   bool areNear() const;
   bool areAtOnePlace() const;
   bool isInView(const LocalLandmark& landmark, const Views& block) const;
@@ -107,7 +111,8 @@ class ViewChange {
   /// Counts of landmarks that later views show as well, and of landmarks that earlier views show as
   /// well. The counts begin with a guess.
   Rate kept_{7.0, 3.0}, known_{7.0, 3.0};
-  Rate still_{7.0, 3.0};  ///< landmarks that a later view from the same place shows as well
+  Rate still_{7.0, 3.0};      ///< landmarks that a later view from the same place shows as well
+  std::deque<Rate> of_late_;  ///< the newest such counts, which still_ does not hold yet
   Reach reach_;
 };
 

@@ -34,7 +34,7 @@ class UnderACeiling : public testing::TestWithParam<const char*> {
   void move() {
     constexpr double kLength = 0.05, kTurn = 2.0 * M_PI / kLap;
     truth_ = truth_ * Pose2::exp({kLength, 0.0, kTurn});
-    wheels_ = wheels_ * Pose2::exp({kLength, 0.0, 1.04 * kTurn});
+    if (!wheels_are_stuck_) wheels_ = wheels_ * Pose2::exp({kLength, 0.0, 1.04 * kTurn});
     stamp_ += std::chrono::milliseconds(100);
     run_.coordinator.put("odom", test::odometryAt(stamp_, wheels_));
   }
@@ -74,6 +74,7 @@ class UnderACeiling : public testing::TestWithParam<const char*> {
   const CameraMount mount_ = ceilings::mountUp();
   test::ProductRun run_;
   Pose2 truth_, wheels_;
+  bool wheels_are_stuck_ = false;
   Stamp stamp_{std::chrono::seconds(1)};
   std::uint64_t pictures_ = 0;
 };
@@ -124,6 +125,15 @@ TEST_P(UnderACeiling, IsNotConfidentlyWrongWithACameraThatIsTurnedByHand) {
       EXPECT_EQ(run_.reports.back().trust, Trust::kLost) << "within a second";
     }
   }
+}
+
+TEST_P(UnderACeiling, IsLostWithinASecondWhereTheWheelsAreStuck) {
+  drive(kLap);
+  wheels_are_stuck_ = true;
+  drive(10);
+  EXPECT_EQ(run_.reports.back().trust, Trust::kLost);
+  // until it comes past the place where the wheels stopped, in which it is found again
+  drive(kLap - 20);
 }
 
 TEST_P(UnderACeiling, FindsItsLandmarksAfterAGapOfTenSeconds) {
