@@ -120,6 +120,10 @@ void OfflineRun::run() {
   read(writer);
   requireSteps(metrics_, writer.lines(), *inputs_, bag_);
   warnOfNoCorrection();
+  if (writer.lines() == 1)
+    warn(
+        "one step was taken in the whole bag, so that the path is a single pose: a sensor has said "
+        "something only once; `rosbag info` shows how often each has");
   const auto truth = writeGroundTruth(bag_, writer.unfinished());
   if (const auto& source = coordinator_.components().odometry;
       source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))

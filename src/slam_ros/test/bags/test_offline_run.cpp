@@ -92,6 +92,15 @@ TEST_F(Offline, WarnsWhereNothingCorrectsThePose) {
       << folder.read("stderr");
 }
 
+TEST_F(Offline, WarnsWhereASensorHasSaidSomethingOnlyOnce) {
+  BagMaker(folder / "once.bag").addOdometry().add("/observations", 1.0, test::observations(1.0, 0));
+  ASSERT_EQ(exitCode(product + " --robot " + robot + " --bag " + (folder / "once.bag") + " --out " +
+                     (folder / "run")),
+            0);
+  EXPECT_TRUE(contains(folder.read("stderr"), "one step was taken in the whole bag"))
+      << folder.read("stderr");
+}
+
 TEST_F(Offline, ObservationsThatAreStampedAheadCostOnlyThemselves) {
   {
     BagMaker bag(folder / "ahead.bag");
