@@ -5,16 +5,9 @@
 
 #include <cmath>
 
+#include "gaussian_vector.hpp"
+
 namespace slam::sim {
-namespace {
-
-Eigen::Vector3d gaussianVector(RandomStream& random) {
-  const double x = random.gaussian(), y = random.gaussian(), z = random.gaussian();
-  return {x, y, z};
-}
-
-}  // namespace
-
 Eigen::Vector3d Gyroscope::measure(double turn_rate, RandomStream& random) {
   const double rate = imu_.pace.rate;
   const Eigen::Vector3d about_up = imu_.T_base_imu.linear().row(2) * turn_rate;

@@ -12,6 +12,7 @@
 #include "ordered_tasks.hpp"
 #include "sensor_messages.hpp"
 #include "slam_ros/conversions.hpp"
+#include "slam_sim/base_controller.hpp"
 
 namespace slam::sim {
 namespace {
@@ -27,6 +28,7 @@ std::vector<std::string> streamNames(const RobotModel& robot) {
   std::vector<std::string> names = {"odom", "scan"};
   if (robot.rear_laser) names.push_back("rear_scan");
   if (robot.imu) names.push_back("imu");
+  if (robot.commands) names.push_back("commands");
   for (const auto& camera : robot.cameras) names.push_back(camera.name);
   return names;
 }
@@ -50,6 +52,7 @@ void Recording::scheduleAll() {
   schedule("scan", robot_.laser.pace, Kind::kScan);
   if (robot_.rear_laser) schedule("rear_scan", robot_.rear_laser->pace, Kind::kRearScan);
   if (robot_.imu) schedule("imu", robot_.imu->pace, Kind::kImu);
+  if (robot_.commands) schedule("commands", robot_.commands->pace, Kind::kCommand);
   for (std::size_t i = 0; i < robot_.cameras.size(); ++i)
     schedule(robot_.cameras[i].name, robot_.cameras[i].pace, Kind::kImage, i);
   std::stable_sort(events_.begin(), events_.end(),
@@ -106,6 +109,7 @@ void Recording::writeEvents(slam_ros::BagFile& bag, Progress& progress,
     if (event.kind == Kind::kScan) writeScan(bag, event);
     if (event.kind == Kind::kRearScan) writeRearScan(bag, event);
     if (event.kind == Kind::kImu) writeImu(bag, event);
+    if (event.kind == Kind::kCommand) writeCommand(bag, event);
     if (event.kind == Kind::kImage) writeImage(bag, event, images.next());
     progress.update(i + 1);
   }
@@ -142,6 +146,14 @@ void Recording::writeImu(slam_ros::BagFile& bag, const Event& event) {
   const double now = seconds(event.time);
   const double rate = turnRate([&](double offset) { return truth(now + offset); });
   put(bag, "/imu", imuMessage(*robot_.imu, stampOf(event.time), gyro_.measure(rate, noise)));
+}
+
+void Recording::writeCommand(slam_ros::BagFile& bag, const Event& event) {
+  auto noise = sensors_.commandNoise(event.reading);
+  const double now = seconds(event.time);
+  const auto path = [this, now](double offset) { return truth(now + offset); };
+  put(bag, "/cmd_vel_out",
+      commandMessage(robot_, stampOf(event.time), commandFor(path, *robot_.commands, noise)));
 }
 
 sensor_msgs::CompressedImage Recording::takeImage(const Event& event) const {

@@ -32,7 +32,8 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "odom", "scan", "rear_scan" and "imu" where there is one, and the names of the cameras.
+/// "odom", "scan", "rear_scan", "imu" and "commands" where there are any, and the names of the
+/// cameras.
 std::vector<std::string> streamNames(const RobotModel& robot);
 
 /// A robot's drive through a world as a bag: what its sensors say, and the truth.
@@ -53,7 +54,7 @@ class Recording {
   void write(const std::string& path, Progress& progress, const std::atomic<bool>& stop);
 
  private:
-  enum class Kind { kOdometry, kScan, kRearScan, kImu, kImage };
+  enum class Kind { kOdometry, kScan, kRearScan, kImu, kCommand, kImage };
   struct Event {
     Duration time;  ///< after the start
     Kind kind;
@@ -70,6 +71,7 @@ class Recording {
   void writeScan(slam_ros::BagFile& bag, const Event& event);
   void writeRearScan(slam_ros::BagFile& bag, const Event& event);
   void writeImu(slam_ros::BagFile& bag, const Event& event);
+  void writeCommand(slam_ros::BagFile& bag, const Event& event);
   void writeImage(slam_ros::BagFile& bag, const Event& event, sensor_msgs::CompressedImage image);
   sensor_msgs::CompressedImage takeImage(const Event& event) const;
   template <class Message>

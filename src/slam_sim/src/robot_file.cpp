@@ -106,6 +106,17 @@ ImuModel readImu(YamlMap map) {
   return imu;
 }
 
+CommandModel readCommands(YamlMap map) {
+  CommandModel commands;
+  readPace(map, commands.pace);
+  map.read("time_constant", commands.time_constant, kNotNegative);
+  map.read("speed_scale", commands.speed_scale, kScale);
+  map.read("turn_scale", commands.turn_scale, kScale);
+  map.read("relative_noise", commands.relative_noise, kNotNegative);
+  map.finish();
+  return commands;
+}
+
 void readOptics(YamlMap map, CameraOptics& optics) {
   map.read("exposure", optics.exposure, kNotNegative);
   map.read("rolling_shutter", optics.rolling_shutter, kNotNegative);
@@ -185,6 +196,7 @@ RobotModel readRobotFile(const std::string& path) {
   readLaser(root.map("laser"), robot.laser);
   if (root.has("rear_laser")) readLaser(root.map("rear_laser"), robot.rear_laser.emplace());
   if (root.has("imu")) robot.imu = readImu(root.map("imu"));
+  if (root.has("commands")) robot.commands = readCommands(root.map("commands"));
   for (auto& camera : root.list("cameras")) robot.cameras.push_back(readCamera(camera));
   checkNames(robot, root);
   root.finish();

@@ -97,6 +97,17 @@ sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& sta
   return message;
 }
 
+geometry_msgs::TwistStamped commandMessage(const RobotModel& robot, const ros::Time& stamp,
+                                           const Eigen::Vector3d& twist) {
+  geometry_msgs::TwistStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = robot.base_frame;
+  message.twist.linear.x = twist.x();
+  message.twist.linear.y = twist.y();
+  message.twist.angular.z = twist.z();
+  return message;
+}
+
 sensor_msgs::Imu imuMessage(const ImuModel& imu, const ros::Time& stamp,
                             const Eigen::Vector3d& rate) {
   const Eigen::Vector3d up = kGravity * imu.T_base_imu.linear().row(2);

@@ -9,7 +9,8 @@ namespace slam::sim {
 namespace {
 
 /// The random streams of the sensors.
-constexpr std::uint32_t kWheels = 1, kLaser = 2, kImu = 3, kRearLaser = 4, kFirstCamera = 16;
+constexpr std::uint32_t kWheels = 1, kLaser = 2, kImu = 3, kRearLaser = 4, kCommands = 5;
+constexpr std::uint32_t kFirstCamera = 16;
 
 Eigen::Isometry3d spatial(const Pose2& pose) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -40,6 +41,10 @@ RandomStream Sensors::wheelNoise(std::uint64_t reading) const {
 
 RandomStream Sensors::imuNoise(std::uint64_t reading) const {
   return RandomStream(seed_, reading, kImu);
+}
+
+RandomStream Sensors::commandNoise(std::uint64_t reading) const {
+  return RandomStream(seed_, reading, kCommands);
 }
 
 LaserReadings Sensors::scan(const Pose2& T_world_base, std::uint64_t reading) const {

@@ -23,6 +23,7 @@
 #include "slam_ros/parameters_from_ros.hpp"
 #include "slam_ros/product_files.hpp"
 #include "slam_ros/report_failure.hpp"
+#include "slam_sim/base_controller.hpp"
 #include "slam_sim/gyroscope.hpp"
 #include "slam_sim/live_robot.hpp"
 #include "slam_sim/world_file.hpp"
@@ -106,6 +107,8 @@ class SimulatorNodelet : public nodelet::Nodelet {
     if (model_.rear_laser)
       rear_scan_ = handle.advertise<sensor_msgs::LaserScan>("rear_scan", kQueue);
     if (model_.imu) imu_ = handle.advertise<sensor_msgs::Imu>("imu", kQueue);
+    if (model_.commands)
+      commands_ = handle.advertise<geometry_msgs::TwistStamped>("cmd_vel_out", kQueue);
     for (std::size_t i = 0; i < model_.cameras.size(); ++i) {
       robot_->sensors().openCamera(i);
       cameras_.push_back(
@@ -125,6 +128,9 @@ class SimulatorNodelet : public nodelet::Nodelet {
     if (model_.imu)
       timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.imu->pace.rate),
                                            &SimulatorNodelet::onImu, this));
+    if (model_.commands)
+      timers_.push_back(handle.createTimer(ros::Duration(1.0 / model_.commands->pace.rate),
+                                           &SimulatorNodelet::onController, this));
     for (std::size_t i = 0; i < cameras_.size(); ++i)
       timers_.push_back(
           getMTNodeHandle().createTimer(ros::Duration(1.0 / model_.cameras[i].pace.rate),
@@ -187,6 +193,13 @@ class SimulatorNodelet : public nodelet::Nodelet {
     imu_.publish(imuMessage(*model_.imu, stamp, rate));
   }
 
+  void onController(const ros::TimerEvent&) {
+    const auto stamp = ros::Time::now();
+    auto noise = robot_->sensors().commandNoise(commands_sent_++);
+    commands_.publish(
+        commandMessage(model_, stamp, commandFor(poseAround(stamp), *model_.commands, noise)));
+  }
+
   void onCamera(std::size_t camera) {
     const auto stamp = ros::Time::now();
     const auto path = poseAround(stamp);
@@ -214,11 +227,11 @@ class SimulatorNodelet : public nodelet::Nodelet {
   std::mutex mutex_;  ///< of robot_'s motion and the next two
   bool waits_for_listeners_ = false;
   ros::Time start_;
-  std::uint64_t scans_ = 0, rear_scans_ = 0, imu_readings_ = 0;
+  std::uint64_t scans_ = 0, rear_scans_ = 0, imu_readings_ = 0, commands_sent_ = 0;
   Gyroscope gyro_;
   tf2_ros::TransformBroadcaster transforms_;
   tf2_ros::StaticTransformBroadcaster mounts_;
-  ros::Publisher name_, landmarks_, odom_, truth_, scan_, rear_scan_, imu_;
+  ros::Publisher name_, landmarks_, odom_, truth_, scan_, rear_scan_, imu_, commands_;
   ros::Subscriber cmd_vel_;  // with what follows last: no callback may find the others gone
   std::vector<ros::Timer> timers_;
   std::optional<slam_ros::AfterLoad> start_obeying_;

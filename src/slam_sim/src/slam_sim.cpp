@@ -43,7 +43,7 @@ void addOptions(slam_ros::CommandLine& line, Options& options) {
       .withDefault();
   line.add("--seed", recording.seed, "of all noise").withDefault();
   line.add("--only", recording.streams,
-           "odom,scan,rear_scan,imu,camera,rear_camera,ceiling_camera: some of them")
+           "odom,scan,rear_scan,imu,commands,camera,rear_camera,ceiling_camera: some of them")
       .separatedBy(',');
   line.add("--duration", recording.duration, "the drive's first seconds only [s]").positive();
   line.add("--threads", recording.threads, "that render; the bag is the same")

@@ -78,6 +78,15 @@ struct ImuModel {
   double gyro_scale = 1.0;                              ///< measured over true rate
 };
 
+/// What the base's controller is told, which the base does with errors.
+struct CommandModel {
+  Pace pace;
+  double time_constant = 0.0;   ///< of the lag of first order with which the base follows [s]
+  double speed_scale = 1.0;     ///< true over told speed
+  double turn_scale = 1.0;      ///< true over told turn rate
+  double relative_noise = 0.0;  ///< standard deviation of each command, as a part of it
+};
+
 /// All that the simulation knows of a robot.
 struct RobotModel {
   std::string name;  ///< of the robot file of slam_launch that goes with it
@@ -92,6 +101,7 @@ struct RobotModel {
   LaserModel laser;
   std::optional<LaserModel> rear_laser;
   std::optional<ImuModel> imu;
+  std::optional<CommandModel> commands;
   std::vector<CameraModel> cameras;
 };
 

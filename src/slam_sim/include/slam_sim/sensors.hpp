@@ -40,6 +40,7 @@ class Sensors {
 
   RandomStream wheelNoise(std::uint64_t reading) const;
   RandomStream imuNoise(std::uint64_t reading) const;
+  RandomStream commandNoise(std::uint64_t reading) const;
   LaserReadings scan(const Pose2& T_world_base, std::uint64_t reading) const;
   /// @pre the robot has a rear laser
   LaserReadings rearScan(const Pose2& T_world_base, std::uint64_t reading) const;
