@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cpu_time.hpp"
 #include "loop_world.hpp"
 #include "slam_core/common/progress.hpp"
 #include "slam_core/contract/backend.hpp"
@@ -19,7 +20,8 @@
 #include "slam_ros/command_line.hpp"
 
 // Runs a back-end over the consistency case for many seeds and prints, as JSON, the NEES of every
-// step averaged over the seeds, and the NIS per degree of freedom. slam_bench makes the table.
+// step averaged over the seeds, the NIS per degree of freedom, and the CPU time of a step with the
+// reported pose. slam_bench makes the table.
 
 namespace slam::eval {
 namespace {
@@ -29,6 +31,7 @@ struct Sums {
   double nis = 0.0;
   double nis_dof = 0.0;
   double squared_error = 0.0;
+  double cpu_ms = 0.0;
 };
 
 double nees(const slam::PoseEstimate& estimate, const slam::Pose2& truth) {
@@ -55,9 +58,11 @@ void runSeed(slam::Backend& backend, const LoopWorldConfig& world, std::uint64_t
   for (std::size_t i = 0; i < steps.size(); ++i) {
     inputOf<slam::Motion>(ports).set(&steps[i].motion);
     inputOf<slam::LandmarkObservationArray>(ports).set(&steps[i].observations);
+    const double start = cpuMilliseconds();
     const auto status = backend.execute();
-    if (status.level == slam::Status::Level::kError) throw std::runtime_error(status.message);
     const auto estimate = backend.pose();
+    sums.cpu_ms += cpuMilliseconds() - start;
+    if (status.level == slam::Status::Level::kError) throw std::runtime_error(status.message);
     sums.nees[i] += nees(estimate, steps[i].truth);
     sums.squared_error += (estimate.pose.position() - steps[i].truth.position()).squaredNorm();
     const auto statistics = mapper->statistics();
@@ -85,7 +90,8 @@ void run(const std::string& name, const std::vector<std::string>& overrides,
   const nlohmann::json result = {{"seeds", seeds},
                                  {"average_nees", sums.nees},
                                  {"nis_mean", sums.nis / sums.nis_dof},
-                                 {"position_rmse_m", std::sqrt(sums.squared_error / count)}};
+                                 {"position_rmse_m", std::sqrt(sums.squared_error / count)},
+                                 {"step_ms", sums.cpu_ms / count}};
   std::puts(result.dump().c_str());
 }
 

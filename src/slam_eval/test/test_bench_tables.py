@@ -184,6 +184,15 @@ class Consistency(unittest.TestCase):
         bad = {"seeds": 50, "average_nees": [9.0] * 100, "nis_mean": 1.2}
         self.assertEqual(consistency.remark(60, bad).count("MISSED"), 2)
 
+    def test_the_unscented_filter_is_judged_by_its_bounds_and_its_time(self):
+        values = [3.0] * (consistency.FIRST_STEP + 4)
+        extended = {"seeds": 50, "average_nees": values, "step_ms": 0.01}
+        text = consistency.unscented_remark(120, extended, {**extended, "step_ms": 0.02})
+        self.assertIn("step 2.00 times", text)
+        self.assertEqual(text.count("reached"), 2)
+        slow = {**extended, "step_ms": 0.04, "average_nees": [9.0] * len(values)}
+        self.assertEqual(consistency.unscented_remark(120, extended, slow).count("MISSED"), 2)
+
 
 class Landmarks(unittest.TestCase):
 

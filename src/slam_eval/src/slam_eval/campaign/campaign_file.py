@@ -25,7 +25,8 @@ _CAMPAIGN_KEYS = ("version", "campaign", "bags", "products", "seeds", "metrics",
 _DRIVE_KEYS = ("name", "world", "robot", "seed", "duration", "only")
 _BAG_KEYS = ("name", "bag", "robot", "remap", "relations")
 _PRODUCT_KEYS = ("name", "product", "foreign", "set", "vary")
-SENSORS = ("odom", "scan", "rear_scan", "imu", "camera", "rear_camera", "ceiling_camera")  # of any simulated robot
+SENSORS = ("odom", "scan", "rear_scan", "imu", "commands", "camera", "rear_camera",
+           "ceiling_camera")  # of any simulated robot
 
 
 @dataclasses.dataclass(frozen=True)
