@@ -88,7 +88,7 @@ def simulate(path):
     robot.write_text(yaml.safe_dump({**scout, "rear_laser": twin["rear_laser"]}), encoding="utf-8")
     subprocess.run([program("slam_sim", "slam_sim"), path, "--world", "foyer", "--robot", robot,
                     "--duration", str(SECONDS), "--only",
-                    "odom,scan,rear_scan,imu,camera,rear_camera,ceiling_camera"], check=True,
+                    "odom,scan,rear_scan,imu,commands,camera,rear_camera,ceiling_camera"], check=True,
                    stdout=subprocess.DEVNULL)
 
 

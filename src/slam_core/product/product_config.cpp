@@ -47,8 +47,9 @@ void ProductConfig::describe(Fields& fields) {
   fields.add("backend", &backend, "name of the back-end component");
   fields.add(
       "odometry", &odometry,
-      "name of the odometry source: wheel, wheel_imu (the wheels' way, a gyro's heading), visual "
-      "(a camera that looks at the ceiling), visual_wheel (the wheels where the images tell "
+      "name of the odometry source: wheel, wheel_imu (the wheels' way, a gyro's heading), command "
+      "(what the base was told to do), visual (a camera that looks at the ceiling), visual_wheel "
+      "(the wheels where the images tell "
       "nothing), visual_imu (a gyro's turns as a hint and where the images tell nothing), laser "
       "(scans matched with what was seen before), laser_wheel (the wheels as a hint and where "
       "scans tell nothing), laser_imu (a gyro's turns as a hint and where scans tell nothing); "

@@ -11,7 +11,7 @@
 #include "slam_core/models/motion_model.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/usual_interval.hpp"
-#include "slam_core/wheel_odometry/speed_limit.hpp"
+#include "slam_core/models/speed_limit.hpp"
 
 namespace slam::wheel_odometry {
 

@@ -44,8 +44,8 @@ TEST(PartPorts, OfAPartAreThoseOfItsInputGates) {
 }
 
 TEST(PartPorts, OfEveryShippedKindCanCrossAPipe) {
-  for (const std::string odometry :
-       {"wheel", "wheel_imu", "visual_wheel", "visual_imu", "laser_wheel", "laser_imu"}) {
+  for (const std::string odometry : {"wheel", "wheel_imu", "command", "visual_wheel", "visual_imu",
+                                     "laser_wheel", "laser_imu"}) {
     slam::ProductConfig product;
     product.odometry = odometry;
     product.detector = "apriltag";

@@ -74,6 +74,7 @@ if(CATKIN_ENABLE_TESTING)
     test/bags/test_bag_flow.cpp
     test/bags/test_bag_reader.cpp
     test/bags/test_camera_bags.cpp
+    test/bags/test_command_bags.cpp
     test/bags/test_damaged_bags.cpp
     test/bags/test_flow_and_metrics.cpp
     test/bags/test_offline_run.cpp

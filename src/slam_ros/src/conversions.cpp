@@ -134,6 +134,11 @@ slam::OdometrySample fromMsg(const nav_msgs::Odometry& message) {
   return sample;
 }
 
+slam::VelocityCommand fromMsg(const geometry_msgs::TwistStamped& message) {
+  const auto& twist = message.twist;
+  return {fromRos(message.header.stamp), {twist.linear.x, twist.linear.y, twist.angular.z}};
+}
+
 slam_msgs::Motion toMsg(const slam::Motion& motion) {
   slam_msgs::Motion message;
   message.header.stamp = toRos(motion.end);

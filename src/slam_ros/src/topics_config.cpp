@@ -11,6 +11,7 @@
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/models/odometry_sample.hpp"
+#include "slam_core/models/velocity_command.hpp"
 
 namespace slam_ros {
 namespace {
@@ -38,6 +39,7 @@ std::string faultOfTopicName(const std::string& name) {
 std::vector<std::pair<std::string, slam::Kind>> TopicsConfig::inputs() {
   return {{"motion", slam::kindOf<slam::Motion>()},
           {"odom", slam::kindOf<slam::OdometrySample>()},
+          {"commands", slam::kindOf<slam::VelocityCommand>()},
           {"observations", slam::kindOf<slam::LandmarkObservationArray>()},
           {"camera", slam::kindOf<slam::Image>()},
           {"rear_camera", slam::kindOf<slam::Image>()},

@@ -37,11 +37,11 @@ tf2_msgs::TFMessage mountMessage(const RobotModel& robot, const ros::Time& stamp
 
 sensor_msgs::LaserScan scanMessage(const LaserModel& laser, const ros::Time& stamp,
                                    LaserReadings readings);
-/// Without orientation. @param rate measured, in the IMU's frame [rad/s]
 /// @param twist (vx, vy, omega) in the base [m/s, m/s, rad/s]
 geometry_msgs::TwistStamped commandMessage(const RobotModel& robot, const ros::Time& stamp,
                                            const Eigen::Vector3d& twist);
 
+/// Without orientation. @param rate measured, in the IMU's frame [rad/s]
 sensor_msgs::Imu imuMessage(const ImuModel& imu, const ros::Time& stamp,
                             const Eigen::Vector3d& rate);
 sensor_msgs::CameraInfo cameraInfoMessage(const CameraModel& camera, const ros::Time& stamp);

@@ -13,6 +13,7 @@
 #include "slam_core/models/filter_pose.hpp"
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
+#include "slam_core/models/velocity_command.hpp"
 #include "slam_core/product/test/component_driver.hpp"
 
 // The contracts of odometry sources, detectors and additional modules share this file. The contract
@@ -31,7 +32,7 @@ inline std::string roleVariantName(const testing::TestParamInfo<RoleVariant>& va
 }
 
 /// A component of a role, driven through a room: it gets what it takes in of the wheels' odometry,
-/// the motion, the laser's scans and the back-end's poses, in this order.
+/// the commands, the motion, the laser's scans and the back-end's poses, in this order.
 template <class Role>
 class DrivenComponent {
  public:
@@ -55,6 +56,8 @@ class DrivenComponent {
     sample.odometry_frame = step.motion.odometry_frame;
     sample.base_frame = step.motion.base_frame;
     give(sample, took);
+    const double interval = seconds(step.motion.end - step.motion.start);
+    give(VelocityCommand{step.motion.start, step.motion.increment.log() / interval}, took);
     give(step.motion, took);
     give(step.scan, took);
     give(FilterPose::of(step.scan.stamp, step.truth), took);

@@ -80,6 +80,7 @@ TEST(OdometryEdge, IsTheDriversWhereTheSourceTakesInNothingElse) {
   EXPECT_TRUE(ownsEdge("visual_wheel"));
   EXPECT_TRUE(ownsEdge("visual_imu"));
   EXPECT_TRUE(ownsEdge("laser_imu"));
+  EXPECT_TRUE(ownsEdge("command"));
 }
 
 TEST(PointMapPorts, GiveTheMapOnlyAfterAStepThatTookAScan) {

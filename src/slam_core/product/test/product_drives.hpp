@@ -15,6 +15,7 @@
 #include "slam_core/models/odometry_sample.hpp"
 #include "slam_core/models/test/simulated_room.hpp"
 #include "slam_core/models/test/simulated_world.hpp"
+#include "slam_core/models/velocity_command.hpp"
 #include "slam_core/product/meta_coordinator.hpp"
 
 namespace slam::test {
@@ -107,6 +108,24 @@ inline std::vector<ProductInput> gyroInputs(std::uint64_t seed) {
     const auto step = world.next();
     imu.measure(step.motion, drive);
     drive.add(step.motion, "observations", step.observations);
+  }
+  return drive.take();
+}
+
+/// The same with commands, and a pause of six seconds in which none comes.
+inline std::vector<ProductInput> commandInputs(std::uint64_t seed) {
+  LateWheels drive(seed);
+  SimulatedWorld world(seed);
+  Duration paused{};
+  for (int i = 0; i < 160; ++i) {
+    auto step = world.next();
+    if (i == 80) paused = std::chrono::seconds(6);
+    const double interval = seconds(step.motion.end - step.motion.start);
+    const VelocityCommand command{step.motion.start + paused,
+                                  step.motion.increment.log() / interval};
+    step.observations.stamp += paused;
+    drive.give("observations", step.observations);
+    drive.give("commands", command);
   }
   return drive.take();
 }

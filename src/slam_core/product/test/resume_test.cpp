@@ -115,6 +115,7 @@ std::vector<ResumedProduct> products() {
        landmarkInputs},
       {"ekf_carried_away", {"backend=ekf"}, carriedInputs},
       {"ekf_wheel_imu", {"backend=ekf", "odometry=wheel_imu"}, gyroInputs},
+      {"ekf_command", {"backend=ekf", "odometry=command"}, commandInputs},
       {"grid", {"backend=grid", "map=grid"}, scans},
       {"grid_without_odometry", {"backend=grid", "map=grid", "odometry=none"}, scans},
       {"grid_laser_odometry", {"backend=grid", "map=grid", "odometry=laser"}, scans},

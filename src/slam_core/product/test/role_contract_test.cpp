@@ -8,7 +8,8 @@
 namespace slam::test {
 
 INSTANTIATE_ODOMETRY_CONTRACT(All,
-                              (std::vector<RoleVariant>{{"wheel", "wheel"}, {"laser", "laser"}}));
+                              (std::vector<RoleVariant>{
+                                  {"wheel", "wheel"}, {"command", "command"}, {"laser", "laser"}}));
 INSTANTIATE_DETECTOR_CONTRACT(All, (std::vector<RoleVariant>{{"laser_corners", "corners"},
                                                              {"laser_lines", "lines"}}));
 INSTANTIATE_MODULE_CONTRACT(All, (std::vector<RoleVariant>{{"pointmap", "pointmap"}}));

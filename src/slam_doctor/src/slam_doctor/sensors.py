@@ -6,15 +6,15 @@ import posixpath
 from typing import Optional
 
 from slam_doctor.expectations import SECOND_SENSORS
-from slam_doctor.record.recording import (CALIBRATION, COMPRESSED, IMAGE, IMU, MOTION,
+from slam_doctor.record.recording import (CALIBRATION, COMMANDS, COMPRESSED, IMAGE, IMU, MOTION,
                                           OBSERVATIONS, ODOMETRY, SCAN, Topic)
 
 # The messages that bring a kind of data (slam_ros, README: Bindings).
 MESSAGES = {"slam::OdometrySample": (ODOMETRY,), "slam::LaserScan": (SCAN,),
-            "slam::ImuSample": (IMU,),
+            "slam::ImuSample": (IMU,), "slam::VelocityCommand": (COMMANDS,),
             "slam::CameraView": (IMAGE, COMPRESSED), "slam::Motion": (MOTION,),
             "slam::LandmarkObservationArray": (OBSERVATIONS,)}
-OF_A_RUN = ("detections/", "visual_odometry/", "laser_odometry/")  # published by a product
+OF_A_RUN = ("detections/", "visual_odometry/", "laser_odometry/", "command_odometry/")  # published by a product
 
 
 @dataclasses.dataclass(frozen=True)

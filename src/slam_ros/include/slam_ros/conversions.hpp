@@ -6,6 +6,7 @@
 #include <geometry_msgs/Pose2D.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/Transform.h>
+#include <geometry_msgs/TwistStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
 #include <sensor_msgs/Imu.h>
@@ -22,6 +23,7 @@
 #include "slam_core/models/landmark_observation.hpp"
 #include "slam_core/models/motion.hpp"
 #include "slam_core/models/odometry_sample.hpp"
+#include "slam_core/models/velocity_command.hpp"
 
 namespace slam_ros {
 
@@ -47,6 +49,7 @@ std::string poseFault(const nav_msgs::Odometry& message);
 bool saysNoPose(const nav_msgs::Odometry& message);
 /// Its pose is left out if poseFault() or saysNoPose().
 slam::OdometrySample fromMsg(const nav_msgs::Odometry& message);
+slam::VelocityCommand fromMsg(const geometry_msgs::TwistStamped& message);
 
 slam_msgs::Motion toMsg(const slam::Motion& motion);
 slam::Motion fromMsg(const slam_msgs::Motion& message);

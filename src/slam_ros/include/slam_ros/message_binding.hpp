@@ -45,7 +45,7 @@ class MessageBinding final : public InputBinding {
 
 /// The binding for the same data in a bag.
 template <class Message, class Data, Data (*convert)(const Message&)>
-class MessageInBag final : public TopicInBag {
+class MessageInBag : public TopicInBag {
  public:
   MessageInBag(const BagContext& context, const std::string& port)
       : TopicInBag(inputOf<Message>(port, context.topics.of(port))) {}
@@ -63,8 +63,10 @@ class MessageInBag final : public TopicInBag {
 
 /// A static object of this type registers a message type as the source of a kind of data, live and
 /// from a bag.
-template <class Message, class Data, Data (*convert)(const Message&)>
-struct MessageBindingRegistrar : InputBindingRegistrar<Data, MessageBinding<Message, Data, convert>,
-                                                       MessageInBag<Message, Data, convert>> {};
+/// @tparam InBag what says more of the data in a bag
+template <class Message, class Data, Data (*convert)(const Message&),
+          class InBag = MessageInBag<Message, Data, convert>>
+struct MessageBindingRegistrar
+    : InputBindingRegistrar<Data, MessageBinding<Message, Data, convert>, InBag> {};
 
 }  // namespace slam_ros

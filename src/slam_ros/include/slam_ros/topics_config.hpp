@@ -20,6 +20,7 @@ struct TopicsConfig {
   static constexpr const char* kSection = "topics";
 
   std::string odom = "odom";
+  std::string commands = "cmd_vel_out";
   std::string observations = "observations";
   std::string motion = "motion";
   std::string camera = "camera/image_raw";
@@ -36,6 +37,7 @@ struct TopicsConfig {
   /// The topic of an input. An input without a name here is on the topic of its own name.
   std::string of(const std::string& input) const {
     if (input == "odom") return odom;
+    if (input == "commands") return commands;
     if (input == "observations") return observations;
     if (input == "motion") return motion;
     if (input == "camera") return camera;
@@ -51,6 +53,10 @@ struct TopicsConfig {
       fields.add(input, topic, sentence).checkedBy(faultOfTopicName).ofRobot();
     };
     add("odom", &odom, "the wheel driver's nav_msgs/Odometry");
+    add("commands", &commands,
+        "what the base is told to do, geometry_msgs/TwistStamped; diff_drive_controller publishes "
+        "it "
+        "with publish_cmd");
     add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray");
     add("motion", &motion, "odometry source's slam_msgs/Motion");
     add("camera", &camera,

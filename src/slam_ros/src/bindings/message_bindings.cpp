@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 
 #include "slam_core/models/filter_pose.hpp"
+#include "slam_core/models/velocity_command.hpp"
 #include "slam_ros/cell_messages.hpp"
 #include "slam_ros/conversions.hpp"
 #include "slam_ros/message_binding.hpp"
@@ -19,7 +20,21 @@ slam::FilterPose filterPose(const geometry_msgs::PoseWithCovarianceStamped& mess
           pose.orientation.w};
 }
 
+using StampedTwistInBag = MessageInBag<geometry_msgs::TwistStamped, slam::VelocityCommand, fromMsg>;
+
+/// Many robots record commands without stamps.
+class CommandsInBag final : public StampedTwistInBag {
+ public:
+  using StampedTwistInBag::StampedTwistInBag;
+  std::string need() const override {
+    return StampedTwistInBag::need() + "; a geometry_msgs/Twist has no stamp";
+  }
+};
+
 const MessageBindingRegistrar<slam_msgs::Motion, slam::Motion, fromMsg> kMotion;
+const MessageBindingRegistrar<geometry_msgs::TwistStamped, slam::VelocityCommand, fromMsg,
+                              CommandsInBag>
+    kCommands;
 const MessageBindingRegistrar<slam_msgs::LandmarkObservationArray, slam::LandmarkObservationArray,
                               fromMsg>
     kObservations;

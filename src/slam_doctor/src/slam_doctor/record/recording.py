@@ -12,8 +12,9 @@ from slam_doctor.record.transforms import TransformRecord
 ODOMETRY, SCAN, IMU = "nav_msgs/Odometry", "sensor_msgs/LaserScan", "sensor_msgs/Imu"
 IMAGE, COMPRESSED = "sensor_msgs/Image", "sensor_msgs/CompressedImage"
 CALIBRATION, OBSERVATIONS = "sensor_msgs/CameraInfo", "slam_msgs/LandmarkObservationArray"
+COMMANDS = "geometry_msgs/TwistStamped"
 MOTION, TEXT = "slam_msgs/Motion", "std_msgs/String"
-SENSORS = (ODOMETRY, SCAN, IMU, IMAGE, COMPRESSED, OBSERVATIONS)
+SENSORS = (ODOMETRY, COMMANDS, SCAN, IMU, IMAGE, COMPRESSED, OBSERVATIONS)
 TRANSFORMS = ("tf2_msgs/TFMessage", "tf/tfMessage")
 ROBOT = "robot"  # the topic that names the robot file
 

@@ -8,9 +8,9 @@
 #include "slam_core/common/time.hpp"
 #include "slam_core/geometry/pose2.hpp"
 
-namespace slam::wheel_odometry {
+namespace slam {
 
-/// How fast the robot can be at most.
+/// What a robot's base can do at most. Twists are (vx, vy, omega) [m/s, m/s, rad/s].
 class SpeedLimit {
  public:
   SpeedLimit() = default;
@@ -20,11 +20,13 @@ class SpeedLimit {
   /// How large a step is in parts of what the robot can do within the interval; above 1 it cannot.
   /// Stamps of messages that were sent in bursts may be a tenth of a second wrong.
   double shareOf(const Pose2& step, Duration interval) const;
-  /// Of (vx, vy, omega) [m/s, m/s, rad/s].
   bool allows(const Eigen::Vector3d& twist) const;
+  /// The twist of the same direction and turn that the robot can do; speed and turn rate are cut
+  /// each by itself.
+  Eigen::Vector3d cut(const Eigen::Vector3d& twist) const;
 
  private:
   double speed_ = 0.0, turn_rate_ = 0.0;
 };
 
-}  // namespace slam::wheel_odometry
+}  // namespace slam
