@@ -20,7 +20,8 @@ FORMATS = ("svg", "png", "pdf", "dot")
 FRONT_END = {"motion", "observations", "second_observations", "rear_observations",
              "rear_second_observations"}
 BACK_END = "pose"
-SENSORS = {"odom": "wheel encoders", "cmd_vel_out": "base controller", "camera/image_raw": "front camera",
+SENSORS = {"odom": "wheel encoders", "cmd_vel_out": "base controller",
+           "camera/image_raw": "front camera",
            "rear_camera/image_raw": "rear camera",
            "ceiling_camera/image_raw": "camera that looks up", "scan": "laser",
            "rear_scan": "rear laser", "imu": "IMU",

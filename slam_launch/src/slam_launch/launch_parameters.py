@@ -15,7 +15,8 @@ from .feature_model import FeatureModel
 OLD = 60  # [s], after which nobody reads a launch's files any more
 # Arguments that count instead of a value of the files, where they are given.
 OVERRIDING = {"seed": "seed", "detector": "detector", "second_detector": "second_detector",
-              "association": "association", "odom_topic": "topics.odom", "commands_topic": "topics.commands",
+              "association": "association", "odom_topic": "topics.odom",
+              "commands_topic": "topics.commands",
               "observations_topic": "topics.observations", "camera_topic": "topics.camera",
               "rear_camera_topic": "topics.rear_camera",
               "ceiling_camera_topic": "topics.ceiling_camera", "scan_topic": "topics.scan",

@@ -44,6 +44,7 @@ void CommandOdometry::reset() {
   ahead_.reset();
   velocity_.setZero();
   odometry_pose_ = Pose2();
+  pieces_.clear();
   motion_.reset();
   next_sequence_ = 0;
   counters_.clear();
@@ -51,21 +52,28 @@ void CommandOdometry::reset() {
 
 Status CommandOdometry::execute() {
   motion_.reset();
-  if (!input_) return Status::ok();
-  const auto command = *std::exchange(input_, std::nullopt);
+  const auto status = input_ ? take(*std::exchange(input_, std::nullopt)) : Status::ok();
+  if (pieces_.empty()) return status;
+  motion_ = pieces_.front();
+  pieces_.pop_front();
+  return status;
+}
+
+Status CommandOdometry::take(const VelocityCommand& command) {
   if (!command.twist.allFinite())
     return reject("invalid", "a command holds a value that is not a number; it is left out");
   if (last_ && command.stamp <= last_->stamp - kStampJump) last_.reset();  // a new run
   if (last_ && command.stamp <= last_->stamp)
     return reject("late", "a command is not newer than the one before it; it is left out");
   const auto ahead = std::exchange(ahead_, std::nullopt);
-  const bool is_confirmed = ahead && command.stamp > ahead->stamp;
-  if (last_ && !is_confirmed && command.stamp > last_->stamp + kStampJump) {
-    ahead_ = command;
-    return Status::ok();
-  }
+  const bool is_confirmed =
+      ahead && command.stamp > ahead->stamp && command.stamp <= ahead->stamp + kStampJump;
   const auto before = is_confirmed ? follow(*ahead) : Status::ok();
-  const auto now = follow(command);
+  auto now = Status::ok();
+  if (last_ && command.stamp > last_->stamp + kStampJump)
+    ahead_ = command;
+  else
+    now = follow(command);
   if (!ahead || is_confirmed) return moreUrgent(before, now);
   return reject("stamp_jump", "a command was stamped far ahead of those around it; it is left out");
 }
@@ -74,7 +82,7 @@ Status CommandOdometry::follow(VelocityCommand command) {
   const bool is_possible = limit_.allows(command.twist);
   if (!is_possible) command.twist = limit_.cut(command.twist);
   if (last_)
-    take(motionTo(command.stamp));
+    moveTo(command.stamp);
   else
     velocity_.setZero();
   last_ = command;
@@ -84,37 +92,53 @@ Status CommandOdometry::follow(VelocityCommand command) {
                 "as one that moves as fast as these allow");
 }
 
-Motion CommandOdometry::motionTo(Stamp stamp) {
-  const double interval = seconds(stamp - last_->stamp);
-  const double driven = std::min(interval, config_.timeout);
-  Motion motion;
-  motion.start = last_->stamp;
-  motion.end = stamp;
-  motion.increment = drive(last_->twist, driven);
-  if (interval > driven)
-    motion.increment = motion.increment * drive(Eigen::Vector3d::Zero(), interval - driven);
-  const double position = config_.floor_position * config_.floor_position * interval;
-  const double heading = config_.floor_heading * config_.floor_heading * interval;
-  motion.covariance = VelocityMotionModel(config_.noise).covariance(motion.increment);
-  motion.covariance.diagonal() += Eigen::Vector3d(position, position, heading);
-  motion.odometry_start = odometry_pose_;
-  motion.odometry_end = odometry_pose_ * motion.increment;
-  return motion;
+/// Follows the last command until it is out of date, then stops, then stands.
+void CommandOdometry::moveTo(Stamp stamp) {
+  constexpr double kUntilStopped = 5.0;  // time constants
+  const auto stopping = std::min(stamp, last_->stamp + durationFromSeconds(config_.timeout));
+  const double hold = seconds(stopping - last_->stamp);
+  drive(last_->twist, stopping, hold);
+  if (stopping == stamp) return;
+  const auto stopped =
+      std::min(stamp, stopping + durationFromSeconds(kUntilStopped * config_.time_constant));
+  drive(Eigen::Vector3d::Zero(), stopped, hold);
+  if (stopped == stamp) return;
+  velocity_.setZero();
+  drive(Eigen::Vector3d::Zero(), stamp, 0.0);
 }
 
-/// Follows a command for some time [s]: moves on the velocity, returns the way.
-Pose2 CommandOdometry::drive(const Eigen::Vector3d& twist, double time) {
+/// Adds the way up to a stamp, of which others take a part in proportion to the time: so in pieces,
+/// unless the robot stands. @param hold how long an error lasts [s]
+void CommandOdometry::drive(const Eigen::Vector3d& twist, Stamp end, double hold) {
+  constexpr Duration kLongest = std::chrono::milliseconds(200);
+  const bool stands = twist.isZero(0.0) && velocity_.isZero(0.0);
+  for (auto start = last_->stamp; start < end; start = last_->stamp) {
+    const auto piece_end = stands ? end : std::min(end, start + kLongest);
+    const double interval = seconds(piece_end - start);
+    Motion piece;
+    piece.sequence = next_sequence_++;
+    piece.start = start;
+    piece.end = piece_end;
+    piece.increment = step(twist, interval);
+    piece.covariance = std::max(1.0, std::max(hold, config_.error_time) / interval) *
+                       VelocityMotionModel(config_.noise).covariance(piece.increment);
+    const double position = config_.floor_position * config_.floor_position * interval;
+    const double heading = config_.floor_heading * config_.floor_heading * interval;
+    piece.covariance.diagonal() += Eigen::Vector3d(position, position, heading);
+    piece.odometry_start = odometry_pose_;
+    odometry_pose_ = odometry_pose_ * piece.increment;
+    piece.odometry_end = odometry_pose_;
+    pieces_.push_back(piece);
+    last_->stamp = piece_end;
+  }
+}
+
+/// Follows a command for some time [s]: changes the velocity, returns the way.
+Pose2 CommandOdometry::step(const Eigen::Vector3d& twist, double time) {
   const double rest = config_.time_constant > 0.0 ? std::exp(-time / config_.time_constant) : 0.0;
   const Eigen::Vector3d lag = velocity_ - twist;
   velocity_ = twist + rest * lag;
   return Pose2::exp(time * twist + config_.time_constant * (1.0 - rest) * lag);
-}
-
-void CommandOdometry::take(const Motion& motion) {
-  odometry_pose_ = motion.odometry_end;
-  const auto sequence = motion_ ? motion_->sequence : next_sequence_++;
-  motion_ = motion_ ? joined(*motion_, motion) : motion;
-  motion_->sequence = sequence;
 }
 
 Status CommandOdometry::reject(const std::string& reason, const std::string& sentence) {

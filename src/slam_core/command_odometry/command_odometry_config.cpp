@@ -55,6 +55,13 @@ void CommandOdometryConfig::describe(Fields& fields) {
   describeBase(*this, fields);
   describeNoise(noise, fields);
   fields
+      .add("error_time", &error_time,
+           "an error of speed and turn rate lasts for this long at least, however often a command "
+           "is repeated; the alphas belong to such a time")
+      .unit("s")
+      .in(Range::closed(0, 10))
+      .ofRobot();
+  fields
       .add("floor_position", &floor_position,
            "standard deviation of the position after one second, standing or not")
       .unit("m/sqrt(s)")

@@ -9,7 +9,7 @@
 
 namespace slam {
 
-/// What the robot's base is told to do from this stamp on.
+/// The velocity that the robot's base is to have from this stamp on.
 struct VelocityCommand {
   Stamp stamp;
   Eigen::Vector3d twist = Eigen::Vector3d::Zero();  ///< vx, vy, omega in base [m/s, m/s, rad/s]

@@ -48,7 +48,7 @@ void ProductConfig::describe(Fields& fields) {
   fields.add(
       "odometry", &odometry,
       "name of the odometry source: wheel, wheel_imu (the wheels' way, a gyro's heading), command "
-      "(what the base was told to do), visual (a camera that looks at the ceiling), visual_wheel "
+      "(commands that the base follows), visual (a camera that looks at the ceiling), visual_wheel "
       "(the wheels where the images tell "
       "nothing), visual_imu (a gyro's turns as a hint and where the images tell nothing), laser "
       "(scans matched with what was seen before), laser_wheel (the wheels as a hint and where "

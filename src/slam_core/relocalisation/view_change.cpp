@@ -81,6 +81,7 @@ void ViewChange::move(const Motion& motion) {
 void ViewChange::forgetBefore() {
   before_.clear();
   after_.clear();
+  of_late_.clear();
 }
 
 /// The range follows the 0.95 quantile by stochastic approximation (Robbins and Monro 1951).
@@ -164,6 +165,7 @@ ViewChange::Rate ViewChange::seenAlso(const Views& block, std::size_t reference,
 
 double ViewChange::judge(const LandmarkObservationArray& array, bool is_right,
                          LocalLandmarks::Ids ids) {
+  if (!is_right) of_late_.clear();
   add(array, ids);
   if (before_.size() < kBlock || !areNear()) return 0.0;
   constexpr Odds kOfIds{0.002, 0.98}, kOfPlaces{0.25, 0.95};
@@ -200,7 +202,7 @@ double ViewChange::judgeDrift(bool is_right, const Odds& odds) {
 }
 
 void ViewChange::learnStill(bool is_right) {
-  if (!is_right) return of_late_.clear();
+  if (!is_right) return;
   of_late_.push_back(sharedBy(before_.back(), after_.back()));
   if (of_late_.size() <= kDoubtful) return;
   still_.learn(of_late_.front());

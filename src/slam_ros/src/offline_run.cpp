@@ -122,8 +122,9 @@ void OfflineRun::run() {
   warnOfNoCorrection();
   if (writer.lines() == 1)
     warn(
-        "one step was taken in the whole bag, so that the path is a single pose: a sensor has said "
-        "something only once; `rosbag info` shows how often each has");
+        "one step could be taken in the whole bag, so that the path is a single pose; `rosbag "
+        "info` "
+        "and the counts below show which sensor lacks messages");
   const auto truth = writeGroundTruth(bag_, writer.unfinished());
   if (const auto& source = coordinator_.components().odometry;
       source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))

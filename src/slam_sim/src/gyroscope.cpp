@@ -8,6 +8,7 @@
 #include "gaussian_vector.hpp"
 
 namespace slam::sim {
+
 Eigen::Vector3d Gyroscope::measure(double turn_rate, RandomStream& random) {
   const double rate = imu_.pace.rate;
   const Eigen::Vector3d about_up = imu_.T_base_imu.linear().row(2) * turn_rate;

@@ -4,6 +4,7 @@
 #include "recording.hpp"
 
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TwistStamped.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
@@ -140,6 +141,31 @@ TEST_F(RecordingOfTheOffice, TheMountsLeadFromTheBaseToEverySensor) {
   EXPECT_EQ(parents["camera_optical_frame"], "camera_link");
   EXPECT_EQ(parents["camera_link"], "base_link");
   EXPECT_EQ(parents["ceiling_camera_optical_frame"], "ceiling_camera_link");
+}
+
+TEST_F(RecordingOfTheOffice, HoldsTheCommandsThatTheBaseFollows) {
+  auto robot = readRobotFile(folder() + "/robots/segway.yaml");
+  robot.commands->relative_noise = 0.0;
+  Recording recording(readWorldFile(folder() + "/worlds/office.yaml"), robot,
+                      {1, {"odom", "commands"}, 6.0, 1});
+  std::ostringstream log;
+  Progress progress(log, false);
+  recording.write(files_ / "commands.bag", progress, stop_);
+  const auto commands =
+      messages<geometry_msgs::TwistStamped>(files_ / "commands.bag", "/cmd_vel_out");
+  EXPECT_EQ(commands.size(), 120u);
+  EXPECT_NEAR((commands[1]->header.stamp - commands[0]->header.stamp).toSec(), 0.05, 1e-9);
+  double way = 0.0, driven = 0.0;
+  for (const auto& command : commands)
+    way += 0.05 * robot.commands->speed_scale * command->twist.linear.x;
+  const auto truth =
+      messages<geometry_msgs::PoseStamped>(files_ / "commands.bag", "/ground_truth/pose");
+  for (std::size_t i = 1; i < truth.size(); ++i)
+    driven += std::hypot(truth[i]->pose.position.x - truth[i - 1]->pose.position.x,
+                         truth[i]->pose.position.y - truth[i - 1]->pose.position.y);
+  EXPECT_GT(driven, 1.0);
+  EXPECT_NEAR(way, driven + robot.commands->time_constant * commands.back()->twist.linear.x, 0.02)
+      << "the base is behind its commands";
 }
 
 TEST_F(RecordingOfTheOffice, HoldsAnImuWithItsMountWhereTheRobotHasOne) {

@@ -9,8 +9,8 @@
 #include "slam_core/product/test/covariance_check.hpp"
 #include "slam_core/product/test/driven_component.hpp"
 
-// Every odometry source that takes in the wheels' odometry, commands or a laser's scans keeps this contract.
-// A program that includes this file tests the sources that are linked into it:
+// Every odometry source that takes in the wheels' odometry, commands or a laser's scans keeps this
+// contract. A program that includes this file tests the sources that are linked into it:
 //   INSTANTIATE_ODOMETRY_CONTRACT(Mine, (std::vector<RoleVariant>{{"mine", "mine"}}));
 
 /// @param variants a vector of RoleVariant

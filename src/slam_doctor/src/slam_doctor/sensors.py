@@ -14,7 +14,8 @@ MESSAGES = {"slam::OdometrySample": (ODOMETRY,), "slam::LaserScan": (SCAN,),
             "slam::ImuSample": (IMU,), "slam::VelocityCommand": (COMMANDS,),
             "slam::CameraView": (IMAGE, COMPRESSED), "slam::Motion": (MOTION,),
             "slam::LandmarkObservationArray": (OBSERVATIONS,)}
-OF_A_RUN = ("detections/", "visual_odometry/", "laser_odometry/", "command_odometry/")  # published by a product
+# Topics that a product publishes.
+OF_A_RUN = ("detections/", "visual_odometry/", "laser_odometry/", "command_odometry/")
 
 
 @dataclasses.dataclass(frozen=True)

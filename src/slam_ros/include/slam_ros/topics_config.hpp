@@ -54,9 +54,8 @@ struct TopicsConfig {
     };
     add("odom", &odom, "the wheel driver's nav_msgs/Odometry");
     add("commands", &commands,
-        "what the base is told to do, geometry_msgs/TwistStamped; diff_drive_controller publishes "
-        "it "
-        "with publish_cmd");
+        "commands that the base follows, geometry_msgs/TwistStamped; diff_drive_controller "
+        "publishes them with publish_cmd");
     add("observations", &observations, "landmark sensor's slam_msgs/LandmarkObservationArray");
     add("motion", &motion, "odometry source's slam_msgs/Motion");
     add("camera", &camera,

@@ -11,8 +11,8 @@
 
 namespace slam::sim {
 
-/// What the base was told at the path's second 0, to hold until the next command, so that it moved
-/// along the path: with a lag of first order, a scale and white noise between the two.
+/// The command at the path's second 0, which holds until the next one and has moved the base along
+/// the path: with a lag of first order, a scale and white noise between the two.
 /// @return (vx, vy, omega) in the base [m/s, m/s, rad/s]
 Eigen::Vector3d commandFor(const BasePath& T_world_base, const CommandModel& model,
                            RandomStream& random);

@@ -78,12 +78,12 @@ struct ImuModel {
   double gyro_scale = 1.0;                              ///< measured over true rate
 };
 
-/// What the base's controller is told, which the base does with errors.
+/// The commands of the base's controller, which the base follows with errors.
 struct CommandModel {
   Pace pace;
   double time_constant = 0.0;   ///< of the lag of first order with which the base follows [s]
-  double speed_scale = 1.0;     ///< true over told speed
-  double turn_scale = 1.0;      ///< true over told turn rate
+  double speed_scale = 1.0;     ///< true over commanded speed
+  double turn_scale = 1.0;      ///< true over commanded turn rate
   double relative_noise = 0.0;  ///< standard deviation of each command, as a part of it
 };
 

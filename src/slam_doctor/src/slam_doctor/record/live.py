@@ -10,12 +10,12 @@ import roslib.message
 import rospy
 
 from slam_doctor.errors import InputError
-from slam_doctor.record.recording import (CALIBRATION, COMPRESSED, IMAGE, IMU, MOTION,
+from slam_doctor.record.recording import (CALIBRATION, COMMANDS, COMPRESSED, IMAGE, IMU, MOTION,
                                           OBSERVATIONS, ODOMETRY, Recording, SCAN, TEXT,
                                           TRANSFORMS)
 
-KINDS = {CALIBRATION, COMPRESSED, IMAGE, IMU, MOTION, OBSERVATIONS, ODOMETRY, SCAN, TEXT,
-         *TRANSFORMS}
+KINDS = {CALIBRATION, COMMANDS, COMPRESSED, IMAGE, IMU, MOTION, OBSERVATIONS, ODOMETRY, SCAN,
+         TEXT, *TRANSFORMS}
 MOST_WAITING = 2000  # messages that have not been looked at
 
 

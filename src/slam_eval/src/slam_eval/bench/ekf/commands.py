@@ -1,11 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the SLAM product line authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Part commands: the EKF on a robot's commands beside that on its wheels, over simulated drives."""
-import numpy as np
-
 from slam_eval.bench.harness.products import EKF_WHEEL, SENSORS
 from slam_eval.bench.harness.runs import run_ours, simulate
-from slam_eval.bench.harness.table import lines_of, Section, table
+from slam_eval.bench.harness.table import lines_of, mean_row, Section, table
 from slam_eval.io.run_folder import read_run
 from slam_eval.metrics.evaluation import evaluate
 
@@ -20,11 +18,9 @@ FORMS = [".3f", ".4f", ".2f", ".1f"]
 
 
 def row_of(world, product, drives):
-    """The line of a product: means over the drives' metrics; of what is confidently wrong the sum."""
-    dead_reckoning, ate, nees, wrong = ([drive.get(figure) or 0.0 for drive in drives]
-                                        for figure in FIGURES)
-    return [f"{world}, {product}", np.mean(dead_reckoning), np.mean(ate), np.mean(nees),
-            np.sum(wrong)]
+    """The line of a product: means over the drives' metrics."""
+    name = f"{world}, {product}"
+    return mean_row(name, [[name, *(drive.get(figure) for figure in FIGURES)] for drive in drives])
 
 
 def _drive(context, world, product, seed, bag):
