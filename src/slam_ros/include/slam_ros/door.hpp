@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
+#include <boost/shared_ptr.hpp>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -40,14 +41,29 @@ class Door {
 /// the manager with all nodelets. (topic, what the callback does)
 using Pass = std::function<void(const std::string& topic, const Action& action)>;
 
-/// A subscription whose callbacks go through `pass`.
+/// Recognises a message that comes a second time. roscpp connects a subscription twice to a
+/// publisher of the same process if one thread subscribes while another one advertises; each
+/// message then comes twice, as the same object.
+class LastMessage {
+ public:
+  /// Whether this is another message than that of the last call.
+  bool isNew(const boost::shared_ptr<const void>& message) {
+    return std::exchange(last_, message) != message;
+  }
+
+ private:
+  boost::shared_ptr<const void> last_;  ///< it is kept, so that no other message has its address
+};
+
+/// A subscription whose callbacks go through `pass`, once for each message.
 template <class Message, class Take>
 ros::Subscriber subscribeThrough(Pass pass, ros::NodeHandle handle, const std::string& topic,
                                  std::uint32_t queue, Take take) {
   using Pointer = boost::shared_ptr<const Message>;
   const boost::function<void(const Pointer&)> callback =
-      [pass = std::move(pass), topic, take = std::move(take)](const Pointer& message) {
-        pass(topic, [&] { take(*message); });
+      [pass = std::move(pass), topic, take = std::move(take),
+       last = LastMessage()](const Pointer& message) mutable {
+        if (last.isNew(message)) pass(topic, [&] { take(*message); });
       };
   return handle.subscribe<Message>(topic, queue, callback);
 }

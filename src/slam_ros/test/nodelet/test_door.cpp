@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
+#include <std_msgs/Header.h>
 
+#include <boost/make_shared.hpp>
 #include <new>
 #include <stdexcept>
 
@@ -42,6 +44,15 @@ TEST(Door, RefusesFurtherInputUntilItIsOpened) {
   door.open();
   door.pass("scan", [&] { ++done; });
   EXPECT_EQ(done, 1);
+}
+
+TEST(LastMessage, RecognisesAMessageThatComesASecondTime) {
+  LastMessage last;
+  auto message = boost::make_shared<std_msgs::Header>();
+  EXPECT_TRUE(last.isNew(message));
+  EXPECT_FALSE(last.isNew(message));
+  message = boost::make_shared<std_msgs::Header>();
+  EXPECT_TRUE(last.isNew(message)) << "it says the same, but is another one";
 }
 
 }  // namespace
