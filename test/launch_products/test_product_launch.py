@@ -106,7 +106,7 @@ class BadInputTest(Refusals, ProductLaunch):
         self.assert_refused("did you mean 'aruco'?", "detector:=aruko", ROBOT)
         self.assert_file_refused("odometry=visul is not a feature; odometry is one of: wheel, "
                                  "wheel_imu, visual, visual_wheel, visual_imu, laser, laser_wheel, "
-                                 "laser_imu, none (did you mean 'visual'?)",
+                                 "laser_imu, command, none (did you mean 'visual'?)",
                                  "version: 1\nbackend: ekf\nodometry: visul\n")
 
     def test_a_product_that_does_not_exist_names_the_nearest(self):
