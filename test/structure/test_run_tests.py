@@ -22,8 +22,9 @@ WITHIN = 60  # [s]
 HANGS = ('setsid bash -c "trap : INT TERM; echo \\$\\$ > {0}.part; mv {0}.part {0}; '
          'while :; do sleep 1; done"')
 CALLS = """
-import pathlib, sys
+import pathlib, signal, sys
 from runner import processes
+signal.signal(signal.SIGHUP, signal.SIG_DFL)  # nohup has it ignored
 processes.GRACE = 1
 processes.heed_interrupts()
 processes.call(["bash", "-c", sys.argv[1]], pathlib.Path(sys.argv[2]))
