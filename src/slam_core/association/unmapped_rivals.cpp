@@ -15,12 +15,12 @@ namespace slam::association {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-/// What a sensor sees at once fills a sector of this width at least [rad].
+/// The landmarks that a sensor sees at once fill a sector of at least this width [rad].
 constexpr double kLeastSector = 0.5;
 /// Fewer observations cannot confirm one another.
 constexpr std::size_t kFewestObservations = 6;
-/// Where the prediction is so much less certain than the observation's noise, by ln(|S| / |R|), it
-/// is the pose that leaves room for rivals.
+/// If ln(|S| / |R|) exceeds this, the prediction is far less certain than the observation, and the
+/// pose leaves room for rivals.
 constexpr double kVaguePrediction = 3.0;
 /// Twice the log-likelihood ratio of a hundred thousand to one. With a stricter bound, landmarks
 /// are mapped a second time before enough of them are seen at once.

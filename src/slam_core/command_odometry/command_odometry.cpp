@@ -66,8 +66,7 @@ Status CommandOdometry::take(const VelocityCommand& command) {
   if (last_ && command.stamp <= last_->stamp)
     return reject("late", "a command is not newer than the one before it; it is left out");
   const auto ahead = std::exchange(ahead_, std::nullopt);
-  const bool is_confirmed =
-      ahead && command.stamp > ahead->stamp && command.stamp <= ahead->stamp + kStampJump;
+  const bool is_confirmed = ahead && isNext(ahead->stamp, command.stamp);
   const auto before = is_confirmed ? follow(*ahead) : Status::ok();
   auto now = Status::ok();
   if (last_ && command.stamp > last_->stamp + kStampJump)
@@ -107,8 +106,8 @@ void CommandOdometry::moveTo(Stamp stamp) {
   drive(Eigen::Vector3d::Zero(), stamp, 0.0);
 }
 
-/// Adds the way up to a stamp, of which others take a part in proportion to the time: so in pieces,
-/// unless the robot stands. @param hold how long an error lasts [s]
+/// Adds the way up to a stamp. Others divide a motion in proportion to the time, so that the way of
+/// a robot that does not stand is given in short pieces. @param hold an error lasts for so long [s]
 void CommandOdometry::drive(const Eigen::Vector3d& twist, Stamp end, double hold) {
   constexpr Duration kLongest = std::chrono::milliseconds(200);
   const bool stands = twist.isZero(0.0) && velocity_.isZero(0.0);

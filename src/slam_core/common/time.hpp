@@ -35,4 +35,9 @@ constexpr Duration durationFromSeconds(double s) {
 /// ahead by more than this is believed when the next one is ahead as well.
 constexpr Duration kStampJump = std::chrono::seconds(5);
 
+/// Whether a stamp follows another one without a jump.
+inline bool isNext(Stamp before, Stamp stamp) {
+  return stamp > before && stamp <= before + kStampJump;
+}
+
 }  // namespace slam

@@ -16,8 +16,6 @@ constexpr Duration kGyroKept = std::chrono::seconds(30);
 /// A noisy gyro does not measure the same value so often in a row.
 constexpr std::size_t kRepeatsOfStuck = 10;
 
-bool isNext(Stamp before, Stamp stamp) { return stamp > before && stamp <= before + kStampJump; }
-
 /// The share of the way from a to b at which the stamp lies.
 double shareAt(Stamp a, Stamp b, Stamp at) { return seconds(at - a) / seconds(b - a); }
 

@@ -10,7 +10,8 @@
 
 namespace slam {
 
-/// What a robot's base can do at most. Twists are (vx, vy, omega) [m/s, m/s, rad/s].
+/// Holds the largest speed and turn rate of a robot's base. Twists are (vx, vy, omega) [m/s, m/s,
+/// rad/s].
 class SpeedLimit {
  public:
   SpeedLimit() = default;

@@ -20,8 +20,8 @@ constexpr double kRightPasses = 0.999;  ///< of the descriptors of one landmark
 constexpr double kNear = 0.3, kNearOfRange = 0.15, kNearTurn = 0.5;
 /// Within these the sensor stands still between two views [m], [rad].
 constexpr double kStill = 0.005, kStillTurn = 0.005;
-/// So many views from one place are not learnt from yet: a robot that is lost is reported after
-/// fewer of them.
+/// The newest views from one place, this many, have not been learnt from yet. A robot that is lost
+/// is reported after fewer of them.
 constexpr std::size_t kDoubtful = 10;
 constexpr double kVague = 2.0;  ///< a landmark that is less certain is left out [m]
 /// Landmarks of a view are not independent: they count as so many at most.

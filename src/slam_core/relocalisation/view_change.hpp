@@ -30,9 +30,9 @@ namespace slam::relocalisation {
 /// A view that changes little by little where odometry says that the robot stands contradicts that
 /// odometry: the wheels spin in the air, their driver hangs, or the robot is being carried.
 ///
-/// How often a landmark is still seen, and how often it was seen before, is learnt. What a robot
-/// sees that seems to stand is learnt only when it has counted as right for ten views more:
-/// odometry may just have stopped.
+/// The class learns how often a landmark is still seen, and how often it was seen before. From the
+/// views of a robot that stands, it learns only after ten further ones in which the robot counts as
+/// right, since odometry may just have stopped.
 class ViewChange {
  public:
   /// To be called with each motion before the observations at its end.

@@ -118,6 +118,19 @@ TEST(ViewChange, LittleByLittleIsEvidentWhereOdometryStands) {
   EXPECT_GT(evidenceOfDrive(0.0), 15.0);
 }
 
+/// Odometry stands for some views while the robot drives; it is noticed, and the robot is found.
+TEST(ViewChange, OfARobotThatWasLostIsNotLearnt) {
+  ViewChange change;
+  for (int i = 1; i <= 14; ++i)  // six of them fill the blocks
+    change.judge(viewOf(kHere, Pose2(0.05 * i, 0.0, 0.0)), true, Ids::kIgnored);
+  change.forgetBefore();
+  evidenceOf(change, kHere, 17);  // the first eleven that are judged
+  double sum = 0.0;
+  for (int i = 1; i <= 10; ++i)
+    sum += change.judge(viewOf(kHere, Pose2(0.05 * i, 0.0, 0.0)), true, Ids::kIgnored);
+  EXPECT_GT(sum, 15.0);
+}
+
 TEST(ViewChange, LittleByLittleIsNoSignWhereOdometryMoves) {
   EXPECT_EQ(evidenceOfDrive(0.05), 0.0);
 }
