@@ -151,6 +151,8 @@ class SlamLaunchTest(SameAsOffline, Refusals, unittest.TestCase):
                                           stderr=subprocess.PIPE, text=True, check=False)
                     if any(name in product.stem for name in ("pointmap", "grid", "laser")):
                         self.assertIn("lacks laser scans", done.stderr)
+                    elif "command" in product.stem:
+                        self.assertIn("lacks commands: 'cmd_vel_out'", done.stderr)
                     elif "imu" in product.stem:
                         self.assertIn("an IMU's angular velocities", done.stderr)
                     elif not has_height and ("visual" in product.stem or "ceiling" in product.stem):
