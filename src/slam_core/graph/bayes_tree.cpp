@@ -182,10 +182,7 @@ const std::vector<Key>& BayesTree::solve(double threshold, std::size_t most) {
   std::size_t left = most / 2;
   solveBelow(below, threshold, left);
   left += most - most / 2;
-  auto waiting = std::exchange(waiting_, {});
-  for (const int i : waiting) clique(i).is_waiting = false;
-  solveBelow(waiting, threshold, left);
-  wait(waiting);
+  solveWaiting(threshold, left);
   wait(below);
   return moved_;
 }
@@ -214,10 +211,25 @@ void BayesTree::solveBelow(std::vector<int>& cliques, double threshold, std::siz
     auto& c = clique(cliques[done]);
     if (!isOutdated(c)) continue;
     solve(c, threshold);
-    left -= std::min(left, index(c.frontal_rows) * index(c.rows));
+    left -= std::min(left, numbersOf(c));
     cliques.insert(cliques.end(), c.children.begin(), c.children.end());
   }
   cliques.erase(cliques.begin(), cliques.begin() + static_cast<std::ptrdiff_t>(done));
+}
+
+/// Solves the cliques that have waited longest, until so many numbers have been read. The step looks
+/// at no other one that waits.
+void BayesTree::solveWaiting(double threshold, std::size_t left) {
+  std::size_t done = 0;
+  for (; done < waiting_.size() && left > 0; ++done) {
+    auto& c = clique(waiting_[done]);
+    c.is_waiting = false;
+    if (!isOutdated(c)) continue;
+    solve(c, threshold);
+    left -= std::min(left, numbersOf(c));
+    wait(c.children);
+  }
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
 void BayesTree::wait(const std::vector<int>& cliques) {
@@ -230,7 +242,14 @@ void BayesTree::wait(const std::vector<int>& cliques) {
 
 /// Whether what the clique depends on has moved since its part of the solution was computed.
 bool BayesTree::isOutdated(const Clique& c) const {
-  return !c.is_open && c.separator != onSeparator(c, spread_);
+  if (c.is_open) return false;
+  int row = 0;
+  for (auto i = index(c.frontals); i < c.keys.size(); ++i) {
+    const auto k = index(c.keys[i]);
+    if (c.separator.segment(row, rows_[k]) != spread_.segment(offsets_[k], rows_[k])) return true;
+    row += rows_[k];
+  }
+  return false;
 }
 
 Eigen::VectorXd BayesTree::onSeparator(const Clique& c, const Eigen::VectorXd& x) const {

@@ -120,6 +120,7 @@ class BayesTree {
   static constexpr auto kAll = std::numeric_limits<std::size_t>::max();
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   int rows(Key key) const { return rows_[index(key)]; }
+  static std::size_t numbersOf(const Clique& c) { return index(c.frontal_rows) * index(c.rows); }
   Clique& clique(int i) { return cliques_[index(i)]; }
   const Clique& clique(int i) const { return cliques_[index(i)]; }
   int newClique();
@@ -134,6 +135,7 @@ class BayesTree {
   void solve(Clique& clique, double threshold);
   void solveNew(std::vector<int>& below, double threshold);
   void solveBelow(std::vector<int>& cliques, double threshold, std::size_t& left);
+  void solveWaiting(double threshold, std::size_t left);
   void wait(const std::vector<int>& cliques);
   std::vector<ForwardRows> forward(Key key) const;
 
@@ -156,7 +158,8 @@ class BayesTree {
 
   Eigen::VectorXd solution_;
   Eigen::VectorXd spread_;    ///< the part of the solution that the cliques below know of
-  std::vector<int> waiting_;  ///< cliques whose parts of the solution are outdated, or were
+  std::vector<int> waiting_;  ///< cliques whose parts of the solution are outdated, or were; the
+                              ///< one that has waited longest first
   std::vector<Key> moved_;
   mutable std::vector<int> row_of_;  ///< of each variable in the clique at work
 };

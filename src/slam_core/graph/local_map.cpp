@@ -27,6 +27,12 @@ Eigen::Vector3d leastSquares(const Eigen::MatrixXd& J, const Eigen::VectorXd& r)
   return J.colPivHouseholderQr().solve(r);
 }
 
+Eigen::Vector2d meanPosition(const std::vector<Pose2>& at) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const auto& each : at) sum += each.position();
+  return sum / static_cast<double>(at.size());
+}
+
 std::vector<Key> withoutBase(std::vector<Key> keys) {
   keys.insert(keys.begin(), -1);
   return keys;
@@ -153,13 +159,14 @@ LinearFactor FreeMap::linearized(const std::vector<Pose2>& at) const {
 
 double FreeMap::moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const {
   if (!map().poses.empty()) return Factor::moved(then, now);
-  Eigen::Vector2d common = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < now.size(); ++i) common += now[i].position() - then[i].position();
-  common /= static_cast<double>(now.size());
-  double most = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    most = std::max(most, (now[i].position() - then[i].position() - common).cwiseAbs().maxCoeff());
-  return most;
+  const Eigen::Vector2d middle_then = meanPosition(then), middle_now = meanPosition(now);
+  double most = 0.0, radius = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Eigen::Vector2d before = then[i].position() - middle_then;
+    radius = std::max(radius, before.norm());
+    most = std::max(most, (now[i].position() - middle_now - before).norm());
+  }
+  return radius > 0.0 ? most / radius : most;
 }
 
 }  // namespace slam::graph

@@ -59,7 +59,9 @@ class FreeMap final : public Factor {
   /// @param keys of the poses and the points, which are two at least where there is no pose
   FreeMap(std::vector<Key> keys, LocalMap map);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
-  /// A motion that all points have in common does not count: neither residual nor Jacobian change.
+  /// Of points alone: the largest change of where a point lies from their middle, as a share of the
+  /// radius of the map. Points that have turned together return the angle, by which the Jacobian
+  /// turns; where they have moved together neither residual nor Jacobian change.
   double moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const override;
   const LocalMap& map() const { return based_.map(); }
   /// @return the pose of the base at which the map fits best

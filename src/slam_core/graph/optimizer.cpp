@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -52,6 +53,8 @@ void Optimizer::remove(FactorId id) {
     terms.erase(std::find(terms.begin(), terms.end(), id));
   }
   terms_[index(id)] = {};
+  for (auto* ids : {&due_, &postponed_})
+    ids->erase(std::remove(ids->begin(), ids->end(), id), ids->end());
   tree_.removeFactor(id);
 }
 
@@ -108,28 +111,38 @@ void Optimizer::refresh(FactorId id) {
   tree_.replace(id, quadratic.H, quadratic.g);
 }
 
-/// Whether a factor is so many times too far from where it was linearised.
-bool Optimizer::isOutdated(FactorId id, double times) const {
+/// How many times further than allowed a factor is from where it was linearised.
+double Optimizer::excess(FactorId id) const {
   const auto& [factor, weight, at] = terms_[index(id)];
-  return factor && factor->moved(at, linearizationOf(*factor)) > times * limits_.correction;
+  return factor->moved(at, linearizationOf(*factor)) / limits_.correction;
 }
 
-/// The factors of the variables that the last step has moved.
-Optimizer::Outdated Optimizer::outdated(double patience) const {
-  Outdated outdated;
-  std::vector<FactorId> candidates = postponed_;
-  for (const Key key : moved_) {
-    const auto& terms = terms_of_[index(key)];
-    auto& to = isFarAsAWhole(key) ? outdated.now : candidates;
-    to.insert(to.end(), terms.begin(), terms.end());
+/// Looks at the factors of the variables that the last step has moved. The others are as they were.
+void Optimizer::findOutdated() {
+  std::vector<FactorId> looked_at;
+  for (const Key key : moved_)
+    looked_at.insert(looked_at.end(), terms_of_[index(key)].begin(), terms_of_[index(key)].end());
+  looked_at = sortedUnique(std::move(looked_at));
+  std::vector<FactorId> postponed;
+  std::set_difference(postponed_.begin(), postponed_.end(), looked_at.begin(), looked_at.end(),
+                      std::back_inserter(postponed));
+  due_.clear();
+  for (const FactorId id : looked_at) {
+    const double excess = this->excess(id);
+    if (excess <= 1.0) continue;
+    const bool waits = excess <= limits_.patience && joinsPointsAlone(*terms_[index(id)].factor);
+    (waits ? postponed : due_).push_back(id);
   }
-  for (const FactorId id : sortedUnique(std::move(candidates))) {
-    if (!isOutdated(id, 1.0)) continue;
-    const bool waits = joinsPointsAlone(*terms_[index(id)].factor) && !isOutdated(id, patience);
-    (waits ? outdated.later : outdated.now).push_back(id);
-  }
-  outdated.now = sortedUnique(std::move(outdated.now));
-  return outdated;
+  postponed_ = sortedUnique(std::move(postponed));
+  addFactorsOfFarVariables();
+}
+
+/// All factors of a variable whose origin moves, also those that were added since the last step.
+void Optimizer::addFactorsOfFarVariables() {
+  for (const Key key : moved_)
+    if (isFarAsAWhole(key))
+      due_.insert(due_.end(), terms_of_[index(key)].begin(), terms_of_[index(key)].end());
+  due_ = sortedUnique(std::move(due_));
 }
 
 bool Optimizer::joinsPointsAlone(const Factor& factor) const {
@@ -138,12 +151,14 @@ bool Optimizer::joinsPointsAlone(const Factor& factor) const {
 }
 
 /// Factors of variables that are too far from where they were linearised are linearised again.
-void Optimizer::relinearize(double patience) {
-  auto [now, later] = outdated(patience);
+/// @param with_postponed also those that wait
+void Optimizer::relinearize(bool with_postponed) {
+  addFactorsOfFarVariables();
   for (const Key key : moved_)
     if (isFarAsAWhole(key)) moveOrigin(key);
-  for (const FactorId id : now) refresh(id);
-  postponed_ = std::move(later);
+  for (const FactorId id : std::exchange(due_, {})) refresh(id);
+  if (!with_postponed) return;
+  for (const FactorId id : std::exchange(postponed_, {})) refresh(id);
 }
 
 /// Factors of variables that have moved at all are linearised again.
@@ -164,10 +179,11 @@ void Optimizer::moveOrigin(Key key) {
 }
 
 bool Optimizer::update(const std::vector<Key>& last, const Vicinity& vicinity) {
-  relinearize(vicinity.gathered.empty() ? limits_.patience : 1.0);
+  relinearize(!vicinity.gathered.empty());
   tree_.update(last, vicinity);
   moved_ = tree_.solve(limits_.change, limits_.passed_on);
-  return !outdated(limits_.patience).now.empty();
+  findOutdated();
+  return !due_.empty();
 }
 
 bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {

@@ -104,7 +104,7 @@ class Optimizer {
 
   template <class Archive>
   void persist(Archive& archive) {
-    archive(variables_, terms_, terms_of_, tree_, moved_, postponed_);
+    archive(variables_, terms_, terms_of_, tree_, moved_, due_, postponed_);
   }
 
  private:
@@ -124,13 +124,11 @@ class Optimizer {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  struct Outdated {
-    std::vector<FactorId> now, later;
-  };
-  Outdated outdated(double patience) const;
-  bool isOutdated(FactorId id, double times) const;
+  double excess(FactorId id) const;
+  void findOutdated();
+  void addFactorsOfFarVariables();
   bool joinsPointsAlone(const Factor& factor) const;
-  void relinearize(double patience);
+  void relinearize(bool with_postponed);
   void relinearizeAll();
   void moveOrigin(Key key);
   bool goesByFactor(Key key) const { return limits_.points_by_factor && variables_.rows(key) == 2; }
@@ -153,8 +151,9 @@ class Optimizer {
   std::vector<std::vector<FactorId>> terms_of_;  ///< by variable
   BayesTree tree_;
   std::vector<Key> moved_;  ///< by the last step
-  std::vector<FactorId>
-      postponed_;  ///< factors that were to be linearised again, in increasing order
+  /// Factors to be linearised again, in increasing order: with the next step, and with the next one
+  /// that gathers variables.
+  std::vector<FactorId> due_, postponed_;
 };
 
 GraphContents contentsOf(const Optimizer& graph);

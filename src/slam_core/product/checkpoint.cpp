@@ -15,7 +15,7 @@ namespace {
 
 /// The version grows with each change of what a component keeps.
 constexpr SealedFormat kCheckpointFormat = {
-    "SLAMCKPT", 17, "it is no checkpoint: name a folder that an autosaving run has written into",
+    "SLAMCKPT", 18, "it is no checkpoint: name a folder that an autosaving run has written into",
     "run anew"};
 
 void requireSame(const std::string& what, const std::string& there, const std::string& here) {

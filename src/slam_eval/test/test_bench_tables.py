@@ -12,7 +12,7 @@ import types
 import unittest
 
 from slam_eval.bench import cli, command_line
-from slam_eval.bench.ekf import consistency, landmarks, update
+from slam_eval.bench.ekf import consistency, growth, landmarks, update
 from slam_eval.bench.harness import table
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.process import Usage
@@ -155,6 +155,27 @@ class MrptConfiguration(unittest.TestCase):
         self.assertEqual(ini.getfloat("std_sensor_yaw_deg"), 0.2)
 
 
+class Growth(unittest.TestCase):
+    TEXT = """| landmarks | steps | step, mean [ms] | median [ms] | 99 % [ms] | worst [ms] | error [m] | NEES |
+|---|---|---|---|---|---|---|---|
+| 1000 | 5530 | 2.000 | 1.000 | 12.0 | 27.45 | 1.286 | 1.57 |
+| 10000 | 6780 | 3.000 | 1.100 | 20.0 | 331.02 | 0.502 | 1.51 |
+| 11000 | 50 | 9.000 | 9.000 | 4.2 | 22.12 | 0.440 | 0.69 |
+"""
+
+    def test_the_whole_map_is_compared_with_a_tenth_of_it(self):
+        found = growth.rows(self.TEXT)
+        self.assertEqual([row[:2] for row in found], [[1000, 5530], [10000, 6780], [11000, 50]])
+        text = growth.remark(found, 10000)
+        self.assertIn("From 1000 to 10000 landmarks the mean step takes 1.50 times as long", text)
+        self.assertIn("MISSED", text)
+        self.assertIn("the median 1.10 times", text)
+
+    def test_a_program_that_prints_no_table_is_an_error(self):
+        with self.assertRaisesRegex(BenchError, "no two sizes"):
+            growth.remark(growth.rows("killed"), 10000)
+
+
 class Consistency(unittest.TestCase):
 
     def test_bounds_narrow_around_3_with_the_seeds(self):
@@ -183,6 +204,13 @@ class Consistency(unittest.TestCase):
         self.assertEqual(consistency.remark(60, good).count("reached"), 2)
         bad = {"seeds": 50, "average_nees": [9.0] * 100, "nis_mean": 1.2}
         self.assertEqual(consistency.remark(60, bad).count("MISSED"), 2)
+
+    def test_the_sparse_filter_is_judged_by_its_nees(self):
+        values = [3.0] * (consistency.FIRST_STEP + 4)
+        self.assertIn("3.00 (<= 3.6: reached)",
+                      consistency.sparse_remark(60, {"seeds": 50, "average_nees": values}))
+        values = [3.7] * (consistency.FIRST_STEP + 4)
+        self.assertIn("MISSED", consistency.sparse_remark(60, {"seeds": 50, "average_nees": values}))
 
     def test_the_unscented_filter_is_judged_by_its_bounds_and_its_time(self):
         values = [3.0] * (consistency.FIRST_STEP + 4)

@@ -153,8 +153,22 @@ TEST(FreeMap, IsLinearizedWhereItsPointsHaveMovedTogether) {
   const auto before = factor.linearized(then), after = factor.linearized(now);
   EXPECT_LT((before.J - after.J).norm(), 1e-6 * before.J.norm());
   EXPECT_LT((before.r - after.r).norm(), 1e-6 * (1.0 + before.r.norm()));
-  now[0] = Pose2(now[0].x() + 0.4, now[0].y(), 0.0);
-  EXPECT_NEAR(factor.moved(then, now), 0.3, 1e-9);
+}
+
+TEST(FreeMap, SaysByWhichAngleItsPointsHaveTurned) {
+  LocalMap map;
+  map.points = {{-10, 0}, {10, 0}, {0, 3}, {0, -3}};
+  map.covariance = Eigen::MatrixXd::Identity(8, 8);
+  const FreeMap factor(keys(map.points.size()), map);
+  std::vector<Pose2> then, turned, apart;
+  for (const auto& point : map.points) {
+    const auto there = Pose2(50, 7, 0.1).transform(point);
+    then.emplace_back(point.x(), point.y(), 0.0);
+    turned.emplace_back(there.x(), there.y(), 0.0);
+    apart.emplace_back(1.1 * point.x(), 1.1 * point.y(), 0.0);
+  }
+  EXPECT_NEAR(factor.moved(then, turned), 0.1, 1e-3);
+  EXPECT_NEAR(factor.moved(then, apart), 0.1, 1e-9) << "a share of the radius";
 }
 
 }  // namespace

@@ -202,6 +202,23 @@ TEST(Optimizer, TurnsAPartOfTheGraphFarInFewSteps) {
   }
 }
 
+/// What is added to a pose after it has moved far is linearised where its origin was, and again
+/// where the next step puts it.
+TEST(Optimizer, LinearisesAgainWhatWasAddedToAPoseThatHasMovedFar) {
+  Optimizer optimizer;
+  optimizer.add(Pose2());
+  optimizer.add(std::make_unique<PosePrior>(0, Pose2(), Eigen::Matrix3d::Identity()));
+  optimizer.update({0});
+  optimizer.add(std::make_unique<PosePrior>(0, Pose2(3, -2, 0.5), kExact));
+  EXPECT_TRUE(optimizer.update({0})) << "it has moved too far for its factors";
+  const Pose2 ahead(1, 0, 0.2);
+  optimizer.add(optimizer.pose(0) * ahead);
+  optimizer.add(std::make_unique<Between>(0, 1, ahead, kExact));
+  for (int i = 0; i < 5; ++i) optimizer.update({1});
+  EXPECT_LT(optimizer.pose(0).between(optimizer.pose(1)).between(ahead).vector().norm(), 1e-6);
+  EXPECT_LT(optimizer.pose(0).between(Pose2(3, -2, 0.5)).vector().norm(), 1e-3);
+}
+
 /// Points far from where they began: factors that are linearised at different times have the same
 /// minimum as those that are linearised together.
 TEST(Optimizer, CarriesPointsAlongWhereALocalMapIsDragged) {

@@ -77,6 +77,8 @@ def add_ekf(parser):
                         help="numbers of landmarks of the part landmarks (100,300,1000)")
     parser.add_argument("--seeds", metavar="N", type=count, default=50,
                         help="runs of the part consistency (%(default)s)")
+    parser.add_argument("--field", metavar="N", type=count, default=10000,
+                        help="landmarks of the part growth (%(default)s)")
 
 
 def add_pf(parser):

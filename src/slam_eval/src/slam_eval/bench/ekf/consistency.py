@@ -20,6 +20,7 @@ INSIDE_LIMIT = 0.90
 NIS_LIMITS = (0.95, 1.05)
 UNSCENTED_LOOP = 120                             # [m], on which the unscented filter has goals
 UNSCENTED_INSIDE, UNSCENTED_SLOWER = 0.75, 3.0   # in bounds; step over the extended filter's
+SPARSE_NEES = 3.6                                # largest mean NEES of the back-end seif
 LINEARIZATIONS = ("right_invariant", "observability_constrained", "first_estimates", "textbook")
 DEFAULT = LINEARIZATIONS[0]
 FILTERS = ("extended", "unscented")
@@ -99,6 +100,12 @@ def unscented_remark(loop, extended, unscented):
             f"filter's ({verdict(slower, UNSCENTED_SLOWER, True)})")
 
 
+def sparse_remark(loop, result):
+    """Whether the sparse information filter is as consistent as it should be."""
+    _, nees = summary(result)
+    return f"{loop} m, seif: mean NEES {nees:.2f} ({verdict(nees, SPARSE_NEES, True)})"
+
+
 def measure(context):
     """The section of this part."""
     low, high = bounds(context.options.seeds)
@@ -110,7 +117,8 @@ def measure(context):
         others = {f"back-end {name}": run_backend(context, loop, name, name) for name in OTHERS}
         lines += [row(f"{loop} m, {name}", result) for name, result in (results | others).items()]
         lines.append(row(f"{loop} m, {DEFAULT}, noise x {LINEAR_SCALE:g}", linear))
-        remarks.append(remark(loop, results[DEFAULT]))
+        remarks += [remark(loop, results[DEFAULT]),
+                    sparse_remark(loop, others["back-end seif"])]
         if loop == UNSCENTED_LOOP:
             unscented = results[f"unscented, {DEFAULT}"]
             remarks.append(unscented_remark(loop, results[DEFAULT], unscented))
