@@ -151,6 +151,11 @@ class Pictures(unittest.TestCase):
         self.assertGreater(len(there), 100)
         self.assertEqual(there, self.drawn("--tree"))
 
+    def test_of_a_products_features_is_what_the_command_draws(self):
+        there = self.words(REPO / "docs" / "images" / "chosen.svg")
+        self.assertGreater(len(there), 100)
+        self.assertEqual(there, self.drawn("--tree", "ekf_wheel"))
+
     def test_of_ports_is_what_the_command_draws(self):
         there = self.words(REPO / "docs" / "images" / "ports.svg")
         self.assertGreater(len(there), 8)
