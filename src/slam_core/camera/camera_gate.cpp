@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "slam_core/common/late_sentence.hpp"
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam {
@@ -93,7 +94,7 @@ void CameraGate::set(const CameraMount& mount) {
 void CameraGate::set(const Image& image) {
   if (last_ && image.stamp <= *last_ && image.stamp > *last_ - kStampJump) {
     counters_.add("late");
-    input_status_ = Status::warning("an image is not newer than the one before it; it is left out");
+    input_status_ = Status::warning(lateSentence("an image", image.stamp));
     return;
   }
   last_ = image.stamp;

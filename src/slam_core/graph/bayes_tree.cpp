@@ -217,8 +217,8 @@ void BayesTree::solveBelow(std::vector<int>& cliques, double threshold, std::siz
   cliques.erase(cliques.begin(), cliques.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
-/// Solves the cliques that have waited longest, until so many numbers have been read. The step looks
-/// at no other one that waits.
+/// Solves the cliques that have waited longest, until so many numbers have been read. The step
+/// looks at no other one that waits.
 void BayesTree::solveWaiting(double threshold, std::size_t left) {
   std::size_t done = 0;
   for (; done < waiting_.size() && left > 0; ++done) {

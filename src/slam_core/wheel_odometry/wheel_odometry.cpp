@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "slam_core/common/late_sentence.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
@@ -75,7 +76,7 @@ Status WheelOdometry::execute() {
   if (isFar(input_)) return reject("invalid", "odometry is more than 1e9 m from its origin");
   if (last_ && input_.stamp <= last_->stamp - kStampJump) beginAnew();
   if (last_ && input_.stamp <= last_->stamp)
-    return reject("late", "odometry is not newer than the message before it");
+    return reject("late", lateSentence("an odometry message", input_.stamp));
   if (isDoubtful())
     return reject("stamp_jump",
                   "odometry is stamped far ahead of the message before it; it counts "

@@ -122,7 +122,7 @@ void PipeRun::takeStep(const StepDone& step) {
 void PipeRun::complete(const std::vector<PartSummary>& summaries) {
   tellOfUnused(summaries);
   const auto& of_backend = ofBackend(summaries);
-  slam_ros::requireSteps(metrics_, of_backend.poses, *inputs_, bag_);
+  slam_ros::requireSteps(metrics_, of_backend.poses, *inputs_, bag_, counters(summaries));
   const auto truth = slam_ros::writeGroundTruth(bag_, of_backend.folder);
   if (const auto& source = whole_.components().odometry;
       source && slam::ownsOdometryEdge(*source) && !inputs_->isLeftOut("odometry"))
@@ -165,11 +165,7 @@ void PipeRun::tellOfUnused(const std::vector<PartSummary>& summaries) {
   for (const auto& sentence : slam_ros::sentencesOn(unused)) warn(sentence);
 }
 
-void PipeRun::printSummary(const std::vector<PartSummary>& summaries) const {
-  const auto& of_backend = ofBackend(summaries);
-  fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s, {} processes\n",
-             options_.folder, of_backend.poses, of_backend.landmarks,
-             slam::seconds(bag_.end() - bag_.begin()), metrics_.wallSeconds(), parts_.size());
+slam::Counters PipeRun::counters(const std::vector<PartSummary>& summaries) const {
   auto counters = input_counters_;
   std::set<std::string> gates;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -179,7 +175,15 @@ void PipeRun::printSummary(const std::vector<PartSummary>& summaries) const {
     for (const auto& [what, count] : summaries[i].waiting.all())
       counters.add("never_stepped", count);
   }
-  slam_ros::printCounts(counters);
+  return counters;
+}
+
+void PipeRun::printSummary(const std::vector<PartSummary>& summaries) const {
+  const auto& of_backend = ofBackend(summaries);
+  fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s, {} processes\n",
+             options_.folder, of_backend.poses, of_backend.landmarks,
+             slam::seconds(bag_.end() - bag_.begin()), metrics_.wallSeconds(), parts_.size());
+  slam_ros::printCounts(counters(summaries));
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
   for (const auto& line : of_backend.calibration) fmt::print("{}\n", line);
 }

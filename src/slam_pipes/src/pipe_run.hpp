@@ -46,6 +46,7 @@ class PipeRun {
   const PartSummary& ofBackend(const std::vector<PartSummary>& summaries) const;
   std::uint64_t dropped(const std::vector<PartSummary>& summaries) const;
   void tellOfUnused(const std::vector<PartSummary>& summaries);
+  slam::Counters counters(const std::vector<PartSummary>& summaries) const;
   void printSummary(const std::vector<PartSummary>& summaries) const;
   void warn(const std::string& sentence, bool is_urgent = false);
 

@@ -73,10 +73,11 @@ std::string firstLack(const BagInputs& inputs) {
 }  // namespace
 
 void requireSteps(const RunMetrics& metrics, std::size_t poses, const BagInputs& inputs,
-                  const BagReader& bag) {
+                  const BagReader& bag, const slam::Counters& counters) {
   const bool has_steps = metrics.updates() > 0;
   const auto lack = has_steps ? blindness(inputs) : firstLack(inputs);
   if (has_steps && lack.empty()) return;
+  printCounts(counters);
   const std::string what =
       poses == 0 ? "no step could be taken: "
                  : "nothing that the sensors saw could be used, and odometry alone is no result: ";

@@ -118,7 +118,7 @@ void OfflineRun::run() {
   autosave_ = slam::Autosave(options_.autosave.value_or(0.0));
   if (options_.resumes) resume(writer);
   read(writer);
-  requireSteps(metrics_, writer.lines(), *inputs_, bag_);
+  requireSteps(metrics_, writer.lines(), *inputs_, bag_, counters());
   warnOfNoCorrection();
   if (writer.lines() == 1)
     warn(
@@ -307,18 +307,22 @@ void OfflineRun::warn(const std::string& sentence, bool is_urgent) {
   fmt::print(stderr, "warning: {}\n", line);
 }
 
+slam::Counters OfflineRun::counters() const {
+  auto counters = coordinator_.counters();
+  counters.add(input_counters_);
+  counters.add(slam::heldAtGates(coordinator_.wiring()));
+  for (const auto& [what, count] : coordinator_.estimator().intake().arrivals().held().all())
+    counters.add("never_stepped", count);
+  return counters;
+}
+
 void OfflineRun::printSummary(const slam::RunWriter& writer) const {
   const double data_time = slam::seconds(bag_.end() - bag_.begin());
   const double wall = metrics_.wallSeconds();
   const auto* mapper = coordinator_.estimator().capabilities().find<slam::LandmarkMapper>();
   fmt::print("{}: {} poses, {} landmarks, {:.1f} s of data in {:.2f} s\n", writer.folder(),
              writer.lines(), mapper ? mapper->landmarks().size() : 0, data_time, wall);
-  auto counters = coordinator_.counters();
-  counters.add(input_counters_);
-  counters.add(slam::heldAtGates(coordinator_.wiring()));
-  for (const auto& [what, count] : coordinator_.estimator().intake().arrivals().held().all())
-    counters.add("never_stepped", count);
-  printCounts(counters);
+  printCounts(counters());
   for (const auto& line : warnings_.summary()) fmt::print("{}\n", line);
   if (const double share = metrics_.doubtfulShare(); share >= kMuchDoubt)
     fmt::print("in doubt for {:.0f} % of the time: {}/events.csv holds when and why\n",

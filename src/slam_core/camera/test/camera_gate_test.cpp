@@ -101,6 +101,13 @@ TEST_F(CameraGateTest, DropsImagesThatComeLate) {
   EXPECT_EQ(count("late"), 2u);
 }
 
+TEST_F(CameraGateTest, SaysThatADriverSetsNoStamps) {
+  calibrate();
+  send(imageAt(0));
+  send(imageAt(0));
+  EXPECT_TRUE(says(next(), "an image has the stamp 0, since its driver sets none"));
+}
+
 TEST_F(CameraGateTest, TakesAStepBackOfSecondsForANewBeginning) {
   calibrate();
   for (const double s : {100.0, 95.5, 95.0, 95.1}) send(imageAt(s));

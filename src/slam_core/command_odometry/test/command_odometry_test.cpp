@@ -171,13 +171,19 @@ TEST_F(CommandOdometryTest, SaysHowUncertainARobotIsThatErrsAsTheVelocityModelHa
       << scatter;
 }
 
-TEST_F(CommandOdometryTest, LeavesOutWhatIsLateOrNoNumber) {
+TEST_F(CommandOdometryTest, SaysThatADriverSetsNoStamps) {
   take(0, {1, 0, 0});
-  EXPECT_EQ(take(0, {2, 0, 0}).message,
+  EXPECT_EQ(take(0, {1, 0, 0}).message,
+            "a command has the stamp 0, since its driver sets none; it is left out");
+}
+
+TEST_F(CommandOdometryTest, LeavesOutWhatIsLateOrNoNumber) {
+  take(1, {1, 0, 0});
+  EXPECT_EQ(take(1, {2, 0, 0}).message,
             "a command is not newer than the one before it; it is left out");
-  EXPECT_EQ(take(0.05, {kNoNumber, 0, 0}).message,
+  EXPECT_EQ(take(1.05, {kNoNumber, 0, 0}).message,
             "a command holds a value that is not a number; it is left out");
-  EXPECT_TRUE(take(0.1, {1, 0, 0}).isOk());
+  EXPECT_TRUE(take(1.1, {1, 0, 0}).isOk());
   expectNear(moved(), Pose2(0.1, 0, 0));
   EXPECT_EQ(counted("late"), 1u);
   EXPECT_EQ(counted("invalid"), 1u);

@@ -104,6 +104,12 @@ TEST_F(WheelOdometryTest, UsesTheTwistBesideAPoseWhenToldSo) {
   expectSame(motion().odometry_end, Pose2(5, 5, 1));  // map -> odom must fit the driver's TF
 }
 
+TEST_F(WheelOdometryTest, SaysThatADriverSetsNoStamps) {
+  take(poseSample(0, Pose2()));
+  EXPECT_EQ(take(poseSample(0, Pose2(1, 0, 0))).message,
+            "an odometry message has the stamp 0, since its driver sets none; it is left out");
+}
+
 TEST_F(WheelOdometryTest, RefusesStampsThatAreNotNewer) {
   take(poseSample(1, Pose2()));
   take(poseSample(2, Pose2(1, 0, 0)));

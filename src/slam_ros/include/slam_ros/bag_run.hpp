@@ -38,9 +38,11 @@ TopicsConfig configured(slam::Settings& settings, slam::MetaCoordinator& product
 
 /// Refuses a run in which no step was taken, or in which no sensor other than the odometry could be
 /// used: its path would be that of the odometry alone.
-/// @param poses of the run @throw std::runtime_error with what was missing
+/// @param poses of the run
+/// @param counters are printed where the run is refused, since they may tell why
+/// @throw std::runtime_error with what was missing
 void requireSteps(const RunMetrics& metrics, std::size_t poses, const BagInputs& inputs,
-                  const BagReader& bag);
+                  const BagReader& bag, const slam::Counters& counters);
 
 /// The data of a run that had no effect.
 struct UnusedData {

@@ -63,6 +63,7 @@ class OfflineRun {
   void noteCorrection(const slam::StepReport& report);
   void warn(const std::string& sentence, bool is_urgent = false);
   std::string mapFrame() const;
+  slam::Counters counters() const;
   void printSummary(const slam::RunWriter& writer) const;
 
   OfflineOptions options_;

@@ -300,7 +300,9 @@ TEST_F(Offline, WrongNamesOfTopicsAreRefusedBeforeTheRun) {
 
 TEST_F(Offline, ObservationsThatNoOdometryCoversAreAFailureNotAnEmptyRun) {
   BagMaker(folder / "early.bag").addOdometry("/odom", 0.1).addObservations();
+  testing::internal::CaptureStdout();
   EXPECT_TRUE(contains(faultOf(options("early.bag")), "no step could be taken"));
+  EXPECT_TRUE(contains(testing::internal::GetCapturedStdout(), "counted: ")) << "what tells why";
   EXPECT_FALSE(folder.has("run/config.yaml"));
 }
 
