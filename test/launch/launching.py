@@ -44,14 +44,11 @@ def largest_error(folder):
     return trajectory_error(run.trajectory, run.truth, align=False).errors.max()
 
 
-def cut_bag(whole, part, begin, end, latched=()):
-    """Writes the messages from begin to before end, in seconds of the log; those of latched topics
-    at the beginning."""
+def cut_bag(whole, part, begin, end):
+    """Writes the messages from begin to before end, in seconds of the log."""
     with rosbag.Bag(str(whole)) as source, rosbag.Bag(str(part), "w") as target:
         start = source.get_start_time()
         for topic, message, stamp in source.read_messages():
-            if topic in latched:
-                stamp = rospy.Time.from_sec(start + begin)
             if begin <= stamp.to_sec() - start < end:
                 target.write(topic, message, stamp)
 

@@ -13,6 +13,7 @@ import time
 import unittest
 import xmlrpc.client
 
+from geometry_msgs.msg import Twist
 from launching import cut_bag, make_demo_bag, program, run_launch, run_offline, start_launch
 import rosbag
 import rosgraph
@@ -37,6 +38,8 @@ def write_standstill(drive, target, seconds):
             last[topic] = message
             if topic == IMAGE:
                 images.append(message)
+            elif topic == "/odom":
+                message.twist.twist = Twist()
             elif topic == "/tf_static":
                 bag.write(topic, message, rospy.Time.from_sec(source.get_end_time()))
         for step in range(1, steps + 1):

@@ -9,7 +9,6 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
-#include "slam_core/common/late_sentence.hpp"
 #include "slam_core/contract/known_sections.hpp"
 
 namespace slam {
@@ -94,7 +93,10 @@ void CameraGate::set(const CameraMount& mount) {
 void CameraGate::set(const Image& image) {
   if (last_ && image.stamp <= *last_ && image.stamp > *last_ - kStampJump) {
     counters_.add("late");
-    input_status_ = Status::warning(lateSentence("an image", image.stamp));
+    input_status_ =
+        Status::warning(image.stamp == Stamp()
+                            ? "an image has the stamp 0, since its driver sets none; it is left out"
+                            : "an image is not newer than the one before it; it is left out");
     return;
   }
   last_ = image.stamp;

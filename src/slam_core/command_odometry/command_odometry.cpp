@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "slam_core/common/late_sentence.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
@@ -65,7 +64,10 @@ Status CommandOdometry::take(const VelocityCommand& command) {
     return reject("invalid", "a command holds a value that is not a number; it is left out");
   if (last_ && command.stamp <= last_->stamp - kStampJump) last_.reset();  // a new run
   if (last_ && command.stamp <= last_->stamp)
-    return reject("late", lateSentence("a command", command.stamp));
+    return reject("late",
+                  command.stamp == Stamp()
+                      ? "a command has the stamp 0, since its driver sets none; it is left out"
+                      : "a command is not newer than the one before it; it is left out");
   const auto ahead = std::exchange(ahead_, std::nullopt);
   const bool is_confirmed = ahead && isNext(ahead->stamp, command.stamp);
   const auto before = is_confirmed ? follow(*ahead) : Status::ok();

@@ -129,8 +129,10 @@ void BayesTree::giveMemoryBack() {
   for (const int i : free_) {
     auto& unused = clique(i);
     if (unused.columns.size() == 0) continue;
+    const bool is_waiting = unused.is_waiting;  // its number stays in the queue
     unused = {};
     unused.is_open = true;
+    unused.is_waiting = is_waiting;
   }
 }
 

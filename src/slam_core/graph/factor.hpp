@@ -32,7 +32,7 @@ class Factor {
   /// @param at its variables, in the order of the keys
   virtual LinearFactor linearized(const std::vector<Pose2>& at) const = 0;
   /// Measures how wrong its linearisation has become, now that its variables are elsewhere: in
-  /// general the largest change of a coordinate [m, rad].
+  /// general the largest change of a coordinate [m, rad]; a factor may have a measure of its own.
   /// @param then, now its variables, in the order of the keys
   virtual double moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const {
     double most = 0.0;

@@ -4,6 +4,7 @@
 #include "slam_core/graph/local_map.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -159,6 +160,7 @@ LinearFactor FreeMap::linearized(const std::vector<Pose2>& at) const {
 
 double FreeMap::moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const {
   if (!map().poses.empty()) return Factor::moved(then, now);
+  constexpr double kLeastRadius = 1.0, kLargestRadius = 30.0;  // [m]
   const Eigen::Vector2d middle_then = meanPosition(then), middle_now = meanPosition(now);
   double most = 0.0, radius = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -166,7 +168,7 @@ double FreeMap::moved(const std::vector<Pose2>& then, const std::vector<Pose2>& 
     radius = std::max(radius, before.norm());
     most = std::max(most, (now[i].position() - middle_now - before).norm());
   }
-  return radius > 0.0 ? most / radius : most;
+  return most / std::clamp(radius, kLeastRadius, kLargestRadius);
 }
 
 }  // namespace slam::graph

@@ -163,6 +163,8 @@ void Optimizer::relinearize(bool with_postponed) {
 
 /// Factors of variables that have moved at all are linearised again.
 void Optimizer::relinearizeAll() {
+  due_.clear();
+  postponed_.clear();
   std::vector<FactorId> factors;
   for (Key key = 0; key < static_cast<Key>(variables_.size()); ++key) {
     if (!isFurther(key, 0.0)) continue;

@@ -5,7 +5,6 @@
 
 #include <utility>
 
-#include "slam_core/common/late_sentence.hpp"
 #include "slam_core/contract/known_sections.hpp"
 #include "slam_core/contract/registry.hpp"
 
@@ -76,7 +75,10 @@ Status WheelOdometry::execute() {
   if (isFar(input_)) return reject("invalid", "odometry is more than 1e9 m from its origin");
   if (last_ && input_.stamp <= last_->stamp - kStampJump) beginAnew();
   if (last_ && input_.stamp <= last_->stamp)
-    return reject("late", lateSentence("an odometry message", input_.stamp));
+    return reject("late",
+                  input_.stamp == Stamp()
+                      ? "odometry has the stamp 0, since its driver sets none; it is left out"
+                      : "odometry is not newer than the message before it");
   if (isDoubtful())
     return reject("stamp_jump",
                   "odometry is stamped far ahead of the message before it; it counts "

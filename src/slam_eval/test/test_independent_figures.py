@@ -66,13 +66,12 @@ class IndependentFigures(unittest.TestCase):
         found = evaluation.trajectory_error(self.ours(self.estimate), self.ours(self.truth),
                                             align=False)
         np.testing.assert_allclose(found.errors, distances, atol=1e-9)
-        aligned = evaluation.trajectory_error(self.ours(self.estimate), self.ours(self.truth))
-        self.assertGreater(found.rmse, aligned.rmse)
 
     def test_nees_is_what_the_density_of_a_gaussian_says(self):
         updates = Updates(self.stamps, self.covariances, np.zeros(COUNT), np.zeros(COUNT), {})
         found = evaluation.pose_consistency(self.ours(self.estimate), updates,
                                             self.ours(self.truth))
+        self.assertEqual(len(found.nees), COUNT)
         for error, covariance, nees in zip(self.estimate - self.in_map(), self.covariances,
                                            found.nees):
             error[2] = (error[2] + np.pi) % (2.0 * np.pi) - np.pi

@@ -171,5 +171,17 @@ TEST(FreeMap, SaysByWhichAngleItsPointsHaveTurned) {
   EXPECT_NEAR(factor.moved(then, apart), 0.1, 1e-9) << "a share of the radius";
 }
 
+TEST(FreeMap, CountsMetresWhereItIsTinyOrHuge) {
+  for (const auto& [radius, expected] :
+       {std::pair(0.0, 0.01), std::pair(0.1, 0.01), std::pair(300.0, 0.01 / 30.0)}) {
+    LocalMap map;
+    map.points = {{-radius, 0}, {radius, 0}};
+    map.covariance = Eigen::MatrixXd::Identity(4, 4);
+    const std::vector<Pose2> then = {{-radius, 0, 0}, {radius, 0, 0}};
+    const std::vector<Pose2> now = {{-radius, 0.01, 0}, {radius, -0.01, 0}};
+    EXPECT_NEAR(FreeMap(keys(2), map).moved(then, now), expected, 1e-9) << radius;
+  }
+}
+
 }  // namespace
 }  // namespace slam::graph

@@ -214,9 +214,39 @@ TEST(Optimizer, LinearisesAgainWhatWasAddedToAPoseThatHasMovedFar) {
   const Pose2 ahead(1, 0, 0.2);
   optimizer.add(optimizer.pose(0) * ahead);
   optimizer.add(std::make_unique<Between>(0, 1, ahead, kExact));
-  for (int i = 0; i < 5; ++i) optimizer.update({1});
+  optimizer.update({1});
   EXPECT_LT(optimizer.pose(0).between(optimizer.pose(1)).between(ahead).vector().norm(), 1e-6);
   EXPECT_LT(optimizer.pose(0).between(Pose2(3, -2, 0.5)).vector().norm(), 1e-3);
+}
+
+/// A triangle of points that priors turn. @return whether the next step would linearise it again
+bool isDueAfterATurn(double angle, double patience) {
+  OptimizerLimits limits;
+  limits.patience = patience;
+  Optimizer optimizer(limits);
+  LocalMap map;
+  map.points = {{-2, 0}, {2, 0}, {0, 2}};
+  map.covariance = 1e-2 * Eigen::MatrixXd::Identity(6, 6);
+  std::vector<Key> keys;
+  for (const auto& point : map.points) keys.push_back(optimizer.add(point));
+  const auto triangle = optimizer.add(std::make_shared<FreeMap>(keys, map));
+  const Eigen::Matrix2d W = 1e4 * Eigen::Matrix2d::Identity();
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    optimizer.add(
+        std::make_shared<PointPrior>(keys[i], Pose2(0, 0, angle).transform(map.points[i]), W));
+  const bool is_due = optimizer.update({keys.back()});
+  EXPECT_FALSE(optimizer.update({keys.back()}, {keys, {}})) << "what waited is linearised again";
+  optimizer.remove(triangle);
+  optimizer.add(std::make_shared<PointPrior>(keys[0], map.points[0], W));
+  EXPECT_FALSE(optimizer.update({keys.back()}, {keys, {}})) << "no factor waits that is gone";
+  return is_due;
+}
+
+TEST(Optimizer, LetsALocalMapWaitThatHasTurnedALittle) {
+  EXPECT_FALSE(isDueAfterATurn(0.01, 1.0));
+  EXPECT_TRUE(isDueAfterATurn(0.04, 1.0));
+  EXPECT_FALSE(isDueAfterATurn(0.04, 3.0));
+  EXPECT_TRUE(isDueAfterATurn(0.1, 3.0));
 }
 
 /// Points far from where they began: factors that are linearised at different times have the same

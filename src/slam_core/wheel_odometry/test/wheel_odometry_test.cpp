@@ -107,7 +107,7 @@ TEST_F(WheelOdometryTest, UsesTheTwistBesideAPoseWhenToldSo) {
 TEST_F(WheelOdometryTest, SaysThatADriverSetsNoStamps) {
   take(poseSample(0, Pose2()));
   EXPECT_EQ(take(poseSample(0, Pose2(1, 0, 0))).message,
-            "an odometry message has the stamp 0, since its driver sets none; it is left out");
+            "odometry has the stamp 0, since its driver sets none; it is left out");
 }
 
 TEST_F(WheelOdometryTest, RefusesStampsThatAreNotNewer) {
