@@ -37,15 +37,21 @@ def require_snakemake():
         raise unittest.SkipTest("snakemake is not installed")
 
 
-def processes_of(folder, name=""):
-    """The processes that name a folder in their command line, by /proc; of a program alone."""
-    found = []
+def command_lines(folder):
+    """The command lines that name a folder, by process (/proc)."""
+    found = {}
     for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
             line = path.read_bytes()
-            if str(folder).encode() in line and line.split(b"\0")[0].endswith(name.encode()):
-                found.append(int(path.parent.name))
+            if str(folder).encode() in line:
+                found[int(path.parent.name)] = line
     return found
+
+
+def processes_of(folder, name=""):
+    """The processes that name a folder in their command line; of a program alone."""
+    return [process for process, line in command_lines(folder).items()
+            if line.split(b"\0")[0].endswith(name.encode())]
 
 
 def kill_one(name, folder, process):

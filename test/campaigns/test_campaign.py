@@ -9,8 +9,8 @@ import tempfile
 import time
 import unittest
 
-from campaigns import (InFolder, kill_one, processes_of, program, require_snakemake, results, RUNS,
-                       TINY, WITHIN)
+from campaigns import (command_lines, InFolder, kill_one, processes_of, program, require_snakemake,
+                       results, RUNS, TINY, WITHIN)
 import rospkg
 from slam_eval.campaign.folder import locked
 
@@ -73,6 +73,28 @@ class Campaign(InFolder):
         self.assertEqual({name: after[name] for name in before}, before)
         self.assert_same_tables(self.whole, out)
         self.assertEqual(list((out / "unfinished").iterdir()), [])
+
+    def test_whose_own_process_is_killed_leaves_no_snakemake(self):
+        out = self.folder / "alone"
+        with subprocess.Popen([program("slam_campaign"), self.path, "--out", out],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            while len(results(out)) < 2 and process.poll() is None:
+                time.sleep(0.05)
+            process.kill()
+        limit = time.monotonic() + 5
+        while engines := [line for line in command_lines(out).values() if b"--snakefile" in line]:
+            self.assertLess(time.monotonic(), limit, engines)
+        self.run_campaign(self.path, out)
+        self.assert_same_tables(self.whole, out)
+
+    def test_makes_a_run_again_that_has_lost_its_result(self):
+        out = self.folder / "lost"
+        self.run_campaign(self.path, out)
+        name, inode = sorted(results(out).items())[0]
+        (out / "runs" / name / "result.json").unlink()
+        self.run_campaign(self.path, out)
+        self.assertNotEqual(results(out)[name], inode)
+        self.assert_same_tables(self.whole, out)
 
     def test_runs_again_what_was_ended_from_outside(self):
         text = TINY.replace("[segway, turtlebot3]", "[segway]").replace("seeds: 2", "seeds: 1")

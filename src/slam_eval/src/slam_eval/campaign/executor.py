@@ -61,7 +61,9 @@ class Executor:
             jobs = self._jobs or os.cpu_count() or 1
             where += ["--jobs", str(jobs)] if where else ["--cores", str(jobs)]
         snakefile = package_folder("slam_eval") / "campaign" / "Snakefile"
-        return [self._program, "--snakefile", str(snakefile),
+        # Snakemake ends when the campaign is killed: two at a time would take their runs from one
+        # another.
+        return ["setpriv", "--pdeathsig", "KILL", self._program, "--snakefile", str(snakefile),
                 "--directory", str(self._folder.path), *where,
                 # The campaign's own lock and its complete results count, not Snakemake's notes of
                 # them, which a kill leaves behind.

@@ -114,8 +114,10 @@ def make_run(folder, name):
     except (BenchError, InputError) as error:
         failure = said(error, work, folder, name, run.bag)
     write_atomically(work / RESULT, json.dumps({"failure": failure}) + "\n")
+    if not folder.result(name).exists():
+        shutil.rmtree(folder.run(name), ignore_errors=True)  # what has lost its result
     try:
-        os.rename(work, folder.run(name))  # takes the place of the empty one that Snakemake makes
+        os.rename(work, folder.run(name))
     except OSError:
         shutil.rmtree(work, ignore_errors=True)
         if not folder.result(name).exists():  # else another host was faster
