@@ -38,7 +38,7 @@ def require_snakemake():
 
 
 def command_lines(folder):
-    """The command lines that name a folder, by process (/proc)."""
+    """Returns the command lines that name a folder, by process (/proc)."""
     found = {}
     for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):

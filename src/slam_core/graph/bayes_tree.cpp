@@ -205,15 +205,21 @@ void BayesTree::solveNew(std::vector<int>& below, double threshold) {
   }
 }
 
+/// Solves a clique if it is outdated. @return whether it was
+bool BayesTree::isRenewed(Clique& c, double threshold, std::size_t& left) {
+  if (!isOutdated(c)) return false;
+  solve(c, threshold);
+  left -= std::min(left, index(c.frontal_rows) * index(c.rows));
+  return true;
+}
+
 /// Solves outdated cliques and those below them, the uppermost ones first.
 /// @param cliques those that are left when so many numbers have been read
 void BayesTree::solveBelow(std::vector<int>& cliques, double threshold, std::size_t& left) {
   std::size_t done = 0;
   for (; done < cliques.size() && left > 0; ++done) {
     auto& c = clique(cliques[done]);
-    if (!isOutdated(c)) continue;
-    solve(c, threshold);
-    left -= std::min(left, numbersOf(c));
+    if (!isRenewed(c, threshold, left)) continue;
     cliques.insert(cliques.end(), c.children.begin(), c.children.end());
   }
   cliques.erase(cliques.begin(), cliques.begin() + static_cast<std::ptrdiff_t>(done));
@@ -226,10 +232,7 @@ void BayesTree::solveWaiting(double threshold, std::size_t left) {
   for (; done < waiting_.size() && left > 0; ++done) {
     auto& c = clique(waiting_[done]);
     c.is_waiting = false;
-    if (!isOutdated(c)) continue;
-    solve(c, threshold);
-    left -= std::min(left, numbersOf(c));
-    wait(c.children);
+    if (isRenewed(c, threshold, left)) wait(c.children);
   }
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(done));
 }

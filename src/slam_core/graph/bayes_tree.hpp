@@ -120,7 +120,6 @@ class BayesTree {
   static constexpr auto kAll = std::numeric_limits<std::size_t>::max();
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   int rows(Key key) const { return rows_[index(key)]; }
-  static std::size_t numbersOf(const Clique& c) { return index(c.frontal_rows) * index(c.rows); }
   Clique& clique(int i) { return cliques_[index(i)]; }
   const Clique& clique(int i) const { return cliques_[index(i)]; }
   int newClique();
@@ -135,6 +134,7 @@ class BayesTree {
   void solve(Clique& clique, double threshold);
   void solveNew(std::vector<int>& below, double threshold);
   void solveBelow(std::vector<int>& cliques, double threshold, std::size_t& left);
+  bool isRenewed(Clique& clique, double threshold, std::size_t& left);
   void solveWaiting(double threshold, std::size_t left);
   void wait(const std::vector<int>& cliques);
   std::vector<ForwardRows> forward(Key key) const;

@@ -114,11 +114,9 @@ FreeMap::FreeMap(std::vector<Key> keys, LocalMap map)
 Pose2 FreeMap::firstBase(const std::vector<Pose2>& at) const {
   if (!map().poses.empty()) return at[0] * map().poses[0].inverse();
   const auto& points = map().points;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero(), mean_base = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    mean += at[i].position() / static_cast<double>(points.size());
-    mean_base += points[i] / static_cast<double>(points.size());
-  }
+  const Eigen::Vector2d mean = meanPosition(at);
+  Eigen::Vector2d mean_base = Eigen::Vector2d::Zero();
+  for (const auto& point : points) mean_base += point / static_cast<double>(points.size());
   double sine = 0.0, cosine = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d a = points[i] - mean_base, b = at[i].position() - mean;

@@ -59,11 +59,12 @@ class FreeMap final : public Factor {
   /// @param keys of the poses and the points, which are two at least where there is no pose
   FreeMap(std::vector<Key> keys, LocalMap map);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
-  /// Of points alone this is the largest change of where a point lies from their middle, as a share
-  /// of the map's radius [1]. If the points have turned together, it is the angle by which the
-  /// Jacobian turns. If they have moved together, neither residual nor Jacobian change. A radius
-  /// below 1 m counts as 1 m, so that millimetres do not count, and one above 30 m as 30 m, since
-  /// the same angle leaves an error that grows with the radius.
+  /// Where the map has no poses, this returns how far a point has moved at most relative to the
+  /// middle of all points, divided by the map's radius [1]. If the points have turned together,
+  /// that is the angle by which the Jacobian turns. If they have moved together, it is 0, since
+  /// neither residual nor Jacobian has changed. A radius below 1 m counts as 1 m, so that
+  /// millimetres do not count, and one above 30 m as 30 m, since the same angle leaves an error
+  /// that grows with the radius.
   double moved(const std::vector<Pose2>& then, const std::vector<Pose2>& now) const override;
   const LocalMap& map() const { return based_.map(); }
   /// @return the pose of the base at which the map fits best

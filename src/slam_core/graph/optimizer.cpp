@@ -111,7 +111,7 @@ void Optimizer::refresh(FactorId id) {
   tree_.replace(id, quadratic.H, quadratic.g);
 }
 
-/// How many times further than allowed a factor is from where it was linearised.
+/// Returns how far a factor is from where it was linearised, divided by what is allowed.
 double Optimizer::excess(FactorId id) const {
   const auto& [factor, weight, at] = terms_[index(id)];
   return factor->moved(at, linearizationOf(*factor)) / limits_.correction;
@@ -134,15 +134,6 @@ void Optimizer::findOutdated() {
     (waits ? postponed : due_).push_back(id);
   }
   postponed_ = sortedUnique(std::move(postponed));
-  addFactorsOfFarVariables();
-}
-
-/// All factors of a variable whose origin moves, also those that were added since the last step.
-void Optimizer::addFactorsOfFarVariables() {
-  for (const Key key : moved_)
-    if (isFarAsAWhole(key))
-      due_.insert(due_.end(), terms_of_[index(key)].begin(), terms_of_[index(key)].end());
-  due_ = sortedUnique(std::move(due_));
 }
 
 bool Optimizer::joinsPointsAlone(const Factor& factor) const {
@@ -150,15 +141,21 @@ bool Optimizer::joinsPointsAlone(const Factor& factor) const {
   return std::all_of(factor.keys().begin(), factor.keys().end(), is_point);
 }
 
-/// Factors of variables that are too far from where they were linearised are linearised again.
+/// Linearises factors again that are too far from where they were linearised, and all factors of a
+/// variable that is too far as a whole, also those that were added since the last step.
 /// @param with_postponed also those that wait
 void Optimizer::relinearize(bool with_postponed) {
-  addFactorsOfFarVariables();
-  for (const Key key : moved_)
-    if (isFarAsAWhole(key)) moveOrigin(key);
-  for (const FactorId id : std::exchange(due_, {})) refresh(id);
-  if (!with_postponed) return;
-  for (const FactorId id : std::exchange(postponed_, {})) refresh(id);
+  auto factors = std::exchange(due_, {});
+  const auto add = [&factors](const std::vector<FactorId>& more) {
+    factors.insert(factors.end(), more.begin(), more.end());
+  };
+  if (with_postponed) add(std::exchange(postponed_, {}));
+  for (const Key key : moved_) {
+    if (!isFarAsAWhole(key)) continue;
+    moveOrigin(key);
+    add(terms_of_[index(key)]);
+  }
+  for (const FactorId id : sortedUnique(std::move(factors))) refresh(id);
 }
 
 /// Factors of variables that have moved at all are linearised again.
@@ -185,7 +182,8 @@ bool Optimizer::update(const std::vector<Key>& last, const Vicinity& vicinity) {
   tree_.update(last, vicinity);
   moved_ = tree_.solve(limits_.change, limits_.passed_on);
   findOutdated();
-  return !due_.empty();
+  const auto is_far = [this](Key key) { return isFarAsAWhole(key); };
+  return !due_.empty() || std::any_of(moved_.begin(), moved_.end(), is_far);
 }
 
 bool Optimizer::optimize(const std::vector<Key>& last, int most_steps) {

@@ -21,17 +21,16 @@ struct OptimizerLimits {
   /// If a variable is further than this [m, rad] from where its factors were linearised, all of
   /// them are linearised again, at one place.
   double correction = 2e-2;
-  /// Points are excepted: each of their factors is linearised again by itself, when its own
-  /// variables are further than `correction` from where it was (Factor::moved()). So local maps
-  /// that are carried along as a whole stay as they are. It must not be so where points stand for
+  /// Points are excepted: each of their factors is linearised again by itself, when its
+  /// Factor::moved() exceeds `correction`. So local maps that are carried along as a whole stay as
+  /// they are. It must not be so where points stand for
   /// parameters that many factors share: linearised at several places, these would seem to tell
   /// what none of them does (Huang et al. 2010).
   bool points_by_factor = true;
   /// A smaller change of a variable [m, rad] is not passed on to other variables.
   double change = 1e-3;
   /// A factor that joins only points waits until variables are gathered (Vicinity). It does not
-  /// wait if its points are more than this many times `correction` from where it was linearised
-  /// [1].
+  /// wait if its Factor::moved() exceeds this many times `correction` [1].
   double patience = 1.0;
   /// A step passes changes on to parts of the graph that it has not eliminated, and reads at most
   /// this many numbers of the Cholesky factor for it [1]. Other changes wait for the next steps.
@@ -126,7 +125,6 @@ class Optimizer {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   double excess(FactorId id) const;
   void findOutdated();
-  void addFactorsOfFarVariables();
   bool joinsPointsAlone(const Factor& factor) const;
   void relinearize(bool with_postponed);
   void relinearizeAll();

@@ -22,14 +22,14 @@ COUNT = 300
 
 
 def matrix(pose):
-    """The 3 x 3 matrix of a pose."""
+    """Returns the 3 x 3 matrix of a pose."""
     T = Rotation.from_euler("z", pose[2]).as_matrix()
     T[:2, 2] = pose[:2]
     return T
 
 
 def pose_of(T):
-    """The pose of a 3 x 3 matrix."""
+    """Returns the pose of a 3 x 3 matrix."""
     return np.array([T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])])
 
 
@@ -49,7 +49,7 @@ class IndependentFigures(unittest.TestCase):
         return Trajectory(self.stamps, np.array(poses))
 
     def in_map(self):
-        """The true poses in the map, whose frame the first pose tells."""
+        """Returns the true poses in the map, whose frame the first pose tells."""
         T_map_world = matrix(self.estimate[0]) @ np.linalg.inv(matrix(self.truth[0]))
         return np.array([pose_of(T_map_world @ matrix(pose)) for pose in self.truth])
 

@@ -202,8 +202,8 @@ TEST(Optimizer, TurnsAPartOfTheGraphFarInFewSteps) {
   }
 }
 
-/// What is added to a pose after it has moved far is linearised where its origin was, and again
-/// where the next step puts it.
+/// A factor that is added to a pose which has moved far is linearised at the pose's old origin. The
+/// next step moves the origin, so that it has to linearise this factor again.
 TEST(Optimizer, LinearisesAgainWhatWasAddedToAPoseThatHasMovedFar) {
   Optimizer optimizer;
   optimizer.add(Pose2());
@@ -219,7 +219,7 @@ TEST(Optimizer, LinearisesAgainWhatWasAddedToAPoseThatHasMovedFar) {
   EXPECT_LT(optimizer.pose(0).between(Pose2(3, -2, 0.5)).vector().norm(), 1e-3);
 }
 
-/// A triangle of points that priors turn. @return whether the next step would linearise it again
+/// Turns a triangle of points by priors. @return whether the next step would linearise it again
 bool isDueAfterATurn(double angle, double patience) {
   OptimizerLimits limits;
   limits.patience = patience;

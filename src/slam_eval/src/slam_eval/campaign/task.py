@@ -115,7 +115,7 @@ def make_run(folder, name):
         failure = said(error, work, folder, name, run.bag)
     write_atomically(work / RESULT, json.dumps({"failure": failure}) + "\n")
     if not folder.result(name).exists():
-        shutil.rmtree(folder.run(name), ignore_errors=True)  # what has lost its result
+        shutil.rmtree(folder.run(name), ignore_errors=True)  # it has lost its result
     try:
         os.rename(work, folder.run(name))
     except OSError:

@@ -15,7 +15,7 @@ MEAN_STEP, MEDIAN_STEP = 2, 3  # in a row
 
 
 def rows(text, landmarks):
-    """The rows (landmarks, steps, ...) of the table that slam_eval_growing_map has printed, without
+    """Returns the rows (landmarks, steps, ...) of the table that slam_eval_growing_map has printed, without
     the one of the steps after the last landmark."""
     found = []
     for line in text.splitlines():
@@ -30,7 +30,7 @@ def rows(text, landmarks):
 
 
 def remark(found):
-    """By how much a step takes longer with the whole map than with a tenth of it."""
+    """Says by how much a step takes longer with the whole map than with a tenth of it."""
     first, last = found[0], found[-1]
     growth = last[MEAN_STEP] / first[MEAN_STEP]
     return (f"From {first[0]} to {last[0]} landmarks the mean step takes {growth:.2f} times as long "
