@@ -22,7 +22,7 @@ std::size_t count(int number) { return static_cast<std::size_t>(number); }
 /// Changes far from the robot may wait, so that a step hardly depends on the size of the map.
 graph::OptimizerLimits optimizerLimits() {
   graph::OptimizerLimits limits;
-  limits.passed_on = 50000;
+  limits.passed_on = 25000;
   limits.patience = 2.0;
   return limits;
 }

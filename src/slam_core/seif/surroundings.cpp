@@ -10,6 +10,29 @@
 #include "slam_core/common/sorted_unique.hpp"
 
 namespace slam::seif {
+namespace {
+
+/// The size of the smallest cells [m]: a power of two, so that cells of different radii have common
+/// borders.
+double leastCell(double radius) {
+  constexpr double kShare = 0.25;  // of the radius, so that the innermost shell is thin
+  return kShare * std::exp2(std::ceil(std::log2(radius)));
+}
+
+/// How often the cells of a square grid have to be doubled in size until two points lie in the same
+/// cell or in neighbouring ones.
+int doublingsUntilNeighbours(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double cell) {
+  constexpr int kMost = 40;
+  const auto cellOf = [](const Eigen::Vector2d& point, double size) {
+    return Eigen::Vector2d((point / size).array().floor());
+  };
+  int doublings = 0;
+  for (; doublings < kMost; ++doublings, cell *= 2.0)
+    if ((cellOf(a, cell) - cellOf(b, cell)).cwiseAbs().maxCoeff() <= 1.0) break;
+  return doublings;
+}
+
+}  // namespace
 
 /// The landmarks of the local maps of what was observed that are nearest to the robot.
 /// @return their variables
@@ -46,10 +69,9 @@ graph::Vicinity Surroundings::follow(const std::vector<std::size_t>& observed) {
   std::vector<graph::Key> near;
   for (const auto landmark : near_) near.push_back(keyOf(landmarks_, landmark));
   std::sort(near.begin(), near.end());
-  vicinity.shell = [&graph, near, robot, radius = radius_](graph::Key key) {
+  vicinity.shell = [&graph, near, robot, least = leastCell(radius_)](graph::Key key) {
     if (std::binary_search(near.begin(), near.end(), key)) return 0;
-    const double distance = (graph.pose(key).position() - robot).norm();
-    return 1 + static_cast<int>(std::log2(std::max(1.0, distance / radius)));
+    return 1 + doublingsUntilNeighbours(graph.pose(key).position(), robot, least);
   };
   return vicinity;
 }

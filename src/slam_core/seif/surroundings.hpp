@@ -17,8 +17,12 @@ namespace slam::seif {
 /// computed. Then those of the landmarks around are computed with them, and all these are
 /// eliminated last, so that the next landmarks that it sees change the top of the tree alone
 /// (Guivant, Nebot 2001 keep a local area apart for the same reason). What is further away is
-/// eliminated the earlier the further it is, by shells of which each is twice as wide as the one
-/// before: the cost of a shell grows with its width, and the robot needs the longer to come to it.
+/// eliminated the earlier the further it is, by shells: a shell holds the cells of a grid around
+/// the robot's cell, and the cells of the next one are twice as wide. The cost of a shell grows
+/// with its width, and the robot needs the longer to come to it. The grid lies still while the
+/// robot moves, so a new shell has its borders where earlier ones had theirs. If each shell were a
+/// ring around the robot, the separators that earlier rings left would cross the new ones, and
+/// cliques would be three times as large.
 class Surroundings {
  public:
   /// @param most so many landmarks

@@ -42,6 +42,14 @@ class RowOfLandmarks : public testing::Test {
     return keys;
   }
 
+  /// The shell of each landmark.
+  std::vector<int> shellsOf(const graph::Vicinity& vicinity) const {
+    std::vector<int> shells;
+    for (std::size_t i = 0; i < kLandmarks; ++i)
+      shells.push_back(vicinity.shell(keyOf(landmarks_, i)));
+    return shells;
+  }
+
   landmark_graph::PathGraph path_{{0.05, 0.05}, {Pose2(), 1e-6 * Eigen::Matrix3d::Identity()}};
   landmark_graph::LandmarkGraph landmarks_{path_};
   LocalMaps maps_{{45, 0.05}, path_, landmarks_};
@@ -62,17 +70,27 @@ TEST_F(RowOfLandmarks, GathersAgainOnlyWhereALandmarkThatWasNotGatheredIsSeen) {
   EXPECT_FALSE(surroundings_.follow({kMost}).gathered.empty());
 }
 
+/// The radius of what is gathered is 5 m, so the smallest cells are 2 m wide.
 TEST_F(RowOfLandmarks, PutsWhatIsTwiceAsFarIntoTheNextShell) {
-  const auto vicinity = surroundings_.follow({2});
-  const auto shell = [&](double distance) {  // of the landmark at this distance [m]
-    return vicinity.shell(keyOf(landmarks_, static_cast<std::size_t>(distance) - 1));
-  };
-  EXPECT_EQ(shell(1), 0);
-  EXPECT_EQ(shell(kMost), 0);
-  EXPECT_EQ(shell(kMost + 1), 1);
-  EXPECT_EQ(shell(2 * kMost - 1), 1);
-  EXPECT_EQ(shell(2 * kMost + 1), 2);
-  EXPECT_EQ(shell(4 * kMost + 1), 3);
+  const auto shells = shellsOf(surroundings_.follow({2}));
+  for (std::size_t i = 0; i < kLandmarks; ++i) {
+    const auto distance = i + 1;
+    const int expected = distance <= kMost ? 0
+                         : distance < 8    ? 2
+                         : distance < 16   ? 3
+                         : distance < 32   ? 4
+                                           : 5;
+    EXPECT_EQ(shells[i], expected) << distance << " m";
+  }
+}
+
+TEST_F(RowOfLandmarks, LeavesTheBordersOfTheShellsWhereTheyAreWhileTheRobotDrivesThroughACell) {
+  const auto before = shellsOf(surroundings_.follow({2}));
+  Motion motion;
+  motion.increment = Pose2(1.9, 0.0, 0.0);
+  motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  path_.predict(motion);
+  EXPECT_EQ(shellsOf(surroundings_.follow({2})), before);
 }
 
 }  // namespace
