@@ -22,7 +22,7 @@ namespace slam::seif {
 /// with its width, and the robot needs the longer to come to it. The grid lies still while the
 /// robot moves, so a new shell has its borders where earlier ones had theirs. If each shell were a
 /// ring around the robot, the separators that earlier rings left would cross the new ones, and
-/// cliques would be three times as large.
+/// cliques would be larger.
 class Surroundings {
  public:
   /// @param most so many landmarks
