@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kCheckStep = 0.05;  // of the way's clearance [s]
 constexpr double kStep = 0.005;      // of the speed profile [m]
+constexpr double kSharpTurn = 0.1;   // in a step; there the steps become shorter [rad]
+constexpr double kTurn = 0.01;       // in one of these [rad]
+constexpr double kLeastStep = 1e-6;  // [m]
 constexpr double kSwayLength = 3.0;  // of one swing of the heading, about [m]
 
 double swayFrequency(double length) {
@@ -27,17 +30,46 @@ Drive::Drive(const DrivePath& path, const RobotModel& robot)
     : curve_(path.points),
       sway_(robot.heading_sway),
       sway_frequency_(swayFrequency(curve_.length())) {
-  const double total = curve_.length() * path.laps;
-  const auto steps = static_cast<std::size_t>(std::ceil(total / kStep));
-  for (std::size_t i = 0; i <= steps; ++i) {
-    distances_.push_back(total * static_cast<double>(i) / static_cast<double>(steps));
-    speeds_.push_back(limitAt(distances_.back(), robot.limits, path.speed));
-  }
+  divide(curve_.length() * path.laps);
+  for (const double s : distances_) speeds_.push_back(limitAt(s, robot.limits, path.speed));
+  limitTurns(robot.limits.turn_rate);
   limitAcceleration(robot.limits.acceleration);
   times_.push_back(0.0);
-  for (std::size_t i = 0; i < steps; ++i)
+  for (std::size_t i = 0; i + 1 < distances_.size(); ++i)
     times_.push_back(times_.back() +
                      2.0 * (distances_[i + 1] - distances_[i]) / (speeds_[i] + speeds_[i + 1]));
+}
+
+/// Into steps of the speed profile. They are short where the way has a cusp, as where it comes back
+/// by nearly the way it has come.
+void Drive::divide(double total) {
+  const auto count = static_cast<std::size_t>(std::ceil(total / kStep));
+  const double step = total / static_cast<double>(count);
+  distances_.push_back(0.0);
+  for (std::size_t i = 1; i <= count; ++i) {
+    const double end = total * static_cast<double>(i) / static_cast<double>(count);
+    if (turn(distances_.back(), end) > kSharpTurn)
+      refine(distances_.back(), end);
+    else
+      append(end, step);
+  }
+}
+
+void Drive::refine(double begin, double end) {
+  if (end - begin <= kLeastStep || turn(begin, end) <= kTurn) return append(end, end - begin);
+  const double middle = 0.5 * (begin + end);
+  refine(begin, middle);
+  refine(middle, end);
+}
+
+void Drive::append(double end, double step) {
+  distances_.push_back(end);
+  steps_.push_back(step);
+}
+
+/// By how much the heading changes from one place of the way to another [rad], at most pi.
+double Drive::turn(double begin, double end) const {
+  return std::abs(wrapAngle(poseAt(end).theta() - poseAt(begin).theta()));
 }
 
 double Drive::turnPerMetre(double s) const {
@@ -52,14 +84,26 @@ double Drive::limitAt(double s, const DriveLimits& limits, double wanted) const 
   return speed;
 }
 
+/// In short steps, where the curvature at their ends says little of that in between.
+void Drive::limitTurns(double turn_rate) {
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (steps_[i] > 0.5 * kStep) continue;
+    const double limit =
+        steps_[i] * turn_rate / std::max(kTurn, turn(distances_[i], distances_[i + 1]));
+    for (const auto end : {i, i + 1}) speeds_[end] = std::min(speeds_[end], limit);
+  }
+}
+
 /// From rest and to rest, forth and back (the usual two passes of time-optimal path following).
 void Drive::limitAcceleration(double acceleration) {
-  const double gain = 2.0 * acceleration * distances_[1];
+  const auto faster = [&](double speed, double step) {
+    return std::sqrt(speed * speed + 2.0 * acceleration * step);
+  };
   speeds_.front() = speeds_.back() = 0.0;
   for (std::size_t i = 1; i < speeds_.size(); ++i)
-    speeds_[i] = std::min(speeds_[i], std::sqrt(speeds_[i - 1] * speeds_[i - 1] + gain));
+    speeds_[i] = std::min(speeds_[i], faster(speeds_[i - 1], steps_[i - 1]));
   for (std::size_t i = speeds_.size() - 1; i-- > 0;)
-    speeds_[i] = std::min(speeds_[i], std::sqrt(speeds_[i + 1] * speeds_[i + 1] + gain));
+    speeds_[i] = std::min(speeds_[i], faster(speeds_[i + 1], steps_[i]));
 }
 
 std::size_t Drive::segment(double t) const {

@@ -94,6 +94,20 @@ TEST_F(DriveOfARobot, KeepsEveryLimit) {
   EXPECT_NEAR(fastest, 0.8, 1e-3);  // the straight is long enough
 }
 
+TEST_F(DriveOfARobot, TurnsNoFasterWhereTheWayHasACusp) {
+  path_.points = {{0, 0}, {3, 0}, {3.5, 0.02}, {3, 0.04}, {0, 0.6}, {-0.5, 0.3}};
+  const Drive drive(path_, robot_);
+  const double dt = 0.001;
+  double sharpest = 0.0;
+  for (double t = 0.0; t < drive.duration() - dt; t += dt) {
+    const Eigen::Vector3d twist = drive.pose(t).between(drive.pose(t + dt)).log() / dt;
+    EXPECT_LE(std::abs(twist.z()), 0.7 + 5e-3) << t;
+    EXPECT_LE(std::abs(drive.speed(t + dt) - drive.speed(t)) / dt, 0.4 + 1e-3) << t;
+    if (twist.x() > 0.0) sharpest = std::max(sharpest, std::abs(twist.z()) / twist.x());
+  }
+  EXPECT_GT(sharpest, 1e2);  // [1/m], so it is a cusp
+}
+
 TEST_F(DriveOfARobot, SpeedIsTheDerivativeOfTheWay) {
   const Drive drive(path_, robot_);
   for (double t = 0.1; t < drive.duration(); t += 0.1) {

@@ -31,12 +31,18 @@ class Drive {
   Pose2 poseAt(double s) const;
   double turnPerMetre(double s) const;
   double limitAt(double s, const DriveLimits& limits, double wanted) const;
+  void divide(double total);
+  void refine(double begin, double end);
+  void append(double end, double step);
+  double turn(double begin, double end) const;
+  void limitTurns(double turn_rate);
   void limitAcceleration(double acceleration);
   double distance(double t) const;
   std::size_t segment(double t) const;
 
   ClosedSpline curve_;
   double sway_, sway_frequency_;                    ///< [rad], [rad/m]
+  std::vector<double> steps_;                       ///< between the distances [m]
   std::vector<double> distances_, speeds_, times_;  ///< constant acceleration in between
 };
 
