@@ -18,6 +18,8 @@ constexpr double kStep = 0.005;      // of the speed profile [m]
 constexpr double kSharpTurn = 0.1;   // in a step; there the steps become shorter [rad]
 constexpr double kTurn = 0.01;       // in one of these [rad]
 constexpr double kLeastStep = 1e-6;  // [m]
+constexpr double kAlike = 0.95;      // two limits of a speed, if one is this share of the other
+constexpr int kParts = 8;            // of a step, between which headings are compared
 constexpr double kSwayLength = 3.0;  // of one swing of the heading, about [m]
 
 double swayFrequency(double length) {
@@ -67,9 +69,16 @@ void Drive::append(double end, double step) {
   steps_.push_back(step);
 }
 
-/// By how much the heading changes from one place of the way to another [rad], at most pi.
+/// By how much the heading would change from one place of the way to another if it changed
+/// everywhere as fast as where it changes fastest [rad].
 double Drive::turn(double begin, double end) const {
-  return std::abs(wrapAngle(poseAt(end).theta() - poseAt(begin).theta()));
+  double largest = 0.0, before = poseAt(begin).theta();
+  for (int i = 1; i <= kParts; ++i) {
+    const double heading = poseAt(begin + (end - begin) * i / kParts).theta();
+    largest = std::max(largest, std::abs(wrapAngle(heading - before)));
+    before = heading;
+  }
+  return largest * kParts;
 }
 
 double Drive::turnPerMetre(double s) const {
@@ -84,12 +93,11 @@ double Drive::limitAt(double s, const DriveLimits& limits, double wanted) const 
   return speed;
 }
 
-/// In short steps, where the curvature at their ends says little of that in between.
+/// Where the curvature at the ends of a step says little of that in between.
 void Drive::limitTurns(double turn_rate) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    if (steps_[i] > 0.5 * kStep) continue;
-    const double limit =
-        steps_[i] * turn_rate / std::max(kTurn, turn(distances_[i], distances_[i + 1]));
+    const double limit = steps_[i] * turn_rate / turn(distances_[i], distances_[i + 1]);
+    if (limit > kAlike * std::min(speeds_[i], speeds_[i + 1])) continue;
     for (const auto end : {i, i + 1}) speeds_[end] = std::min(speeds_[end], limit);
   }
 }
