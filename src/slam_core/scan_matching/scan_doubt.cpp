@@ -27,8 +27,7 @@ constexpr double kOfNothingKnown = 1.0;
 constexpr Independence kScans{0.4, 0.6, 4.0};
 /// Relative to the threshold: up to this the robot counts as right, and its scans are learnt from.
 constexpr double kRight = 0.4;
-/// Relative to the threshold: from here on, and during an alarm, scans that speak for a wrong place
-/// stay out of the map.
+/// Relative to the threshold: from here on scans that speak for a wrong place stay out of the map.
 constexpr double kDoubtful = 0.75;
 /// Relative to the threshold: more is not summed up, so that an alarm ends once the robot is right
 /// again.
@@ -58,10 +57,15 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   stamp_ = stamp;
 }
 
+/// At the edge of a map there are places for every scan: the few of its ends that lie where the map
+/// knows something fit, and no search for the robot can tell them from its own. So they do not end
+/// an alarm.
 double ScanDoubt::evidenceOf(const Match& match) const {
   const auto& seen = match.agreement;
-  const double ratio = kLost.logLikelihood(seen) - usual_.distribution().logLikelihood(seen);
-  const bool is_beside_map = map_is_fixed_ && !match.is_determined && seen.silent > seen.known();
+  double ratio = kLost.logLikelihood(seen) - usual_.distribution().logLikelihood(seen);
+  const bool is_beside = seen.silent > seen.known();
+  if (isLost() && is_beside) ratio = std::max(ratio, 0.0);
+  const bool is_beside_map = map_is_fixed_ && !match.is_determined && is_beside;
   return std::clamp(ratio, is_beside_map ? kOfNothingKnown : -kMostOfAScan, kMostOfAScan);
 }
 
@@ -84,7 +88,7 @@ void ScanDoubt::beLost(Stamp stamp) {
 
 bool ScanDoubt::admits() const {
   if (agreement_.contradictingShare() > lost_share_) return false;
-  return (!isLost() && statistic() < kDoubtful) || evidence_ <= 0.0;
+  return !isLost() && (statistic() < kDoubtful || evidence_ <= 0.0);
 }
 
 Status ScanDoubt::status() const {

@@ -22,7 +22,8 @@ namespace slam::scan_matching {
 /// Scans in quick succession see the same and have the same errors. So the weight of a scan grows
 /// with the distance, the turn and the time since the last one, up to 1. The sum never exceeds 2 h.
 /// A robot that may be anywhere, since motion was missing for too long, is lost at once.
-/// An alarm ends when the sum is back at zero, or when the robot is put at a new place.
+/// An alarm ends when the sum is back at zero, or when the robot is put at a new place. A scan of
+/// which most ends lie where the map knows nothing does not lower the sum of a lost robot.
 class ScanDoubt {
  public:
   /// @param lost_share share of the ends in known cells; a scan of which more contradicts the map
@@ -35,8 +36,9 @@ class ScanDoubt {
 
   /// To be called for each scan, before it is added to the map.
   void judge(const Match& match, Stamp stamp);
-  /// Whether the last scan may be added to the map. While the robot is lost or nearly so, a scan
-  /// that is evidence for "lost" may not: the map would be drawn again around the wrong place.
+  /// Whether the last scan may be added to the map. While the robot is lost none may, and while it
+  /// is nearly so none that is evidence for "lost": the map would be drawn again around the wrong
+  /// place, and what is drawn there would soon fit.
   bool admits() const;
   bool isLost() const { return lost_since_.has_value(); }
   /// The stamp of the scan with which the doubt that led to the alarm began.

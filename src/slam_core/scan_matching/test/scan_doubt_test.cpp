@@ -29,6 +29,7 @@ class DoubtfulDrive {
     match.pose = Pose2(way_, 0.0, 0.0);
     match.agreement.contradicting = static_cast<int>(std::lround(share * kEnds));
     match.agreement.agreeing = kEnds - match.agreement.contradicting;
+    match.agreement.silent = silent;
     match.jumped = std::exchange(jump, std::nullopt);
     stamp_ += std::chrono::milliseconds(100);
     doubt.judge(match, stamp_);
@@ -52,6 +53,7 @@ class DoubtfulDrive {
 
   ScanDoubt doubt;
   std::optional<Pose2> jump;  ///< of the next scan
+  int silent = 0;             ///< ends of each scan where the map knows nothing
 
  private:
   RandomStream random_;
@@ -161,7 +163,7 @@ TEST(ScanDoubt, ANewPlaceEndsTheAlarmAtOnce) {
   EXPECT_EQ(drive.doubt.lostFor(), Duration::zero());
 }
 
-TEST(ScanDoubt, KeepsOutWhatContradictsAndWhileLostAlsoWhatRatherDoes) {
+TEST(ScanDoubt, KeepsOutWhatContradictsAndWhileLostAllScans) {
   DoubtfulDrive drive;
   drive.scans(200, 0.03);
   drive.scan(0.45);
@@ -170,10 +172,25 @@ TEST(ScanDoubt, KeepsOutWhatContradictsAndWhileLostAlsoWhatRatherDoes) {
   EXPECT_FALSE(drive.doubt.admits());
   drive.scans(100, 0.6);
   ASSERT_TRUE(drive.doubt.isLost());
-  drive.scan(0.45);
-  EXPECT_FALSE(drive.doubt.admits());
   drive.scan(0.03);
+  EXPECT_FALSE(drive.doubt.admits());
+  drive.scans(300, 0.03);
+  ASSERT_FALSE(drive.doubt.isLost());
   EXPECT_TRUE(drive.doubt.admits());
+}
+
+TEST(ScanDoubt, IsNotEndedAtTheEdgeOfTheMap) {
+  DoubtfulDrive drive;
+  drive.scans(200, 0.03);
+  drive.scans(100, 0.6);
+  ASSERT_TRUE(drive.doubt.isLost());
+  const double before = drive.doubt.statistic();
+  drive.silent = kEnds + 1;
+  drive.scans(300, 0.0);
+  EXPECT_EQ(drive.doubt.statistic(), before);
+  drive.silent = kEnds;
+  drive.scans(300, 0.0);
+  EXPECT_FALSE(drive.doubt.isLost());
 }
 
 TEST(ScanDoubt, AScanOfUnknownPartsSaysNothing) {
