@@ -33,7 +33,8 @@ Drive::Drive(const DrivePath& path, const RobotModel& robot)
       sway_(robot.heading_sway),
       sway_frequency_(swayFrequency(curve_.length())) {
   divide(curve_.length() * path.laps);
-  for (const double s : distances_) speeds_.push_back(limitAt(s, robot.limits, path.speed));
+  for (std::size_t i = 0; i < distances_.size(); ++i)
+    speeds_.push_back(isAtCusp(i) ? path.speed : limitAt(distances_[i], robot.limits, path.speed));
   limitTurns(robot.limits.turn_rate);
   limitAcceleration(robot.limits.acceleration);
   times_.push_back(0.0);
@@ -67,6 +68,14 @@ void Drive::refine(double begin, double end) {
 void Drive::append(double end, double step) {
   distances_.push_back(end);
   steps_.push_back(step);
+}
+
+/// Whether a step that ends here is short. The curvature may be anything there, and says nothing.
+bool Drive::isAtCusp(std::size_t i) const {
+  const auto is_short = [this](std::size_t step) {
+    return step < steps_.size() && steps_[step] <= 0.5 * kStep;
+  };
+  return is_short(i) || (i > 0 && is_short(i - 1));
 }
 
 /// By how much the heading would change from one place of the way to another if it changed

@@ -106,6 +106,7 @@ TEST_F(DriveOfARobot, TurnsNoFasterWhereTheWayHasACusp) {
     if (twist.x() > 0.0) sharpest = std::max(sharpest, std::abs(twist.z()) / twist.x());
   }
   EXPECT_GT(sharpest, 1e2);  // [1/m], so it is a cusp
+  EXPECT_LT(drive.duration(), 2.0 * (drive.length() / 0.4 + 4.0 * M_PI / 0.7));
 }
 
 TEST_F(DriveOfARobot, SpeedIsTheDerivativeOfTheWay) {

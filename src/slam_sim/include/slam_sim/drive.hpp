@@ -34,6 +34,7 @@ class Drive {
   void divide(double total);
   void refine(double begin, double end);
   void append(double end, double step);
+  bool isAtCusp(std::size_t i) const;
   double turn(double begin, double end) const;
   void limitTurns(double turn_rate);
   void limitAcceleration(double acceleration);
