@@ -6,7 +6,7 @@ import unittest
 from slam_eval.bench import carried
 from slam_eval.bench.harness.error import BenchError
 from slam_eval.bench.harness.judge import Outcome
-from slam_eval.bench.harness.products import landmark_sensors_for
+from slam_eval.bench.harness.products import map_sensors_for
 
 
 def outcome(told=0.2, wrong=0.0, false=0):
@@ -43,14 +43,15 @@ class Carried(unittest.TestCase):
         self.assertIn("ekf_wheel_trunks, carried on in the world forest", text)
         self.assertIn("30 s later", text)
 
-    def test_a_drive_holds_what_the_products_landmarks_come_from(self):
-        self.assertEqual(landmark_sensors_for("ekf_wheel_trunks"), "odom,scan")
-        self.assertEqual(landmark_sensors_for("graph_ceiling"), "odom,ceiling_camera")
-        self.assertEqual(landmark_sensors_for("ekf_wheel"), "odom,camera")
+    def test_a_drive_holds_what_the_products_map_comes_from(self):
+        self.assertEqual(map_sensors_for("ekf_wheel_trunks"), "odom,scan")
+        self.assertEqual(map_sensors_for("pf_wheel_grid"), "odom,scan")
+        self.assertEqual(map_sensors_for("graph_ceiling"), "odom,ceiling_camera")
+        self.assertEqual(map_sensors_for("ekf_wheel"), "odom,camera")
 
     def test_a_product_that_there_is_not(self):
         with self.assertRaisesRegex(BenchError, "there is no product nothing"):
-            landmark_sensors_for("nothing")
+            map_sensors_for("nothing")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import math
 from slam_eval.bench.harness import bag_edit
 from slam_eval.bench.harness.goals import Goal, verdicts
 from slam_eval.bench.harness.judge import judge
-from slam_eval.bench.harness.products import landmark_sensors_for
+from slam_eval.bench.harness.products import map_sensors_for
 from slam_eval.bench.harness.runs import run_ours, simulate
 from slam_eval.bench.harness.table import lines_of, Section, table
 from slam_eval.io.run_folder import read_run
@@ -52,7 +52,7 @@ def _outcome(context, seed):
     options = context.options
     product, label = options.product, f"{options.product}, seed {seed} of {options.seeds}"
     name, begin = f"{options.world}_{seed}", lifted_at(seed)
-    whole = simulate(context, name, options.world, seed, landmark_sensors_for(product), label,
+    whole = simulate(context, name, options.world, seed, map_sensors_for(product), label,
                      options.robot, options.duration)
     bag = context.work / f"{name}_carried.bag"
     carried = bag_edit.Carried(begin, begin + options.carried, math.inf)

@@ -28,14 +28,15 @@ def sensors_for(product):
     return f"{SENSORS},ceiling_camera" if twin_of(product) else SENSORS
 
 
-def landmark_sensors_for(product):
-    """What a drive has to hold for a product whose landmarks come from a camera, from one that looks at
-    the ceiling, or from a laser."""
+def map_sensors_for(product):
+    """What a drive has to hold for a product whose map comes from a camera, from one that looks at the
+    ceiling, or from a laser."""
     file = package_folder("slam_launch") / "products" / f"{product}.yaml"
     if not file.is_file():
         raise BenchError(f"there is no product {product}; products are the files in {file.parent}")
-    detector = yaml.safe_load(file.read_text(encoding="utf-8")).get("detector", "none")
-    if detector.startswith("laser_"):
+    features = yaml.safe_load(file.read_text(encoding="utf-8"))
+    detector = features.get("detector", "none")
+    if detector.startswith("laser_") or makes_a_grid(features):
         return "odom,scan"
     return "odom,ceiling_camera" if detector == "ceiling_features" else sensors_for(product)
 
