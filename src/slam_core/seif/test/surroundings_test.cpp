@@ -90,6 +90,7 @@ TEST_F(RowOfLandmarks, LeavesTheBordersOfTheShellsWhereTheyAreWhileTheRobotDrive
   motion.increment = Pose2(1.9, 0.0, 0.0);
   motion.covariance = 1e-6 * Eigen::Matrix3d::Identity();
   path_.predict(motion);
+  ASSERT_NEAR(path_.graph().pose(path_.nodeNearby()).x(), 1.9, 1e-6);
   EXPECT_EQ(shellsOf(surroundings_.follow({2})), before);
 }
 
