@@ -59,7 +59,7 @@ class FreeMap final : public Factor {
   /// @param keys of the poses and the points, which are two at least where there is no pose
   FreeMap(std::vector<Key> keys, LocalMap map);
   LinearFactor linearized(const std::vector<Pose2>& at) const override;
-  /// Where the map has no poses, this returns how far a point has moved at most relative to the
+  /// For a map without poses this returns the longest way that a point has moved relative to the
   /// middle of all points, divided by the map's radius [1]. If the points have turned together,
   /// that is the angle by which the Jacobian turns. If they have moved together, it is 0, since
   /// neither residual nor Jacobian has changed. A radius below 1 m counts as 1 m, so that

@@ -57,9 +57,8 @@ void ScanDoubt::judge(const Match& match, Stamp stamp) {
   stamp_ = stamp;
 }
 
-/// At the edge of a map there are places for every scan: the few of its ends that lie where the map
-/// knows something fit, and no search for the robot can tell them from its own. So they do not end
-/// an alarm.
+/// Every scan fits somewhere at the edge of a map, where few of its ends lie in known cells. A
+/// search for the lost robot may have led there, so such a scan is no evidence that it is right.
 double ScanDoubt::evidenceOf(const Match& match) const {
   const auto& seen = match.agreement;
   double ratio = kLost.logLikelihood(seen) - usual_.distribution().logLikelihood(seen);

@@ -36,9 +36,9 @@ class ScanDoubt {
 
   /// To be called for each scan, before it is added to the map.
   void judge(const Match& match, Stamp stamp);
-  /// Whether the last scan may be added to the map. While the robot is lost none may, and while it
-  /// is nearly so none that is evidence for "lost": the map would be drawn again around the wrong
-  /// place, and what is drawn there would soon fit.
+  /// Returns whether the last scan may be added to the map. No scan is added while the robot is
+  /// lost, and none that is evidence for "lost" while it is nearly so. Otherwise the map would be
+  /// drawn again around the wrong place, and later scans would fit there.
   bool admits() const;
   bool isLost() const { return lost_since_.has_value(); }
   /// The stamp of the scan with which the doubt that led to the alarm began.

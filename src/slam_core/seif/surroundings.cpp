@@ -12,15 +12,15 @@
 namespace slam::seif {
 namespace {
 
-/// The size of the smallest cells [m]: a power of two, so that cells of different radii have common
-/// borders.
+/// Returns the size of the smallest cells [m]. It is a power of two, so that cells of different
+/// radii have common borders.
 double leastCell(double radius) {
   constexpr double kShare = 0.25;  // of the radius, so that the innermost shell is thin
   return kShare * std::exp2(std::ceil(std::log2(radius)));
 }
 
-/// How often the cells of a square grid have to be doubled in size until two points lie in the same
-/// cell or in neighbouring ones.
+/// Doubles the size of the cells of a square grid until two points lie in the same cell or in
+/// neighbouring ones. @return how often
 int doublingsUntilNeighbours(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double cell) {
   constexpr int kMost = 40;
   const auto cellOf = [](const Eigen::Vector2d& point, double size) {

@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kCheckStep = 0.05;  // of the way's clearance [s]
 constexpr double kStep = 0.005;      // of the speed profile [m]
-constexpr double kSharpTurn = 0.1;   // in a step; there the steps become shorter [rad]
-constexpr double kTurn = 0.01;       // in one of these [rad]
-constexpr double kLeastStep = 1e-6;  // [m]
-constexpr double kAlike = 0.95;      // two limits of a speed, if one is this share of the other
-constexpr int kParts = 8;            // of a step, between which headings are compared
+constexpr double kSharpTurn = 0.1;   // a step that turns by more is divided [rad]
+constexpr double kTurn = 0.01;       // until each part turns by no more than this [rad]
+constexpr double kLeastStep = 1e-6;  // or is no longer than this [m]
+constexpr double kAlike = 0.95;      // a limit above this share of the speed changes nothing
+constexpr int kParts = 8;            // of a step; their headings are compared
 constexpr double kSwayLength = 3.0;  // of one swing of the heading, about [m]
 
 double swayFrequency(double length) {
@@ -43,8 +43,8 @@ Drive::Drive(const DrivePath& path, const RobotModel& robot)
                      2.0 * (distances_[i + 1] - distances_[i]) / (speeds_[i] + speeds_[i + 1]));
 }
 
-/// Into steps of the speed profile. They are short where the way has a cusp, as where it comes back
-/// by nearly the way it has come.
+/// Divides the way into the steps of the speed profile. They are short at a cusp, where the way
+/// nearly goes back along itself.
 void Drive::divide(double total) {
   const auto count = static_cast<std::size_t>(std::ceil(total / kStep));
   const double step = total / static_cast<double>(count);
@@ -70,7 +70,8 @@ void Drive::append(double end, double step) {
   steps_.push_back(step);
 }
 
-/// Whether a step that ends here is short. The curvature may be anything there, and says nothing.
+/// Returns whether a step that begins or ends here is short. The curvature there limits no speed,
+/// since it may be arbitrarily large at a single point.
 bool Drive::isAtCusp(std::size_t i) const {
   const auto is_short = [this](std::size_t step) {
     return step < steps_.size() && steps_[step] <= 0.5 * kStep;
@@ -78,8 +79,8 @@ bool Drive::isAtCusp(std::size_t i) const {
   return is_short(i) || (i > 0 && is_short(i - 1));
 }
 
-/// By how much the heading would change from one place of the way to another if it changed
-/// everywhere as fast as where it changes fastest [rad].
+/// Finds the place in a step at which the heading changes fastest. Returns the angle by which it
+/// would change in the step if it changed everywhere as fast [rad].
 double Drive::turn(double begin, double end) const {
   double largest = 0.0, before = poseAt(begin).theta();
   for (int i = 1; i <= kParts; ++i) {
@@ -102,7 +103,7 @@ double Drive::limitAt(double s, const DriveLimits& limits, double wanted) const 
   return speed;
 }
 
-/// Where the curvature at the ends of a step says little of that in between.
+/// Lowers the speed in steps in which the robot turns faster than at their ends.
 void Drive::limitTurns(double turn_rate) {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const double limit = steps_[i] * turn_rate / turn(distances_[i], distances_[i + 1]);
