@@ -94,19 +94,31 @@ TEST_F(DriveOfARobot, KeepsEveryLimit) {
   EXPECT_NEAR(fastest, 0.8, 1e-3);  // the straight is long enough
 }
 
+/// The sharper the cusp, the narrower the turn.
 TEST_F(DriveOfARobot, TurnsNoFasterWhereTheWayHasACusp) {
-  path_.points = {{0, 0}, {3, 0}, {3.5, 0.02}, {3, 0.04}, {0, 0.6}, {-0.5, 0.3}};
-  const Drive drive(path_, robot_);
   const double dt = 0.001;
-  double sharpest = 0.0;
-  for (double t = 0.0; t < drive.duration() - dt; t += dt) {
-    const Eigen::Vector3d twist = drive.pose(t).between(drive.pose(t + dt)).log() / dt;
-    EXPECT_LE(std::abs(twist.z()), 0.75) << t;
-    EXPECT_LE(std::abs(drive.speed(t + dt) - drive.speed(t)) / dt, 0.4 + 1e-3) << t;
-    if (twist.x() > 0.0) sharpest = std::max(sharpest, std::abs(twist.z()) / twist.x());
+  for (const double gap : {2e-2, 2e-3, 2e-4, 2e-5, 2e-6}) {
+    path_.points = {{0, 0}, {3, 0}, {3.5, gap}, {3, 2.0 * gap}, {0, 0.6}, {-0.5, 0.3}};
+    const Drive drive(path_, robot_);
+    double sharpest = 0.0, fastest_turn = 0.0, strongest = 0.0;
+    for (double t = 0.0; t < drive.duration() - dt; t += dt) {
+      const Eigen::Vector3d twist = drive.pose(t).between(drive.pose(t + dt)).log() / dt;
+      fastest_turn = std::max(fastest_turn, std::abs(twist.z()));
+      strongest = std::max(strongest, std::abs(drive.speed(t + dt) - drive.speed(t)) / dt);
+      if (twist.x() > 0.0) sharpest = std::max(sharpest, std::abs(twist.z()) / twist.x());
+    }
+    EXPECT_GT(sharpest, 1e2) << gap;  // [1/m], so it is a cusp
+    EXPECT_LE(fastest_turn, 0.75) << gap;
+    EXPECT_LE(strongest, 0.4 + 1e-3) << gap;
   }
-  EXPECT_GT(sharpest, 1e2);  // [1/m], so it is a cusp
-  EXPECT_LT(drive.duration(), 2.0 * (drive.length() / 0.4 + 4.0 * M_PI / 0.7));
+}
+
+/// At a cusp the curvature is huge where a step happens to end.
+TEST_F(DriveOfARobot, StandsAtNoCusp) {
+  for (double x = 2.55; x < 3.6; x += 0.0137) {
+    path_.points = {{0, 0}, {3, 0}, {x, 0.02}, {2.5, 0.034}, {0, 1.1}, {-0.5, 0.5}};
+    EXPECT_LT(Drive(path_, robot_).duration(), 50.0) << x;
+  }
 }
 
 TEST_F(DriveOfARobot, SpeedIsTheDerivativeOfTheWay) {
